@@ -1,9 +1,10 @@
 //! What is thought of two bodies at one instant, and which states of it count.
 
-use crate::pair::OUT;
+/// The state of being out.
+pub(crate) const OUT: u32 = 0;
 
 /// What is thought of two bodies at one instant.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, PartialEq)]
 pub(crate) struct Belief {
     /// The states that count, of each, in order.
     pub states: [Vec<u32>; 2],
@@ -94,12 +95,7 @@ fn largest(all: impl Iterator<Item = f32>) -> f32 {
 
 /// The states that count, of chances by state: from a part of the best on, and the best of too many. Where something is said
 /// next, so often in each state, those that count then are among them.
-pub(crate) fn likely(
-    chances: &[f32],
-    (most, part): (usize, f32),
-    said: Option<(&[f32], f32)>,
-    likely: &mut Vec<u32>,
-) {
+pub(crate) fn likely(chances: &[f32], (most, part): (usize, f32), said: Option<(&[f32], f32)>, likely: &mut Vec<u32>) {
     likely.clear();
     let all = || (0..).zip(chances);
     let least = largest(chances.iter().copied()) * part;
@@ -141,5 +137,40 @@ fn best(states: &mut Vec<u32>, most: usize, chance: impl Fn(u32) -> f32) {
         states.select_nth_unstable_by(most, |&a, &b| chance(b).total_cmp(&chance(a)));
         states.truncate(most);
         states.sort_unstable();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn kept(chances: &[f32], limits: (usize, f32), said: Option<(&[f32], f32)>) -> Vec<u32> {
+        let mut states = Vec::new();
+        likely(chances, limits, said, &mut states);
+        states
+    }
+
+    #[test]
+    fn states_count_that_are_likely_or_that_what_is_said_next_would_need() {
+        let chances = [0.5, 1e-7, 0.4, 1e-9, 0.1];
+        assert_eq!(kept(&chances, (9, 1e-4), None), [0, 2, 4]);
+        assert_eq!(kept(&chances, (2, 1e-4), None), [0, 2]);
+        // Only in the second something is said often: then all is likely of it, and what is likely now stays.
+        let rates = [1e-6, 1.0, 1e-6, 1e-6, 1e-6];
+        assert_eq!(kept(&chances, (9, 1e-4), Some((&rates, 1e-6))), [0, 1, 2, 4]);
+        assert_eq!(kept(&chances, (2, 1e-4), Some((&rates, 1e-6))), [0, 2]);
+        assert_eq!(kept(&[0.0; 3], (2, 1e-4), None), [0, 1, 2]);
+    }
+
+    #[test]
+    fn what_is_thought_of_one_is_what_is_thought_of_both_whatever_the_other_does() {
+        let mut belief = Belief { states: [vec![0, 3], vec![1, 2, 5]], chances: vec![1.0, 2.0, 3.0, 4.0, 5.0, 5.0] };
+        assert!((belief.normalise() - libm::log(20.0)).abs() < 1e-6);
+        let near = |a: &[f32], b: &[f32]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6);
+        assert!(near(&belief.alone(0), &[0.3, 0.7]) && near(&belief.alone(1), &[0.25, 0.35, 0.4]));
+        assert!((belief.out(0) - 0.3).abs() < 1e-6);
+        belief.chances.fill(0.0);
+        belief.normalise();
+        assert!(near(&belief.chances, &[1.0 / 6.0; 6]));
     }
 }

@@ -421,3 +421,45 @@ impl Counts {
         rates
     }
 }
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    /// For so many seconds of [`walk`] a log is.
+    pub(crate) const LENGTH_S: i64 = 900;
+
+    /// A bed and a chair, to stay at: who is seen as a log begins was somewhere.
+    const FURNITURE: &str = r#""furniture": [
+        { "name": "bed", "at": [6, 2.2], "size_m": [2, 1.4], "height_m": 0.55, "enterable": true, "role": "bed" },
+        { "name": "chair", "at": [3.2, 0.5], "size_m": [0.5, 0.5], "height_m": 0.9, "enterable": true, "role": "dining_seat" }
+    ],
+    "sensors""#;
+
+    /// What is known of the flat that all tests are in, of one who lives there.
+    pub(crate) fn senses() -> Senses {
+        let home = include_str!("../../../tests/flat/home.json").replace("\"sensors\"", FURNITURE);
+        let files = [
+            ("scenario.json", include_str!("../../../tests/flat/scenario.json")),
+            ("home.json", home.as_str()),
+            ("logger.json", include_str!("../../../tests/flat/logger.json")),
+            ("ann.json", include_str!("../../../tests/flat/ann.json")),
+            ("ann.path.json", include_str!("../../../tests/flat/ann.path.json")),
+            // Bob is moved by keys that each test has of its own; here he is another who goes Ann's way.
+            ("bob.json", r#"{ "name": "Bob", "driver": { "path": "ann.path.json" } }"#),
+        ];
+        let files: BTreeMap<String, String> =
+            files.into_iter().map(|(name, text)| (name.to_owned(), text.to_owned())).collect();
+        Senses::learn(&Scenario::load(&files, "scenario.json").unwrap(), 0).unwrap()
+    }
+
+    /// What the flat's sensors say of somebody who goes from the kitchen to the bedroom and back.
+    pub(crate) fn walk() -> Vec<Message> {
+        const KITCHEN: usize = 1;
+        const BEDROOM: usize = 3;
+        let at_s = [(3, KITCHEN), (5, KITCHEN), (9, BEDROOM), (12, BEDROOM), (300, BEDROOM), (640, KITCHEN)];
+        let message = |(at_s, sensor)| Message { at: at_s * SECOND, sensor, said: Said::On };
+        at_s.map(message).to_vec()
+    }
+}

@@ -2,8 +2,8 @@
 //!
 //! The log is taken in blocks, so that memory does not grow with it; each block is looked at together with what comes next.
 
-use crate::learn::Senses;
 use crate::belief::Belief;
+use crate::learn::Senses;
 use crate::pair::Pair;
 use crate::said::{Message, Said};
 use crate::spells::Spell;
@@ -355,5 +355,39 @@ impl<'b, 'a> Together<'b, 'a> {
             of[1][b] += chance;
         }
         of
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::learn::tests::{LENGTH_S, senses, walk};
+    use homebody_core::time::SECOND;
+
+    #[test]
+    fn who_follows_a_log_thinks_what_going_forward_through_it_thinks() {
+        let bodies = [senses()];
+        let nobody = bodies[0].nobody();
+        let mut follower = Follower::new(&bodies, &nobody);
+        let (mut steps, mut pair) = (Steps::new(&bodies[0].timing, &[]), Pair::new([&bodies[0], &nobody]));
+        let mut gone = 0;
+        for message in walk() {
+            follower.hear(&message);
+            steps.hear(&message);
+            for number in gone..steps.len() {
+                go_on(std::slice::from_mut(&mut pair), &steps, number);
+            }
+            gone = steps.len();
+            let now = follower.now();
+            assert_eq!((now.at, now.pairs[0].0), (message.at, pair.last()));
+        }
+        // By all that was said later, something else is thought of some instant.
+        let (mut live, mut all) = (Vec::new(), Vec::new());
+        let instants = walk().into_iter().map(|message| (message.at, Some(message)));
+        follow(&bodies, instants, |instant| live.push((instant.at, instant.guesses()[0].chance)));
+        translate(&bodies, &[], walk(), LENGTH_S * SECOND, |instant| {
+            all.push((instant.at, instant.guesses()[0].chance))
+        });
+        assert!(live.iter().any(|one| !all.contains(one)));
     }
 }

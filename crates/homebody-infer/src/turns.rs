@@ -9,7 +9,7 @@ use crate::steps::Unusual;
 const NOTHING: f32 = 1e-3;
 /// A turn that is rarer than this part of the most frequent one from its state is none (ours). So little of what is thought is
 /// lost in a step: this part of it for each state that counts.
-const RARE: f32 = 1e-7;
+const RARE: f32 = 1e-6;
 
 /// How one body gets from state to state in a span. It is set for each step anew, and keeps its memory.
 #[derive(Clone, Debug)]
@@ -93,10 +93,19 @@ impl Turns {
     pub fn forward(&self, senses: &Senses, chances: &[f32], states: &[u32], to: &mut Vec<f32>) {
         to.clear();
         to.resize(self.passing.len(), 0.0);
-        for (&state, &chance) in states.iter().zip(chances) {
-            let chance = chance * self.passing[state as usize];
-            let row = senses.flow.row(self.span, state);
-            to.iter_mut().zip(row).for_each(|(to, turn)| *to += chance * turn);
+        let row = |state: u32| senses.flow.row(self.span, state);
+        let chance = |place: usize| chances[place] * self.passing[states[place] as usize];
+        let mut fours = states.chunks_exact(4);
+        for (place, four) in (0..).step_by(4).zip(&mut fours) {
+            let [a, b, c, d] = [0, 1, 2, 3].map(|one| chance(place + one));
+            let rows = row(four[0]).iter().zip(row(four[1])).zip(row(four[2])).zip(row(four[3]));
+            for (to, (((first, second), third), fourth)) in to.iter_mut().zip(rows) {
+                *to += (a * first + b * second) + (c * third + d * fourth);
+            }
+        }
+        let rest = states.len() / 4 * 4;
+        for place in rest..states.len() {
+            add(to, chance(place), row(states[place]));
         }
         self.touched.iter().for_each(|&state| to[state as usize] *= self.passing[state as usize]);
         for (&state, chance) in states.iter().zip(chances) {
@@ -115,12 +124,12 @@ impl Turns {
         }
         for &state in from {
             let row = senses.flow.row(self.span, state);
-            let passes = to.iter().zip(&self.weighed).map(|(&to, weighed)| row[to as usize] * weighed);
+            let passes = chosen(row, to, &self.weighed);
             let stays = match self.unsaid[state as usize] == 0.0 {
                 true => 0.0,
                 false => self.dense[state as usize] * self.stays(senses, state),
             };
-            before.push(passes.sum::<f32>() * self.passing[state as usize] + stays);
+            before.push(passes * self.passing[state as usize] + stays);
         }
         to.iter().for_each(|&state| self.dense[state as usize] = 0.0);
     }
@@ -180,6 +189,21 @@ fn add(sums: &mut [f32], factor: f32, row: &[f32]) {
     sums.iter_mut().zip(row).for_each(|(sum, one)| *sum += factor * one);
 }
 
+/// The sum of some numbers of a row, each by its factor: in parts, so that none waits for the one before.
+fn chosen(row: &[f32], places: &[u32], factors: &[f32]) -> f32 {
+    const PARTS: usize = 4;
+    let mut sums = [0.0; PARTS];
+    let (places, factors) = (places.chunks_exact(PARTS), factors.chunks_exact(PARTS));
+    let rest = places.remainder().iter().zip(factors.remainder()).map(|(&place, factor)| row[place as usize] * factor);
+    let rest: f32 = rest.sum();
+    for (places, factors) in places.zip(factors) {
+        for ((sum, &place), factor) in sums.iter_mut().zip(places).zip(factors) {
+            *sum += row[place as usize] * factor;
+        }
+    }
+    rest + (sums[0] + sums[1]) + (sums[2] + sums[3])
+}
+
 /// Rows of so many columns, turned over.
 pub(crate) fn turned_over(rows: &[f32], columns: usize, over: &mut Vec<f32>) {
     let height = rows.len() / columns.max(1);
@@ -189,5 +213,59 @@ pub(crate) fn turned_over(rows: &[f32], columns: usize, over: &mut Vec<f32>) {
         for (column, &number) in numbers.iter().enumerate() {
             over[column * height + row] = number;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Turns from three states to four, and rows of two numbers.
+    const CHANCES: [[f32; 4]; 3] = [[0.9, 0.1, 0.0, 1e-9], [0.0, 0.5, 0.5, 0.0], [0.2, 0.0, 0.3, 0.4]];
+
+    fn between() -> Between {
+        let mut between = Between::default();
+        for row in CHANCES {
+            between.first.push(between.turns.len() as u32);
+            between.turns.extend((0..).zip(row).filter(|(_, chance)| *chance > RARE));
+        }
+        between.first.push(between.turns.len() as u32);
+        between
+    }
+
+    fn near(a: &[f32], b: &[f32]) -> bool {
+        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-6)
+    }
+
+    #[test]
+    fn what_is_worth_it_comes_to_what_all_comes_to() {
+        let (mut to, mut from) = (Vec::new(), Vec::new());
+        let was = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
+        between().forward(&was, [2, 4], &mut to);
+        let of = |state: usize, column: usize| (0..3).map(|from| CHANCES[from][state] * was[from * 2 + column]).sum();
+        let all: Vec<f32> = (0..8).map(|place| of(place / 2, place % 2)).collect();
+        assert!(near(&to, &all), "{to:?} {all:?}");
+        between().back(&all, 2, &mut from);
+        let of = |state: usize, column: usize| (0..4).map(|to| CHANCES[state][to] * all[to * 2 + column]).sum();
+        let before: Vec<f32> = (0..6).map(|place| of(place / 2, place % 2)).collect();
+        assert!(near(&from, &before), "{from:?} {before:?}");
+        assert!(!near(&from, &was));
+    }
+
+    #[test]
+    fn rows_turned_over_twice_are_as_they_were() {
+        let rows: Vec<f32> = (0..12).map(|number| number as f32).collect();
+        let (mut once, mut twice) = (Vec::new(), Vec::new());
+        turned_over(&rows, 3, &mut once);
+        turned_over(&once, 4, &mut twice);
+        assert_eq!(once[..5], [0.0, 3.0, 6.0, 9.0, 1.0]);
+        assert_eq!(twice, rows);
+    }
+
+    #[test]
+    fn chosen_numbers_are_added_by_their_factors() {
+        let row: Vec<f32> = (0..20).map(|number| number as f32).collect();
+        let places = [1, 4, 7, 10, 19];
+        assert_eq!(chosen(&row, &places, &[1.0, 0.5, 2.0, 0.0, 1.0]), 1.0 + 2.0 + 14.0 + 19.0);
     }
 }

@@ -3,9 +3,9 @@
 //! Most of a log is made by one person alone, which is found out at a part of what it costs to think of two. Two are thought
 //! of in stretches around what one alone would hardly have made the sensors say.
 
+use crate::belief::{Belief, OUT};
 use crate::learn::Senses;
-use crate::belief::Belief;
-use crate::pair::{OUT, Pair};
+use crate::pair::Pair;
 use crate::steps::Steps;
 
 /// A guest is told of where the log is so much more likely with one, as a logarithm (ours); and so many steps after they have
