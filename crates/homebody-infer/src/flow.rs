@@ -80,14 +80,6 @@ impl Flow {
         (self.falls[state as usize] * Flow::span_s(span)) as f32
     }
 
-    /// The chances of where somebody is after a span who was in one of several states, each with its chance.
-    pub fn forward(&self, span: usize, chances: &[f32], states: &[u32], to: &mut [f32]) {
-        to.fill(0.0);
-        for (&state, chance) in states.iter().zip(chances) {
-            to.iter_mut().zip(self.row(span, state)).for_each(|(to, turn)| *to += chance * turn);
-        }
-    }
-
     /// Of nobody, who is always in the one state.
     pub fn nobody() -> Flow {
         Flow { states: 1, steps: vec![vec![1.0]; SPANS], falls: vec![0.0] }

@@ -50,6 +50,8 @@ pub struct Senses {
     pub(crate) timing: Vec<Timing>,
     /// By channel and state: messages a second while the sensor can say so.
     pub(crate) rates: Vec<Vec<f32>>,
+    /// By channel: the states in which it was heard, and by how much more often than what comes of nothing.
+    heard_of: Vec<Vec<(u32, f32)>>,
     pub(crate) flow: Flow,
     counted: Counted,
     /// Whether it is somebody who comes now and then, and is out as a log begins.
@@ -144,7 +146,8 @@ impl Senses {
         smear(&mut rates, &counts.turns, &states);
         let counted = Counted { time_s: counts.time_s, turns: counts.turns };
         let flow = counted.flow(&states, &rates, OUT_S);
-        Ok(Senses { states, timing, rates, flow, counted, visits: false })
+        let heard_of = rates.iter().map(|rates| heard_of(rates)).collect();
+        Ok(Senses { states, timing, rates, heard_of, flow, counted, visits: false })
     }
 
     /// The same for a body that is seldom at home: somebody who visits.
@@ -154,19 +157,25 @@ impl Senses {
     }
 
     /// Nobody, who is beside a body that is alone.
-    pub(crate) fn nobody(&self) -> Senses {
+    pub fn nobody(&self) -> Senses {
         // Whether what feels somebody is over depends on the other alone.
         let is_over = |channel: usize| channel % KINDS == Said::Off as usize && self.timing[channel / KINDS].feels;
         let of = |channel: usize| if is_over(channel) { f32::MAX } else { 0.0 };
         let rates = (0..self.rates.len()).map(|channel| vec![of(channel)]).collect();
         let counted = Counted { time_s: Vec::new(), turns: Vec::new() };
         let (states, timing) = (States::nobody(), self.timing.clone());
-        Senses { states, timing, rates, flow: Flow::nobody(), counted, visits: false }
+        let heard_of = vec![Vec::new(); self.rates.len()];
+        Senses { states, timing, rates, heard_of, flow: Flow::nobody(), counted, visits: false }
     }
 
     /// How often a sensor says something, in messages a second while it can: by state.
     pub(crate) fn rate(&self, sensor: usize, said: Said) -> &[f32] {
         &self.rates[channel(sensor, said)]
+    }
+
+    /// In which states a sensor says something, and by how much more often a second than of nothing.
+    pub(crate) fn heard_of(&self, sensor: usize, said: Said) -> &[(u32, f32)] {
+        &self.heard_of[channel(sensor, said)]
     }
 
     /// The chances of the states before anything was said.
@@ -188,6 +197,13 @@ impl Senses {
     pub fn states(&self) -> &States {
         &self.states
     }
+}
+
+/// In which states something is said, by how often it is in each. What comes of nothing is the same in all others.
+fn heard_of(rates: &[f32]) -> Vec<(u32, f32)> {
+    let of_nothing = OF_NOTHING as f32;
+    let more = (0..).zip(rates).map(|(state, rate)| (state, rate - of_nothing));
+    more.filter(|(_, more)| *more > of_nothing).collect()
 }
 
 /// Gives each patch of floor a part of the rates of those that are walked to from it: bodies differ in pace and in how they
@@ -403,5 +419,47 @@ impl Counts {
             }
         }
         rates
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    /// For so many seconds of [`walk`] a log is.
+    pub(crate) const LENGTH_S: i64 = 900;
+
+    /// A bed and a chair, to stay at: who is seen as a log begins was somewhere.
+    const FURNITURE: &str = r#""furniture": [
+        { "name": "bed", "at": [6, 2.2], "size_m": [2, 1.4], "height_m": 0.55, "enterable": true, "role": "bed" },
+        { "name": "chair", "at": [3.2, 0.5], "size_m": [0.5, 0.5], "height_m": 0.9, "enterable": true, "role": "dining_seat" }
+    ],
+    "sensors""#;
+
+    /// What is known of the flat that all tests are in, of one who lives there.
+    pub(crate) fn senses() -> Senses {
+        let home = include_str!("../../../tests/flat/home.json").replace("\"sensors\"", FURNITURE);
+        let files = [
+            ("scenario.json", include_str!("../../../tests/flat/scenario.json")),
+            ("home.json", home.as_str()),
+            ("logger.json", include_str!("../../../tests/flat/logger.json")),
+            ("ann.json", include_str!("../../../tests/flat/ann.json")),
+            ("ann.path.json", include_str!("../../../tests/flat/ann.path.json")),
+            // Bob is moved by keys that each test has of its own; here he is another who goes Ann's way.
+            ("bob.json", r#"{ "name": "Bob", "driver": { "path": "ann.path.json" } }"#),
+        ];
+        let files: BTreeMap<String, String> =
+            files.into_iter().map(|(name, text)| (name.to_owned(), text.to_owned())).collect();
+        Senses::learn(&Scenario::load(&files, "scenario.json").unwrap(), 0).unwrap()
+    }
+
+    /// What the flat's sensors say of somebody who goes from the kitchen to the bedroom and back.
+    pub(crate) fn walk() -> Vec<Message> {
+        const KITCHEN: usize = 1;
+        const BEDROOM: usize = 3;
+        let at_s = [(3, KITCHEN), (5, KITCHEN), (9, BEDROOM), (12, BEDROOM), (300, BEDROOM), (640, KITCHEN)];
+        let message = |(at_s, sensor)| Message { at: at_s * SECOND, sensor, said: Said::On };
+        at_s.map(message).to_vec()
     }
 }

@@ -12,6 +12,8 @@
 
 #![warn(missing_docs)]
 
+mod belief;
+mod exponential;
 mod flow;
 mod health;
 mod learn;
@@ -23,13 +25,14 @@ mod spells;
 mod states;
 mod steps;
 mod track;
+mod turns;
 mod visits;
 mod watch;
 
 pub use health::{Ailment, Finding, health};
 pub use learn::{NotLearnt, Senses};
 pub use said::{Message, Said};
-pub use smooth::{Chances, Guess, Instant, follow, translate};
+pub use smooth::{Chances, Follower, Guess, Instant, follow, translate};
 pub use spells::{Ill, Spell, spells};
 pub use states::{Kind, State, States};
 pub use steps::Heard;

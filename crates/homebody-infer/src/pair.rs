@@ -3,33 +3,23 @@
 //! What is said may come of either, so that what is thought of one depends on the other: the chances are of pairs of states.
 //! Only the states that count are kept of each. One body alone has nobody beside it, who has one state and makes nothing speak.
 
-use crate::learn::{SILENCE, Senses};
+use crate::belief::{Belief, OUT, likely};
+use crate::exponential::exp;
+use crate::learn::Senses;
 use crate::said::Said;
 use crate::steps::{Heard, Steps, Unusual};
+use crate::turns::{Between, Turns, turned_over};
 
 /// Whatever is said may have come of nothing, in whatever state (ours).
-pub(crate) const OF_NOTHING: f32 = 3e-6;
-/// A state counts no more once its chance is this small beside the best, of one body alone and of each of two (ours).
-const HOPELESS_ALONE: f32 = 1e-5;
-const HOPELESS: f32 = 1e-6;
-/// An exponent that makes no difference (ours).
-const NOTHING: f32 = 1e-3;
-/// The state of being out.
-pub(crate) const OUT: u32 = 0;
+const OF_NOTHING: f32 = 3e-6;
+/// A state counts no more once its chance is this small beside the best (ours). Of one body alone what is thought is then off by
+/// 0.005 at most in the flat of the tests; with ten times as much it is off by 0.1.
+const HOPELESS: f32 = 1e-5;
 /// So many states count at once of somebody who may be visiting, of the one who lives there then, and of each of two who live
 /// there (ours).
-const OF_GUESTS: usize = 32;
-const OF_HOSTS: usize = 120;
-const OF_TWO: usize = 64;
-
-/// What is thought of two bodies at one instant.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Belief {
-    /// The states that count, of each.
-    pub states: [Vec<u32>; 2],
-    /// The chances of pairs of them, row by row: a row for each of the first.
-    pub chances: Vec<f32>,
-}
+const OF_GUESTS: usize = 16;
+const OF_HOSTS: usize = 48;
+const OF_TWO: usize = 48;
 
 /// What is thought of two bodies over a stretch of a log.
 pub(crate) struct Pair<'a> {
@@ -44,12 +34,33 @@ pub(crate) struct Pair<'a> {
     /// The same before the first step, and after each.
     pub evidence_before: f64,
     pub evidences: Vec<f64>,
+    /// How many states of each count at once, and from which chance on beside the best.
+    limits: [(usize, f32); 2],
+    work: Work,
+}
+
+/// Memory that is used in each step.
+struct Work {
+    turns: [Turns; 2],
+    between: [Between; 2],
+    from: Belief,
+    alone: Vec<f32>,
+    /// By body: the chances of all its states.
+    all: [Vec<f32>; 2],
+    half: Vec<f32>,
+    over: Vec<f32>,
+    /// Beliefs of steps that are done with.
+    spare: Vec<Belief>,
 }
 
 impl<'a> Pair<'a> {
     pub fn new(senses: [&'a Senses; 2]) -> Pair<'a> {
         let begins = senses.map(Senses::begins);
-        let states = [0, 1].map(|body| likely(&begins[body], (usize::MAX, HOPELESS)));
+        let states = [0, 1].map(|body| {
+            let mut states = Vec::new();
+            likely(&begins[body], (usize::MAX, HOPELESS), None, &mut states);
+            states
+        });
         let of = |body: usize, place: u32| begins[body][place as usize];
         let chances = states[0].iter().flat_map(|&a| states[1].iter().map(move |&b| of(0, a) * of(1, b))).collect();
         Pair::after_belief(senses, Belief { states, chances })
@@ -65,6 +76,17 @@ impl<'a> Pair<'a> {
             evidence: 0.0,
             evidence_before: 0.0,
             evidences: Vec::new(),
+            limits: [limits(senses[0], senses[1]), limits(senses[1], senses[0])],
+            work: Work {
+                turns: senses.map(|senses| Turns::of(senses.states().len())),
+                between: Default::default(),
+                from: Belief::default(),
+                alone: Vec::new(),
+                all: Default::default(),
+                half: Vec::new(),
+                over: Vec::new(),
+                spare: Vec::new(),
+            },
         }
     }
 
@@ -77,10 +99,16 @@ impl<'a> Pair<'a> {
     pub fn go_on(&mut self, steps: &Steps, number: usize) {
         let step = steps.get(number);
         let unusual = steps.unusual(number);
-        let mut belief = self.last().clone();
-        self.ends(&mut belief, unusual);
-        if let Some(span) = step.span {
-            belief = self.after(&belief, span, unusual, step.said);
+        let mut belief = self.work.spare.pop().unwrap_or_default();
+        match step.span {
+            None => belief.clone_from(self.last()),
+            Some(span) => {
+                let mut from = std::mem::take(&mut self.work.from);
+                from.clone_from(self.last());
+                self.ends(&mut from, unusual);
+                self.after(&from, (span, unusual), step.said, &mut belief);
+                self.work.from = from;
+            }
         }
         self.ends(&mut belief, unusual);
         self.evidence += belief.normalise();
@@ -92,7 +120,14 @@ impl<'a> Pair<'a> {
     /// How often the two would say this now, in messages a second.
     pub fn expected(&self, heard: Heard) -> f32 {
         let belief = self.last();
-        self.saying(heard, belief).zip(&belief.chances).map(|(rate, chance)| rate * chance).sum()
+        let [first, second] = self.senses.map(|senses| senses.rate(heard.sensor, heard.said));
+        let both = self.both(heard);
+        let mut expected = 0.0;
+        for (&a, row) in belief.states[0].iter().zip(belief.chances.chunks_exact(belief.states[1].len().max(1))) {
+            let of = |(&b, chance): (&u32, &f32)| both(first[a as usize], second[b as usize]) * chance;
+            expected += belief.states[1].iter().zip(row).map(of).sum::<f32>();
+        }
+        expected
     }
 
     /// Takes what is said at the end of the step that came last; others would say it so often.
@@ -106,100 +141,97 @@ impl<'a> Pair<'a> {
         }
     }
 
-    /// By what is said, which others would say so often.
-    fn weigh(&self, heard: Heard, others: f32, belief: &mut Belief) {
-        let mut chances = std::mem::take(&mut belief.chances);
-        let rates = self.saying(heard, belief);
-        chances.iter_mut().zip(rates).for_each(|(chance, rate)| *chance *= rate + others + OF_NOTHING);
-        belief.chances = chances;
-    }
-
-    /// How often something is said by two bodies in each pair of states.
-    fn saying(&self, heard: Heard, belief: &Belief) -> impl Iterator<Item = f32> {
-        let rates = self.rates(heard.sensor, heard.said, belief);
-        // What feels a body says that it is over once neither is there.
+    /// How often two bodies say something together, of how often each does alone. What feels a body says that it is over once
+    /// neither is there.
+    fn both(&self, heard: Heard) -> impl Fn(f32, f32) -> f32 + use<> {
         let least = heard.said == Said::Off && self.senses[0].timing[heard.sensor].feels;
-        let [first, second] = rates;
-        first.into_iter().flat_map(move |a| {
-            let each = second.clone().into_iter();
-            each.map(move |b| if least { a.min(b) } else { a + b })
-        })
+        move |a, b| if least { a.min(b) } else { a + b }
     }
 
-    /// How often a sensor says something of each of the two alone, by the states that count.
-    fn rates(&self, sensor: usize, said: Said, belief: &Belief) -> [Vec<f32>; 2] {
-        [0, 1].map(|body| {
-            let rate = self.senses[body].rate(sensor, said);
-            belief.states[body].iter().map(|&state| rate[state as usize]).collect()
-        })
+    /// By what is said, which others would say so often.
+    fn weigh(&mut self, heard: Heard, others: f32, belief: &mut Belief) {
+        let [first, second] = self.senses.map(|senses| senses.rate(heard.sensor, heard.said));
+        let both = self.both(heard);
+        let alone = &mut self.work.alone;
+        alone.clear();
+        alone.extend(belief.states[1].iter().map(|&state| second[state as usize]));
+        let besides = others + OF_NOTHING;
+        for (&a, row) in belief.states[0].iter().zip(belief.chances.chunks_exact_mut(alone.len().max(1))) {
+            let a = first[a as usize];
+            row.iter_mut().zip(alone.iter()).for_each(|(chance, &b)| *chance *= both(a, b) + besides);
+        }
     }
 
     /// Where they are after a span in which nothing is said; a state that what is said then would need is kept.
-    fn after(&self, belief: &Belief, span: usize, unusual: &[Unusual], said: Option<Heard>) -> Belief {
-        let turns = [0, 1].map(|body| Turns::new(self.senses[body], span, unusual));
-        let mut alone: [Vec<f32>; 2] = Default::default();
-        let states = [0, 1].map(|body| {
-            let mut to = turns[body].forward(&belief.alone(body), &belief.states[body]);
-            alone[body].clone_from(&to);
-            let limits = self.limits(body);
-            let keep = likely(&to, limits);
-            let Some(heard) = said else { return keep };
-            let rates = self.senses[body].rate(heard.sensor, heard.said);
-            to.iter_mut().zip(rates).for_each(|(to, rate)| *to *= rate + OF_NOTHING);
-            merged(&keep, &likely(&to, limits))
-        });
-        if let ([_], [_]) = (&belief.states[1][..], &states[1][..]) {
+    fn after(&mut self, from: &Belief, (span, unusual): (usize, &[Unusual]), said: Option<Heard>, to: &mut Belief) {
+        for body in 0..2 {
+            let (senses, limits) = (self.senses[body], self.limits[body]);
+            let Work { turns, alone, all, .. } = &mut self.work;
+            if senses.states().len() == 1 {
+                to.states[body].clone_from(&from.states[body]);
+                continue;
+            }
+            turns[body].set(senses, span, unusual);
+            from.alone_into(body, alone);
+            turns[body].forward(senses, alone, &from.states[body], &mut all[body]);
+            let said = said.map(|heard| (senses.rate(heard.sensor, heard.said), OF_NOTHING));
+            likely(&all[body], limits, said, &mut to.states[body]);
+        }
+        let Work { turns, between, all, half, over, .. } = &mut self.work;
+        to.chances.clear();
+        if let ([_], [_]) = (&from.states[1][..], &to.states[1][..]) {
             // Who the other is with certainty says nothing of the first.
-            let chances = states[0].iter().map(|&state| alone[0][state as usize]).collect();
-            return Belief { states, chances };
+            to.chances.extend(to.states[0].iter().map(|&state| all[0][state as usize]));
+            return;
         }
-        let [first, second] = [0, 1].map(|body| turns[body].between(&belief.states[body], &states[body]));
-        let half = product_of_transposed(&first, &belief.chances, [belief.states[0].len(), states[0].len()]);
-        let chances = product(&half, &second, belief.states[1].len(), states[1].len());
-        Belief { states, chances }
-    }
-
-    /// How many states of a body count at once, and from which chance on beside the best.
-    fn limits(&self, body: usize) -> (usize, f32) {
-        let (own, other) = (self.senses[body], self.senses[1 - body]);
-        match (own.visits, other.visits) {
-            _ if other.states().len() == 1 => (usize::MAX, HOPELESS_ALONE),
-            (true, _) => (OF_GUESTS, HOPELESS),
-            (false, true) => (OF_HOSTS, HOPELESS),
-            (false, false) => (OF_TWO, HOPELESS),
+        for body in 0..2 {
+            turns[body].between(self.senses[body], &from.states[body], &to.states[body], &mut between[body]);
         }
+        let (rows, columns) = (to.states[0].len(), from.states[1].len());
+        between[0].forward(&from.chances, [columns, rows], half);
+        turned_over(half, columns, over);
+        between[1].forward(over, [rows, to.states[1].len()], half);
+        turned_over(half, rows, &mut to.chances);
     }
 
     /// Half of what it says that what feels somebody does not end: for as long as either keeps it on, all is as it should be.
-    fn ends(&self, belief: &mut Belief, unusual: &[Unusual]) {
-        let feels = |one: &&Unusual| one.may_end_s > 0.0 && self.senses[0].timing[one.sensor].feels;
-        for one in unusual.iter().filter(feels) {
-            let [first, second] = self.rates(one.sensor, Said::Off, belief);
+    fn ends(&mut self, belief: &mut Belief, unusual: &[Unusual]) {
+        let timing = &self.senses[0].timing;
+        for one in unusual.iter().filter(|one| one.may_end_s > 0.0 && timing[one.sensor].feels) {
             let seconds = one.may_end_s / 2.0;
-            for (row, a) in belief.chances.chunks_exact_mut(second.len().max(1)).zip(first) {
-                for (chance, &b) in row.iter_mut().zip(&second) {
-                    let exponent = a.min(b) * seconds;
-                    if exponent > NOTHING {
-                        *chance *= libm::expf(-exponent);
-                    }
-                }
+            let [first, second] = self.senses.map(|senses| senses.rate(one.sensor, Said::Off));
+            let alone = &mut self.work.alone;
+            alone.clear();
+            alone.extend(belief.states[1].iter().map(|&state| exp(-second[state as usize] * seconds)));
+            for (&a, row) in belief.states[0].iter().zip(belief.chances.chunks_exact_mut(alone.len().max(1))) {
+                let a = exp(-first[a as usize] * seconds);
+                row.iter_mut().zip(alone.iter()).for_each(|(chance, &b)| *chance *= if a > b { a } else { b });
             }
         }
     }
 
-    /// Goes back through all steps, of which the first has this number, and makes of what was thought by what was said before
-    /// what is thought by all. `after` is how likely all is that comes after the last; `look` gets the same for the end of each
-    /// step with the step's number.
-    pub fn go_back(&mut self, steps: &Steps, first: usize, mut after: Belief, mut look: impl FnMut(usize, &Belief)) {
+    /// Goes back through all steps, of which the first has this number, and makes of what was thought of the first `told` by
+    /// what was said before what is thought by all. `after` is how likely all is that comes after the last; `look` gets the same
+    /// for the end of each step with the step's number.
+    pub fn go_back(
+        &mut self,
+        steps: &Steps,
+        (first, told): (usize, usize),
+        mut after: Belief,
+        mut look: impl FnMut(usize, &Belief),
+    ) {
+        let mut before = self.work.spare.pop().unwrap_or_default();
         for place in (0..self.beliefs.len()).rev() {
             look(first + place, &after);
-            let previous = place.checked_sub(1).map_or(&self.before, |previous| &self.beliefs[previous]);
-            let back = self.back((steps, first + place), self.others[place], &after, previous);
-            let belief = &mut self.beliefs[place];
-            belief.chances.iter_mut().zip(&after.chances).for_each(|(chance, after)| *chance *= after);
-            belief.normalise();
-            after = back;
+            if place < told {
+                let belief = &mut self.beliefs[place];
+                belief.chances.iter_mut().zip(&after.chances).for_each(|(chance, after)| *chance *= after);
+                belief.normalise();
+            }
+            self.back((steps, first + place), place, &mut after, &mut before);
+            std::mem::swap(&mut after, &mut before);
         }
+        self.work.spare.extend([after, before]);
     }
 
     /// What is known of all that comes after the last step by what is known of the first alone, once the second is out.
@@ -219,249 +251,122 @@ impl<'a> Pair<'a> {
         after
     }
 
-    /// How likely all is that comes after a step's beginning, for who was in the states of `previous` then, where `after` is
-    /// the same for its end, and others say what is said then so often.
-    fn back(&self, (steps, number): (&Steps, usize), others: f32, after: &Belief, previous: &Belief) -> Belief {
+    /// How likely all is that comes after the beginning of a step, for who was in the states that counted then, where `after` is
+    /// the same for its end.
+    fn back(&mut self, (steps, number): (&Steps, usize), place: usize, after: &mut Belief, before: &mut Belief) {
         let (step, unusual) = (steps.get(number), steps.unusual(number));
-        let mut after = after.clone();
         if let Some(heard) = step.said {
-            self.weigh(heard, others, &mut after);
+            self.weigh(heard, self.others[place], after);
         }
-        self.ends(&mut after, unusual);
-        let before = match step.span {
-            None => after,
+        self.ends(after, unusual);
+        let previous = place.checked_sub(1).map_or(&self.before, |previous| &self.beliefs[previous]);
+        match step.span {
+            None => before.clone_from(after),
             Some(span) => {
-                let turns = [0, 1].map(|body| Turns::new(self.senses[body], span, unusual));
-                if let ([_], [_]) = (&previous.states[1][..], &after.states[1][..]) {
-                    let chances = turns[0].back(&after.chances, &after.states[0], &previous.states[0]);
-                    return self.ended(Belief { states: previous.states.clone(), chances }, unusual);
+                before.take_states(previous);
+                let Work { turns, between, half, over, .. } = &mut self.work;
+                let [first, second] = &mut *turns;
+                first.set(self.senses[0], span, unusual);
+                if let ([_], [_]) = (&before.states[1][..], &after.states[1][..]) {
+                    let states = (&after.states[0][..], &before.states[0][..]);
+                    first.back(self.senses[0], &after.chances, states, &mut before.chances);
+                } else {
+                    second.set(self.senses[1], span, unusual);
+                    for body in 0..2 {
+                        let (from, to) = (&before.states[body], &after.states[body]);
+                        turns[body].between(self.senses[body], from, to, &mut between[body]);
+                    }
+                    let columns = after.states[1].len();
+                    between[0].back(&after.chances, columns, half);
+                    turned_over(half, columns, over);
+                    let rows = before.states[0].len();
+                    between[1].back(over, rows, half);
+                    turned_over(half, rows, &mut before.chances);
                 }
-                let [first, second] =
-                    [0, 1].map(|body| turns[body].between(&previous.states[body], &after.states[body]));
-                let half = product_with_transposed(&after.chances, &second, after.states[1].len());
-                let rows = after.states[0].len();
-                let chances = product(&first, &half, rows, previous.states[1].len());
-                Belief { states: previous.states.clone(), chances }
             }
-        };
-        self.ended(before, unusual)
-    }
-
-    /// The same before half of what did not end.
-    fn ended(&self, mut before: Belief, unusual: &[Unusual]) -> Belief {
-        self.ends(&mut before, unusual);
+        }
+        self.ends(before, unusual);
         before.normalise();
-        before
     }
 
-    /// Begins anew after so many steps, with what was thought then by what was said until then.
+    /// Forgets the first steps, after which this was thought by what was said until then.
     pub fn begin_after(&mut self, steps: usize, before: Belief) {
         self.evidence_before = self.evidences[steps - 1];
-        self.evidence = self.evidence_before;
-        self.before = before;
-        self.beliefs.clear();
-        self.others.clear();
-        self.evidences.clear();
+        let old = std::mem::replace(&mut self.before, before);
+        self.work.spare.push(old);
+        self.work.spare.extend(self.beliefs.drain(..steps));
+        self.others.drain(..steps);
+        self.evidences.drain(..steps);
     }
 }
 
-impl Belief {
-    /// The chances of one body's states, whatever the other does: by state, of those that count.
-    pub fn alone(&self, body: usize) -> Vec<f32> {
-        let columns = self.states[1].len().max(1);
-        match body {
-            0 => self.chances.chunks_exact(columns).map(|row| row.iter().sum()).collect(),
-            _ => {
-                let mut sums = vec![0.0; self.states[1].len()];
-                for row in self.chances.chunks_exact(columns) {
-                    sums.iter_mut().zip(row).for_each(|(sum, chance)| *sum += chance);
-                }
-                sums
-            }
-        }
-    }
-
-    /// The chance that a body is out.
-    pub fn out(&self, body: usize) -> f32 {
-        let of = |(chance, state): (f32, &u32)| if *state == OUT { chance } else { 0.0 };
-        self.alone(body).into_iter().zip(&self.states[body]).map(of).sum()
-    }
-
-    /// Makes the chances one together; the logarithm of what they were.
-    fn normalise(&mut self) -> f64 {
-        let sum: f32 = self.chances.iter().sum();
-        if sum > 0.0 && sum.is_finite() {
-            self.chances.iter_mut().for_each(|chance| *chance /= sum);
-            return libm::log(f64::from(sum));
-        }
-        // Nothing fits: all is possible again.
-        let even = 1.0 / self.chances.len().max(1) as f32;
-        self.chances.fill(even);
-        libm::log(f64::from(f32::MIN_POSITIVE))
+/// How many states of a body count at once beside another, and from which chance on beside the best.
+fn limits(own: &Senses, other: &Senses) -> (usize, f32) {
+    match (own.visits, other.visits) {
+        _ if other.states().len() == 1 => (usize::MAX, HOPELESS),
+        (true, _) => (OF_GUESTS, HOPELESS),
+        (false, true) => (OF_HOSTS, HOPELESS),
+        (false, false) => (OF_TWO, HOPELESS),
     }
 }
 
-/// How one body gets from state to state in a span, in which some sensors are deaf.
-struct Turns<'a> {
-    senses: &'a Senses,
-    span: usize,
-    /// By state: by how much less is said there in the span than if all could be.
-    unsaid: Vec<f32>,
-    /// By state: what that makes of the chance of those who come or go within the span.
-    passing: Vec<f32>,
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::learn::tests::{LENGTH_S, senses, walk};
+    use homebody_core::time::SECOND;
 
-impl<'a> Turns<'a> {
-    fn new(senses: &'a Senses, span: usize, unusual: &[Unusual]) -> Turns<'a> {
-        let size = senses.states().len();
-        if unusual.is_empty() {
-            return Turns { senses, span, unsaid: vec![0.0; size], passing: vec![1.0; size] };
+    /// What is thought at the end of each step of a walk through a flat, by what was said before and after, where so many states
+    /// count: by state of each.
+    fn thought(senses: [&Senses; 2], limits: Option<(usize, f32)>) -> Vec<[Vec<f32>; 2]> {
+        let mut steps = Steps::new(&senses[0].timing, &[]);
+        walk().iter().for_each(|message| steps.hear(message));
+        steps.go_on(LENGTH_S * SECOND, None);
+        let mut pair = Pair::new(senses);
+        pair.limits = limits.map_or(pair.limits, |limits| [limits; 2]);
+        for number in 0..steps.len() {
+            pair.go_on(&steps, number);
+            steps.get(number).said.into_iter().for_each(|heard| pair.hear(heard, 0.0));
         }
-        let mut unsaid = vec![0.0f32; size];
-        let mut add = |rates: &[f32], seconds: f32| {
-            unsaid.iter_mut().zip(rates).for_each(|(unsaid, rate)| *unsaid += rate * seconds);
+        pair.go_back(&steps, (0, usize::MAX), pair.nothing_known(), |_, _| {});
+        let of = |belief: &Belief| {
+            [0, 1].map(|body| {
+                let mut all = vec![0.0; senses[body].states().len()];
+                belief.states[body].iter().zip(belief.alone(body)).for_each(|(&state, one)| all[state as usize] = one);
+                all
+            })
         };
-        for one in unusual {
-            add(senses.rate(one.sensor, Said::On), one.deaf_s * SILENCE as f32);
-            if one.may_end_s > 0.0 && !senses.timing[one.sensor].feels {
-                add(senses.rate(one.sensor, Said::Off), -one.may_end_s);
-            }
-        }
-        // Who comes or goes at any time of the span is there for a part of it: the mean of the exponential over all parts.
-        let part = |&unsaid: &f32| match unsaid.abs() < NOTHING {
-            true => 1.0,
-            false => unsaid / (1.0 - libm::expf(-unsaid)),
+        pair.beliefs.iter().map(of).collect()
+    }
+
+    /// The largest difference of what is thought of a state, over all steps; and the mean over the steps of half of all.
+    fn apart(a: &[[Vec<f32>; 2]], b: &[[Vec<f32>; 2]]) -> (f32, f32) {
+        let of = |(a, b): (&[Vec<f32>; 2], &[Vec<f32>; 2])| -> Vec<f32> {
+            a.iter().flatten().zip(b.iter().flatten()).map(|(a, b)| (a - b).abs()).collect()
         };
-        let passing = unsaid.iter().map(part).collect();
-        Turns { senses, span, unsaid, passing }
+        let steps: Vec<Vec<f32>> = a.iter().zip(b).map(of).collect();
+        let most = steps.iter().flatten().copied().fold(0.0, f32::max);
+        let half: f32 = steps.iter().map(|step| step.iter().sum::<f32>() / 2.0).sum();
+        (most, half / steps.len() as f32)
     }
 
-    /// The chance of staying in a state for the whole span, but for that which its matrix has.
-    fn stays(&self, state: u32) -> f32 {
-        let unsaid = self.unsaid[state as usize];
-        if unsaid.abs() < NOTHING {
-            return 0.0;
-        }
-        let (usual, passing) = (self.senses.flow.stays(self.span, state), self.passing[state as usize]);
-        (libm::expf(usual + unsaid) - libm::expf(usual) * passing * passing).max(0.0)
+    #[test]
+    fn what_is_left_out_of_one_moves_little_of_what_is_thought() {
+        let one = senses();
+        let nobody = one.nobody();
+        let exact = thought([&one, &nobody], Some((usize::MAX, 0.0)));
+        let (most, mean) = apart(&exact, &thought([&one, &nobody], None));
+        assert!(most < 0.01 && mean < 0.01, "{most} {mean}");
+        // Where too few count it is another answer.
+        let (most, _) = apart(&exact, &thought([&one, &nobody], Some((usize::MAX, 10.0 * HOPELESS))));
+        assert!(most > 0.05, "{most}");
     }
 
-    /// Where a body is afterwards who was in one of several states, each with its chance.
-    fn forward(&self, chances: &[f32], states: &[u32]) -> Vec<f32> {
-        let chances_of: Vec<f32> =
-            states.iter().zip(chances).map(|(&state, chance)| chance * self.passing[state as usize]).collect();
-        let mut to = vec![0.0; self.passing.len()];
-        self.senses.flow.forward(self.span, &chances_of, states, &mut to);
-        to.iter_mut().zip(&self.passing).for_each(|(to, passing)| *to *= passing);
-        for (&state, chance) in states.iter().zip(chances) {
-            to[state as usize] += chance * self.stays(state);
-        }
-        to
+    #[test]
+    fn what_is_left_out_of_two_moves_little_of_what_is_thought() {
+        let one = senses();
+        let exact = thought([&one, &one], Some((usize::MAX, 0.0)));
+        let (most, mean) = apart(&exact, &thought([&one, &one], None));
+        assert!(most < 0.001 && mean < 0.001, "{most} {mean}");
     }
-
-    /// How likely all is that comes after the span for who was in one of the states `from`, where `chances` is the same for each
-    /// state `to` at its end.
-    fn back(&self, chances: &[f32], to: &[u32], from: &[u32]) -> Vec<f32> {
-        let mut all = vec![0.0; self.passing.len()];
-        let mut stays = all.clone();
-        for (&state, &chance) in to.iter().zip(chances) {
-            all[state as usize] = chance * self.passing[state as usize];
-            stays[state as usize] = chance * self.stays(state);
-        }
-        let of = |&state: &u32| {
-            let passes = dot(self.senses.flow.row(self.span, state), &all) * self.passing[state as usize];
-            passes + stays[state as usize]
-        };
-        from.iter().map(of).collect()
-    }
-
-    /// The chances of getting from some states to others: a row for each of the first.
-    fn between(&self, from: &[u32], to: &[u32]) -> Vec<f32> {
-        let mut turns = Vec::with_capacity(from.len() * to.len());
-        for &state in from {
-            let (row, passing) = (self.senses.flow.row(self.span, state), self.passing[state as usize]);
-            turns.extend(to.iter().map(|&to| row[to as usize] * passing * self.passing[to as usize]));
-            if let Ok(place) = to.binary_search(&state) {
-                let here = turns.len() - to.len() + place;
-                turns[here] += self.stays(state);
-            }
-        }
-        turns
-    }
-}
-
-/// The product of a matrix with `middle` columns and one with `columns`.
-fn product(a: &[f32], b: &[f32], middle: usize, columns: usize) -> Vec<f32> {
-    if columns == 1 {
-        return a.chunks_exact(middle.max(1)).map(|row| dot(row, b)).collect();
-    }
-    let mut product = vec![0.0; a.len() / middle.max(1) * columns];
-    for (to, row) in product.chunks_exact_mut(columns.max(1)).zip(a.chunks_exact(middle.max(1))) {
-        for (factor, b) in row.iter().zip(b.chunks_exact(columns.max(1))) {
-            to.iter_mut().zip(b).for_each(|(to, b)| *to += factor * b);
-        }
-    }
-    product
-}
-
-/// The product of a matrix, turned over, of this many rows and columns, and another with as many rows.
-fn product_of_transposed(a: &[f32], b: &[f32], [rows, columns]: [usize; 2]) -> Vec<f32> {
-    let width = b.len() / rows.max(1);
-    let mut product = vec![0.0; columns * width];
-    for (a, b) in a.chunks_exact(columns.max(1)).zip(b.chunks_exact(width.max(1))) {
-        for (to, factor) in product.chunks_exact_mut(width.max(1)).zip(a) {
-            to.iter_mut().zip(b).for_each(|(to, b)| *to += factor * b);
-        }
-    }
-    product
-}
-
-/// The product of a matrix and another turned over, both of this many columns.
-fn product_with_transposed(a: &[f32], b: &[f32], columns: usize) -> Vec<f32> {
-    let columns = columns.max(1);
-    a.chunks_exact(columns).flat_map(|a| b.chunks_exact(columns).map(move |b| dot(a, b))).collect()
-}
-
-/// The sum of products, in parts so that the processor can do them at once.
-fn dot(a: &[f32], b: &[f32]) -> f32 {
-    const PARTS: usize = 8;
-    let mut sums = [0.0; PARTS];
-    let (a_parts, b_parts) = (a.chunks_exact(PARTS), b.chunks_exact(PARTS));
-    let rest: f32 = a_parts.remainder().iter().zip(b_parts.remainder()).map(|(a, b)| a * b).sum();
-    for (a, b) in a_parts.zip(b_parts) {
-        sums.iter_mut().zip(a.iter().zip(b)).for_each(|(sum, (a, b))| *sum += a * b);
-    }
-    rest + sums.iter().sum::<f32>()
-}
-
-/// All of two sorted lists of states.
-fn merged(a: &[u32], b: &[u32]) -> Vec<u32> {
-    let mut all = Vec::with_capacity(a.len() + b.len());
-    let mut rest = b.iter().copied().peekable();
-    for &state in a {
-        while let Some(before) = rest.next_if(|&other| other < state) {
-            all.push(before);
-        }
-        rest.next_if_eq(&state);
-        all.push(state);
-    }
-    all.extend(rest);
-    all
-}
-
-/// The states that count, of chances by state: from a part of the best on, and the best of too many.
-fn likely(chances: &[f32], (most, part): (usize, f32)) -> Vec<u32> {
-    let least = chances.iter().copied().fold(0.0, f32::max) * part;
-    let all = 0..chances.len() as u32;
-    let mut likely: Vec<u32> = all.clone().filter(|&state| chances[state as usize] > least).collect();
-    if likely.is_empty() {
-        // Nothing fits: all is possible again.
-        likely.extend(all);
-    }
-    if likely.len() > most {
-        likely.select_nth_unstable_by(most, |&a, &b| chances[b as usize].total_cmp(&chances[a as usize]));
-        likely.truncate(most);
-        likely.sort_unstable();
-    }
-    likely
 }

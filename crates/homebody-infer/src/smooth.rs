@@ -2,8 +2,9 @@
 //!
 //! The log is taken in blocks, so that memory does not grow with it; each block is looked at together with what comes next.
 
+use crate::belief::Belief;
 use crate::learn::Senses;
-use crate::pair::{Belief, Pair};
+use crate::pair::Pair;
 use crate::said::{Message, Said};
 use crate::spells::Spell;
 use crate::states::State;
@@ -81,19 +82,60 @@ pub fn follow(
 ) {
     let Some(first) = bodies.first() else { return };
     let nobody = first.nobody();
-    let mut pairs = in_pairs(bodies, &nobody);
-    let mut steps = Steps::new(&first.timing, &[]);
+    let mut follower = Follower::new(bodies, &nobody);
     for (at, message) in instants {
         match message {
-            Some(message) => steps.hear(&message),
-            None => steps.go_on(at, None),
+            Some(message) => follower.hear(&message),
+            None => follower.wait(at),
         }
-        let last = steps.len() - 1;
-        (0..=last).for_each(|number| go_on(&mut pairs, &steps, number));
-        let told = pairs.iter().map(|pair| (pair.last(), pair.senses)).collect();
-        tell(Instant { at, said: steps.get(last).said, pairs: told });
-        pairs.iter_mut().for_each(|pair| pair.begin_after(last + 1, pair.last().clone()));
-        steps.forget(last + 1);
+        tell(follower.now());
+    }
+}
+
+/// Where people are by what was said until now, for whoever has messages one by one.
+pub struct Follower<'a> {
+    pairs: Vec<Pair<'a>>,
+    steps: Steps<'a>,
+    said: Option<Heard>,
+}
+
+impl<'a> Follower<'a> {
+    /// Of these bodies, at the start; `nobody` is [`Senses::nobody`] of the first.
+    ///
+    /// # Panics
+    ///
+    /// If there are no bodies.
+    pub fn new(bodies: &'a [Senses], nobody: &'a Senses) -> Follower<'a> {
+        Follower { pairs: in_pairs(bodies, nobody), steps: Steps::new(&bodies[0].timing, &[]), said: None }
+    }
+
+    /// Time goes on to a message; one that comes late counts as if it came now.
+    pub fn hear(&mut self, message: &Message) {
+        self.steps.hear(message);
+        self.go_on();
+    }
+
+    /// Time goes on to an instant, and nothing is said.
+    pub fn wait(&mut self, until: Micros) {
+        self.steps.go_on(until, None);
+        self.go_on();
+    }
+
+    fn go_on(&mut self) {
+        let steps = self.steps.len();
+        (0..steps).for_each(|number| go_on(&mut self.pairs, &self.steps, number));
+        self.said = self.steps.get(steps - 1).said;
+        for pair in &mut self.pairs {
+            let last = pair.last().clone();
+            pair.begin_after(steps, last);
+        }
+        self.steps.forget(steps);
+    }
+
+    /// What is thought now.
+    pub fn now(&self) -> Instant<'_> {
+        let pairs = self.pairs.iter().map(|pair| (pair.last(), pair.senses)).collect();
+        Instant { at: self.steps.now(), said: self.said, pairs }
     }
 }
 
@@ -106,6 +148,9 @@ fn in_pairs<'a>(bodies: &'a [Senses], nobody: &'a Senses) -> Vec<Pair<'a>> {
 fn go_on(pairs: &mut [Pair], steps: &Steps, number: usize) {
     pairs.iter_mut().for_each(|pair| pair.go_on(steps, number));
     let Some(heard) = steps.get(number).said else { return };
+    if let [pair] = pairs {
+        return pair.hear(heard, 0.0);
+    }
     let expected: Vec<f32> = pairs.iter().map(|pair| pair.expected(heard)).collect();
     let all: f32 = expected.iter().sum();
     pairs.iter_mut().zip(expected).for_each(|(pair, own)| pair.hear(heard, (all - own).max(0.0)));
@@ -116,6 +161,8 @@ struct Smoother<'a> {
     /// Who may visit the first of the pairs, who lives alone.
     visits: Option<Visits<'a>>,
     steps: Steps<'a>,
+    /// How many steps have been gone forward.
+    gone: usize,
 }
 
 impl<'a> Smoother<'a> {
@@ -124,22 +171,23 @@ impl<'a> Smoother<'a> {
             [alone, guest] if guest.visits && !alone.visits => (&bodies[..1], Some(Visits::new([alone, guest]))),
             all => (all, None),
         };
-        Smoother { pairs: in_pairs(residents, nobody), visits, steps }
+        Smoother { pairs: in_pairs(residents, nobody), visits, steps, gone: 0 }
     }
 
     /// Tells of the first steps, and forgets them.
     fn smooth(&mut self, most: usize, tell: &mut impl FnMut(Instant)) {
         let (steps, told) = (&self.steps, most.min(self.steps.len()));
-        for number in 0..steps.len() {
+        for number in self.gone..steps.len() {
             go_on(&mut self.pairs, steps, number);
         }
+        self.gone = steps.len() - told;
         if let (Some(visits), [alone, ..]) = (&mut self.visits, &self.pairs[..]) {
             visits.go_on(alone, steps, told);
         }
         let at_end = |pair: &Pair| told.checked_sub(1).map(|last| pair.beliefs[last].clone());
         let before: Vec<Option<Belief>> = self.pairs.iter().map(at_end).collect();
         for pair in &mut self.pairs {
-            pair.go_back(steps, 0, pair.nothing_known(), |number, after| {
+            pair.go_back(steps, (0, told), pair.nothing_known(), |number, after| {
                 self.visits.iter_mut().for_each(|visits| visits.go_back(steps, number, after));
             });
         }
@@ -177,23 +225,60 @@ impl<'a> Instant<'a> {
 
     /// Where each body most likely was, in the order of the bodies. Who of two that are alike was where cannot be told.
     pub fn guesses(&self) -> Vec<Guess<'a>> {
-        let each = |(belief, senses): &(&Belief, [&'a Senses; 2])| {
-            let [first, second] = Together::new(belief, senses).guesses(self.said);
-            if is_alone_second(senses, &first) { [second, first] } else { [first, second] }
-        };
-        self.pairs.iter().flat_map(each).collect()
+        let mut guesses = Vec::with_capacity(2 * self.pairs.len());
+        self.tell(|guess, _| guesses.push(guess));
+        guesses
     }
 
     /// How likely each body was in each place, in the order of the guesses. Of two that are alike, the first is whoever
     /// is where the first is guessed to be: the chances are of where the two are, not of who is who.
     pub fn chances(&self) -> Vec<Chances> {
-        let each = |(belief, senses): &(&Belief, [&'a Senses; 2])| {
-            let together = Together::new(belief, senses);
-            let [first, second] = together.chances();
-            if is_alone_second(senses, &together.guesses(None)[0]) { [second, first] } else { [first, second] }
-        };
-        self.pairs.iter().flat_map(each).collect()
+        let mut all = Vec::with_capacity(2 * self.pairs.len());
+        self.tell(|_, chances| all.push(Chances::of(chances)));
+        all
     }
+
+    /// Both for each body: what is guessed of it, and how likely it was out, between the rooms, and in each room.
+    pub fn tell(&self, mut tell: impl FnMut(Guess<'a>, &[f32])) {
+        for (belief, senses) in &self.pairs {
+            if senses[1].states().len() == 1 {
+                let (guess, chances) = alone(belief, senses[0], self.said);
+                tell(guess, &chances);
+                tell(Guess { state: &senses[1].states().all[0], chance: guess.chance, says: 0.0 }, &NOBODY);
+                continue;
+            }
+            let together = Together::new(belief, senses);
+            let ([first, second], [its, others]) = (together.guesses(self.said), together.chances());
+            let turned = is_alone_second(senses, &first);
+            let all = if turned { [(second, others), (first, its)] } else { [(first, its), (second, others)] };
+            all.into_iter().for_each(|(guess, chances)| tell(guess, &chances));
+        }
+    }
+}
+
+/// The chances of nobody, who is out.
+const NOBODY: [f32; 2] = [1.0, 0.0];
+
+impl Chances {
+    /// Of chances by the numbers of places, which are those of `States::place`.
+    fn of(places: &[f32]) -> Chances {
+        Chances { out: places[0], between: places[1], rooms: places[2..].to_vec() }
+    }
+}
+
+/// What is thought of one who is alone: the most likely state of the most likely place, and how likely each place is.
+fn alone<'a>(belief: &Belief, senses: &'a Senses, said: Option<Heard>) -> (Guess<'a>, Vec<f32>) {
+    let states = senses.states();
+    let mut chances = vec![0.0f32; states.places()];
+    for (&state, chance) in belief.states[0].iter().zip(&belief.chances) {
+        chances[states.place(state)] += chance;
+    }
+    let best = (0..chances.len()).max_by(|&a, &b| chances[a].total_cmp(&chances[b])).unwrap_or(0);
+    let is_there = |(state, _): &(&u32, &f32)| states.place(**state) == best;
+    let all = belief.states[0].iter().zip(&belief.chances);
+    let state = all.filter(is_there).max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(&state, _)| state as usize);
+    let says = said.map_or(0.0, |heard| senses.rate(heard.sensor, heard.said)[state]);
+    (Guess { state: &states.all[state], chance: f64::from(chances[best]), says }, chances)
 }
 
 /// Whoever of a guest and the one who lives there is alone at home lives there.
@@ -259,7 +344,7 @@ impl<'b, 'a> Together<'b, 'a> {
     }
 
     /// How likely each is in each place: of a pair that is the best one the other way round, each is in the other's place.
-    fn chances(&self) -> [Chances; 2] {
+    fn chances(&self) -> [Vec<f32>; 2] {
         let (first, second) = (self.best / self.columns, self.best % self.columns);
         let mut of = [vec![0.0; self.columns], vec![0.0; self.columns]];
         for (pair, chance) in self.chances.iter().enumerate() {
@@ -269,7 +354,40 @@ impl<'b, 'a> Together<'b, 'a> {
             of[0][a] += chance;
             of[1][b] += chance;
         }
-        // The numbers of places are those of `States::place`.
-        of.map(|of| Chances { out: of[0], between: of[1], rooms: of[2..].to_vec() })
+        of
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::learn::tests::{LENGTH_S, senses, walk};
+    use homebody_core::time::SECOND;
+
+    #[test]
+    fn who_follows_a_log_thinks_what_going_forward_through_it_thinks() {
+        let bodies = [senses()];
+        let nobody = bodies[0].nobody();
+        let mut follower = Follower::new(&bodies, &nobody);
+        let (mut steps, mut pair) = (Steps::new(&bodies[0].timing, &[]), Pair::new([&bodies[0], &nobody]));
+        let mut gone = 0;
+        for message in walk() {
+            follower.hear(&message);
+            steps.hear(&message);
+            for number in gone..steps.len() {
+                go_on(std::slice::from_mut(&mut pair), &steps, number);
+            }
+            gone = steps.len();
+            let now = follower.now();
+            assert_eq!((now.at, now.pairs[0].0), (message.at, pair.last()));
+        }
+        // By all that was said later, something else is thought of some instant.
+        let (mut live, mut all) = (Vec::new(), Vec::new());
+        let instants = walk().into_iter().map(|message| (message.at, Some(message)));
+        follow(&bodies, instants, |instant| live.push((instant.at, instant.guesses()[0].chance)));
+        translate(&bodies, &[], walk(), LENGTH_S * SECOND, |instant| {
+            all.push((instant.at, instant.guesses()[0].chance))
+        });
+        assert!(live.iter().any(|one| !all.contains(one)));
     }
 }

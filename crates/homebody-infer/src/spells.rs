@@ -123,33 +123,43 @@ impl Heard {
     }
 }
 
-/// Whether so much would have been said in a silence that it is none of the person's.
+/// Whether so much would have been said in a silence that it is none of the person's. Who is out makes nobody speak: what counts
+/// of the others is what they say in the silence itself, and not on the rest of the days on which it begins and ends.
 fn is_missed(sensor: usize, (from, to): (Micros, Micros), days: &[Vec<Hours>]) -> bool {
-    let share = |day: usize| {
+    let silent_of = |day: usize| {
         let begin = day as Micros * DAY;
-        let silent = (to.min(begin + DAY) - from.max(begin)).max(0);
-        silent as f64 / DAY as f64
+        (from.max(begin) - begin, to.min(begin + DAY) - begin)
+    };
+    let share = |day: usize| {
+        let (from, to) = silent_of(day);
+        (to - from).max(0) as f64 / DAY as f64
     };
     let median = |mut of_days: Vec<u32>| {
         of_days.sort_unstable();
         of_days.get(of_days.len() / 2).copied().map_or(0.0, f64::from)
     };
     // In how many hours it is heard on a day that is not silent.
-    let loud: Vec<u32> =
-        (0..days.len()).filter(|&day| share(day) == 0.0).map(|day| days[day][sensor].count_ones()).collect();
+    let is_loud = |day: &usize| share(*day) == 0.0;
+    let loud: Vec<u32> = (0..days.len()).filter(is_loud).map(|day| days[day][sensor].count_ones()).collect();
     let heard = loud.iter().filter(|&&hours| hours > 0).count() as f64;
     if loud.is_empty() || heard < DAILY * loud.len() as f64 {
         return false;
     }
     let usual = median(loud);
-    let others = |day: &Vec<Hours>| {
-        let all: u32 = day.iter().map(|hours| hours.count_ones()).sum();
-        all - day[sensor].count_ones()
+    let others = |day: usize, hours: Hours| -> u32 {
+        let of = |(other, of_other): (usize, &Hours)| if other == sensor { 0 } else { (of_other & hours).count_ones() };
+        days[day].iter().enumerate().map(of).sum()
     };
-    let usual_of_others = median(days.iter().map(others).collect());
+    let usual_of_others = median((0..days.len()).filter(is_loud).map(|day| others(day, Hours::MAX)).collect());
     let silent: f64 = (0..days.len()).map(share).sum();
-    let of_others: f64 = days.iter().enumerate().map(|(day, hours)| share(day) * f64::from(others(hours))).sum();
-    usual * silent >= MISSED_H && of_others >= OTHERS * usual_of_others * silent
+    let of_others: u32 = (0..days.len()).map(|day| others(day, hours_of(silent_of(day)))).sum();
+    usual * silent >= MISSED_H && f64::from(of_others) >= OTHERS * usual_of_others * silent
+}
+
+/// The hours of a day that lie within a span of it.
+fn hours_of((from, to): (Micros, Micros)) -> Hours {
+    const HOUR: Micros = DAY / 24;
+    (0..24).filter(|hour| hour * HOUR >= from && (hour + 1) * HOUR <= to).map(|hour| 1 << hour).sum()
 }
 
 #[cfg(test)]
@@ -188,6 +198,24 @@ mod tests {
         assert!(found[0].from < 4 * DAY && found[0].to > 6 * DAY, "{found:?}");
         let away: Vec<Message> = usual().into_iter().filter(|one| !is_silent(one)).collect();
         assert_eq!(spells(away, 2, 10 * DAY), []);
+    }
+
+    #[test]
+    fn who_is_away_for_days_leaves_no_sensor_dead_however_late_each_is_heard_again() {
+        // Out from the noon of one day to the evening of another; the second sensor is heard the day after.
+        let (out, back) = (3 * DAY + 12 * HOUR, 5 * DAY + 18 * HOUR);
+        let is_said = |message: &Message| {
+            let back = if message.sensor == 1 { 6 * DAY } else { back };
+            !(out..back).contains(&message.at)
+        };
+        let away: Vec<Message> = usual().into_iter().filter(is_said).collect();
+        assert_eq!(spells(away.clone(), 2, 10 * DAY), []);
+        // Were the first heard all the while, the second would be dead.
+        let of_one = |message: &Message| message.sensor == 0 && (out..back).contains(&message.at);
+        let mut at_home: Vec<Message> = away.into_iter().chain(usual().into_iter().filter(of_one)).collect();
+        at_home.sort_by_key(|message| message.at);
+        let found = spells(at_home, 2, 10 * DAY);
+        assert_eq!(found.iter().map(|spell| (spell.sensor, spell.ill)).collect::<Vec<_>>(), [(1, Ill::Dead)]);
     }
 
     #[test]

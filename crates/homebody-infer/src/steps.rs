@@ -64,6 +64,11 @@ impl<'a> Steps<'a> {
         self.steps.len()
     }
 
+    /// When the last of them ends.
+    pub fn now(&self) -> Micros {
+        self.now
+    }
+
     pub fn get(&self, number: usize) -> &Step {
         &self.steps[number]
     }

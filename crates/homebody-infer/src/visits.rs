@@ -3,8 +3,9 @@
 //! Most of a log is made by one person alone, which is found out at a part of what it costs to think of two. Two are thought
 //! of in stretches around what one alone would hardly have made the sensors say.
 
+use crate::belief::{Belief, OUT};
 use crate::learn::Senses;
-use crate::pair::{Belief, OUT, Pair};
+use crate::pair::Pair;
 use crate::steps::Steps;
 
 /// A guest is told of where the log is so much more likely with one, as a logarithm (ours); and so many steps after they have
@@ -79,7 +80,7 @@ impl<'a> Visits<'a> {
                 true => stretch.pair.with_second_out(after),
                 false => stretch.pair.nothing_known(),
             };
-            stretch.pair.go_back(steps, stretch.first, all, |_, _| {});
+            stretch.pair.go_back(steps, (stretch.first, usize::MAX), all, |_, _| {});
             stretch.find_guests();
         }
     }

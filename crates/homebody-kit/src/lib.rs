@@ -53,6 +53,7 @@ mod cohort;
 mod idle_sensors;
 mod log_with_run;
 mod translation;
+mod following;
 mod health;
 
 /// A log that was walked back, as a folder.
@@ -67,6 +68,7 @@ pub use cohort::{Cohort, CohortSetup, LivedCohort, Member, UnfinishedCohort};
 pub use cohort_list::{CohortList, ListedMember};
 pub use destination::{Destination, Policy, Sink};
 pub use error::{BoxError, Error};
+pub use following::{Following, Learnt, Presence};
 pub use health::{Found, Health, health};
 pub use homebody_infer::{Ailment, Ill, Kind, Spell};
 pub use homebody_log::places::LIST;

@@ -9,7 +9,7 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::resident::{DriverFile, ResidentFile};
 use homebody_core::time::{DAY, Micros};
-use homebody_infer::{Chances, Guess, Instant, Kind, Message, Said, Senses, Spell, Track, spells, translate};
+use homebody_infer::{Guess, Instant, Kind, Message, Said, Senses, Spell, Track, spells, translate};
 use homebody_log::{Event, Log};
 use homebody_walk::Mesh;
 use jiff::civil::Time;
@@ -231,9 +231,15 @@ impl Told {
     }
 
     fn take(&mut self, instant: &Instant) {
-        let guesses = instant.guesses();
-        let mover = mover(instant, &guesses);
         let bodies = self.tracks.len();
+        let mut guesses = Vec::with_capacity(2 * bodies);
+        instant.tell(|guess, chances| {
+            if guesses.len() < bodies {
+                self.doubt(instant.at, guesses.len(), chances);
+            }
+            guesses.push(guess);
+        });
+        let mover = mover(instant, &guesses);
         for (who, guess) in guesses.iter().enumerate().take(bodies) {
             self.tracks[who].add(instant.at, guess, mover == Some(who));
             let (kind, place) = (guess.state.kind, guess.state.at);
@@ -242,16 +248,15 @@ impl Told {
                 self.whereabouts.push(Whereabouts { at, who, room, place, kind, chance });
             }
         }
-        for (who, chances) in instant.chances().into_iter().enumerate().take(bodies) {
-            self.doubt(instant.at, who, chances);
-        }
     }
 
-    /// Tells what has changed enough.
-    fn doubt(&mut self, at: Micros, who: usize, Chances { out, between, rooms }: Chances) {
+    /// Tells what has changed enough of how likely each place is.
+    fn doubt(&mut self, at: Micros, who: usize, chances: &[f32]) {
         let last = &mut self.chances[who];
-        last.resize(rooms.len() + 2, 0.0);
-        for (number, chance) in [out, between].into_iter().chain(rooms).enumerate() {
+        // Nobody has no rooms to be in.
+        last.resize(last.len().max(chances.len()), 0.0);
+        let rest = std::iter::repeat(&0.0);
+        for (number, &chance) in chances.iter().chain(rest).take(last.len()).enumerate() {
             if (chance - last[number]).abs() < LEAST_CHANGE {
                 continue;
             }

@@ -13,6 +13,7 @@ mod coverage;
 mod day;
 mod density;
 mod experiment;
+mod follow;
 mod for_programs;
 mod health;
 mod import;

@@ -96,3 +96,54 @@ fn time_that_runs_backward_and_rows_that_come_twice_are_walked_back_all_the_same
     let all = report(&folder)["explained"]["all"].clone();
     assert!(all["matched"].as_f64().unwrap() / all["real"].as_f64().unwrap() > 0.8, "{all}");
 }
+
+#[test]
+fn a_log_that_comes_in_pieces_says_where_everybody_is_as_it_does_at_once() {
+    let folder = studio();
+    folder.run("convert log.db --to csv:log.csv").ok();
+    let log = folder.read("log.csv");
+    let at_once = folder.say("translate csv:- --home home --follow", &log).ok();
+    let told: Vec<&str> = at_once.out.lines().collect();
+    assert!(told.len() > 20, "{}", at_once.out);
+    assert!(told.iter().any(|line| line.contains("walter: surely in the ")), "{}", at_once.out);
+    let mut running = folder.start("translate csv:- --home home --follow --every 1");
+    let (first, rest) = log.split_at(log.len() / 2);
+    running.say(first);
+    std::thread::sleep(std::time::Duration::from_millis(1_500));
+    running.say(rest);
+    assert_eq!(running.finish().ok().out, at_once.out);
+    // Where he is last is another thing than where he was in the middle.
+    let half = &log[..first.rfind('\n').unwrap() + 1];
+    let told_of_half = folder.say("translate csv:- --home home --follow", half).ok().out;
+    assert!(at_once.out.starts_with(&told_of_half) && at_once.out != told_of_half);
+    let lines = folder.say("translate csv:- --home home --follow --json", &log).ok().out;
+    let lines: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(lines.len(), told.len());
+    assert!(lines.iter().all(|line| (0.0..=1.0).contains(&line["chance"].as_f64().unwrap())));
+    folder.say("translate - --home home --follow", &log).fails(2, "does not say in which form");
+    folder.run("translate log.csv --home home").fails(2, "--to <FOLDER>");
+    folder.run("translate log.csv --home home --to there --follow").fails(2, "cannot be used with");
+    folder.run("translate nothing.csv --home home --follow").fails(1, "nothing.csv");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_that_grows_is_followed_until_a_signal_comes() {
+    let folder = studio();
+    folder.run("convert log.db --to csv:log.csv").ok();
+    let log = folder.read("log.csv");
+    let end = log[..log.len() / 2].rfind('\n').unwrap() + 1;
+    folder.write("grows.csv", &log[..end]);
+    let mut command = folder.command("translate grows.csv --home home --follow --every 1");
+    let file = std::fs::File::create(folder.path("told")).unwrap();
+    let mut child = command.stdout(file).spawn().unwrap();
+    folder.until("the first half was told", |folder| !folder.read("told").is_empty());
+    let half = folder.read("told");
+    folder.write("grows.csv", &log);
+    folder.until("the rest was told", |folder| folder.read("told").len() > half.len());
+    let status = std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status();
+    assert!(status.unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(143));
+    let at_once = folder.say("translate csv:- --home home --follow", &log).ok().out;
+    assert!(at_once.starts_with(&folder.read("told")) && folder.read("told").starts_with(&half));
+}

@@ -1,0 +1,169 @@
+//! Where everybody is, told as the rows of a log come: `homebody translate --follow`.
+
+use super::read_log::read_log;
+use crate::failure::Failure;
+use crate::print::print_text;
+use crate::signals::Signals;
+use homebody_core::scenario::load::Scenario;
+use homebody_kit::{Cancel, Following, Learnt, LogWithRun, Presence};
+use std::fs::{self, File};
+use std::io::{BufRead, Write};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// A log that goes on.
+pub struct Followed<'a> {
+    /// As it was named; one of standard input ends with [`INPUT`].
+    pub log: &'a str,
+    /// The time zone of its home.
+    pub zone: &'a str,
+    /// How many seconds pass from one look at it to the next.
+    pub every_s: u64,
+    /// Whether each line is an object.
+    pub is_json: bool,
+}
+
+/// What is written for a file where standard input is meant.
+const INPUT: &str = ":-";
+/// So many lines of standard input wait at most to be kept.
+const MOST_WAITING: usize = 10_000;
+/// How soon a signal ends what waits.
+const BREATH: Duration = Duration::from_millis(100);
+
+impl Followed<'_> {
+    /// Tells where everybody is until the input ends, or a signal comes.
+    pub fn follow(&self, scenario: &Scenario) -> Result<(), Failure> {
+        if self.log == "-" {
+            let hint = "  hint: casas:- is a log of CASAS, csv:- one in CSV";
+            return Err(Failure::usage(format!("standard input does not say in which form it is\n{hint}")));
+        }
+        let signals = Signals::listen()?;
+        let cancel = signals.cancel();
+        let learnt = Learnt::of(scenario)?;
+        let following = &mut Following::new(&learnt, scenario);
+        let done = match self.log.strip_suffix(INPUT) {
+            Some(form) => self.input(form, following, cancel),
+            None => self.file(following, cancel),
+        };
+        done.and_then(|()| signals.ended(cancel.is_cancelled()))
+    }
+
+    /// Looks at a file, or a database, again and again.
+    fn file(&self, following: &mut Following, cancel: &Cancel) -> Result<(), Failure> {
+        // What cannot be read now is a mistake; later it may be in the middle of being written.
+        let mut looked = Some(read_log(self.log, Some(self.zone))?);
+        while !cancel.is_cancelled() {
+            if let Some(read) = looked {
+                self.take(following, &read)?;
+            }
+            let began = Instant::now();
+            while began.elapsed() < Duration::from_secs(self.every_s) && !cancel.is_cancelled() {
+                thread::sleep(BREATH);
+            }
+            looked = LogWithRun::read(self.log, Some(self.zone)).ok();
+        }
+        Ok(())
+    }
+
+    /// Keeps the whole lines of standard input in a file of its own, and looks at that.
+    fn input(&self, form: &str, following: &mut Following, cancel: &Cancel) -> Result<(), Failure> {
+        let mut kept = Kept::new()?;
+        let named = format!("{form}:{}", kept.path.display());
+        let lines = lines()?;
+        let mut is_over = false;
+        let mut looked = Instant::now();
+        let mut is_new = false;
+        while !is_over && !cancel.is_cancelled() {
+            match lines.recv_timeout(BREATH) {
+                Ok(line) => {
+                    kept.add(&line)?;
+                    is_new = true;
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => is_over = true,
+            }
+            let is_time = looked.elapsed() >= Duration::from_secs(self.every_s) && is_new;
+            if is_over || is_time {
+                let read = LogWithRun::read(&named, Some(self.zone));
+                // Lines that are no log yet, as the first of a table, may become one.
+                match read {
+                    Ok(read) => self.take(following, &read)?,
+                    Err(error) if is_over => return Err(error.into()),
+                    Err(_) => {}
+                }
+                (looked, is_new) = (Instant::now(), false);
+            }
+        }
+        Ok(())
+    }
+
+    fn take(&self, following: &mut Following, read: &LogWithRun) -> Result<(), Failure> {
+        let mut told = String::new();
+        let mut failed = None;
+        following.take(&read.log, |presence| {
+            self.line(&presence).map_or_else(|error| failed = Some(error), |line| told.push_str(&line))
+        })?;
+        match failed {
+            Some(error) => Err(error),
+            None if told.is_empty() => Ok(()),
+            None => print_text(&told),
+        }
+    }
+
+    fn line(&self, presence: &Presence) -> Result<String, Failure> {
+        match self.is_json {
+            false => Ok(format!("{presence}\n")),
+            true => {
+                serde_json::to_string(presence).map(|line| line + "\n").map_err(|error| Failure::Io(error.to_string()))
+            }
+        }
+    }
+}
+
+/// The lines of standard input, as they come.
+fn lines() -> Result<Receiver<Vec<u8>>, Failure> {
+    let (sender, lines) = sync_channel(MOST_WAITING);
+    let read = move || {
+        let mut input = std::io::stdin().lock();
+        let mut line = Vec::new();
+        while let Ok(1..) = input.read_until(b'\n', &mut line) {
+            if sender.send(std::mem::take(&mut line)).is_err() {
+                break;
+            }
+        }
+    };
+    let none = |error| Failure::Io(homebody_log::error::no_thread("to read standard input", error));
+    thread::Builder::new().spawn(read).map_err(none)?;
+    Ok(lines)
+}
+
+/// What has come by standard input, in a folder of its own that goes with it.
+struct Kept {
+    folder: PathBuf,
+    path: PathBuf,
+    file: File,
+}
+
+impl Kept {
+    fn new() -> Result<Kept, Failure> {
+        let folder = std::env::temp_dir().join(format!("homebody-follow-{}", std::process::id()));
+        let failed = |path: &Path, error: std::io::Error| Failure::Io(format!("{}: {error}", path.display()));
+        fs::create_dir(&folder).map_err(|error| failed(&folder, error))?;
+        let path = folder.join("log");
+        let file = File::create_new(&path).map_err(|error| failed(&path, error))?;
+        Ok(Kept { folder, path, file })
+    }
+
+    fn add(&mut self, line: &[u8]) -> Result<(), Failure> {
+        self.file.write_all(line).map_err(|error| Failure::Io(format!("{}: {error}", self.path.display())))
+    }
+}
+
+impl Drop for Kept {
+    /// Nobody needs it any more; what cannot be removed is in a folder that the system empties.
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.folder);
+    }
+}
