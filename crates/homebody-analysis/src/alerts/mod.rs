@@ -6,6 +6,7 @@
 //!
 //! Left out: visitors, who are measured as if they were the resident.
 
+mod chart;
 mod rule;
 
 use crate::measures::{Day, Measure, Measures};
@@ -13,6 +14,7 @@ use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
 
+use chart::{Average, Sums, by_chart};
 pub use rule::{Method, Rule, Rules, Several, USUAL, When};
 
 /// The rule of alerts about sensors that are silent.
@@ -20,12 +22,6 @@ pub const SENSOR: &str = "sensor";
 
 /// Away for so many hours, a day does not count (ours).
 const AWAY_H: f64 = 16.0;
-/// After so many days of alarm in a row a control chart begins anew (published for times of transfer out of bed).
-const ANEW_AFTER: usize = 3;
-
-/// What was told is not told again for so many days (ours).
-const TOLD_AGAIN: usize = 7;
-
 /// The alerts of a log.
 #[derive(Clone, Debug, Serialize)]
 pub struct Alerts {
@@ -81,7 +77,8 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
             measures.days.iter().zip(&counts).map(|(day, counts)| day.values[number].filter(|_| *counts)).collect();
         alerts.extend(match rule.method {
             Method::Deviation => by_deviation(rule, measure, &values, &measures.days),
-            Method::Ewma => by_average(rule, measure, &values, &measures.days),
+            Method::Ewma => by_chart(rule, measure, &values, &measures.days, Average::new),
+            Method::Cusum => by_chart(rule, measure, &values, &measures.days, Sums::new),
         });
     }
     if let Some(several) = rules.several {
@@ -175,40 +172,6 @@ fn by_deviation(rule: &Rule, measure: &'static Measure, values: &[Option<f64>], 
     alerts
 }
 
-/// Days on which the weighted average leaves its limits.
-fn by_average(rule: &Rule, measure: &'static Measure, values: &[Option<f64>], days: &[Day]) -> Vec<Alert> {
-    let mut alerts = Vec::new();
-    // What was usual as the chart began, the average, how many days it has, and those of alarm.
-    let mut chart: Option<(Usual, f64, i32, Vec<usize>)> = None;
-    let mut begins = 0;
-    let mut told: Option<usize> = None;
-    for (day, value) in values.iter().enumerate() {
-        let Some(value) = *value else { continue };
-        let Some((usual, average, count, alarms)) = &mut chart else {
-            let known = values[begins..day].iter().flatten().count();
-            if known >= rule.baseline_days.min(rule.min_days * 2) {
-                chart = usual_of(rule, &values[begins..day]).map(|usual| (usual, usual.mean, 0, Vec::new()));
-            }
-            continue;
-        };
-        *count += 1;
-        *average += rule.smoothing * (value - *average);
-        let weights = rule.smoothing / (2.0 - rule.smoothing) * (1.0 - (1.0 - rule.smoothing).powi(2 * *count));
-        if differs(rule, *average, usual.mean, usual.sd * weights.sqrt()) <= rule.k_sd {
-            alarms.clear();
-            continue;
-        }
-        alarms.push(day);
-        if alarms.len() == 1 && told.replace(day).is_none_or(|told| day - told > TOLD_AGAIN) {
-            alerts.push(alert(rule, measure, (*average, *usual), alarms, days));
-        }
-        if alarms.len() == ANEW_AFTER {
-            (chart, begins) = (None, day + 1);
-        }
-    }
-    alerts
-}
-
 fn usual_of(rule: &Rule, before: &[Option<f64>]) -> Option<Usual> {
     let all = Rule { baseline_days: before.len(), ..rule.clone() };
     usual(&all, before, before.len())
@@ -224,6 +187,10 @@ fn alert(rule: &Rule, measure: &'static Measure, (value, usual): (f64, Usual), s
         Method::Deviation => format!(
             "{title}: {value:.1} {unit} on {date}, {much} than the usual {mean:.1} (give or take {sd:.1}) of the {} days before",
             rule.baseline_days
+        ),
+        Method::Cusum => format!(
+            "{title}: {value:.2} {unit} on average since {}, {much} than the {mean:.2} of before",
+            shown_by.first().copied().unwrap_or_default()
         ),
         Method::Ewma => format!(
             "{title}: the average of the last days has come to {value:.2} {unit} on {date}, {much} than the {mean:.2} of before"

@@ -45,12 +45,7 @@ impl Timeline {
     /// # Errors
     ///
     /// Those of the log's density map.
-    pub(super) fn heard(
-        log: &Log,
-        kinds: &[Kind],
-        known: &Known,
-        asked: &Asked,
-    ) -> Result<(Timeline, Map), NoMap> {
+    pub(super) fn heard(log: &Log, kinds: &[Kind], known: &Known, asked: &Asked) -> Result<(Timeline, Map), NoMap> {
         let map = Map::of("", log, asked)?;
         let rooms = Rooms::of(&log.sensors, known.rooms);
         let signs = signs(log, kinds, &rooms);

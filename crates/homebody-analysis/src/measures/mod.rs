@@ -83,7 +83,10 @@ impl Measures {
                     map.entrance.sensors.join(", ")
                 ));
             }
-            Chosen::Asked | Chosen::Known => {}
+            Chosen::Asked | Chosen::Known if map.absences.iter().all(|absence| !absence.is_guess) => {}
+            Chosen::Asked | Chosen::Known => {
+                remarks.push("Some outings are told by no door that was opened: somebody was at the entrance, and then there was silence".to_owned());
+            }
         }
         if timeline.guesses_showers {
             guesses.push("showers");

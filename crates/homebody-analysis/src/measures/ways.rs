@@ -44,9 +44,8 @@ impl Ways {
         let grid = &seen.coverage.grid;
         let middles: Vec<Option<Point>> = (0..seen.sensors.len())
             .map(|sensor| {
-                let sees = |cell: &usize| {
-                    grid.cells[*cell].as_ref().is_some_and(|seen| seen.contains(SensorId::of(sensor)))
-                };
+                let sees =
+                    |cell: &usize| grid.cells[*cell].as_ref().is_some_and(|seen| seen.contains(SensorId::of(sensor)));
                 let cells: Vec<Point> = (0..grid.cells.len()).filter(sees).map(|cell| grid.middle(cell)).collect();
                 let middle = cells.iter().fold(Point::ZERO, |sum, cell| sum + *cell) / cells.len().max(1) as f64;
                 cells.into_iter().min_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)))

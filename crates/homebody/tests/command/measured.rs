@@ -109,5 +109,8 @@ fn sensors_are_placed() {
     let score = |step: &Value| step["score"].as_f64().unwrap();
     assert_eq!((steps.len(), placed["sensors"].as_array().unwrap().len()), (3, 3));
     assert!(score(&steps[2]) >= score(&steps[0]) && score(&steps[0]) > 0.0, "{placed}");
+    // What goes for another tells more.
+    let swapped = placed["swapped"].as_array().unwrap();
+    assert!(swapped.iter().all(|swap| score(swap) > score(&steps[2])), "{placed}");
     folder.run("place studio --to-see luck,depression").fails(2, "there is no \"luck\"");
 }
