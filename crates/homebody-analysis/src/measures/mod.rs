@@ -139,3 +139,6 @@ impl Measures {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

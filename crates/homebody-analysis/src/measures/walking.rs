@@ -1,8 +1,8 @@
 //! How fast somebody walks from sensor to sensor: beside what is usual between the two, and in metres a second where a home tells
 //! how far apart they are.
 //!
-//! Metres a second need three sensors that speak one after the other: the first tells from where somebody comes into the view of the
-//! second. A stop on the way looks like a slow walk, so the slowest tenth tells of stops, too.
+//! Metres a second need three sensors and more that speak one after the other on one way: the first tells from where somebody comes
+//! into the view of the second, and the last is where the walk ends. A stop on the way looks like a slow walk, so the slowest tenth tells of stops, too.
 
 use super::signs::Sign;
 use super::timeline::{Passage, Walk};
@@ -15,8 +15,11 @@ const PASSES_WITHIN: Micros = 15 * SECOND;
 const PASSES_KNOWN: usize = 20;
 /// A sensor that has said nothing for so long speaks as somebody comes into its view (ours).
 const COMES_AFTER: Micros = 15 * SECOND;
+/// Who goes on is seen again within so long (ours), on one way by so many signs at most.
+const GOES_ON: Micros = 8 * SECOND;
+const MOST_SIGNS: usize = 16;
 /// Over less, what a sensor sees at its border tells too little of how far one has gone (ours).
-const LEAST_WALK_M: f64 = 1.5;
+const LEAST_WALK_M: f64 = 3.0;
 /// Nobody walks at home faster or slower (ours).
 const SPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=2.0;
 
@@ -45,24 +48,42 @@ pub fn passages(signs: &[Sign]) -> Option<Vec<Passage>> {
 pub fn walks(signs: &[Sign], sensors: &[String], ways: &Ways) -> Option<Vec<Walk>> {
     let numbers: Vec<Option<usize>> = sensors.iter().map(|sensor| ways.number(sensor)).collect();
     let mut before: Vec<Option<Micros>> = vec![None; sensors.len()];
+    // Each sign with its sensor's number in the home, and whether somebody has just come into its view.
+    let coming: Vec<(Micros, Option<usize>, bool)> = (signs.iter())
+        .map(|sign| {
+            let was = before[sign.sensor].replace(sign.at);
+            (sign.at, numbers[sign.sensor], was.is_none_or(|was| sign.at - was >= COMES_AFTER))
+        })
+        .collect();
     let mut walks = Vec::new();
-    // The last three that came into view, and whether they had been silent.
-    let mut last: [Option<(Sign, bool)>; 3] = [None; 3];
-    for sign in signs {
-        let was = before[sign.sensor].replace(sign.at);
-        let comes = was.is_none_or(|was| sign.at - was >= COMES_AFTER);
-        last = [last[1], last[2], Some((*sign, comes))];
-        let [Some((first, _)), Some((from, true)), Some((to, true))] = last else { continue };
-        if to.at - first.at > 2 * PASSES_WITHIN || to.at <= from.at {
-            continue;
-        }
-        let known = [first, from, to].map(|sign| numbers[sign.sensor]);
-        let [Some(first), Some(middle), Some(end)] = known else { continue };
-        let Some(metres) = ways.walked_m(first, middle, end).filter(|metres| *metres >= LEAST_WALK_M) else { continue };
-        let speed_m_s = metres / seconds(to.at - from.at);
-        if SPEEDS_M_S.contains(&speed_m_s) {
-            walks.push(Walk { at: to.at, speed_m_s });
+    for moving in coming.chunk_by(|a, b| b.0 - a.0 <= GOES_ON) {
+        let mut first = 0;
+        while first + 2 < moving.len() {
+            match longest(&moving[first..], ways) {
+                Some((last, walk)) => {
+                    walks.extend(walk);
+                    first += last;
+                }
+                None => first += 1,
+            }
         }
     }
     (!walks.is_empty()).then_some(walks)
+}
+
+/// The longest walk along one way that begins with the first of some signs: the number of the sign with which it ends.
+fn longest(signs: &[(Micros, Option<usize>, bool)], ways: &Ways) -> Option<(usize, Option<Walk>)> {
+    let (_, Some(first), _) = signs[0] else { return None };
+    let (began, Some(from), true) = signs[1] else { return None };
+    let on_the_way = |last: usize| {
+        let (ended, Some(to), true) = signs[last] else { return None };
+        let metres = |sensor: usize| ways.walked_m(first, sensor, to);
+        let passed = signs[1..last].iter().all(|(_, sensor, _)| {
+            sensor.is_some_and(|sensor| sensor == first || metres(sensor).is_some_and(|metres| metres >= 0.0))
+        });
+        let metres = metres(from).filter(|metres| passed && *metres >= LEAST_WALK_M)?;
+        let speed_m_s = metres / seconds(ended - began);
+        Some((last, SPEEDS_M_S.contains(&speed_m_s).then_some(Walk { at: ended, speed_m_s })))
+    };
+    (2..signs.len().min(MOST_SIGNS)).rev().find_map(on_the_way)
 }
