@@ -16,8 +16,9 @@ const VISITS_APART: Micros = 60 * SECOND;
 const SITS: Micros = 30 * 60 * SECOND;
 /// A day of which more is unknown has no measures of days, and a night none of nights (ours).
 const UNKNOWN_H: f64 = 1.0;
-/// Fewer ways have no distribution (ours).
+/// Fewer ways, or walks of a known length, have no distribution (ours).
 const LEAST_WAYS: usize = 10;
+const LEAST_WALKS: usize = 5;
 /// What is told of a week is told of so many days.
 const WEEK: usize = 7;
 
@@ -194,7 +195,7 @@ impl<'a> OfDay<'a> {
         let to = walks.partition_point(|walk| walk.at < self.day.1);
         let mut speeds: Vec<f64> = walks[from..to].iter().map(|walk| walk.speed_m_s).collect();
         speeds.sort_by(f64::total_cmp);
-        (speeds.len() >= LEAST_WAYS).then(|| speeds[((speeds.len() - 1) as f64 * share).round() as usize])
+        (speeds.len() >= LEAST_WALKS).then(|| speeds[((speeds.len() - 1) as f64 * share).round() as usize])
     }
 
     pub(super) fn walking_speed(&self) -> Option<f64> {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::alerts::{Alerts, Rules, SENSOR, USUAL, alerts};
-use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_core::time::{Micros, SECOND};
 use homebody_log::{Event, Log};
 
 const MINUTE: Micros = 60 * SECOND;
@@ -83,7 +83,7 @@ fn three_days_have_no_usual_and_nothing_is_invented() {
 #[test]
 fn in_weeks_without_a_log_nothing_is_known_and_nothing_is_told_of_them() {
     let (measures, told) = measured(&log_of(60, &|day, _, _| !(20..40).contains(&day)));
-    for name in ["meals", "bathroom_day", "room_changes", "sedentary", "density_morning", "time_out"] {
+    for name in ["meals", "bathroom_day", "room_changes", "sedentary", "density_morning"] {
         let known = values(&measures, name);
         assert!(known[21..39].iter().all(Option::is_none), "{name}: {known:?}");
         assert!(known[50].is_some(), "{name}: {known:?}");
@@ -131,13 +131,18 @@ fn a_night_away_is_no_sleepless_night() {
 #[test]
 fn furniture_that_is_moved_is_told_of_for_a_while_and_becomes_usual() {
     // The armchair stands where the sensor of the living room no longer sees it: it tells a third of what it did.
-    let (_, told) =
-        measured(&log_of(100, &|day, minute, sensor| day < 40 || sensor != LIVING || (minute / 5) % 3 == 0));
-    let of_density: Vec<_> = told.alerts.iter().filter(|alert| alert.rule.contains("quiet mornings")).collect();
-    assert!(!of_density.is_empty(), "{told}");
-    let last = told.alerts.last().map(|alert| alert.date);
-    let usual_again = measured(&log_of(40, &|_, _, _| true)).0.days[0].date.saturating_add(jiff::Span::new().days(75));
-    assert!(last < Some(usual_again), "{told}");
+    let moved = |day: Micros, minute: Micros, sensor: u32| day < 40 || sensor != LIVING || (minute / 5) % 3 == 0;
+    let (measures, _) = measured(&log_of(100, &moved));
+    let day = |number: usize| measures.days[number].date;
+    for method in ["deviation", "ewma", "cusum"] {
+        let rule = format!(
+            r#"{{ "rules": [{{ "name": "quiet", "measure": "density_morning", "when": "less", "method": "{method}", "least_sd": 0.5 }}] }}"#
+        );
+        let told = alerts(&measures, &Rules::read(&rule).unwrap());
+        let dates: Vec<_> = told.alerts.iter().map(|alert| alert.date).collect();
+        assert!(dates.first().is_some_and(|first| (day(40)..=day(43)).contains(first)), "{method}: {told}");
+        assert!(dates.last().is_some_and(|last| *last < day(60)), "{method}: {told}");
+    }
 }
 
 #[test]

@@ -128,7 +128,7 @@ mod tests {
     /// A row of three rooms, each seen by one sensor in its middle.
     fn row() -> Ways {
         let home: HomeFile = serde_json::from_str(
-            r#"{ "rooms": [{ "name": "hall", "outline": [[0, 0], [9, 0], [9, 2], [0, 2]] }],
+            r#"{ "name": "row", "rooms": [{ "name": "hall", "outline": [[0, 0], [9, 0], [9, 2], [0, 2]] }], "walls": [],
                  "sensors": [
                    { "kind": "ceiling_motion", "name": "a", "area": [[0.5, 0.5], [1.5, 0.5], [1.5, 1.5], [0.5, 1.5]] },
                    { "kind": "ceiling_motion", "name": "b", "area": [[4, 0.5], [5, 0.5], [5, 1.5], [4, 1.5]] },

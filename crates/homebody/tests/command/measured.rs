@@ -114,3 +114,14 @@ fn sensors_are_placed() {
     assert!(swapped.iter().all(|swap| score(swap) > score(&steps[2])), "{placed}");
     folder.run("place studio --to-see luck,depression").fails(2, "there is no \"luck\"");
 }
+
+#[test]
+fn of_two_residents_it_is_said_whose_measures_they_are() {
+    let folder = Folder::new();
+    folder.copy_scenario("couple-with-cat");
+    folder.run("run couple-with-cat --quiet --for 2d").ok();
+    let all = folder.run("measure runs/couple-with-cat-1").ok();
+    assert!(all.err.contains("its measures are of all who are there") && all.err.contains("--resident"), "{}", all.err);
+    let of_one = folder.run("measure runs/couple-with-cat-1 --resident ruth --json").ok();
+    assert!(!of_one.err.contains("all who are there"), "{}", of_one.err);
+}
