@@ -4,7 +4,7 @@
 //! conditions do, or none. Each log is measured, and its alerts are held against that day. An alert before it, and any of
 //! somebody without a condition, is a false alarm. Lead is counted back from the day on which the condition is at its height.
 
-use homebody_analysis::alerts::{Rules, SENSOR, Several, alerts};
+use homebody_analysis::alerts::{Method, Rule, Rules, SENSOR, Several, alerts};
 use homebody_analysis::measures::Measures;
 use serde::Serialize;
 
@@ -55,6 +55,18 @@ pub struct Quality {
     pub false_alarms: Vec<FalseAlarms>,
     /// For each condition, all rules together, with other numbers of standard deviations.
     pub curves: Vec<Curve>,
+    /// How the methods of rules do beside each other.
+    pub methods: Vec<OfMethod>,
+}
+
+/// How a method does for all rules that are control charts, each with it instead of its own.
+#[derive(Clone, Debug, Serialize)]
+pub struct OfMethod {
+    /// What it is called in rules.
+    pub method: &'static str,
+    /// How soon it finds people, with bearable false alarms.
+    #[serde(flatten)]
+    pub adequacy: Adequacy,
 }
 
 /// A condition and a rule.
@@ -138,8 +150,17 @@ pub fn quality(people: &[Watched], rules: &Rules, days: u32) -> Quality {
         points: swept.iter().map(|(k_sd, told)| point(people, told, *k_sd, Some(condition))).collect(),
     };
     let curves = conditions.iter().map(curve).collect();
-    Quality { people: people.len(), days, rows, false_alarms, curves }
+    let methods = METHODS.map(|(name, method)| {
+        let charts = rules.rules.iter().filter(|rule| rule.method != Method::Deviation);
+        let rules = charts.map(|rule| Rule { method, ..rule.clone() }).collect();
+        OfMethod { method: name, adequacy: adequacy(people, &Rules { rules, several: None }) }
+    });
+    Quality { people: people.len(), days, rows, false_alarms, curves, methods: methods.into() }
 }
+
+/// The methods that are held beside each other.
+const METHODS: [(&str, Method); 3] =
+    [("deviation", Method::Deviation), ("ewma", Method::Ewma), ("cusum", Method::Cusum)];
 
 fn told(measures: &Measures, rules: &Rules) -> Told {
     let first = measures.days.first().map(|day| day.date);

@@ -3,13 +3,14 @@
 use crate::walk_back::{Home, NotWalked};
 use homebody_analysis::dates::midnight;
 use homebody_analysis::density::{Asked, NoMap};
-use homebody_analysis::measures::{MEASURES, Measures};
-use homebody_core::event::{Events, Fact};
+use homebody_analysis::measures::{Beside, Known, MEASURES, Measures, Walk, Ways};
+use homebody_core::event::{Events, Fact, MotionState};
 use homebody_core::run::Run;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::sensors::Sensor;
-use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_log::{Activity, Event, Life, Log, Rows};
+use homebody_walk::Mesh;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -90,7 +91,7 @@ pub enum NotMeasured {
 ///
 /// If the home cannot be lived in, or its log tells of no motion.
 pub fn case(home: &Home, seed: u64, days: u32) -> Result<Vec<Error>, NotMeasured> {
-    let logged = LoggedLife::live(home, seed, days)?;
+    let logged = LoggedLife { ways: ways(home), ..LoggedLife::live(home, seed, days)? };
     let (heard, lived) = (logged.heard()?, logged.lived());
     let errors = MEASURES.iter().enumerate().filter_map(|(number, measure)| {
         let both = heard.days.iter().zip(&lived.days);
@@ -104,8 +105,19 @@ pub fn case(home: &Home, seed: u64, days: u32) -> Result<Vec<Error>, NotMeasured
 pub struct LoggedLife {
     log: Log,
     life: Life,
+    beside: Beside,
     rooms: BTreeMap<String, String>,
+    /// How far it is from sensor to sensor, where that is asked for.
+    ways: Option<Ways>,
     recorded: Range<Micros>,
+}
+
+/// How far it is from sensor to sensor in a home, as its first resident walks.
+fn ways(home: &Home) -> Option<Ways> {
+    let scenario = home.scenario;
+    let resident = scenario.residents.first()?;
+    let mesh = Mesh::with_numbers(scenario.home.plan(), resident.file.radius_m, scenario.home.numbers());
+    Some(Ways::of(&scenario.home, &|from, to| mesh.path(from, to), &|_| Vec::new()))
 }
 
 impl LoggedLife {
@@ -115,12 +127,12 @@ impl LoggedLife {
     ///
     /// If the home cannot be lived in.
     pub fn live(home: &Home, seed: u64, days: u32) -> Result<LoggedLife, NotMeasured> {
-        let (log, life) = log_and_life(home, seed, i64::from(days) * DAY)?;
+        let Lived { log, life, beside } = lived(home, seed, i64::from(days) * DAY)?;
         let sensors = home.scenario.home.placed_sensors();
         let room = |sensor: &Sensor| Some((sensor.name.clone(), sensor.info(home.scenario.home.plan()).room?));
         let begin = midnight(home.scenario.calendar.local(0).date());
         let rooms = sensors.iter().filter_map(room).collect();
-        Ok(LoggedLife { log, life, rooms, recorded: begin..begin + i64::from(days) * DAY })
+        Ok(LoggedLife { log, life, beside, rooms, ways: None, recorded: begin..begin + i64::from(days) * DAY })
     }
 
     /// Measures of the days by the log.
@@ -154,17 +166,24 @@ impl LoggedLife {
 
     /// The same measures by what the resident did.
     pub fn lived(&self) -> Measures {
-        Measures::lived("", &self.life, self.recorded.clone())
+        Measures::lived_beside("", &self.life, &self.beside, self.recorded.clone())
     }
 
     fn heard_of(&self, log: &Log) -> Result<Measures, NotMeasured> {
         let asked = Asked { recorded: Some(self.recorded.clone()), ..Asked::default() };
-        Ok(Measures::heard("", log, &self.rooms, &asked)?)
+        let known = Known { rooms: &self.rooms, ways: self.ways.as_ref() };
+        Ok(Measures::heard_at_home("", log, &known, &asked)?)
     }
 }
 
-/// The log of a life by the home's own names of sensors, and the life of the first resident, both on the clock on the wall.
-fn log_and_life(home: &Home, seed: u64, length: Micros) -> Result<(Log, Life), NotWalked> {
+/// A log by the home's own names of sensors, the life of the first resident, and what is known besides, all on the clock on the wall.
+struct Lived {
+    log: Log,
+    life: Life,
+    beside: Beside,
+}
+
+fn lived(home: &Home, seed: u64, length: Micros) -> Result<Lived, NotWalked> {
     let scenario = home.scenario;
     let mut run = Run::new(scenario, home.drivers, seed, length);
     let names: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
@@ -178,9 +197,13 @@ fn log_and_life(home: &Home, seed: u64, length: Micros) -> Result<(Log, Life), N
     let mut life = Life::default();
     let mut events = Events::default();
     let mut known: BTreeMap<String, u32> = BTreeMap::new();
+    let mut walking = Walking::default();
+    let mut guests = Guests { residents: scenario.residents.len(), ..Guests::default() };
     while run.now() < length {
         run.advance((run.now() + DAY / 24).min(length), &mut events)?;
         for fact in &events.facts {
+            walking.take(fact, &wall);
+            guests.take(fact, &wall);
             let (at, name, spans) = match fact {
                 Fact::Room { resident, at, room } if resident.index() == 0 => {
                     let name = room.map(|room| scenario.home.plan().rooms[room.index()].name.clone());
@@ -209,7 +232,68 @@ fn log_and_life(home: &Home, seed: u64, length: Micros) -> Result<(Log, Life), N
     for spans in [&mut life.rooms, &mut life.activities] {
         spans.iter_mut().filter(|span| span.end == Micros::MAX).for_each(|span| span.end = wall(length));
     }
-    Ok((log, life))
+    let company = guests.end(wall(length));
+    Ok(Lived { log, life, beside: Beside { walks: Some(walking.walks), company: Some(company) } })
+}
+
+/// The walks of the first resident that are long enough.
+#[derive(Default)]
+struct Walking {
+    walks: Vec<Walk>,
+    /// From when to when the last one was, and how many metres.
+    last: (Micros, Micros, f64),
+}
+
+/// A shorter walk is a step or two (ours).
+const LEAST_WALK_M: f64 = 2.0;
+/// Who stands for longer walks anew (ours).
+const STOPS: Micros = SECOND;
+
+impl Walking {
+    fn take(&mut self, fact: &Fact, wall: &dyn Fn(Micros) -> Micros) {
+        let Fact::Movement { resident, begin, end, doing: MotionState::Stride { from, to }, .. } = fact else { return };
+        if resident.index() > 0 {
+            return;
+        }
+        if *begin - self.last.1 > STOPS {
+            let (from, to, metres) = self.last;
+            if metres >= LEAST_WALK_M {
+                self.walks.push(Walk { at: wall(to), speed_m_s: metres / seconds(to - from) });
+            }
+            self.last = (*begin, *end, 0.0);
+        }
+        self.last.1 = *end;
+        self.last.2 += from.distance(*to);
+    }
+}
+
+/// When guests are in the home.
+#[derive(Default)]
+struct Guests {
+    residents: usize,
+    /// By guest: since when they are in a room.
+    since: BTreeMap<usize, Micros>,
+    spans: Vec<(Micros, Micros)>,
+}
+
+impl Guests {
+    fn take(&mut self, fact: &Fact, wall: &dyn Fn(Micros) -> Micros) {
+        let Fact::Room { resident, at, room } = fact else { return };
+        if resident.index() < self.residents {
+            return;
+        }
+        if let Some(since) = self.since.remove(&resident.index()) {
+            self.spans.push((since, wall(*at)));
+        }
+        if room.is_some() {
+            self.since.insert(resident.index(), wall(*at));
+        }
+    }
+
+    fn end(mut self, at: Micros) -> Vec<(Micros, Micros)> {
+        self.spans.extend(self.since.into_values().map(|since| (since, at)));
+        self.spans
+    }
 }
 
 #[cfg(test)]

@@ -2,13 +2,14 @@
 //!
 //! Candidates are a motion sensor in that corner of each room from which most of the room is seen, one on the ceiling above each
 //! piece of furniture that somebody enters, a sensor in each bed, and a contact on each door out. People live in the home with all of them.
-//! The first sensor is the one whose log alone tells most, the next the one that adds most to it, and so on.
+//! The first sensor is the one whose log alone tells most, the next the one that adds most to it, and so on. Where none adds
+//! anything, two are looked for that do together, and in the end a sensor goes for another that tells more instead of it.
 //!
 //! Each goal is from 0 to 1. A condition: how soon people are found who show it, with few false alarms, from 1 at once to 0
 //! in four weeks or never. A measure of days: how near the log comes to the truth, beside the mean of the truth. Falls: the share of the
 //! floor that is seen, as nobody knows where somebody has fallen who was not seen.
 //!
-//! Left out: prices, wires and batteries, and layouts in which each sensor alone tells little and all together much.
+//! Left out: prices, wires and batteries, and layouts of three sensors and more that tell much only together.
 
 use crate::alerting::{Adequacy, Person, WITHIN, Watched, adequacy};
 use crate::measures::LoggedLife;
@@ -31,6 +32,13 @@ const HEIGHT_M: f64 = 2.1;
 const AROUND_M: f64 = 0.35;
 /// The floor is looked at in steps of so many metres (ours).
 const STEP_M: f64 = 0.1;
+
+/// Less is nothing that a sensor adds (ours).
+const ADDS: f64 = 1e-6;
+/// Pairs are made of so many sensors, those that alone tell most (ours), as there are too many of all.
+const PAIRED: usize = 14;
+/// So many sensors go for others at most (ours).
+const MOST_SWAPS: usize = 3;
 
 /// What somebody wants to see.
 #[derive(Clone, Copy, Debug)]
@@ -91,6 +99,50 @@ pub struct Layout {
     pub goals: Vec<Reached>,
 }
 
+/// Where sensors go.
+#[derive(Clone, Debug, Serialize)]
+pub struct Placed {
+    /// With one sensor, two, and so on.
+    pub steps: Vec<Layout>,
+    /// What goes for what in the last of them.
+    pub swapped: Vec<Swap>,
+}
+
+impl Placed {
+    /// The layout that is proposed.
+    pub fn last(&self) -> Option<&Layout> {
+        self.swapped.last().map(|swap| &swap.layout).or(self.steps.last())
+    }
+}
+
+/// A sensor that goes for another.
+#[derive(Clone, Debug, Serialize)]
+pub struct Swap {
+    /// The name of the one that goes.
+    pub gone: String,
+    /// The name of the one that comes.
+    pub come: String,
+    /// All sensors then.
+    #[serde(flatten)]
+    pub layout: Layout,
+}
+
+/// What is tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trying {
+    /// One more sensor.
+    OneMore,
+    /// Two more at once.
+    TwoMore,
+    /// Another instead of one.
+    Another,
+}
+
+/// The best, and of those that are as good the first.
+fn best_of(layouts: Vec<Layout>) -> Option<Layout> {
+    layouts.into_iter().reduce(|best, other| if other.score > best.score { other } else { best })
+}
+
 /// Somebody who lived in the home with all candidates.
 pub struct Somebody {
     /// Who.
@@ -114,23 +166,79 @@ pub struct Trial<'a> {
 }
 
 impl Trial<'_> {
-    /// The layouts with one sensor of the candidates, two, and so on: each the best that one more sensor makes of the last.
-    /// `added` is told of each.
-    pub fn best(&self, candidates: &[String], count: usize, added: &dyn Fn(&Layout)) -> Vec<Layout> {
+    /// The layouts with one sensor of the candidates, two, and so on: each the best that one more sensor makes of the last, or two
+    /// more where one adds nothing. Of the last, sensors are exchanged as long as another tells more. `told` hears what is
+    /// tried next, and of how many sensors there are by now.
+    pub fn best(&self, candidates: &[String], count: usize, told: &dyn Fn(Trying, usize)) -> Placed {
         let coverage = self.coverage();
-        let mut layouts: Vec<Layout> = Vec::new();
-        while layouts.len() < count.min(candidates.len()) {
-            let before = layouts.last().map(|layout| layout.sensors.clone()).unwrap_or_default();
-            let left = candidates.iter().filter(|name| !before.contains(name));
-            let with: Vec<Vec<String>> = left.map(|name| [&before[..], std::slice::from_ref(name)].concat()).collect();
-            let tried: Vec<Layout> = with.into_par_iter().map(|sensors| self.layout(sensors, &coverage)).collect();
+        let count = count.min(candidates.len());
+        let mut steps: Vec<Layout> = Vec::new();
+        while steps.len() < count {
+            told(Trying::OneMore, steps.len());
+            let (before, score) =
+                steps.last().map_or((Vec::new(), 0.0), |layout| (layout.sensors.clone(), layout.score));
+            let left: Vec<&String> = candidates.iter().filter(|name| !before.contains(name)).collect();
+            let with = |names: &[&String]| {
+                [&before[..], &names.iter().map(|name| (*name).clone()).collect::<Vec<_>>()].concat()
+            };
+            let mut ones = self.all(left.iter().map(|name| with(&[name])).collect(), &coverage);
             // Of those that are as good, the first.
-            let best = tried.into_iter().reduce(|best, other| if other.score > best.score { other } else { best });
-            let Some(best) = best else { break };
-            added(&best);
-            layouts.push(best);
+            ones.sort_by(|a, b| b.score.total_cmp(&a.score));
+            if ones.first().is_some_and(|one| one.score <= score + ADDS) && steps.len() + 2 <= count {
+                told(Trying::TwoMore, steps.len());
+                let best: Vec<&String> = ones.iter().take(PAIRED).filter_map(|one| one.sensors.last()).collect();
+                let pairs = (0..best.len()).flat_map(|a| (a + 1..best.len()).map(move |b| (a, b)));
+                let twos = self.all(pairs.map(|(a, b)| with(&[best[a], best[b]])).collect(), &coverage);
+                let two = best_of(twos).filter(|two| two.score > score + ADDS);
+                let one =
+                    |two: &Layout| ones.iter().find(|one| one.sensors[..] == two.sensors[..two.sensors.len() - 1]);
+                if let Some((one, two)) = two.and_then(|two| Some((one(&two)?.clone(), two))) {
+                    steps.extend([one, two]);
+                    continue;
+                }
+            }
+            if ones.is_empty() {
+                break;
+            }
+            steps.push(ones.swap_remove(0));
         }
-        layouts
+        let swapped = self.swaps(&steps, candidates, &coverage, told);
+        Placed { steps, swapped }
+    }
+
+    /// Sensors of the last layout go for others, as long as that tells more.
+    fn swaps(
+        &self,
+        steps: &[Layout],
+        candidates: &[String],
+        coverage: &Coverage,
+        told: &dyn Fn(Trying, usize),
+    ) -> Vec<Swap> {
+        let mut swaps: Vec<Swap> = Vec::new();
+        while swaps.len() < MOST_SWAPS {
+            let Some(layout) = swaps.last().map(|swap| &swap.layout).or(steps.last()) else { break };
+            told(Trying::Another, layout.sensors.len());
+            let left: Vec<&String> = candidates.iter().filter(|name| !layout.sensors.contains(name)).collect();
+            let of_place = |place: usize| left.iter().map(move |name| (place, *name));
+            let tries: Vec<(usize, &String)> = (0..layout.sensors.len()).flat_map(of_place).collect();
+            let instead = |&(place, name): &(usize, &String)| {
+                let mut sensors = layout.sensors.clone();
+                sensors[place].clone_from(name);
+                sensors
+            };
+            let tried = self.all(tries.iter().map(instead).collect(), coverage);
+            let best = best_of(tried).filter(|best| best.score > layout.score + ADDS);
+            let Some(best) = best else { break };
+            let place = (0..best.sensors.len()).find(|&place| best.sensors[place] != layout.sensors[place]);
+            let Some(place) = place else { break };
+            swaps.push(Swap { gone: layout.sensors[place].clone(), come: best.sensors[place].clone(), layout: best });
+        }
+        swaps
+    }
+
+    /// How much each of some layouts tells, in their order.
+    fn all(&self, layouts: Vec<Vec<String>>, coverage: &Coverage) -> Vec<Layout> {
+        layouts.into_par_iter().map(|sensors| self.layout(sensors, coverage)).collect()
     }
 
     /// How much some of the sensors tell.

@@ -4,6 +4,7 @@
 use crate::error::Error;
 use homebody_analysis::dates::{date_of, dates, on_wall, put_on_wall};
 use homebody_analysis::look::HomeSensor;
+use homebody_analysis::measures::Ways;
 use homebody_analysis::signs::{Kind, Says, says};
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
@@ -16,6 +17,7 @@ use homebody_log::source::Clock;
 use homebody_log::truth::tables;
 use homebody_log::word::one_word;
 use homebody_log::{Life, Log, LogError, RunClock, Source, Url, lives, read, stream, survey, truth_beside};
+use homebody_walk::Mesh;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
 use std::collections::BTreeMap;
@@ -40,6 +42,8 @@ pub struct LogWithRun {
     pub files: Vec<PathBuf>,
     /// The files that it comes from, its truth's and its recording too, which nothing replaces.
     pub sources: Vec<PathBuf>,
+    /// The scenario with its home, where that is known: its run's, or the one that its sensors were placed in.
+    home: Option<Scenario>,
     /// The folder of its run, if that was not lived to its end: see [`NamedLog::unfinished`].
     pub unfinished: Option<Unended>,
 }
@@ -105,14 +109,35 @@ impl LogWithRun {
         let sources = files.iter().cloned().chain(truth).chain(beside).collect();
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
         let name = name + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
-        Ok(LogWithRun { name, log, lives, rooms, recorded, files, sources, unfinished })
+        Ok(LogWithRun { name, log, lives, rooms, recorded, files, sources, home: scenario, unfinished })
     }
 
     /// Gives its sensors the names and rooms that they have in the home of a scenario. Says how many of them are in it.
     pub fn place_in(&mut self, scenario: &Scenario) -> usize {
         name_sensors(&mut self.log, scenario);
         self.rooms = sensor_rooms(scenario);
+        self.home = Some(scenario.clone());
         self.log.sensors.iter().filter(|sensor| self.rooms.contains_key(*sensor)).count()
+    }
+
+    /// How far it is from sensor to sensor along the ways of its home, where that is known. It is some tenths of a second of work.
+    pub fn ways(&self) -> Option<Ways> {
+        let scenario = self.home.as_ref()?;
+        let radius_m = scenario.residents.first()?.file.radius_m;
+        let mesh = Mesh::with_numbers(scenario.home.plan(), radius_m, scenario.home.numbers());
+        let called = |name: &str| {
+            let id = scenario.logger.ids.get(name).map_or(name, String::as_str);
+            vec![id.to_owned(), one_word(id)]
+        };
+        Some(Ways::of(&scenario.home, &|from, to| mesh.path(from, to), &called))
+    }
+
+    /// When guests were in the home, as the truth tells it; `None` where it is not known who lives there.
+    pub fn company(&self) -> Option<Vec<(Micros, Micros)>> {
+        let residents = &self.home.as_ref()?.residents;
+        let is_guest = |life: &&Life| !residents.iter().any(|resident| resident.file.name == life.resident);
+        let guests = self.lives.iter().filter(is_guest);
+        Some(guests.flat_map(|guest| guest.rooms.iter().map(|room| (room.begin, room.end))).collect())
     }
 
     /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.

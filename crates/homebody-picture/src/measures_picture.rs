@@ -93,6 +93,8 @@ fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
     }
     svg.rectangle(Point::new(LEFT, top), Point::new(RIGHT - LEFT, bottom - top), &Paint::line(HAIRLINE, 1.0));
     svg.text(measure.title, Point::new(LEFT - 8.0, middle), &Type::new(13.0, INK).anchored(Anchor::End));
-    let usual = format!("{:.1}  {:.1}  {:.1} {}", at(0.1), at(0.5), at(0.9), measure.unit);
+    // What is small is told to the hundredth.
+    let decimals = if at(0.9) < 3.0 { 2 } else { 1 };
+    let usual = format!("{:.decimals$}  {:.decimals$}  {:.decimals$} {}", at(0.1), at(0.5), at(0.9), measure.unit);
     svg.text(&usual, Point::new(RIGHT + 10.0, middle), &AXIS);
 }

@@ -20,12 +20,6 @@ pub const SENSOR: &str = "sensor";
 
 /// Away for so many hours, a day does not count (ours).
 const AWAY_H: f64 = 16.0;
-/// After so many days of alarm in a row a control chart begins anew (published for times of transfer out of bed).
-const ANEW_AFTER: usize = 3;
-
-/// What was told is not told again for so many days (ours).
-const TOLD_AGAIN: usize = 7;
-
 /// The alerts of a log.
 #[derive(Clone, Debug, Serialize)]
 pub struct Alerts {
@@ -81,7 +75,8 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
             measures.days.iter().zip(&counts).map(|(day, counts)| day.values[number].filter(|_| *counts)).collect();
         alerts.extend(match rule.method {
             Method::Deviation => by_deviation(rule, measure, &values, &measures.days),
-            Method::Ewma => by_average(rule, measure, &values, &measures.days),
+            Method::Ewma => by_chart(rule, measure, &values, &measures.days, Average::new),
+            Method::Cusum => by_chart(rule, measure, &values, &measures.days, Sums::new),
         });
     }
     if let Some(several) = rules.several {
@@ -175,34 +170,127 @@ fn by_deviation(rule: &Rule, measure: &'static Measure, values: &[Option<f64>], 
     alerts
 }
 
-/// Days on which the weighted average leaves its limits.
-fn by_average(rule: &Rule, measure: &'static Measure, values: &[Option<f64>], days: &[Day]) -> Vec<Alert> {
+/// After so many days of alarm in a row a control chart begins anew (published for times of transfer out of bed).
+const ANEW_AFTER: usize = 3;
+/// What was told is not told again for so many days (ours).
+const TOLD_AGAIN: usize = 7;
+
+/// A chart that has begun.
+trait Chart {
+    /// Takes a day: what it comes to by now, and the days that show it, where that is beyond the limits.
+    fn take(&mut self, rule: &Rule, day: usize, value: f64) -> Option<(f64, Vec<usize>)>;
+}
+
+/// An exponentially weighted moving average.
+struct Average {
+    usual: Usual,
+    average: f64,
+    count: i32,
+    alarms: Vec<usize>,
+}
+
+impl Average {
+    /// As it begins.
+    fn new(usual: Usual) -> Average {
+        Average { usual, average: usual.mean, count: 0, alarms: Vec::new() }
+    }
+}
+
+impl Chart for Average {
+    fn take(&mut self, rule: &Rule, day: usize, value: f64) -> Option<(f64, Vec<usize>)> {
+        self.count += 1;
+        self.average += rule.smoothing * (value - self.average);
+        let weights = rule.smoothing / (2.0 - rule.smoothing) * (1.0 - (1.0 - rule.smoothing).powi(2 * self.count));
+        if differs(rule, self.average, self.usual.mean, self.usual.sd * weights.sqrt()) <= rule.k_sd {
+            self.alarms.clear();
+            return None;
+        }
+        self.alarms.push(day);
+        Some((self.average, self.alarms.clone()))
+    }
+}
+
+/// Cumulative sums of what is more than usual and of what is less, in standard deviations. A sum that is 0 begins anew, so that
+/// its days are those since the change.
+struct Sums {
+    usual: Usual,
+    more: Sum,
+    less: Sum,
+}
+
+/// One of the sums, with the days since it was 0 and what they came to.
+#[derive(Default)]
+struct Sum {
+    sum: f64,
+    days: Vec<usize>,
+    values: f64,
+}
+
+impl Sum {
+    fn add(&mut self, by: f64, day: usize, value: f64) {
+        self.sum += by;
+        if self.sum <= 0.0 {
+            *self = Sum::default();
+            return;
+        }
+        self.days.push(day);
+        self.values += value;
+    }
+}
+
+impl Sums {
+    /// As they begin.
+    fn new(usual: Usual) -> Sums {
+        Sums { usual, more: Sum::default(), less: Sum::default() }
+    }
+}
+
+impl Chart for Sums {
+    fn take(&mut self, rule: &Rule, day: usize, value: f64) -> Option<(f64, Vec<usize>)> {
+        let by = (value - self.usual.mean) / self.usual.sd;
+        self.more.add(by - rule.slack_sd, day, value);
+        self.less.add(-by - rule.slack_sd, day, value);
+        let counting: &[&Sum] = match rule.when {
+            When::More => &[&self.more],
+            When::Less => &[&self.less],
+            When::Either => &[&self.more, &self.less],
+        };
+        let sum = counting.iter().find(|sum| sum.sum > rule.k_sd)?;
+        Some((sum.values / sum.days.len() as f64, sum.days.clone()))
+    }
+}
+
+/// Days on which a chart leaves its limits.
+fn by_chart<C: Chart>(
+    rule: &Rule,
+    measure: &'static Measure,
+    values: &[Option<f64>],
+    days: &[Day],
+    begin: impl Fn(Usual) -> C,
+) -> Vec<Alert> {
     let mut alerts = Vec::new();
-    // What was usual as the chart began, the average, how many days it has, and those of alarm.
-    let mut chart: Option<(Usual, f64, i32, Vec<usize>)> = None;
+    // The chart, what was usual as it began, and for how many days in a row it has been beyond its limits.
+    let mut chart: Option<(C, Usual, usize)> = None;
     let mut begins = 0;
     let mut told: Option<usize> = None;
     for (day, value) in values.iter().enumerate() {
         let Some(value) = *value else { continue };
-        let Some((usual, average, count, alarms)) = &mut chart else {
+        let Some((taken, usual, alarms)) = &mut chart else {
             let known = values[begins..day].iter().flatten().count();
             if known >= rule.baseline_days.min(rule.min_days * 2) {
-                chart = usual_of(rule, &values[begins..day]).map(|usual| (usual, usual.mean, 0, Vec::new()));
+                chart = usual_of(rule, &values[begins..day]).map(|usual| (begin(usual), usual, 0));
             }
             continue;
         };
-        *count += 1;
-        *average += rule.smoothing * (value - *average);
-        let weights = rule.smoothing / (2.0 - rule.smoothing) * (1.0 - (1.0 - rule.smoothing).powi(2 * *count));
-        if differs(rule, *average, usual.mean, usual.sd * weights.sqrt()) <= rule.k_sd {
-            alarms.clear();
+        let Some((level, shown)) = taken.take(rule, day, value) else {
+            *alarms = 0;
             continue;
+        };
+        *alarms += 1;
+        if *alarms == 1 && told.replace(day).is_none_or(|told| day - told > TOLD_AGAIN) {
+            alerts.push(alert(rule, measure, (level, *usual), &shown, days));
         }
-        alarms.push(day);
-        if alarms.len() == 1 && told.replace(day).is_none_or(|told| day - told > TOLD_AGAIN) {
-            alerts.push(alert(rule, measure, (*average, *usual), alarms, days));
-        }
-        if alarms.len() == ANEW_AFTER {
+        if *alarms == ANEW_AFTER {
             (chart, begins) = (None, day + 1);
         }
     }
@@ -224,6 +312,10 @@ fn alert(rule: &Rule, measure: &'static Measure, (value, usual): (f64, Usual), s
         Method::Deviation => format!(
             "{title}: {value:.1} {unit} on {date}, {much} than the usual {mean:.1} (give or take {sd:.1}) of the {} days before",
             rule.baseline_days
+        ),
+        Method::Cusum => format!(
+            "{title}: {value:.2} {unit} on average since {}, {much} than the {mean:.2} of before",
+            shown_by.first().copied().unwrap_or_default()
         ),
         Method::Ewma => format!(
             "{title}: the average of the last days has come to {value:.2} {unit} on {date}, {much} than the {mean:.2} of before"

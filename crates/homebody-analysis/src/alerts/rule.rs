@@ -47,6 +47,9 @@ pub struct Rule {
     /// The weight of the newest day, for the method `ewma`.
     #[serde(default = "fifth")]
     pub smoothing: f64,
+    /// So many standard deviations from the mean a day may be and adds nothing, for the method `cusum`.
+    #[serde(default = "half")]
+    pub slack_sd: f64,
 }
 
 /// Several measures at once.
@@ -81,6 +84,9 @@ pub enum Method {
     /// An exponentially weighted moving average against its control limits (Roberts 1959; Lucas and Saccucci 1990), which begins
     /// anew after three days of alarm.
     Ewma,
+    /// Cumulative sums of how far days are from the mean (Page 1954), which find since when it is so: a change point. The limit,
+    /// in standard deviations, is `k_sd`.
+    Cusum,
 }
 
 // The window is that of two weeks in the Missouri systems, and the least number of days half of it, which is ours.
@@ -98,6 +104,11 @@ fn one() -> usize {
 
 fn three() -> f64 {
     3.0
+}
+
+// Half of a change by one standard deviation, for which the sums are the soonest (Page 1954; Montgomery 2009).
+fn half() -> f64 {
+    0.5
 }
 
 fn fifth() -> f64 {
@@ -147,6 +158,7 @@ impl Rule {
             !(self.smoothing > 0.0 && self.smoothing <= 1.0),
             "smoothing has to be above 0 and at most 1, such as 0.2".into(),
         );
+        wrong(!(0.0..=10.0).contains(&self.slack_sd), "slack_sd has to be from 0 to 10, such as 0.5".into());
         problems
     }
 }

@@ -76,6 +76,25 @@ fn a_slow_change_is_found_by_the_moving_average() {
 }
 
 #[test]
+fn a_change_is_found_with_the_day_since_when_it_is_so() {
+    let rule = r#"{ "name": "change", "measure": "bathroom_night", "when": "more", "method": "cusum", "k_sd": 5 }"#;
+    let changed: Vec<f64> = (0..30).map(|day| f64::from(1 + day % 2) + if day < 12 { 0.0 } else { 1.2 }).collect();
+    let found = alerts(&days_of("bathroom_night", &then(&changed)), &rules(rule));
+    let [alert] = &found.alerts[..] else { panic!("{found}") };
+    let since = alert.shown_by[0];
+    assert!((date(2024, 1, 26)..=date(2024, 1, 28)).contains(&since), "{found}");
+    assert!(
+        alert.date < date(2024, 2, 3) && alert.words.contains(&format!("on average since {since}, more")),
+        "{found}"
+    );
+    let steady: Vec<f64> = (0..60).map(|day| f64::from(1 + day % 2)).collect();
+    assert!(alerts(&days_of("bathroom_night", &then(&steady)), &rules(rule)).alerts.is_empty());
+    // Less is not more.
+    let less: Vec<f64> = (0..30).map(|_| 0.0).collect();
+    assert!(alerts(&days_of("bathroom_night", &then(&less)), &rules(rule)).alerts.is_empty());
+}
+
+#[test]
 fn a_silent_sensor_is_told_of() {
     let mut measures = days_of("meals", &then(&[2.0; 5]));
     measures.silent.push(Silent { sensor: "kitchen motion".into(), since: date(2024, 1, 15), told: date(2024, 1, 17) });

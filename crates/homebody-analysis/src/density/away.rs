@@ -15,6 +15,8 @@
 //! came, it finds all 15 absences of more than half an hour and no other; in one of TM000, the journey of three days.
 //! These are no test of it: with five minutes instead of two, a stray firing hid one of the 15.
 //!
+//! An absence is a guess unless a contact tells that a door was opened as it began and as it ended.
+//!
 //! Left out: more residents than one, of whom one leaves; visitors; whoever leaves through a door without a sensor; absences
 //! that go on when the log begins or ends.
 
@@ -44,6 +46,9 @@ pub struct Absence {
     pub end: Micros,
     /// Firings meanwhile, in the empty home.
     pub stray: usize,
+    /// Whether no door was seen to open as it began and as it ended: that somebody was at the entrance and then nowhere
+    /// is all that tells it.
+    pub is_guess: bool,
 }
 
 /// A sign of somebody: when, and whether it is at the entrance.
@@ -53,6 +58,8 @@ pub struct Sign {
     pub at: Micros,
     /// Whether a sensor at the entrance tells it.
     pub at_entrance: bool,
+    /// Whether it is a door there that is opened.
+    pub opens_door: bool,
 }
 
 /// The absences longer than `least`; signs in order, and the spans over which a bed or a chair is taken, in any order.
@@ -69,12 +76,23 @@ pub fn absences(signs: &[Sign], taken: &[(Micros, Micros)], least: Micros) -> Ve
         if let Some((begin, end)) = before.and_then(|before| leaves(before).zip(comes(bout))) {
             let in_between = |&(from, to): &(Micros, Micros)| to.min(end) - from.max(begin) > SEATED;
             if end - begin > least && !taken.iter().any(in_between) {
-                absences.push(Absence { begin, end, stray });
+                let is_guess = !before.is_some_and(|before| has_door(before.iter().rev(), end_of(before)))
+                    || !has_door(bout.iter(), end);
+                absences.push(Absence { begin, end, stray, is_guess });
             }
         }
         (before, stray) = (Some(bout), 0);
     }
     absences
+}
+
+fn end_of(bout: &[Sign]) -> Micros {
+    bout.last().map_or(0, |sign| sign.at)
+}
+
+/// Whether a door is opened near an instant, by the signs from there on.
+fn has_door<'a>(mut signs: impl Iterator<Item = &'a Sign>, at: Micros) -> bool {
+    signs.by_ref().take_while(|sign| (sign.at - at).abs() <= EDGE).any(|sign| sign.opens_door)
 }
 
 /// The end of a bout, if that is somebody who leaves.
@@ -109,7 +127,7 @@ mod tests {
 
     /// Signs by their seconds; those at the entrance are negative.
     fn signs(at_s: &[Micros]) -> Vec<Sign> {
-        at_s.iter().map(|&at| Sign { at: at.abs() * SECOND, at_entrance: at < 0 }).collect()
+        at_s.iter().map(|&at| Sign { at: at.abs() * SECOND, at_entrance: at < 0, opens_door: false }).collect()
     }
 
     fn found(at_s: &[Micros], taken: &[(Micros, Micros)]) -> Vec<(Micros, Micros, usize)> {
@@ -151,6 +169,16 @@ mod tests {
         // Not for as long as a motion sensor of that name blinks, and not before or after.
         assert_eq!(found(&day, &[(100 * SECOND, 102 * SECOND)]).len(), 1);
         assert_eq!(found(&day, &[(0, 30 * SECOND), (30_000 * SECOND, 90_000 * SECOND)]).len(), 1);
+    }
+
+    #[test]
+    fn where_no_door_is_seen_to_open_it_is_a_guess() {
+        let mut day = signs(&[10, 20, -30, -4000, 4010, 4020]);
+        assert!(absences(&day, &[], LEAST)[0].is_guess);
+        day[2].opens_door = true;
+        assert!(absences(&day, &[], LEAST)[0].is_guess, "nobody was seen to come");
+        day[3].opens_door = true;
+        assert!(!absences(&day, &[], LEAST)[0].is_guess);
     }
 
     #[test]

@@ -62,6 +62,8 @@ pub struct Map {
     pub events: u64,
     /// How many sensors tell of motion.
     pub motion_sensors: usize,
+    /// The sensors that tell of something else, and are left out.
+    pub left_out: Vec<String>,
     /// The sensors by which somebody leaves and comes home.
     pub entrance: Entrance,
     /// For how many hours there is data.
@@ -137,8 +139,10 @@ impl Map {
         }
         let shown = |absence: &&Absence| absence.begin < days.span().end && absence.end > days.span().start;
         let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();
+        let left_out = sensors.iter().filter(|(_, kind)| *kind != Kind::Motion).map(|(name, _)| (*name).to_owned());
+        let left_out = left_out.collect();
         let absences = absences.iter().filter(shown).copied().collect();
-        Ok(Map::sum(name, days.first, cells, Found { motion_sensors, entrance, absences }))
+        Ok(Map::sum(name, days.first, cells, Found { motion_sensors, left_out, entrance, absences }))
     }
 
     /// Sums the cells up.
@@ -154,6 +158,7 @@ impl Map {
             from,
             events: all.events,
             motion_sensors: found.motion_sensors,
+            left_out: found.left_out,
             entrance: found.entrance,
             recorded_h: all.recorded_h,
             away_h: all.away_h,
@@ -201,7 +206,8 @@ impl Heard {
             let begins = matches!(says, Says::Begins | Says::Opens);
             let is_motion = kinds[sensor] == Kind::Motion && says == Says::Begins;
             if is_motion || begins && (kinds[sensor] == Kind::Contact || is_entrance[sensor]) {
-                heard.signs.push(Sign { at, at_entrance: is_entrance[sensor] });
+                let opens_door = kinds[sensor] == Kind::Contact && is_entrance[sensor];
+                heard.signs.push(Sign { at, at_entrance: is_entrance[sensor], opens_door });
             }
             heard.events.extend(is_motion.then_some(at));
             heard.rows.push(at);
@@ -216,6 +222,7 @@ impl Heard {
 /// What of a log is no matter of its cells.
 struct Found {
     motion_sensors: usize,
+    left_out: Vec<String>,
     entrance: Entrance,
     absences: Vec<Absence>,
 }

@@ -10,6 +10,8 @@ use homebody_core::time::DAY;
 /// So many days are told one by one; of more, weeks are told.
 const MOST_DAYS: usize = 31;
 const MOST_ABSENCES: usize = 40;
+/// So many sensors that are left out are named.
+const MOST_LEFT_OUT: usize = 12;
 
 impl fmt::Display for Density {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -58,6 +60,12 @@ fn tell(f: &mut fmt::Formatter, map: &Map) -> fmt::Result {
     let days = counted(map.days.len(), "day", "days");
     let sensors = counted(map.motion_sensors, "motion sensor", "motion sensors");
     writeln!(f, "{}: {days}, {} to {last}; {} firings of {sensors}", map.name, map.from, map.events)?;
+    if !map.left_out.is_empty() {
+        let count = map.left_out.len();
+        let shown = map.left_out.iter().take(MOST_LEFT_OUT).map(String::as_str).collect::<Vec<_>>().join(", ");
+        let more = if count > MOST_LEFT_OUT { " and more" } else { "" };
+        writeln!(f, "Left out: {count} that tell of no movement: {shown}{more}")?;
+    }
     match map.density_per_h {
         Some(density) => writeln!(f, "At home:  {density:.1} firings an hour")?,
         None => writeln!(f, "At home:  not long enough to say how many firings an hour")?,
@@ -93,7 +101,11 @@ fn absences(f: &mut fmt::Formatter, absences: &[Absence]) -> fmt::Result {
     let told = |at| format!("{} {}", date_of(at), clock(at.rem_euclid(DAY)));
     for absence in absences.iter().take(MOST_ABSENCES) {
         let (begin, end) = (told(absence.begin), told(absence.end));
-        writeln!(f, "{begin:16}  {end:16}  {:>6.1}  {:>14}", absence.hours(), absence.stray)?;
+        let guess = if absence.is_guess { "  a guess" } else { "" };
+        writeln!(f, "{begin:16}  {end:16}  {:>6.1}  {:>14}{guess}", absence.hours(), absence.stray)?;
+    }
+    if absences.iter().any(|absence| absence.is_guess) {
+        writeln!(f, "A guess is told by silence after somebody was at the entrance: no contact tells of a door.")?;
     }
     match absences.len().saturating_sub(MOST_ABSENCES) {
         0 => Ok(()),

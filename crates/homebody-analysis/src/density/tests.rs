@@ -36,7 +36,7 @@ fn what_is_away_is_no_hour_at_home() {
     let asked = Asked { recorded: Some(0..DAY), ..Asked::default() };
     let map = map(&rows, &asked);
     assert_eq!(map.entrance, Entrance { sensors: vec![front.into()], chosen: Chosen::Known });
-    assert_eq!(map.absences, [Absence { begin: 5400 * SECOND, end: 10_800 * SECOND, stray: 1 }]);
+    assert_eq!(map.absences, [Absence { begin: 5400 * SECOND, end: 10_800 * SECOND, stray: 1, is_guess: true }]);
     let states: Vec<State> = map.cells[0].iter().map(Cell::state).collect();
     assert_eq!(states[..4], [State::Density(0.0), State::Density(6.0), State::Away, State::Density(3.0)]);
     assert_eq!((map.away_h, map.away_h_per_day, map.recorded_h), (1.5, 1.5, 24.0));

@@ -61,6 +61,7 @@ fn ucum(unit: &str) -> (&str, &str) {
         "visits" => ("visits", "{visits}"),
         "times" => ("times", "{times}"),
         "bouts/h" => ("bouts/h", "{bouts}/h"),
+        "m/s" => ("m/s", "m/s"),
         "firings/h" => ("firings/h", "{firings}/h"),
         other => (other, "1"),
     }

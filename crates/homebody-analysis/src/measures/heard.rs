@@ -1,14 +1,17 @@
 //! What measures are taken from, as a log tells it.
 
+use super::company::company;
+use super::known::Known;
 use super::rooms::{Purpose, Rooms};
-use super::timeline::{Passage, Span, Stay, Timeline, joined, without};
+use super::signs::{Sign, agreed, signs};
+use super::timeline::{Span, Stay, Timeline, joined, without};
+use super::walking::{passages, walks};
 use crate::dates::midnight;
 use crate::density::{Absence, Asked, Map, NoMap};
 use crate::signs::{Kind, Says, says, spans};
 use homebody_core::names::words;
-use homebody_core::time::{DAY, Micros, SECOND, seconds};
+use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::Log;
-use std::collections::BTreeMap;
 
 const MINUTE: Micros = 60 * SECOND;
 
@@ -36,43 +39,30 @@ const BATHROOM_LIVELY: Micros = MINUTE;
 /// Times in the kitchen no farther apart belong to one meal; for a meal somebody is there for so long (ours).
 const MEAL_APART: Micros = 15 * MINUTE;
 const MEAL_LASTS: Micros = 15 * MINUTE;
-/// A way from one sensor to another takes no longer, and is known by so many (ours).
-const PASSES_WITHIN: Micros = 15 * SECOND;
-const PASSES_KNOWN: usize = 20;
-
-/// A sign of somebody: when, where, and by which sensor.
-struct Sign {
-    at: Micros,
-    room: usize,
-    sensor: usize,
-}
-
 impl Timeline {
-    /// As a log tells it. `known` says which sensors are in which rooms; `asked` from when to when.
+    /// As a log tells it. `known` is what a home tells; `asked` from when to when.
     ///
     /// # Errors
     ///
     /// Those of the log's density map.
-    pub(super) fn heard(
-        log: &Log,
-        kinds: &[Kind],
-        known: &BTreeMap<String, String>,
-        asked: &Asked,
-    ) -> Result<(Timeline, Map), NoMap> {
+    pub(super) fn heard(log: &Log, kinds: &[Kind], known: &Known, asked: &Asked) -> Result<(Timeline, Map), NoMap> {
         let map = Map::of("", log, asked)?;
-        let rooms = Rooms::of(&log.sensors, known);
+        let rooms = Rooms::of(&log.sensors, known.rooms);
         let signs = signs(log, kinds, &rooms);
         let begin = midnight(map.from);
         let end = begin + map.cells.len() as Micros * DAY;
         let away: Vec<Span> = map.absences.iter().map(|Absence { begin, end, .. }| (*begin, *end)).collect();
         let last = signs.last().map_or(end, |sign| sign.at).min(end);
-        let stays = stays(&signs, &away, last);
+        let stays = stays(&agreed(&signs), &away, last);
+        let doors = opened(log, kinds, &map.entrance.sensors);
         let mut timeline = Timeline {
             first: map.from,
             begin,
             recorded_h: map.cells.iter().map(|day| day.map(|cell| cell.recorded_h)).collect(),
             away: (!map.entrance.sensors.is_empty()).then_some(away),
             passages: passages(&signs),
+            walks: known.ways.and_then(|ways| walks(&signs, &log.sensors, ways)),
+            company: company(&signs, &log.sensors, known.ways, &doors).filter(|_| rooms.rooms.len() > 1),
             cells: Some(map.cells.clone()),
             stays,
             rooms,
@@ -154,27 +144,24 @@ impl Timeline {
     }
 }
 
+/// When contacts among the sensors of the entrance say that a door is opened, in order of time.
+fn opened(log: &Log, kinds: &[Kind], entrance: &[String]) -> Vec<Micros> {
+    let is_door: Vec<bool> = (log.sensors.iter().zip(kinds))
+        .map(|(sensor, kind)| *kind == Kind::Contact && entrance.contains(sensor))
+        .collect();
+    let opens: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Opens).collect();
+    let told = log.events.iter().filter(|event| is_door[event.sensor as usize] && opens[event.value as usize]);
+    let mut opened: Vec<Micros> = told.map(|event| event.at).collect();
+    opened.sort_unstable();
+    opened
+}
+
 /// Words that tell of beds and showers.
 const BEDS: [&str; 2] = ["bed", "mattress"];
 const SHOWERS: [&str; 3] = ["shower", "bathtub", "tub"];
 
 fn is_named(name: &str, as_one_of: &[&str]) -> bool {
     words(name).iter().any(|word| as_one_of.contains(&word.as_str()))
-}
-
-/// What motion sensors say of somebody who is in a room that is known, in order of time.
-fn signs(log: &Log, kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
-    let begins: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Begins).collect();
-    let told = log.events.iter().filter(|event| begins[event.value as usize]);
-    let mut signs: Vec<Sign> = told
-        .filter_map(|event| {
-            let sensor = event.sensor as usize;
-            let room = rooms.of_sensors[sensor].filter(|_| kinds[sensor] == Kind::Motion)?;
-            Some(Sign { at: event.at, room, sensor })
-        })
-        .collect();
-    signs.sort_by_key(|sign| sign.at);
-    signs
 }
 
 /// Somebody is in the room of the last sign until there is one of another, or until they leave. A single sign of a room is a
@@ -246,25 +233,4 @@ fn still(stay: &Stay, signs: &[&Sign]) -> Option<Span> {
     let mut long = times.windows(2).filter(is_long);
     let first = long.next()?;
     Some((first[0], long.next_back().unwrap_or(first)[1]))
-}
-
-/// How fast somebody went from sensor to sensor, of those pairs in different rooms that are passed often enough.
-fn passages(signs: &[Sign]) -> Option<Vec<Passage>> {
-    let mut by_pair: BTreeMap<(usize, usize), Vec<(Micros, f64)>> = BTreeMap::new();
-    for pair in signs.windows(2) {
-        let took = pair[1].at - pair[0].at;
-        if pair[0].room != pair[1].room && took > 0 && took <= PASSES_WITHIN {
-            let of = (pair[0].sensor, pair[1].sensor);
-            by_pair.entry(of).or_default().push((pair[1].at, seconds(took)));
-        }
-    }
-    let mut passages = Vec::new();
-    for passed in by_pair.into_values().filter(|passed| passed.len() >= PASSES_KNOWN) {
-        let mut took: Vec<f64> = passed.iter().map(|(_, took)| *took).collect();
-        took.sort_by(f64::total_cmp);
-        let usual = took[took.len() / 2];
-        passages.extend(passed.into_iter().map(|(at, took)| Passage { at, of_usual: usual / took }));
-    }
-    passages.sort_by_key(|passage| passage.at);
-    (!passages.is_empty()).then_some(passages)
 }

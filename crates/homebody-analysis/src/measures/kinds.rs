@@ -50,9 +50,9 @@ measures! {
         "Bouts of movement in bed an hour in bed; movements more than 30 s apart are two bouts",
         "Rantz et al. 2015, bed restlessness; the bouts are ours";
     bathroom_night ("visits", "Bathroom by night")
-        "Stays in the bathroom of 20 s and more between going to bed and getting up", "Rantz et al. 2015, bathroom activity";
+        "Stays in the bathroom of 20 s and more between going to bed and getting up, with gaps of 60 s at most; whom several sensors see at once is in the room of most of them", "Rantz et al. 2015, bathroom activity";
     bathroom_day ("visits", "Bathroom by day")
-        "Stays in the bathroom of 20 s and more on the day, but for those of the night", "Rantz et al. 2015, bathroom activity";
+        "The same on the day, but for those of the night", "Rantz et al. 2015, bathroom activity";
     showers ("times", "Showers")
         "Where the shower has a sensor, spans of its movements of 3 min and more; else, as a guess, stays in the bathroom of 10 min and more by day with a sign every minute",
         "ours";
@@ -69,6 +69,18 @@ measures! {
         "Hagler et al. 2010, walking speed by sensors in a line; relative times are ours";
     pace_slow ("of usual", "Slowest walks")
         "The same, of the slowest tenth", "Hagler et al. 2010, the distribution of walking speeds";
+    walking_speed ("m/s", "Walking speed")
+        "The median speed of the day's walks from sensor to sensor, by how far it is between them on the ways of the home; without a home it is not known",
+        "Hagler et al. 2010, walking speed by sensors in a line; ways of a home instead of a line are ours";
+    walking_speed_slow ("m/s", "Slow walks")
+        "The speed that a tenth of these walks do not reach", "Hagler et al. 2010, the distribution of walking speeds";
+    walking_speed_fast ("m/s", "Fast walks")
+        "The speed that a tenth of these walks exceed", "Hagler et al. 2010, the distribution of walking speeds";
+    company ("h", "Company")
+        "Hours of the day with somebody besides the resident, as a guess: from the first to the last of several times that sensors in two rooms speak sooner after each other than a walk takes, or from opening to opening of the front door around one",
+        "Petersen et al. 2012, visitors by motion sensors; the rule is ours";
+    visits ("times", "Visitors")
+        "How often such a time began on the day, as a guess", "Petersen et al. 2012, visitors by motion sensors; the rule is ours";
     pacing ("times", "Pacing")
         "Ways back and forth between two rooms, three times and more, with no stay over a minute",
         "Martino-Saltzman et al. 1991; three times are ours";

@@ -1,7 +1,7 @@
 //! What measures are taken from, as a truth tells it.
 
 use super::rooms::{Rooms, purpose};
-use super::timeline::{Span, Stay, Timeline, joined};
+use super::timeline::{Span, Stay, Timeline, Walk, joined};
 use crate::dates::{date_of, midnight};
 use homebody_core::activity::{
     AWAY, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, GOING_TO_BED, LYING_AWAKE, SHOWERING, SLEEPING,
@@ -13,9 +13,23 @@ use std::ops::Range;
 /// What is no farther apart is one: walking to the toilet is no second meal (ours).
 const APART: Micros = 5 * 60 * SECOND;
 
+/// What a truth tells of a resident besides their rooms and what they do.
+#[derive(Clone, Debug, Default)]
+pub struct Beside {
+    /// How fast they walked, in order of time.
+    pub walks: Option<Vec<Walk>>,
+    /// When guests were in the home.
+    pub company: Option<Vec<Span>>,
+}
+
 impl Timeline {
     /// As the truth tells it of one resident, for the days that touch `recorded`.
     pub fn lived(life: &Life, recorded: Range<Micros>) -> Timeline {
+        Timeline::lived_beside(life, &Beside::default(), recorded)
+    }
+
+    /// The same, with what is known besides.
+    pub fn lived_beside(life: &Life, beside: &Beside, recorded: Range<Micros>) -> Timeline {
         let first = date_of(recorded.start);
         let begin = midnight(first);
         let days =
@@ -53,6 +67,12 @@ impl Timeline {
             asleep: Some(of(&[SLEEPING])),
             showers: begins(&[SHOWERING]),
             meals: begins(&[EATING_BREAKFAST, EATING_LUNCH, EATING_DINNER]),
+            walks: beside.walks.clone(),
+            company: beside.company.as_ref().map(|company| {
+                let mut company = company.clone();
+                company.sort_unstable();
+                joined(company.into_iter(), APART)
+            }),
             ..Timeline::default()
         }
     }

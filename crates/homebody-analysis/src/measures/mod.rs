@@ -5,19 +5,24 @@
 //! each measure is, with its unit, its definition and the source of that, stands in `MEASURES`.
 //!
 //! A day of which more than an hour is unknown has no values, and a night none of its own: nothing is filled in. Left out: who
-//! of several residents it was, and visitors, who are measured as if they were the resident.
+//! of several residents it was; visitors are guessed, and what they do is measured as if the resident did it.
 
+mod company;
 mod fhir;
 mod heard;
 mod held;
 mod kinds;
+mod known;
 mod lived;
 mod of_day;
 mod rooms;
+mod signs;
 mod silent;
 mod table;
 mod timeline;
+mod walking;
 mod wandering;
+mod ways;
 
 use crate::density::{Asked, Chosen, NoMap};
 use crate::signs::kinds;
@@ -27,9 +32,12 @@ use std::collections::BTreeMap;
 
 pub use held::{Day, Measures, Silent};
 pub use kinds::{MEASURES, Measure};
+pub use known::Known;
+pub use lived::Beside;
 pub use of_day::OfDay;
 pub use rooms::{Purpose, Rooms};
-pub use timeline::{Passage, Stay, Timeline};
+pub use timeline::{Passage, Span, Stay, Timeline, Walk};
+pub use ways::Ways;
 
 impl Measures {
     /// Of a log. `known` says which of its sensors are in which rooms, where a home tells it.
@@ -38,6 +46,15 @@ impl Measures {
     ///
     /// [`NoMap`] where no sensor tells of motion, or the days are too many.
     pub fn heard(name: &str, log: &Log, known: &BTreeMap<String, String>, asked: &Asked) -> Result<Measures, NoMap> {
+        Measures::heard_at_home(name, log, &Known { rooms: known, ways: None }, asked)
+    }
+
+    /// The same with all that a home tells.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Measures::heard`].
+    pub fn heard_at_home(name: &str, log: &Log, known: &Known, asked: &Asked) -> Result<Measures, NoMap> {
         let kinds = kinds(log);
         let (timeline, map) = Timeline::heard(log, &kinds, known, asked)?;
         let mut remarks = Vec::new();
@@ -66,11 +83,18 @@ impl Measures {
                     map.entrance.sensors.join(", ")
                 ));
             }
-            Chosen::Asked | Chosen::Known => {}
+            Chosen::Asked | Chosen::Known if map.absences.iter().all(|absence| !absence.is_guess) => {}
+            Chosen::Asked | Chosen::Known => {
+                remarks.push("Some outings are told by no door that was opened: somebody was at the entrance, and then there was silence".to_owned());
+            }
         }
         if timeline.guesses_showers {
             guesses.push("showers");
             remarks.push("Showers are a guess by long stays in the bathroom: no sensor is at the shower".to_owned());
+        }
+        if timeline.company.is_some() {
+            guesses.extend(["company", "visits"]);
+            remarks.push("Visitors are a guess by sensors that speak sooner after each other than somebody walks: who sits with the resident in one room is not found".to_owned());
         }
         let mut measures = Measures { guesses, ..Measures::of(name, &timeline, remarks) };
         let away = timeline.away.clone().unwrap_or_default();
@@ -83,6 +107,16 @@ impl Measures {
     /// Of a truth, for the days of a log.
     pub fn lived(name: &str, life: &Life, recorded: std::ops::Range<homebody_core::time::Micros>) -> Measures {
         Measures::of(name, &Timeline::lived(life, recorded), Vec::new())
+    }
+
+    /// The same, with what is known besides.
+    pub fn lived_beside(
+        name: &str,
+        life: &Life,
+        beside: &Beside,
+        recorded: std::ops::Range<homebody_core::time::Micros>,
+    ) -> Measures {
+        Measures::of(name, &Timeline::lived_beside(life, beside, recorded), Vec::new())
     }
 
     /// Of a timeline.
@@ -105,3 +139,6 @@ impl Measures {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

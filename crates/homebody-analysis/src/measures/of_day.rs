@@ -16,8 +16,9 @@ const VISITS_APART: Micros = 60 * SECOND;
 const SITS: Micros = 30 * 60 * SECOND;
 /// A day of which more is unknown has no measures of days, and a night none of nights (ours).
 const UNKNOWN_H: f64 = 1.0;
-/// Fewer ways have no distribution (ours).
+/// Fewer ways, or walks of a known length, have no distribution (ours).
 const LEAST_WAYS: usize = 10;
+const LEAST_WALKS: usize = 5;
 /// What is told of a week is told of so many days.
 const WEEK: usize = 7;
 
@@ -38,16 +39,22 @@ pub struct Common<'a> {
 impl<'a> Common<'a> {
     /// Of a timeline.
     pub fn of(timeline: &'a Timeline) -> Common<'a> {
-        let visits = timeline.visits(Purpose::Bathroom, VISITS_APART);
         let long = timeline.stays.iter().filter(|stay| stay.lasts() >= SITS);
         Common {
             timeline,
-            bathroom: visits.into_iter().filter(|visit| visit.1 - visit.0 >= VISIT).collect(),
+            bathroom: visits_to(&timeline.visits(Purpose::Bathroom, 0)),
             sitting: long.map(|stay| (stay.begin, stay.end)).collect(),
             wandering: super::wandering::wandering(&timeline.stays),
             step_per_h: timeline.cells.as_deref().map_or(1.0, apart::step_per_h),
         }
     }
+}
+
+/// Times in a room, those that are close as one visit: with so much time in the room in all that nobody has just passed its door.
+fn visits_to(times: &[Span]) -> Vec<Span> {
+    let visits = times.chunk_by(|a, b| b.0 - a.1 <= VISITS_APART);
+    let there = |visit: &[Span]| visit.iter().map(|time| time.1 - time.0).sum::<Micros>();
+    visits.filter(|visit| there(visit) >= VISIT).map(|visit| (visit[0].0, visit[visit.len() - 1].1)).collect()
 }
 
 /// A day, with the night that ends on it.
@@ -179,6 +186,38 @@ impl<'a> OfDay<'a> {
     pub(super) fn pace_slow(&self) -> Option<f64> {
         let paces = self.paces()?;
         Some(paces[paces.len() / 10])
+    }
+
+    /// How fast the walks of the day were, the slowest first: that at a share of them.
+    fn speed(&self, share: f64) -> Option<f64> {
+        let walks = self.common.timeline.walks.as_ref().filter(|_| self.is_known)?;
+        let from = walks.partition_point(|walk| walk.at < self.day.0);
+        let to = walks.partition_point(|walk| walk.at < self.day.1);
+        let mut speeds: Vec<f64> = walks[from..to].iter().map(|walk| walk.speed_m_s).collect();
+        speeds.sort_by(f64::total_cmp);
+        (speeds.len() >= LEAST_WALKS).then(|| speeds[((speeds.len() - 1) as f64 * share).round() as usize])
+    }
+
+    pub(super) fn walking_speed(&self) -> Option<f64> {
+        self.speed(0.5)
+    }
+
+    pub(super) fn walking_speed_slow(&self) -> Option<f64> {
+        self.speed(0.1)
+    }
+
+    pub(super) fn walking_speed_fast(&self) -> Option<f64> {
+        self.speed(0.9)
+    }
+
+    pub(super) fn company(&self) -> Option<f64> {
+        let company = self.common.timeline.company.as_ref().filter(|_| self.is_known)?;
+        Some(within_h(company, self.day))
+    }
+
+    pub(super) fn visits(&self) -> Option<f64> {
+        let company = self.common.timeline.company.as_ref()?;
+        self.count(Some(&company.iter().map(|visit| visit.0).collect::<Vec<_>>()))
     }
 
     pub(super) fn pacing(&self) -> Option<f64> {

@@ -36,6 +36,15 @@ pub struct Passage {
     pub of_usual: f64,
 }
 
+/// A walk whose length is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Walk {
+    /// When it ended.
+    pub at: Micros,
+    /// How fast it was, in metres a second.
+    pub speed_m_s: f64,
+}
+
 /// What is known of some days.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Timeline {
@@ -65,6 +74,10 @@ pub struct Timeline {
     pub meals: Option<Vec<Micros>>,
     /// How fast somebody walked.
     pub passages: Option<Vec<Passage>>,
+    /// The same in metres a second, where the home is known.
+    pub walks: Option<Vec<Walk>>,
+    /// When somebody besides the resident was there.
+    pub company: Option<Vec<Span>>,
     /// How much is said in each hour.
     pub cells: Option<Vec<[Cell; 24]>>,
 }

@@ -6,7 +6,7 @@ use super::read_log::read_log;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_analysis::density::Asked;
-use homebody_analysis::measures::{Day, Measures};
+use homebody_analysis::measures::{Beside, Day, Known, Measures};
 use homebody_core::names::capitalised;
 use homebody_kit::LogWithRun;
 use homebody_log::Life;
@@ -16,9 +16,10 @@ use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 
 /// Says and draws what somebody has been doing, day by day: time in bed and sleep, visits to the bathroom, showers, meals,
-/// outings, ways and how fast they were walked, sitting, density, and how even the days are.
+/// outings, visitors, ways and how fast they were walked, sitting, density, and how even the days are.
 ///
-/// The log of a run knows the rooms of its sensors, --home tells those of another; without it names tell them. A night counts
+/// The log of a run knows the rooms of its sensors and how far apart they are, --home tells those of another; without it names
+/// tell rooms, and speeds in metres a second are not known. A night counts
 /// to the day on which it ends. With --resident the same is taken
 /// from what a resident did, where the truth of the run is there.
 #[derive(clap::Args)]
@@ -145,7 +146,9 @@ impl Measured {
             return lived(read, resident);
         }
         let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
-        Measures::heard(&read.name, &read.log, &read.rooms, &asked)
+        let ways = read.ways();
+        let known = Known { rooms: &read.rooms, ways: ways.as_ref() };
+        Measures::heard_at_home(&read.name, &read.log, &known, &asked)
             .map_err(|why| Failure::usage(format!("{}: {why}", &self.log)))
     }
 }
@@ -163,5 +166,6 @@ fn lived(read: &LogWithRun, resident: &str) -> Result<Measures, Failure> {
     let times = || read.log.events.iter().map(|event| event.at);
     let of_log = times().min().zip(times().max()).map(|(first, last)| first..last + 1);
     let recorded = read.recorded.clone().or(of_log).unwrap_or(0..0);
-    Ok(Measures::lived(&format!("{}, {resident}", read.name), life, recorded))
+    let beside = Beside { company: read.company(), ..Beside::default() };
+    Ok(Measures::lived_beside(&format!("{}, {resident}", read.name), life, &beside, recorded))
 }

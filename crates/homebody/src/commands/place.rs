@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use homebody_analysis::measures::MEASURES;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_core::scenario::link::LinkFile;
-use homebody_experiment::placing::{Goal, Layout, Reached, Somebody, Trial, candidates};
+use homebody_experiment::placing::{Goal, Layout, Placed, Reached, Somebody, Trial, Trying, candidates};
 use homebody_kit::{OpenScenario, Source};
 use homebody_picture::floor_plan;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -21,7 +21,8 @@ use std::path::PathBuf;
 /// People live in the home by the routine of its first resident, each a little differently: some with the conditions that are to be
 /// seen, from day 61 on, and some without any. The home has a motion sensor in each room, one above each seat, the shower and the
 /// toilet, a sensor in each bed and a contact on each door out. Of these the one is taken whose log alone tells most of what
-/// is to be seen, then the one that adds most, and so on. Beside them stands what the sensors tell that the home has.
+/// is to be seen, then the one that adds most, and so on; two where one adds nothing; in the end others go for them that tell
+/// more. Beside them stands what the sensors tell that the home has.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody place scenarios/tigerplace --sensors 6
@@ -79,16 +80,24 @@ impl Arguments {
             people.each(live)?.into_iter().map(|(person, (life, lived))| Somebody { person, life, lived }).collect();
         let trial = Trial { home: &with_all.scenario().home, goals: &goals, people: &people, rules: &rules };
         let progress = ProgressBar::new(u64::from(self.sensors));
-        let style = ProgressStyle::with_template("{bar:40} {pos} of {len} sensors  {eta} left");
+        let style = ProgressStyle::with_template("{bar:40} {pos} of {len} sensors  {msg}");
         progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        let steps = trial.best(&names, self.sensors.into(), &|_| progress.inc(1));
+        let told = |trying: Trying, sensors: usize| {
+            progress.set_position(sensors as u64);
+            progress.set_message(match trying {
+                Trying::OneMore => "one more",
+                Trying::TwoMore => "two more at once",
+                Trying::Another => "others instead",
+            });
+        };
+        let placed = trial.best(&names, self.sensors.into(), &told);
         progress.finish_and_clear();
-        let chosen: &[String] = steps.last().map_or(&[], |layout| &layout.sensors);
+        let chosen: &[String] = placed.last().map_or(&[], |layout| &layout.sensors);
         let sensor = |name: &String| candidates.iter().find(|sensor| sensor.name() == name).cloned();
         let sensors: Vec<SensorFile> = chosen.iter().filter_map(sensor).collect();
         let drawn = HomeFile { sensors: sensors.clone(), ..HomeFile::clone(home) };
         let own = (!own.is_empty()).then(|| trial.of(&own));
-        let proposed = Proposed { sensors, steps, own };
+        let proposed = Proposed { sensors, placed, own };
         answer.give(&proposed, [&|| floor_plan(&drawn)])
     }
 }
@@ -123,8 +132,8 @@ fn with_all(scenario: &OpenScenario, candidates: &[SensorFile]) -> Result<OpenSc
 struct Proposed {
     /// As a home's file takes them, the most telling first.
     sensors: Vec<SensorFile>,
-    /// With one of them, two, and so on.
-    steps: Vec<Layout>,
+    #[serde(flatten)]
+    placed: Placed,
     /// The sensors that the home has.
     #[serde(skip_serializing_if = "Option::is_none")]
     own: Option<Layout>,
@@ -132,7 +141,7 @@ struct Proposed {
 
 impl fmt::Display for Proposed {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Some(first) = self.steps.first() else { return Ok(()) };
+        let Some(first) = self.placed.steps.first() else { return Ok(()) };
         writeln!(f, "Where sensors go, the most telling first\n")?;
         write!(f, "{:>2}  {:32} {:>6}", "", "sensor", "score")?;
         for Reached { goal, .. } in &first.goals {
@@ -153,9 +162,12 @@ impl fmt::Display for Proposed {
             }
             writeln!(f)
         };
-        for (number, layout) in self.steps.iter().enumerate() {
+        for (number, layout) in self.placed.steps.iter().enumerate() {
             let name = layout.sensors.last().map_or("", String::as_str);
             row(f, &(number + 1).to_string(), name, layout)?;
+        }
+        for swap in &self.placed.swapped {
+            row(f, "", &format!("{} for {}", swap.come, swap.gone), &swap.layout)?;
         }
         if let Some(own) = &self.own {
             row(f, "", &format!("the {} that the home has", own.sensors.len()), own)?;

@@ -109,5 +109,19 @@ fn sensors_are_placed() {
     let score = |step: &Value| step["score"].as_f64().unwrap();
     assert_eq!((steps.len(), placed["sensors"].as_array().unwrap().len()), (3, 3));
     assert!(score(&steps[2]) >= score(&steps[0]) && score(&steps[0]) > 0.0, "{placed}");
+    // What goes for another tells more.
+    let swapped = placed["swapped"].as_array().unwrap();
+    assert!(swapped.iter().all(|swap| score(swap) > score(&steps[2])), "{placed}");
     folder.run("place studio --to-see luck,depression").fails(2, "there is no \"luck\"");
+}
+
+#[test]
+fn of_two_residents_it_is_said_whose_measures_they_are() {
+    let folder = Folder::new();
+    folder.copy_scenario("couple-with-cat");
+    folder.run("run couple-with-cat --quiet --for 2d").ok();
+    let all = folder.run("measure runs/couple-with-cat-1").ok();
+    assert!(all.err.contains("its measures are of all who are there") && all.err.contains("--resident"), "{}", all.err);
+    let of_one = folder.run("measure runs/couple-with-cat-1 --resident ruth --json").ok();
+    assert!(!of_one.err.contains("all who are there"), "{}", of_one.err);
 }

@@ -9,7 +9,7 @@ use homebody_analysis::alerts::Rules;
 use homebody_analysis::measures::Measures;
 use homebody_core::scenario::link::LinkFile;
 use homebody_core::sensors::Sensor;
-use homebody_experiment::alerting::{Adequacy, Curve, Person, Quality, Watched, adequacy, later, quality};
+use homebody_experiment::alerting::{Adequacy, Curve, OfMethod, Person, Quality, Watched, adequacy, later, quality};
 use homebody_experiment::measures::NotMeasured;
 use homebody_kit::{OpenScenario, template};
 use homebody_picture::{TotalsLine, totals_chart};
@@ -216,6 +216,15 @@ impl fmt::Display for Found {
         for idle in false_alarms {
             let [low, high] = idle.per_week_95;
             writeln!(f, "{:51} {:.3} ({low:.3}-{high:.3})", idle.rule, idle.per_week)?;
+        }
+        writeln!(
+            f,
+            "\nThe rules that are control charts, by method, with at most one false alarm in five weeks of one person\n"
+        )?;
+        writeln!(f, "{:12} {:>5} {:>13} {:>6} {:>8}", "method", "k", "false a week", "found", "days")?;
+        for OfMethod { method, adequacy } in &self.quality.methods {
+            let Adequacy { k_sd, false_alarms_per_week, found, days, .. } = adequacy;
+            writeln!(f, "{method:12} {k_sd:>5} {false_alarms_per_week:>13.2} {found:>6.2} {days:>8.1}")?;
         }
         self.tell_layouts(f)
     }

@@ -1,0 +1,103 @@
+//! Signs of somebody in rooms that are known, and in which room somebody is whom several sensors see at once.
+
+use super::rooms::Rooms;
+use crate::signs::{Kind, Says, says};
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::Log;
+
+/// Sensors that speak within so long see the same movement (ours).
+const TOGETHER: Micros = 2 * SECOND;
+
+/// A sign of somebody: when, where, and by which sensor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sign {
+    /// When, in microseconds since 1970 on the clock on the wall.
+    pub at: Micros,
+    /// The room, by its number.
+    pub room: usize,
+    /// The sensor, by its number in the log.
+    pub sensor: usize,
+}
+
+/// What motion sensors say of somebody who is in a room that is known, in order of time.
+pub fn signs(log: &Log, kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
+    let begins: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Begins).collect();
+    let told = log.events.iter().filter(|event| begins[event.value as usize]);
+    let mut signs: Vec<Sign> = told
+        .filter_map(|event| {
+            let sensor = event.sensor as usize;
+            let room = rooms.of_sensors[sensor].filter(|_| kinds[sensor] == Kind::Motion)?;
+            Some(Sign { at: event.at, room, sensor })
+        })
+        .collect();
+    signs.sort_by_key(|sign| sign.at);
+    signs
+}
+
+/// The signs, each in the room where most of the sensors are that speak with it: a sensor that sees through an open door into
+/// the next room speaks together with those in there, and one that sees who passes the door, with those out here. Of as many, it
+/// is the sensor's own room.
+pub fn agreed(signs: &[Sign]) -> Vec<Sign> {
+    let (mut from, mut to) = (0, 0);
+    let mut agreed = Vec::with_capacity(signs.len());
+    // By room: its sensors that speak.
+    let mut speaking: Vec<(usize, Vec<usize>)> = Vec::new();
+    for sign in signs {
+        while signs[from].at < sign.at - TOGETHER {
+            from += 1;
+        }
+        while signs.get(to).is_some_and(|other| other.at <= sign.at + TOGETHER) {
+            to += 1;
+        }
+        let together = &signs[from..to];
+        if together.iter().all(|other| other.room == sign.room) {
+            agreed.push(*sign);
+            continue;
+        }
+        speaking.clear();
+        for other in together {
+            let known = speaking.iter().position(|(room, _)| *room == other.room);
+            let number = known.unwrap_or(speaking.len());
+            if known.is_none() {
+                speaking.push((other.room, Vec::new()));
+            }
+            if !speaking[number].1.contains(&other.sensor) {
+                speaking[number].1.push(other.sensor);
+            }
+        }
+        let rank = |(room, sensors): &(usize, Vec<usize>)| (sensors.len(), *room == sign.room);
+        let most = speaking.iter().reduce(|most, other| if rank(other) > rank(most) { other } else { most });
+        agreed.push(Sign { room: most.map_or(sign.room, |(room, _)| *room), ..*sign });
+    }
+    agreed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HALL: usize = 0;
+    const BATHROOM: usize = 1;
+
+    /// Signs by their seconds, rooms and sensors.
+    fn at(signs: &[(Micros, usize, usize)]) -> Vec<Sign> {
+        signs.iter().map(|&(at, room, sensor)| Sign { at: at * SECOND, room, sensor }).collect()
+    }
+
+    fn rooms(signs: &[(Micros, usize, usize)]) -> Vec<usize> {
+        agreed(&at(signs)).iter().map(|sign| sign.room).collect()
+    }
+
+    #[test]
+    fn somebody_is_in_the_room_of_most_of_the_sensors_that_see_them() {
+        // Two sensors of the bathroom, and that of the hall, which looks in.
+        assert_eq!(rooms(&[(0, BATHROOM, 1), (1, HALL, 0), (2, BATHROOM, 2)]), [BATHROOM; 3]);
+        // Two sensors of the hall, and that of the bathroom, which looks out.
+        assert_eq!(rooms(&[(0, HALL, 3), (1, BATHROOM, 1), (2, HALL, 0)]), [HALL; 3]);
+        // One of each, and each alone: nothing is known better.
+        assert_eq!(rooms(&[(0, HALL, 0), (1, BATHROOM, 1)]), [HALL, BATHROOM]);
+        // One that speaks twice is no two.
+        assert_eq!(rooms(&[(0, HALL, 0), (1, BATHROOM, 1), (2, HALL, 0)]), [HALL, BATHROOM, HALL]);
+        assert_eq!(rooms(&[(0, BATHROOM, 1), (1, BATHROOM, 2), (9, HALL, 0)]), [BATHROOM, BATHROOM, HALL]);
+    }
+}

@@ -1,0 +1,161 @@
+//! Measures and alerts of logs that are short, have gaps, or are of days that are unlike others.
+
+use super::*;
+use crate::alerts::{Alerts, Rules, SENSOR, USUAL, alerts};
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::{Event, Log};
+
+const MINUTE: Micros = 60 * SECOND;
+const SENSORS: [&str; 5] =
+    ["bedroom motion", "bathroom motion", "kitchen motion", "living room motion", "entrance motion"];
+const BEDROOM: u32 = 0;
+const BATHROOM: u32 = 1;
+const KITCHEN: u32 = 2;
+const LIVING: u32 = 3;
+const ENTRANCE: u32 = 4;
+
+/// What is said on an ordinary day: from which minute to which, so many minutes apart, by which sensor.
+const ORDINARY: [(Micros, Micros, Micros, u32); 11] = [
+    (0, 1, 1, BEDROOM),
+    (200, 206, 2, BATHROOM),
+    (207, 209, 1, BEDROOM),
+    (420, 424, 1, BEDROOM),
+    (425, 435, 1, BATHROOM),
+    (436, 470, 1, KITCHEN),
+    (471, 720, 5, LIVING),
+    (721, 755, 1, KITCHEN),
+    (756, 1080, 5, LIVING),
+    (1081, 1120, 1, KITCHEN),
+    (1121, 1375, 5, LIVING),
+];
+
+/// A log of so many days, of which some are otherwise.
+fn log_of(days: Micros, otherwise: &dyn Fn(Micros, Micros, u32) -> bool) -> Log {
+    let mut log = Log { sensors: SENSORS.map(String::from).into(), values: vec!["ON".into()], ..Log::default() };
+    for day in 0..days {
+        let to_bed = [(1376, 1380, 1, BEDROOM)];
+        for (from, to, step, sensor) in ORDINARY.into_iter().chain(to_bed) {
+            let mut minute = from;
+            while minute < to {
+                // Not to the second, as no day is like another.
+                let at = (day * 1440 + minute) * MINUTE + (day * 7 + minute * 13) % 50 * SECOND;
+                if otherwise(day, minute, sensor) {
+                    log.events.push(Event { at, sensor, value: 0 });
+                }
+                minute += step;
+            }
+        }
+    }
+    log
+}
+
+fn measured(log: &Log) -> (Measures, Alerts) {
+    let measures = Measures::heard("log", log, &BTreeMap::new(), &Asked::default()).unwrap();
+    let told = alerts(&measures, &Rules::read(USUAL).unwrap());
+    (measures, told)
+}
+
+fn values(measures: &Measures, name: &str) -> Vec<Option<f64>> {
+    measures.days.iter().map(|day| day.value(name)).collect()
+}
+
+#[test]
+fn ordinary_days_are_measured_and_nothing_is_alarming() {
+    let (measures, told) = measured(&log_of(40, &|_, _, _| true));
+    let bed = values(&measures, "time_in_bed")[20].unwrap();
+    assert!((7.0..8.2).contains(&bed), "{bed}");
+    assert_eq!(values(&measures, "bathroom_night")[20], Some(1.0));
+    assert_eq!(values(&measures, "meals")[20], Some(3.0));
+    assert!(told.alerts.is_empty(), "{told}");
+}
+
+#[test]
+fn three_days_have_no_usual_and_nothing_is_invented() {
+    let (measures, told) = measured(&log_of(3, &|_, _, _| true));
+    assert!(told.alerts.is_empty(), "{told}");
+    assert!(told.remarks.iter().any(|remark| remark.contains("too few to know what is usual")), "{told}");
+    for name in ["density_distance", "interdaily_stability", "company", "visits"] {
+        assert!(values(&measures, name).iter().all(Option::is_none), "{name} of three days");
+    }
+    assert!(!measures.guesses.contains(&"visits"));
+}
+
+#[test]
+fn in_weeks_without_a_log_nothing_is_known_and_nothing_is_told_of_them() {
+    let (measures, told) = measured(&log_of(60, &|day, _, _| !(20..40).contains(&day)));
+    for name in ["meals", "bathroom_day", "room_changes", "sedentary", "density_morning"] {
+        let known = values(&measures, name);
+        assert!(known[21..39].iter().all(Option::is_none), "{name}: {known:?}");
+        assert!(known[50].is_some(), "{name}: {known:?}");
+    }
+    let invented: Vec<&str> =
+        told.alerts.iter().filter(|alert| alert.rule != SENSOR).map(|alert| alert.words.as_str()).collect();
+    assert!(invented.is_empty(), "{invented:?}");
+}
+
+#[test]
+fn of_a_sensor_that_dies_it_is_told_that_it_does_and_not_that_nobody_eats() {
+    let (measures, told) = measured(&log_of(40, &|day, _, sensor| day < 25 || sensor != KITCHEN));
+    assert_eq!(measures.silent.iter().map(|silent| silent.sensor.as_str()).collect::<Vec<_>>(), ["kitchen motion"]);
+    assert!(values(&measures, "meals")[27..].iter().all(Option::is_none));
+    let rules: Vec<&str> = told.alerts.iter().map(|alert| alert.rule.as_str()).collect();
+    assert_eq!(rules, [SENSOR], "{told}");
+    // Who does stop eating, while the sensor still sees them pass, is told of.
+    let (_, told) = measured(&log_of(40, &|day, minute, sensor| {
+        day < 25 || sensor != KITCHEN || minute % 180 == 0 || minute == 440
+    }));
+    assert!(told.alerts.iter().any(|alert| alert.measures.contains(&"meals")), "{told}");
+}
+
+#[test]
+fn a_night_away_is_no_sleepless_night() {
+    let away = |day: Micros, minute: Micros, _: u32| !(day == 30 && minute > 1110 || day == 31 && minute < 600);
+    let mut log = log_of(40, &away);
+    // Out by the door in the evening, and home in the morning.
+    for at in [30 * 1440 + 1110, 31 * 1440 + 600] {
+        log.events.extend((0..4).map(|sign| Event {
+            at: at * MINUTE + sign * 20 * SECOND,
+            sensor: ENTRANCE,
+            value: 0,
+        }));
+    }
+    let (measures, told) = measured(&log);
+    assert_eq!(values(&measures, "time_in_bed")[31], None);
+    assert_eq!(values(&measures, "sleep")[31], None);
+    assert!(values(&measures, "time_out")[30].is_some_and(|hours| hours > 5.0), "{:?}", values(&measures, "time_out"));
+    let of_nights = ["sleep", "time_in_bed", "restlessness", "bathroom_night", "rising"];
+    let of_night = |name: &&'static str| of_nights.contains(name);
+    assert!(!told.alerts.iter().any(|alert| alert.measures.iter().any(|name| of_night(&name))), "{told}");
+}
+
+#[test]
+fn furniture_that_is_moved_is_told_of_for_a_while_and_becomes_usual() {
+    // The armchair stands where the sensor of the living room no longer sees it: it tells a third of what it did.
+    let moved = |day: Micros, minute: Micros, sensor: u32| day < 40 || sensor != LIVING || (minute / 5) % 3 == 0;
+    let (measures, _) = measured(&log_of(100, &moved));
+    let day = |number: usize| measures.days[number].date;
+    for method in ["deviation", "ewma", "cusum"] {
+        let rule = format!(
+            r#"{{ "rules": [{{ "name": "quiet", "measure": "density_morning", "when": "less", "method": "{method}", "least_sd": 0.5 }}] }}"#
+        );
+        let told = alerts(&measures, &Rules::read(&rule).unwrap());
+        let dates: Vec<_> = told.alerts.iter().map(|alert| alert.date).collect();
+        assert!(dates.first().is_some_and(|first| (day(40)..=day(43)).contains(first)), "{method}: {told}");
+        assert!(dates.last().is_some_and(|last| *last < day(60)), "{method}: {told}");
+    }
+}
+
+#[test]
+fn a_night_on_which_clocks_change_is_whole_and_alarms_nobody() {
+    // In spring no clock tells 02:00 to 03:00, and in autumn it is told twice.
+    for hour in [|minute: Micros| !(120..180).contains(&minute), |_: Micros| true] {
+        let mut log = log_of(40, &|day, minute, _| day != 30 || hour(minute));
+        if hour(150) {
+            log.events.push(Event { at: (30 * 1440 + 150) * MINUTE, sensor: BEDROOM, value: 0 });
+            log.events.push(Event { at: (30 * 1440 + 150) * MINUTE, sensor: BEDROOM, value: 0 });
+        }
+        let (measures, told) = measured(&log);
+        assert!(measures.days[30].is_whole && values(&measures, "time_in_bed")[30].is_some());
+        assert!(told.alerts.is_empty(), "{told}");
+    }
+}
