@@ -4,7 +4,7 @@ use crate::playback::Refusal;
 use crate::shelf::Shelf;
 use crate::stored_log::{MOST_ROWS, damaged, shortened};
 use crate::walked::given;
-use crate::wire::CareView;
+use crate::wire::{CareView, KeptLogView, WalksView};
 use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::care::care;
 use homebody_analysis::density::{Asked, density};
@@ -13,7 +13,9 @@ use homebody_analysis::measures::Measures;
 use homebody_analysis::realism::{NotComparable, Told, realism};
 use homebody_core::names::capitalised;
 use homebody_core::scenario::load::Scenario;
+use homebody_kit::walked::GIVEN;
 use homebody_kit::{LogWithRun, NamedLog, home_sensors, sensors_of_home};
+use homebody_log::places::TRUTH;
 use homebody_picture::{density_map, look_page, realism_page};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -54,27 +56,56 @@ impl Logs {
         Ok(look_page(&look, map.as_deref()))
     }
 
-    /// How the resident of a run is, by its log alone.
+    /// How the resident of a run is, by its log alone, or that of a log which is kept without a home.
     pub fn care(&self, run: &str) -> Result<CareView, Refusal> {
         let _reading = self.reading.lock().unwrap_or_else(PoisonError::into_inner);
-        let (named, scenario) = self.find(run, Which::Given)?;
+        let (named, scenario) = match self.shelf.kept_log(run) {
+            Some(folder) => (given(&folder)?, None),
+            None => self.find(run, Which::Given).map(|(named, scenario)| (named, Some(scenario)))?,
+        };
         let rows = named.survey().map_err(|error| self.wrong(&error))?.rows;
         if rows > MOST_ROWS as u64 {
             return Err(Refusal::Damaged(format!("{run} has {rows} rows; the page takes {MOST_ROWS} at most.")));
         }
-        let zone = scenario.file.time_zone.as_str();
-        let mut read = LogWithRun::of(named, Some(zone)).map_err(|error| self.wrong(&error))?;
-        read.place_in(&scenario);
+        let zone = scenario.as_ref().map(|scenario| scenario.file.time_zone.as_str());
+        let mut read = LogWithRun::of(named, zone).map_err(|error| self.wrong(&error))?;
+        scenario.iter().for_each(|scenario| _ = read.place_in(scenario));
         let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
         let measures = Measures::heard(run, &read.log, &read.rooms, &asked)
             .map_err(|why| Refusal::Damaged(shortened(&why.to_string())))?;
         let rules = Rules::read(USUAL).map_err(|problems| Refusal::Damaged(shortened(&problems.join("; "))))?;
-        let residents: Vec<&str> = scenario.residents.iter().map(|resident| resident.file.name.as_str()).collect();
+        let residents = scenario.iter().flat_map(|scenario| &scenario.residents);
+        let residents: Vec<&str> = residents.map(|resident| resident.file.name.as_str()).collect();
         let person = match residents[..] {
             [one] => capitalised(one),
+            [] => "the resident".to_owned(),
             _ => "the residents".to_owned(),
         };
-        Ok(CareView::of(&care(&measures, &rules, &person), run, &person))
+        Ok(CareView::of(&care(&measures, &rules, &person), &rules, (run, &person), self.walks(run)))
+    }
+
+    /// Who walks when a run is played back.
+    fn walks(&self, run: &str) -> WalksView {
+        if self.shelf.kept_log(run).is_some() {
+            WalksView::NoHome
+        } else if self.shelf.walked(run).is_some() {
+            WalksView::WalkedBack
+        } else if self.shelf.file_of_run(run, TRUTH).is_some() {
+            WalksView::Lived
+        } else {
+            WalksView::Sensors
+        }
+    }
+
+    /// The logs that are kept without a home.
+    pub fn kept(&self) -> Vec<KeptLogView> {
+        let log = |name: &str| {
+            let given = self.shelf.kept_log(name)?.join(GIVEN);
+            let first = given.read_dir().ok()?.flatten().next()?;
+            first.file_name().into_string().ok()
+        };
+        let logs = self.shelf.kept_logs().into_iter();
+        logs.filter_map(|name| Some(KeptLogView { log: log(&name)?, name })).collect()
     }
 
     /// How near the log of a run is to that of another, which is taken for what is real, as `homebody realism` writes it.
