@@ -108,19 +108,19 @@ test('arrow keys go through the calendar by day and week, and the day that is op
     expect(cell().getAttribute('aria-label'), key).toBe(label);
     expect(document.activeElement).toBe(cell());
   }
-  expect(one('.open h2').textContent).toBe('Sunday 22 March 2009');
+  expect(one('.opened h2').textContent).toBe('Sunday 22 March 2009');
   expect(window.location.hash).toBe('#/care/a@2009-03-22');
   expect(document.querySelectorAll('td button[tabindex="0"]').length).toBe(1);
   for (const [label, told] of [['10 March', 'Nobody was at home for most of this day'], ['11 March', 'Too little is known of this day']] as const) {
     one<HTMLButtonElement>(`td button[aria-label*="${label}"]`).click();
     flushSync();
-    expect(one('.open').textContent).toContain(told);
+    expect(one('.opened').textContent).toContain(told);
   }
 });
 
 test('an alert is seen to with a note, which is kept by the server, and so is one of a day', async () => {
   await begin('#/care/a@2009-03-29');
-  const alert = one<HTMLElement>('.open .alert');
+  const alert = one<HTMLElement>('.opened .alert');
   alert.querySelector<HTMLInputElement>('input[type=checkbox]')!.click();
   const note = alert.querySelector<HTMLInputElement>('input[type=text]')!;
   note.value = ' a cold ';
@@ -149,7 +149,7 @@ test('a sentence opens down to its days, and leads to them walked', async () => 
   expect(one<HTMLAnchorElement>('details a').getAttribute('href')).toBe('#/playback/a@2009-03-29T22:15:00');
   one<HTMLButtonElement>('details li button').click();
   flushSync();
-  expect(one('.open h2').textContent).toBe('Sunday 29 March 2009');
+  expect(one('.opened h2').textContent).toBe('Sunday 29 March 2009');
 });
 
 test('where nobody can be seen walking that is said, and a log is walked back on wish', async () => {
@@ -171,7 +171,7 @@ test('where nobody can be seen walking that is said, and a log is walked back on
 test('two spans stand side by side, and may be others', async () => {
   await begin();
   const row = () => [...document.querySelectorAll('section[aria-label="Two spans"] tbody tr')].map((tr) => [...tr.children].filter((part) => !part.matches('.picture')).map((part) => part.textContent));
-  expect(row()[0]).toEqual(['Sleep', '4.0 h', '6.7 h', '2 hours 41 minutes less a day']);
+  expect(row()[0]).toEqual(['Sleep', '4.0 h', '6.9 h', '2 hours 53 minutes less a day']);
   expect(row()[1]).toEqual(['To bed', '22:30', '22:30', 'about the same']);
   const [from] = document.querySelectorAll<HTMLInputElement>('input[type=date]');
   from!.value = '2009-03-29';
