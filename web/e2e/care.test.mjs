@@ -25,7 +25,7 @@ test('a day is found by keyboard, and what is noted about its alert another brow
   const { page } = served;
   const alert = calendar(page).getByRole('button', { name: /alert not seen to/ }).last();
   await alert.waitFor();
-  const day = /^\w+ (\d+ \w+ \d+)/.exec(await alert.getAttribute('aria-label'))[1];
+  const day = /^\w+ (\d+ \w+ \d+)/.exec(await alert.getAttribute('title'))[1];
   await calendar(page).locator('td button[tabindex="0"]').focus();
   for (let step = 0; step < 70 && !(await opened(page).getByRole('heading').innerText()).endsWith(day); step++) await page.keyboard.press('ArrowLeft');
   const isFocused = await alert.evaluate((cell) => cell === document.activeElement);

@@ -193,7 +193,10 @@ fn chart(asked: &Asked, measures: &Measures) -> Chart {
 
 /// A measure of a day in words, beside the usual: mean and standard deviation.
 fn of_day(asked: &Asked, value: f64, usual: Option<(f64, f64)>) -> Today {
-    let told = asked.said.replace("{}", &said(asked.unit, value));
+    let told = match (asked.measure, value) {
+        ("time_out", value) if value < 0.05 => "Was not out".to_owned(),
+        (_, value) => asked.said.replace("{}", &said(asked.unit, value)),
+    };
     let Some((mean, sd)) = usual else {
         return Today { measure: asked.measure, words: told, is_more: None };
     };

@@ -102,8 +102,7 @@ pub fn alert(alert: &Alert, rules: &Rules) -> String {
     };
     let kind = spoken(measure).map_or(Kind::Amount, |spoken| spoken.kind);
     let is_much = alert.value.zip(alert.usual).is_some_and(|(value, usual)| is_much(kind, value, usual));
-    let method = rules.rules.iter().find(|rule| rule.name == alert.rule).map(|rule| rule.method);
-    let (beside, since) = match (method, alert.shown_by.len()) {
+    let (beside, since) = match (method(alert, rules), alert.shown_by.len()) {
         (Some(Method::Ewma), _) => ("before", ", little by little over some days".to_owned()),
         (_, 2) => ("usual", ", two days in a row".to_owned()),
         (_, days @ 3..) => ("usual", format!(", {days} days in a row")),
@@ -115,6 +114,11 @@ pub fn alert(alert: &Alert, rules: &Rules) -> String {
     capital(&format!("{what} than {beside}{since}"))
 }
 
+/// By which method an alert was found.
+fn method(alert: &Alert, rules: &Rules) -> Option<Method> {
+    rules.rules.iter().find(|rule| rule.name == alert.rule).map(|rule| rule.method)
+}
+
 fn is_much(kind: Kind, value: f64, usual: f64) -> bool {
     match kind {
         Kind::Clock => (value - usual).abs() >= MUCH_LATER_H,
@@ -124,11 +128,12 @@ fn is_much(kind: Kind, value: f64, usual: f64) -> bool {
 }
 
 /// What an alert came to, and what was usual.
-pub fn numbers_of_alert(alert: &Alert) -> String {
+pub fn numbers_of_alert(alert: &Alert, rules: &Rules) -> String {
     let (&[measure], Some(value), Some(usual)) = (&alert.measures[..], alert.value, alert.usual) else {
         return String::new();
     };
-    beside(measure, value, usual, "usually")
+    let of = if method(alert, rules) == Some(Method::Ewma) { "On average" } else { "On that day" };
+    beside(measure, (of, value), usual, "usually")
 }
 
 /// On how many of so many days a sentence is so, and what it comes to.
@@ -137,16 +142,16 @@ pub fn numbers_of_sentence(sentence: &Sentence, days: usize) -> String {
     let occasions = if spoken(sentence.measure).is_some_and(|spoken| spoken.is_of_night) { "nights" } else { "days" };
     let so = format!("So on {} of {known:.0} {occasions}", sentence.shown_by.len());
     let mean = match sentence.before {
-        Some(before) => beside(sentence.measure, sentence.mean, before, "before"),
+        Some(before) => beside(sentence.measure, ("On average", sentence.mean), before, "before"),
         None => told(sentence.measure, sentence.mean).map_or_else(String::new, |told| format!("On average {told}.")),
     };
     format!("{so}. {mean}").trim_end().to_owned()
 }
 
 /// A value, and one to hold it against.
-fn beside(measure: &str, value: f64, other: f64, when: &str) -> String {
+fn beside(measure: &str, (of, value): (&str, f64), other: f64, when: &str) -> String {
     if let (Some(value), Some(other)) = (told(measure, value), told(measure, other)) {
-        return format!("On average {value}; {when} {other}.");
+        return format!("{of} {value}; {when} {other}.");
     }
     if other <= 0.0 {
         return String::new();
@@ -220,16 +225,16 @@ mod tests {
             alert(&quiet, &rules),
             "Much less movement in the morning than before, little by little over some days"
         );
-        assert_eq!(numbers_of_alert(&quiet), "39 % less than usual.");
+        assert_eq!(numbers_of_alert(&quiet, &rules), "39 % less than usual.");
         let sleep = of("sleep", "sleep", (6.0, 7.25), 2);
         assert_eq!(alert(&sleep, &rules), "Less sleep than usual, two days in a row");
-        assert_eq!(numbers_of_alert(&sleep), "On average 6.0 hours; usually 7.2 hours.");
+        assert_eq!(numbers_of_alert(&sleep, &rules), "On that day 6.0 hours; usually 7.2 hours.");
         let late = of("getting up late", "rising", (9.0, 7.25), 3);
         assert_eq!(alert(&late, &rules), "Much later up in the morning than usual, 3 days in a row");
-        assert_eq!(numbers_of_alert(&late), "On average at 09:00; usually at 07:15.");
+        assert_eq!(numbers_of_alert(&late, &rules), "On that day at 09:00; usually at 07:15.");
         let several = Alert { measures: vec!["sleep", "meals", "rising"], is_more: None, ..sleep };
         assert_eq!(alert(&several, &rules), "Several things were unusual at once: sleep, meals and getting up");
-        assert_eq!(numbers_of_alert(&several), "");
+        assert_eq!(numbers_of_alert(&several, &rules), "");
     }
 
     #[test]
@@ -239,7 +244,7 @@ mod tests {
             let (_, measure) = rule.measure().unwrap();
             for values in [(1.0, 2.0), (2.0, 1.0)] {
                 let one = of(&rule.name, measure.name, values, 1);
-                let words = format!("{} {}", alert(&one, &rules), numbers_of_alert(&one));
+                let words = format!("{} {}", alert(&one, &rules), numbers_of_alert(&one, &rules));
                 for jargon in ["ensity", "firing", "sensor", "average of", "_", "bouts", "sd"] {
                     assert!(!words.contains(jargon), "{words}");
                 }

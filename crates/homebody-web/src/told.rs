@@ -1,6 +1,6 @@
 //! What the logs of stored runs hold, and how near they are to each other: the pages that the commands write.
 
-use crate::playback::Refusal;
+use crate::playback::{Refusal, State, state};
 use crate::shelf::Shelf;
 use crate::stored_log::{MOST_ROWS, damaged, shortened};
 use crate::walked::given;
@@ -25,7 +25,18 @@ pub struct Logs {
     shelf: Shelf,
     /// Held while a log is read: one after the other, so that the run on the stage has a core.
     reading: Arc<Mutex<()>>,
+    /// Whom was told of last, the latest first: who looks at playback comes back.
+    told: Arc<Mutex<Vec<ToldCare>>>,
 }
+
+/// How somebody is, by files as they were.
+struct ToldCare {
+    files: State,
+    care: CareView,
+}
+
+/// So many are kept (ours).
+const MOST_TOLD: usize = 4;
 
 /// Which log of a run.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -38,7 +49,7 @@ pub enum Which {
 
 impl Logs {
     pub fn new(shelf: Shelf) -> Logs {
-        Logs { shelf, reading: Arc::default() }
+        Logs { shelf, reading: Arc::default(), told: Arc::default() }
     }
 
     /// What the log of a run holds, as `homebody look` writes it.
@@ -63,12 +74,17 @@ impl Logs {
             Some(folder) => (given(&folder)?, None),
             None => self.find(run, Which::Given).map(|(named, scenario)| (named, Some(scenario)))?,
         };
-        let rows = named.survey().map_err(|error| self.wrong(&error))?.rows;
-        if rows > MOST_ROWS as u64 {
-            return Err(Refusal::Damaged(format!("{run} has {rows} rows; the page takes {MOST_ROWS} at most.")));
+        let files = state(&named.place.files());
+        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = told.iter().find(|known| known.care.name == run && known.files == files) {
+            return Ok(known.care.clone());
         }
         let zone = scenario.as_ref().map(|scenario| scenario.file.time_zone.as_str());
-        let mut read = LogWithRun::of(named, zone).map_err(|error| self.wrong(&error))?;
+        let mut read = LogWithRun::alone(named, zone, MOST_ROWS).map_err(|error| self.wrong(&error))?;
+        if read.log.rows > MOST_ROWS as u64 {
+            let rows = read.log.rows;
+            return Err(Refusal::Damaged(format!("{run} has {rows} rows; the page takes {MOST_ROWS} at most.")));
+        }
         scenario.iter().for_each(|scenario| _ = read.place_in(scenario));
         let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
         let measures = Measures::heard(run, &read.log, &read.rooms, &asked)
@@ -81,7 +97,11 @@ impl Logs {
             [] => "the resident".to_owned(),
             _ => "the residents".to_owned(),
         };
-        Ok(CareView::of(&care(&measures, &rules, &person), &rules, (run, &person), self.walks(run)))
+        let care = CareView::of(&care(&measures, &rules, &person), &rules, (run, &person), self.walks(run));
+        told.retain(|known| known.care.name != run);
+        told.truncate(MOST_TOLD - 1);
+        told.insert(0, ToldCare { files, care: care.clone() });
+        Ok(care)
     }
 
     /// Who walks when a run is played back.

@@ -206,7 +206,7 @@ impl AlertView {
             day: alert.date.to_string(),
             rule: alert.rule.clone(),
             words: plainly::alert(alert, rules),
-            numbers: plainly::numbers_of_alert(alert),
+            numbers: plainly::numbers_of_alert(alert, rules),
             measures: alert.measures.iter().map(|&measure| measure.to_owned()).collect(),
             days: alert.shown_by.iter().map(ToString::to_string).collect(),
         }

@@ -47,10 +47,10 @@ export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonl
     for (let monday = shifted(begin, -weekday(begin)); monday.slice(0, 7) <= begin.slice(0, 7); monday = shifted(monday, 7)) {
       const week = Array.from({ length: 7 }, (_, index) => shifted(monday, index));
       const isOfMonth = (day: string) => day.startsWith(begin.slice(0, 7));
-      weeks.push({
-        days: week.map((day) => (isOfMonth(day) ? (cells.get(day) ?? null) : null)),
-        numbers: week.map((day) => (isOfMonth(day) ? Number(day.slice(8)) : null)),
-      });
+      const days = week.map((day) => (isOfMonth(day) ? (cells.get(day) ?? null) : null));
+      // Weeks before and after the log say nothing.
+      if (days.every((cell) => cell === null)) continue;
+      weeks.push({ days, numbers: week.map((day) => (isOfMonth(day) ? Number(day.slice(8)) : null)) });
     }
     months.push({ title: monthOf(begin), weeks });
   }
