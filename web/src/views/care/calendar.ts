@@ -57,6 +57,11 @@ export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonl
   return months;
 }
 
+/** Whether a usual is known of anything, on a day or at all: without it nothing can be unusual. */
+export function hasUsual(care: Pick<CareView, 'charts'>, day: string | null = null): boolean {
+  return care.charts.some((chart) => chart.days.some((point) => point.usual !== null && (day === null || point.day === day)));
+}
+
 /** A day's marks in words. */
 export function described(cell: Cell): string {
   const parts = [inFull(cell.day)];
@@ -67,7 +72,7 @@ export function described(cell: Cell): string {
   if (cell.seen > 0) parts.push(`${alerts(cell.seen)} seen to`);
   if (cell.odd > 0) parts.push(`${cell.odd} ${cell.odd === 1 ? 'thing' : 'things'} unusual`);
   if (cell.noted) parts.push('with a note');
-  if (parts.length === 1) parts.push('as usual');
+  if (parts.length === 1) parts.push('nothing unusual');
   return parts.join(', ');
 }
 

@@ -96,12 +96,12 @@ test('arrow keys go through the calendar by day and week, and the day that is op
   expect(cell().title).toBe('Monday 30 March 2009, 1 thing unusual');
   for (const [key, label] of [
     ['ArrowLeft', 'Sunday 29 March 2009, 1 alert not seen to, 1 thing unusual'],
-    ['ArrowUp', 'Sunday 22 March 2009, as usual'],
-    ['Home', 'Monday 16 March 2009, as usual'],
-    ['PageUp', 'Friday 20 February 2009, as usual'],
-    ['ArrowLeft', 'Friday 20 February 2009, as usual'],
-    ['PageDown', 'Friday 20 March 2009, as usual'],
-    ['End', 'Sunday 22 March 2009, as usual'],
+    ['ArrowUp', 'Sunday 22 March 2009, nothing unusual'],
+    ['Home', 'Monday 16 March 2009, nothing unusual'],
+    ['PageUp', 'Friday 20 February 2009, nothing unusual'],
+    ['ArrowLeft', 'Friday 20 February 2009, nothing unusual'],
+    ['PageDown', 'Friday 20 March 2009, nothing unusual'],
+    ['End', 'Sunday 22 March 2009, nothing unusual'],
   ] as const) {
     press(key);
     await settle();
@@ -131,7 +131,7 @@ test('an alert is seen to with a note, which is kept by the server, and so is on
     ['/api/runs/a/notes', { before: null, note: seen }],
     ['/api/runs/a/notes', { before: seen, note: { ...seen, note: 'a cold' } }],
   ]);
-  expect(text()).toContain('All 1 alerts have been seen to');
+  expect(text()).toContain('The one alert has been seen to');
   expect(cell().title).toBe('Sunday 29 March 2009, 1 alert seen to, 1 thing unusual, with a note');
   const ofDay = one<HTMLInputElement>('input[placeholder="note on this day"]');
   ofDay.value = 'her son came';
@@ -178,6 +178,15 @@ test('two spans stand side by side, and may be others', async () => {
   from!.dispatchEvent(new Event('change', { bubbles: true }));
   flushSync();
   expect(row()[0]!.at(-1)).toBe('too few days to say');
+});
+
+test('without a usual nothing is called usual or unusual', async () => {
+  const few = care('a');
+  answers['/api/runs/a/care'] = { ...few, sentences: [], alerts: [], charts: few.charts.map((chart) => ({ ...chart, days: chart.days.map((day) => ({ ...day, usual: null })) })) };
+  await begin();
+  expect(text()).toContain('What is usual is not known yet');
+  expect(text()).toContain('Too little is known to say what has changed');
+  expect(text()).not.toContain('All was as usual');
 });
 
 test('what goes wrong is said', async () => {
