@@ -1,5 +1,6 @@
 // Draws the pictures of the README, each a moment of use: `node e2e/picture.mjs FOLDER` draws live.png, where a resident is
-// driven, plan.png, where a sensor is dragged, life.png, where a condition is left out, and care.png, seven weeks after one began.
+// driven, plan.png, where a sensor is dragged, life.png, where a condition is left out, and care.png, weeks after one began. More
+// words name those that are wanted: `node e2e/picture.mjs FOLDER care`.
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
@@ -12,6 +13,7 @@ mkdirSync(folder, { recursive: true });
 
 /** Opens a view of a scenario as the pictures have it, and takes one once all is as `act` makes it. */
 async function picture(name, scenario, act) {
+  if (process.argv.length > 3 && !process.argv.slice(3).includes(name)) return;
   const served = await serve(scenario);
   const { page, address } = served;
   await page.setViewportSize({ width: 1280, height: 800 });
@@ -83,8 +85,9 @@ await picture('life', 'tigerplace-depression', async (page) => {
 // How somebody is whose depression has grown for some weeks.
 await picture('care', 'tigerplace-depression', async (page, served) => {
   served.homebody('run', 'tigerplace-depression', '--for', '70d', '--quiet');
-  await page.setViewportSize({ width: 1280, height: 1400 });
+  await page.setViewportSize({ width: 1280, height: 1640 });
   await page.reload();
   await page.getByRole('heading', { name: 'Day by day' }).waitFor();
+  await page.getByRole('region', { name: 'Calendar' }).getByRole('button', { name: /2 alerts not seen to/ }).last().click();
   await wait(500);
 });

@@ -17,17 +17,24 @@ export function routeOf(hash: string): Route {
   return ROUTES.find((route) => route.id === asked)?.id ?? 'live';
 }
 
-/** NAME of `#/life/NAME`; nothing where the address is of another view, or names nothing. */
+/** NAME of `#/life/NAME` or `#/life/NAME@MOMENT`; nothing where the address is of another view, or names nothing. */
 export function nameIn(hash: string, route: Route): string | null {
   const begin = `#/${route}/`;
-  if (!hash.startsWith(begin) || hash === begin) return null;
+  // An @ of the name itself is written otherwise.
+  const name = hash.startsWith(begin) ? hash.slice(begin.length).split('@')[0]! : '';
+  if (name === '') return null;
   try {
-    return decodeURIComponent(hash.slice(begin.length));
+    return decodeURIComponent(name);
   } catch {
     return null;
   }
 }
 
-export function hashOf(route: Route, name: string): string {
-  return `#/${route}/${encodeURIComponent(name)}`;
+/** MOMENT of `#/playback/NAME@MOMENT`, a date and perhaps a time on the home's clock; nothing where there is none. */
+export function momentIn(hash: string): string | null {
+  return /@(\d{4}-\d{2}-\d{2}(T\d{2}:\d{2}:\d{2})?)$/.exec(hash)?.[1] ?? null;
+}
+
+export function hashOf(route: Route, name: string, moment: string | null = null): string {
+  return `#/${route}/${encodeURIComponent(name)}${moment === null ? '' : `@${moment}`}`;
 }

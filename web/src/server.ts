@@ -137,6 +137,16 @@ export function toldPath(run: string, beside: string | null): string {
   return beside === null ? `${storedPath(run)}/look` : `${storedPath(run)}/realism/${encodeURIComponent(beside)}`;
 }
 
+/** The path of what was noted about a run. */
+export function notesPath(run: string): string {
+  return `${storedPath(run)}/notes`;
+}
+
+/** The path on which a log is sent to be kept without a home. */
+export function keepPath(log: string): string {
+  return `/api/logs/${encodeURIComponent(log)}`;
+}
+
 /** The path of how the resident of a run is. */
 export function carePath(run: string): string {
   return `${storedPath(run)}/care`;

@@ -239,7 +239,15 @@ day: string | null,
 /**
  * What cannot be said.
  */
-remarks: Array<string>, today: Array<TodayView>, 
+remarks: Array<string>, 
+/**
+ * Who walks when it is played back.
+ */
+walks: WalksView, 
+/**
+ * All days in order.
+ */
+days: Array<CareDayView>, 
 /**
  * About the last two weeks, what has changed first.
  */
@@ -249,6 +257,16 @@ sentences: Array<CareSentenceView>,
  */
 alerts: Array<AlertView>, charts: Array<ChartView>, };
 
+export type WalksView = "lived" | "walked_back" | "sensors" | "no_home";
+
+export type CareDayView = { day: string, known: KnownView, 
+/**
+ * Nothing of a day that is not whole.
+ */
+told: Array<TodayView>, };
+
+export type KnownView = "whole" | "away" | "partly";
+
 export type TodayView = { measure: string, words: string, 
 /**
  * More than usual, or less; null as usual.
@@ -257,17 +275,29 @@ is_more: boolean | null, };
 
 export type CareSentenceView = { words: string, 
 /**
- * The same with numbers.
+ * On how many days, and what it comes to.
  */
 numbers: string, measure: string, is_change: boolean, days: Array<string>, };
 
 export type AlertView = { day: string, rule: string, words: string, 
 /**
+ * What it came to, and what was usual.
+ */
+numbers: string, 
+/**
+ * The measures that it is about.
+ */
+measures: Array<string>, 
+/**
  * The days that show it.
  */
 days: Array<string>, };
 
-export type ChartView = { measure: string, title: string, unit: CareUnit, is_guess: boolean, days: Array<PointView>, };
+export type ChartView = { measure: string, title: string, unit: CareUnit, 
+/**
+ * What is less than this apart is the same.
+ */
+little: number, is_guess: boolean, days: Array<PointView>, };
 
 export type CareUnit = "hours" | "clock" | "times" | "of_usual";
 
@@ -276,6 +306,40 @@ export type PointView = { day: string, value: number | null,
  * From where to where it was usual.
  */
 usual: [number, number] | null, };
+
+export type NoteView = { 
+/**
+ * As `2009-03-02`.
+ */
+day: string, 
+/**
+ * The alert's rule; empty for the day itself.
+ */
+rule: string, 
+/**
+ * Whether somebody has seen to it.
+ */
+seen: boolean, note: string, };
+
+export type NoteIt = { 
+/**
+ * What the page has seen there before; null where nothing was noted.
+ */
+before: NoteView | null, 
+/**
+ * With no note, and seen to by nobody, nothing is kept of it.
+ */
+note: NoteView, };
+
+export type KeptLogView = { 
+/**
+ * The name of its folder.
+ */
+name: string, 
+/**
+ * The name of its file.
+ */
+log: string, };
 
 export type WalkView = { 
 /**

@@ -15,8 +15,8 @@ pub struct Care {
     pub day: Option<Date>,
     /// What cannot be said, in sentences.
     pub remarks: Vec<String>,
-    /// The last day, by what carers ask about.
-    pub today: Vec<Today>,
+    /// All days in order, each by what carers ask about.
+    pub days: Vec<DayTold>,
     /// Sentences about the last two weeks: what has changed first.
     pub sentences: Vec<Sentence>,
     /// What was worth a visit, the latest first.
@@ -25,7 +25,29 @@ pub struct Care {
     pub charts: Vec<Chart>,
 }
 
-/// A measure of the last day.
+/// A day in words.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DayTold {
+    /// The day.
+    pub date: Date,
+    /// What is known of it.
+    pub known: Known,
+    /// What carers ask about; nothing of a day that does not count, and of what is guessed.
+    pub told: Vec<Today>,
+}
+
+/// What is known of a day.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// All of it: it counts.
+    Whole,
+    /// Nobody was at home for most of it.
+    Away,
+    /// More than an hour of it is unknown.
+    Partly,
+}
+
+/// A measure of a day.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Today {
     /// Its name.
@@ -45,6 +67,8 @@ pub struct Chart {
     pub title: &'static str,
     /// What its values are in.
     pub unit: Unit,
+    /// What is less than this apart is the same.
+    pub little: f64,
     /// Whether it is guessed.
     pub is_guess: bool,
     /// Its days, in order.
@@ -85,6 +109,9 @@ struct Asked {
     said: &'static str,
 }
 
+/// Sentences are about so many of the last days.
+pub const LAST_DAYS: usize = 14;
+
 /// A day is told as unusual that is so many standard deviations from the mean (ours), and what is less than these apart is
 /// usual all the same (ours).
 const UNUSUAL_SD: f64 = 2.0;
@@ -113,7 +140,7 @@ const ASKED: [Asked; 8] = [
         title: "Walking pace",
         unit: Unit::OfUsual,
         least_sd: 0.04,
-        said: "Walked at {} of the usual pace",
+        said: "Walked at {} of the pace of all days",
     },
 ];
 
@@ -121,24 +148,34 @@ const ASKED: [Asked; 8] = [
 pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
     let last = measures.days.iter().rposition(counts);
     let mut charts = Vec::new();
-    let mut today = Vec::new();
+    let mut days: Vec<DayTold> = measures.days.iter().map(nothing_told).collect();
     for asked in &ASKED {
         let chart = chart(asked, measures);
-        if let Some(last) = last.filter(|_| !chart.is_guess)
-            && let Some(value) = chart.days[last].value
-        {
+        if !chart.is_guess {
             let values: Vec<Option<f64>> = chart.days.iter().map(|day| day.value).collect();
-            today.push(of_day(asked, value, usual_before(&values, last, asked.least_sd)));
+            for (number, value) in values.iter().enumerate() {
+                let told = value.map(|value| of_day(asked, value, usual_before(&values, number, asked.least_sd)));
+                days[number].told.extend(told);
+            }
         }
         if chart.days.iter().any(|day| day.value.is_some()) {
             charts.push(chart);
         }
     }
-    let summary = summarise(measures, About { subject, last: 14 });
+    let summary = summarise(measures, About { subject, last: LAST_DAYS });
     let mut alerts = alerts(measures, rules).alerts;
     alerts.reverse();
     let day = last.map(|last| measures.days[last].date);
-    Care { day, remarks: summary.remarks, today, sentences: summary.sentences, alerts, charts }
+    Care { day, remarks: summary.remarks, days, sentences: summary.sentences, alerts, charts }
+}
+
+fn nothing_told(day: &Day) -> DayTold {
+    let known = match (day.is_whole, counts(day)) {
+        (false, _) => Known::Partly,
+        (true, false) => Known::Away,
+        (true, true) => Known::Whole,
+    };
+    DayTold { date: day.date, known, told: Vec::new() }
 }
 
 fn chart(asked: &Asked, measures: &Measures) -> Chart {
@@ -151,16 +188,28 @@ fn chart(asked: &Asked, measures: &Measures) -> Chart {
     };
     let days = measures.days.iter().enumerate().map(point).collect();
     let is_guess = measures.guesses.contains(&asked.measure);
-    Chart { measure: asked.measure, title: asked.title, unit: asked.unit, is_guess, days }
+    Chart { measure: asked.measure, title: asked.title, unit: asked.unit, little: asked.least_sd, is_guess, days }
 }
 
 /// A measure of a day in words, beside the usual: mean and standard deviation.
 fn of_day(asked: &Asked, value: f64, usual: Option<(f64, f64)>) -> Today {
-    let told = asked.said.replace("{}", &said(asked.unit, value));
+    let told = match (asked.measure, value) {
+        ("time_out", value) if value < 0.05 => "Was not out".to_owned(),
+        (_, value) => asked.said.replace("{}", &said(asked.unit, value)),
+    };
     let Some((mean, sd)) = usual else {
         return Today { measure: asked.measure, words: told, is_more: None };
     };
     let is_more = ((value - mean).abs() > UNUSUAL_SD * sd).then_some(value > mean);
+    if asked.unit == Unit::OfUsual {
+        let by = (value / mean - 1.0).abs() * 100.0;
+        let words = match is_more {
+            None => "Walked at the usual pace".to_owned(),
+            Some(true) => format!("Walked {by:.0} % faster than usual"),
+            Some(false) => format!("Walked {by:.0} % more slowly than usual"),
+        };
+        return Today { measure: asked.measure, words, is_more };
+    }
     let beside = match (is_more, asked.unit) {
         (None, _) => "as usual".to_owned(),
         (Some(true), Unit::Clock) => format!("later than usual ({})", said(asked.unit, mean)),
@@ -174,6 +223,7 @@ fn of_day(asked: &Asked, value: f64, usual: Option<(f64, f64)>) -> Today {
 /// A value in words.
 fn said(unit: Unit, value: f64) -> String {
     match unit {
+        Unit::Hours if (value - 1.0).abs() < 0.05 => "1 hour".to_owned(),
         Unit::Hours => format!("{value:.1} hours"),
         Unit::Clock => {
             let minutes = (value * 60.0).round() as i64;
@@ -209,13 +259,26 @@ mod tests {
     fn the_last_day_is_held_against_the_usual() {
         let rules = Rules::read(USUAL).unwrap();
         let same = care(&measures(&[7.0; 20]), &rules, "Ada");
-        assert_eq!(same.today[0].words, "Slept 7.0 hours, as usual");
+        assert_eq!(same.days[19].told[0].words, "Slept 7.0 hours, as usual");
         let short = [[7.0; 20].as_slice(), &[4.0]].concat();
         let short = care(&measures(&short), &rules, "Ada");
-        assert_eq!(short.today[0].words, "Slept 4.0 hours, less than usual (7.0 hours)");
-        assert_eq!((short.today[0].is_more, short.day), (Some(false), Some(date(2024, 1, 21))));
+        assert_eq!(short.days[20].told[0].words, "Slept 4.0 hours, less than usual (7.0 hours)");
+        assert_eq!((short.days[20].told[0].is_more, short.day), (Some(false), Some(date(2024, 1, 21))));
         assert_eq!((short.charts.len(), short.charts[0].days.len()), (1, 21));
         assert_eq!(short.charts[0].days[20].usual, Some((6.5, 7.5)));
         assert_eq!(short.charts[0].days[3].usual, None, "three days are no usual");
+    }
+
+    #[test]
+    fn days_away_and_days_that_are_not_whole_are_told_apart_and_have_no_words() {
+        let mut days = measures(&[7.0; 5]);
+        let out = MEASURES.iter().position(|measure| measure.name == "time_out").unwrap();
+        days.days[1].values[out] = Some(23.0);
+        days.days[2].is_whole = false;
+        let told = care(&days, &Rules::read(USUAL).unwrap(), "Ada").days;
+        let known: Vec<Known> = told.iter().map(|day| day.known).collect();
+        assert_eq!(known, [Known::Whole, Known::Away, Known::Partly, Known::Whole, Known::Whole]);
+        let words: Vec<usize> = told.iter().map(|day| day.told.len()).collect();
+        assert_eq!(words, [1, 0, 0, 1, 1]);
     }
 }

@@ -75,9 +75,28 @@ impl LogWithRun {
     ///
     /// Those of [`LogWithRun::read`].
     pub fn of(named: NamedLog, zone: Option<&str>) -> Result<LogWithRun, Error> {
+        let (log, truth) = (named.read()?, named.truth());
+        LogWithRun::with(named, log, truth, zone)
+    }
+
+    /// The log alone, without the truth beside it. Of one that has more rows only the first `most` are in memory, and `log.rows`
+    /// says how many there are.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`LogWithRun::read`].
+    pub fn alone(named: NamedLog, zone: Option<&str>, most: usize) -> Result<LogWithRun, Error> {
+        let mut events = Vec::new();
+        let mut log = named.stream(&mut |part| {
+            let left = most - events.len();
+            events.extend(part.events.iter().take(left));
+        })?;
+        log.events = events;
+        LogWithRun::with(named, log, None, zone)
+    }
+
+    fn with(named: NamedLog, mut log: Log, truth: Option<Url>, zone: Option<&str>) -> Result<LogWithRun, Error> {
         let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
-        let mut log = named.read()?;
-        let truth = named.truth();
         // Days are drawn on the wall, so these are the instants as the truth tells them.
         let mut lives = truth.as_ref().map(|truth| lives(truth, &RunClock::as_told())).transpose()?.unwrap_or_default();
         let unfinished = named.unfinished();

@@ -32,6 +32,10 @@ pub mod playback;
 pub mod walks;
 mod told;
 
+/// Alerts in everyday words, and what somebody notes about them.
+mod notes;
+mod plainly;
+
 /// Who may ask what, and who answers.
 mod visit;
 pub mod guard;

@@ -66,7 +66,7 @@ struct Opened {
 }
 
 /// When a run's files were written, and how long they are.
-type State = Vec<Option<(SystemTime, u64)>>;
+pub type State = Vec<Option<(SystemTime, u64)>>;
 
 impl Playback {
     pub fn new(shelf: Shelf) -> Playback {
@@ -257,7 +257,7 @@ impl Opened {
     }
 }
 
-fn state(files: &[PathBuf]) -> State {
+pub fn state(files: &[PathBuf]) -> State {
     let look = |path: &PathBuf| fs::metadata(path).and_then(|meta| Ok((meta.modified()?, meta.len()))).ok();
     files.iter().map(look).collect()
 }

@@ -4,6 +4,7 @@ use crate::connections;
 use crate::desk::Desk;
 use crate::doorway::Doorway;
 use crate::guard::{self, Guard};
+use crate::notes::{Notes, Unnoted};
 use crate::page;
 use crate::playback::{Playback, Refusal};
 use crate::shelf::Shelf;
@@ -11,8 +12,8 @@ use crate::socket;
 use crate::stage::Stage;
 use crate::told::{Logs, Which};
 use crate::visit::{LONGEST_UNTAKEN, Visit};
-use crate::walks::{LARGEST_LOG_BYTES, Unwalked, Walks};
-use crate::wire::{Connect, Draft, Explain, Month, Save, WalkingView};
+use crate::walks::{HomeOf, LARGEST_LOG_BYTES, Unwalked, Walks};
+use crate::wire::{Connect, Draft, Explain, Month, NoteIt, Save, WalkingView};
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, State};
@@ -118,9 +119,10 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
         let desk = Desk::new(options.shelf.clone());
         let walks = Walks::new(options.shelf.clone());
         let logs = Logs::new(options.shelf.clone());
+        let notes = Notes::new(options.shelf.clone());
         let pages = Arc::new(Semaphore::new(MOST_PAGES));
         let (ended, shelf) = (walks.clone(), options.shelf);
-        let house = House { guard, stage: stage.clone(), shelf, playback, desk, walks, logs, pages };
+        let house = House { guard, stage: stage.clone(), shelf, playback, desk, walks, logs, notes, pages };
         let url = format!("http://{address}/#token={}", house.guard.token());
         let doorway = if options.browser { Doorway::to(&url).ok() } else { None };
         ready(Address { url: &url, file: doorway.as_ref().map(Doorway::file) });
@@ -191,6 +193,7 @@ struct House {
     desk: Desk,
     walks: Walks,
     logs: Logs,
+    notes: Notes,
     pages: Arc<Semaphore>,
 }
 
@@ -214,9 +217,12 @@ fn routes(house: House) -> Router {
         .route("/api/runs/{run}/days/{day}", get(stored_day))
         .route("/api/runs/{run}/look", get(look))
         .route("/api/runs/{run}/care", get(care))
+        .route("/api/runs/{run}/notes", get(notes).post(note))
         .route("/api/runs/{run}/realism/{beside}", get(realism))
         .route("/api/runs/{run}/{what}", get(file_of_run))
         .route("/api/walk", get(walking).delete(stop_walking))
+        .route("/api/logs", get(kept_logs))
+        .route("/api/logs/{log}", post(keep))
         .route("/api/walk/{log}", post(walk))
         .route("/api/walk/{log}/{run}", post(walk_in_home_of))
         .fallback(get(page::file))
@@ -375,6 +381,29 @@ async fn care(State(house): State<House>, Path(run): Path<String>) -> Response {
     care.map_or_else(Refused::into_response, |care| Json(care).into_response())
 }
 
+/// What was noted about a stored run.
+async fn notes(State(house): State<House>, Path(run): Path<String>) -> Response {
+    json(found(move || house.notes.of(&run)).await.and_then(|notes| notes.map_err(refused)))
+}
+
+async fn note(State(house): State<House>, Path(run): Path<String>, Json(note): Json<NoteIt>) -> Response {
+    let unnoted = |why: Unnoted| match why {
+        Unnoted::Refused(refusal) => refused(refusal),
+        Unnoted::Changed(why) => (StatusCode::CONFLICT, why),
+    };
+    json(found(move || house.notes.note(&run, note)).await.and_then(|notes| notes.map_err(unnoted)))
+}
+
+/// The logs that are kept for the care view alone.
+async fn kept_logs(State(house): State<House>) -> Response {
+    json(found(move || house.logs.kept()).await)
+}
+
+/// A log, as its file's bytes, that is kept without a home from now on.
+async fn keep(State(house): State<House>, Path(log): Path<String>, headers: HeaderMap, body: Body) -> Response {
+    json(begun(house.walks, (log, HomeOf::Nobody), &headers, body).await)
+}
+
 /// What the log of a stored run holds, as a page.
 async fn look(State(house): State<House>, Path(run): Path<String>) -> Response {
     written(found(move || house.logs.look(&run)).await)
@@ -406,7 +435,7 @@ async fn stop_walking(State(house): State<House>) -> Response {
 
 /// A log, as its file's bytes, that is walked back through the home of the scenario from now on.
 async fn walk(State(house): State<House>, Path(log): Path<String>, headers: HeaderMap, body: Body) -> Response {
-    json(begun(house.walks, (log, None), &headers, body).await)
+    json(begun(house.walks, (log, HomeOf::Scenario), &headers, body).await)
 }
 
 /// The same through the home of a stored run.
@@ -416,12 +445,12 @@ async fn walk_in_home_of(
     headers: HeaderMap,
     body: Body,
 ) -> Response {
-    json(begun(house.walks, (log, Some(run)), &headers, body).await)
+    json(begun(house.walks, (log, HomeOf::Run(run)), &headers, body).await)
 }
 
 async fn begun(
     walks: Walks,
-    (log, home): (String, Option<String>),
+    (log, home): (String, HomeOf),
     headers: &HeaderMap,
     body: Body,
 ) -> Result<Option<WalkingView>, Refused> {

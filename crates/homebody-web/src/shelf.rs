@@ -91,6 +91,23 @@ impl Shelf {
         (is_file(ROOMS) && is_file(REPORT) && given.is_some()).then_some(folder)
     }
 
+    /// The names of all logs that are kept for the care view alone, in order.
+    pub fn kept_logs(&self) -> Vec<String> {
+        let folders = folders(&self.runs).into_iter().map(|(_, name)| name);
+        let mut logs: Vec<String> = folders.filter(|name| self.kept_log(name).is_some()).collect();
+        logs.sort();
+        logs
+    }
+
+    /// The folder of a log that is kept: it has the log as it was given, and nothing was made of it.
+    pub fn kept_log(&self, name: &str) -> Option<PathBuf> {
+        let (_, name) = folders(&self.runs).into_iter().find(|(_, folder)| folder == name)?;
+        let folder = self.runs.join(name);
+        let is_there = |name: &str| folder.join(name).symlink_metadata().is_ok();
+        let given = plain::within(&folder, Path::new(GIVEN)).filter(|given| given.is_dir());
+        (given.is_some() && !is_there(RELIVED) && !is_there(RECORDING)).then_some(folder)
+    }
+
     /// A plain file of a run's folder.
     pub fn file_of_run(&self, run: &str, file: &str) -> Option<PathBuf> {
         let files = plain_files(&self.run(run)?).ok()?;

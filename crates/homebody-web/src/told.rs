@@ -1,10 +1,10 @@
 //! What the logs of stored runs hold, and how near they are to each other: the pages that the commands write.
 
-use crate::playback::Refusal;
+use crate::playback::{Refusal, State, state};
 use crate::shelf::Shelf;
 use crate::stored_log::{MOST_ROWS, damaged, shortened};
 use crate::walked::given;
-use crate::wire::CareView;
+use crate::wire::{CareView, KeptLogView, WalksView};
 use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::care::care;
 use homebody_analysis::density::{Asked, density};
@@ -13,7 +13,9 @@ use homebody_analysis::measures::Measures;
 use homebody_analysis::realism::{NotComparable, Told, realism};
 use homebody_core::names::capitalised;
 use homebody_core::scenario::load::Scenario;
+use homebody_kit::walked::GIVEN;
 use homebody_kit::{LogWithRun, NamedLog, home_sensors, sensors_of_home};
+use homebody_log::places::TRUTH;
 use homebody_picture::{density_map, look_page, realism_page};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -23,7 +25,18 @@ pub struct Logs {
     shelf: Shelf,
     /// Held while a log is read: one after the other, so that the run on the stage has a core.
     reading: Arc<Mutex<()>>,
+    /// Whom was told of last, the latest first: who looks at playback comes back.
+    told: Arc<Mutex<Vec<ToldCare>>>,
 }
+
+/// How somebody is, by files as they were.
+struct ToldCare {
+    files: State,
+    care: CareView,
+}
+
+/// So many are kept (ours).
+const MOST_TOLD: usize = 4;
 
 /// Which log of a run.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -36,7 +49,7 @@ pub enum Which {
 
 impl Logs {
     pub fn new(shelf: Shelf) -> Logs {
-        Logs { shelf, reading: Arc::default() }
+        Logs { shelf, reading: Arc::default(), told: Arc::default() }
     }
 
     /// What the log of a run holds, as `homebody look` writes it.
@@ -54,27 +67,65 @@ impl Logs {
         Ok(look_page(&look, map.as_deref()))
     }
 
-    /// How the resident of a run is, by its log alone.
+    /// How the resident of a run is, by its log alone, or that of a log which is kept without a home.
     pub fn care(&self, run: &str) -> Result<CareView, Refusal> {
         let _reading = self.reading.lock().unwrap_or_else(PoisonError::into_inner);
-        let (named, scenario) = self.find(run, Which::Given)?;
-        let rows = named.survey().map_err(|error| self.wrong(&error))?.rows;
-        if rows > MOST_ROWS as u64 {
+        let (named, scenario) = match self.shelf.kept_log(run) {
+            Some(folder) => (given(&folder)?, None),
+            None => self.find(run, Which::Given).map(|(named, scenario)| (named, Some(scenario)))?,
+        };
+        let files = state(&named.place.files());
+        let mut told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = told.iter().find(|known| known.care.name == run && known.files == files) {
+            return Ok(known.care.clone());
+        }
+        let zone = scenario.as_ref().map(|scenario| scenario.file.time_zone.as_str());
+        let mut read = LogWithRun::alone(named, zone, MOST_ROWS).map_err(|error| self.wrong(&error))?;
+        if read.log.rows > MOST_ROWS as u64 {
+            let rows = read.log.rows;
             return Err(Refusal::Damaged(format!("{run} has {rows} rows; the page takes {MOST_ROWS} at most.")));
         }
-        let zone = scenario.file.time_zone.as_str();
-        let mut read = LogWithRun::of(named, Some(zone)).map_err(|error| self.wrong(&error))?;
-        read.place_in(&scenario);
+        scenario.iter().for_each(|scenario| _ = read.place_in(scenario));
         let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
         let measures = Measures::heard(run, &read.log, &read.rooms, &asked)
             .map_err(|why| Refusal::Damaged(shortened(&why.to_string())))?;
         let rules = Rules::read(USUAL).map_err(|problems| Refusal::Damaged(shortened(&problems.join("; "))))?;
-        let residents: Vec<&str> = scenario.residents.iter().map(|resident| resident.file.name.as_str()).collect();
+        let residents = scenario.iter().flat_map(|scenario| &scenario.residents);
+        let residents: Vec<&str> = residents.map(|resident| resident.file.name.as_str()).collect();
         let person = match residents[..] {
             [one] => capitalised(one),
+            [] => "the resident".to_owned(),
             _ => "the residents".to_owned(),
         };
-        Ok(CareView::of(&care(&measures, &rules, &person), run, &person))
+        let care = CareView::of(&care(&measures, &rules, &person), &rules, (run, &person), self.walks(run));
+        told.retain(|known| known.care.name != run);
+        told.truncate(MOST_TOLD - 1);
+        told.insert(0, ToldCare { files, care: care.clone() });
+        Ok(care)
+    }
+
+    /// Who walks when a run is played back.
+    fn walks(&self, run: &str) -> WalksView {
+        if self.shelf.kept_log(run).is_some() {
+            WalksView::NoHome
+        } else if self.shelf.walked(run).is_some() {
+            WalksView::WalkedBack
+        } else if self.shelf.file_of_run(run, TRUTH).is_some() {
+            WalksView::Lived
+        } else {
+            WalksView::Sensors
+        }
+    }
+
+    /// The logs that are kept without a home.
+    pub fn kept(&self) -> Vec<KeptLogView> {
+        let log = |name: &str| {
+            let given = self.shelf.kept_log(name)?.join(GIVEN);
+            let first = given.read_dir().ok()?.flatten().next()?;
+            first.file_name().into_string().ok()
+        };
+        let logs = self.shelf.kept_logs().into_iter();
+        logs.filter_map(|name| Some(KeptLogView { log: log(&name)?, name })).collect()
     }
 
     /// How near the log of a run is to that of another, which is taken for what is real, as `homebody realism` writes it.

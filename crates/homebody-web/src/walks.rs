@@ -8,7 +8,7 @@ use crate::wire::{WalkState, WalkingView};
 use homebody_core::problem::counted;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::DAY;
-use homebody_kit::walked::walk_into;
+use homebody_kit::walked::{GIVEN, walk_into};
 use homebody_kit::{Cancel, Error, LogWithRun, NamedLog};
 use homebody_routine::household::Household;
 use std::fs;
@@ -47,6 +47,16 @@ struct Walk {
     cancel: Cancel,
     /// The hidden folder.
     folder: PathBuf,
+}
+
+/// Whose home a log is of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum HomeOf {
+    Scenario,
+    /// A stored run's.
+    Run(String),
+    /// None that is known: the log is kept as it is, for the care view.
+    Nobody,
 }
 
 /// Why no log is opened now.
@@ -89,8 +99,8 @@ impl Walks {
         }
     }
 
-    /// Takes a log that is coming, to be walked back through the home of a stored run, or else of the scenario.
-    pub fn begin(&self, log: &str, home: Option<String>) -> Result<Coming, Unwalked> {
+    /// Takes a log that is coming, to be walked back through a home.
+    pub fn begin(&self, log: &str, home: HomeOf) -> Result<Coming, Unwalked> {
         let mut now = self.locked();
         if let Some(walk) = now.as_ref().filter(|walk| walk.view.is_going_on()) {
             return Err(Unwalked::Busy(walk.view.log.clone()));
@@ -141,7 +151,7 @@ pub struct Coming {
     walks: Walks,
     folder: Option<TempDir>,
     log: String,
-    home: Option<String>,
+    home: HomeOf,
     cancel: Cancel,
 }
 
@@ -163,7 +173,7 @@ impl Coming {
         walks.tell(|view| view.state = WalkState::Walking);
         thread::spawn(move || {
             let hidden = folder.path().to_owned();
-            let walk = || walks.walk(&hidden, &log, home.as_deref(), &cancel);
+            let walk = || walks.make(&hidden, &log, &home, &cancel);
             let broken = || Error::Translation("it cannot be walked back, by a mistake of the program".into());
             let ended = catch_unwind(AssertUnwindSafe(walk)).unwrap_or_else(|_| Err(broken()));
             // First all is tidy, then it is told.
@@ -188,8 +198,29 @@ impl Drop for Coming {
 }
 
 impl Walks {
-    /// Walks back the log in a hidden folder; the name of the run that came of it.
-    fn walk(&self, hidden: &Path, log: &str, home: Option<&str>, cancel: &Cancel) -> Result<String, Error> {
+    /// What the log in a hidden folder comes to, by its name among the runs.
+    fn make(&self, hidden: &Path, log: &str, home: &HomeOf, cancel: &Cancel) -> Result<String, Error> {
+        match home {
+            HomeOf::Nobody => self.keep(hidden, log),
+            HomeOf::Scenario => self.walk((hidden, log), None, cancel),
+            HomeOf::Run(run) => self.walk((hidden, log), Some(run), cancel),
+        }
+    }
+
+    /// Keeps the log as it is, if it can be read.
+    fn keep(&self, hidden: &Path, log: &str) -> Result<String, Error> {
+        small_enough(&LogWithRun::of(NamedLog::find(&hidden.join(log).to_string_lossy())?, None)?)?;
+        let failed = |error: io::Error| Error::File { path: log.into(), why: error.to_string(), source: None };
+        let to = hidden.join("kept");
+        fs::create_dir_all(to.join(GIVEN)).map_err(failed)?;
+        fs::rename(hidden.join(log), to.join(GIVEN).join(log)).map_err(failed)?;
+        let name = self.free_name(log, "log");
+        fs::rename(&to, self.shelf.runs.join(&name)).map_err(failed)?;
+        Ok(name)
+    }
+
+    /// Walks it back; the name of the run that came of it.
+    fn walk(&self, (hidden, log): (&Path, &str), home: Option<&str>, cancel: &Cancel) -> Result<String, Error> {
         let scenario = self.home(home)?;
         let named = NamedLog::find(&hidden.join(log).to_string_lossy())?;
         let read = LogWithRun::of(named, Some(&scenario.file.time_zone))?;
@@ -197,7 +228,7 @@ impl Walks {
         let to = hidden.join("walked");
         walk_into(&to, (log, &read), &scenario, cancel, |share| self.tell(|view| view.share = share))?;
         let failed = |error: io::Error| Error::File { path: log.into(), why: error.to_string(), source: None };
-        let name = self.free_name(log);
+        let name = self.free_name(log, "walked");
         fs::rename(&to, self.shelf.runs.join(&name)).map_err(failed)?;
         Ok(format!("{name}/{}", homebody_kit::walked::RELIVED))
     }
@@ -212,10 +243,10 @@ impl Walks {
     }
 
     /// A name among the runs that nothing has yet.
-    fn free_name(&self, log: &str) -> String {
+    fn free_name(&self, log: &str, what: &str) -> String {
         let stem = Path::new(log).file_stem().unwrap_or_default().to_string_lossy();
         let plain: String = stem.chars().take(40).map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
-        let named = |number: u32| format!("{plain}-walked-{number}");
+        let named = |number: u32| format!("{plain}-{what}-{number}");
         (1..).map(named).find(|name| !self.shelf.runs.join(name).exists()).unwrap_or(plain)
     }
 }

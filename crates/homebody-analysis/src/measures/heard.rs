@@ -110,13 +110,14 @@ impl Timeline {
 
     /// Finds showers and meals.
     fn wash_and_eat(&mut self, log: &Log, kinds: &[Kind], signs: &[Sign]) {
-        let is_shower = |sensor: usize| kinds[sensor] == Kind::Motion && is_named(&log.sensors[sensor], &SHOWERS);
+        let shower = |(name, kind): (&String, &Kind)| *kind == Kind::Motion && is_named(name, &SHOWERS);
+        let is_shower: Vec<bool> = log.sensors.iter().zip(kinds).map(shower).collect();
         let begins = |spans: Vec<Span>, least: Micros| {
             let long = spans.into_iter().filter(|span| span.1 - span.0 >= least);
             Some(long.map(|span| span.0).collect())
         };
-        if (0..log.sensors.len()).any(is_shower) {
-            let seen = signs.iter().filter(|sign| is_shower(sign.sensor)).map(|sign| (sign.at, sign.at));
+        if is_shower.contains(&true) {
+            let seen = signs.iter().filter(|sign| is_shower[sign.sensor]).map(|sign| (sign.at, sign.at));
             self.showers = begins(joined(seen, SHOWER_APART), SHOWER_LASTS);
         } else if self.rooms.has(Purpose::Bathroom) {
             let in_bed = self.in_bed.as_deref().unwrap_or_default();
@@ -133,8 +134,9 @@ impl Timeline {
             let cooked = self.visits(Purpose::Kitchen, 0);
             let mut meals = Vec::new();
             for (begin, end) in joined(cooked.iter().copied(), MEAL_APART) {
-                let there: Micros =
-                    cooked.iter().filter(|stay| stay.0 >= begin && stay.1 <= end).map(|stay| stay.1 - stay.0).sum();
+                let from = cooked.partition_point(|stay| stay.0 < begin);
+                let within = cooked[from..].iter().take_while(|stay| stay.0 <= end).filter(|stay| stay.1 <= end);
+                let there: Micros = within.map(|stay| stay.1 - stay.0).sum();
                 if there >= MEAL_LASTS {
                     meals.push(begin);
                 }

@@ -1,9 +1,10 @@
 //! How somebody is, for those who care.
 
-use homebody_analysis::alerts::Alert;
-use homebody_analysis::care::{Care, Chart, Point, Today, Unit};
+use crate::plainly;
+use homebody_analysis::alerts::{Alert, Rules};
+use homebody_analysis::care::{Care, Chart, DayTold, Known, LAST_DAYS, Point, Today, Unit};
 use homebody_analysis::summaries::Sentence;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 /// How somebody is, by a stored run or a log.
@@ -17,12 +18,48 @@ pub struct CareView {
     pub day: Option<String>,
     /// What cannot be said.
     pub remarks: Vec<String>,
-    pub today: Vec<TodayView>,
+    /// Who walks when it is played back.
+    pub walks: WalksView,
+    /// All days in order.
+    pub days: Vec<CareDayView>,
     /// About the last two weeks, what has changed first.
     pub sentences: Vec<CareSentenceView>,
     /// The latest first.
     pub alerts: Vec<AlertView>,
     pub charts: Vec<ChartView>,
+}
+
+/// What of a run or a log can be seen in playback.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum WalksView {
+    /// Everybody as the truth has it.
+    Lived,
+    /// Everybody as the log was walked back.
+    WalkedBack,
+    /// What sensors said alone: there is no truth, and the log was not walked back.
+    Sensors,
+    /// Nothing: the log is of no home that is known.
+    NoHome,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct CareDayView {
+    pub day: String,
+    pub known: KnownView,
+    /// Nothing of a day that is not whole.
+    pub told: Vec<TodayView>,
+}
+
+/// What is known of a day.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum KnownView {
+    Whole,
+    /// Nobody was at home for most of it.
+    Away,
+    /// More than an hour of it is unknown.
+    Partly,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
@@ -36,7 +73,7 @@ pub struct TodayView {
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct CareSentenceView {
     pub words: String,
-    /// The same with numbers.
+    /// On how many days, and what it comes to.
     pub numbers: String,
     pub measure: String,
     pub is_change: bool,
@@ -48,8 +85,44 @@ pub struct AlertView {
     pub day: String,
     pub rule: String,
     pub words: String,
+    /// What it came to, and what was usual.
+    pub numbers: String,
+    /// The measures that it is about.
+    pub measures: Vec<String>,
     /// The days that show it.
     pub days: Vec<String>,
+}
+
+/// What somebody has noted about an alert, or about a day.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, TS)]
+#[serde(deny_unknown_fields)]
+pub struct NoteView {
+    /// As `2009-03-02`.
+    pub day: String,
+    /// The alert's rule; empty for the day itself.
+    pub rule: String,
+    /// Whether somebody has seen to it.
+    pub seen: bool,
+    pub note: String,
+}
+
+/// A note to be kept.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, TS)]
+#[serde(deny_unknown_fields)]
+pub struct NoteIt {
+    /// What the page has seen there before; null where nothing was noted.
+    pub before: Option<NoteView>,
+    /// With no note, and seen to by nobody, nothing is kept of it.
+    pub note: NoteView,
+}
+
+/// A log that is kept for the care view alone.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, TS)]
+pub struct KeptLogView {
+    /// The name of its folder.
+    pub name: String,
+    /// The name of its file.
+    pub log: String,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
@@ -57,6 +130,8 @@ pub struct ChartView {
     pub measure: String,
     pub title: String,
     pub unit: CareUnit,
+    /// What is less than this apart is the same.
+    pub little: f64,
     pub is_guess: bool,
     pub days: Vec<PointView>,
 }
@@ -79,17 +154,30 @@ pub struct PointView {
 }
 
 impl CareView {
-    pub fn of(care: &Care, name: &str, person: &str) -> CareView {
+    pub fn of(care: &Care, rules: &Rules, (name, person): (&str, &str), walks: WalksView) -> CareView {
+        let last = care.days.len().min(LAST_DAYS);
         CareView {
             name: name.to_owned(),
             person: person.to_owned(),
             day: care.day.map(|day| day.to_string()),
-            remarks: care.remarks.clone(),
-            today: care.today.iter().map(TodayView::from).collect(),
-            sentences: care.sentences.iter().map(CareSentenceView::from).collect(),
-            alerts: care.alerts.iter().map(AlertView::from).collect(),
+            remarks: care.remarks.iter().map(|remark| plainly::remark(remark)).collect(),
+            walks,
+            days: care.days.iter().map(CareDayView::from).collect(),
+            sentences: care.sentences.iter().map(|sentence| CareSentenceView::of(sentence, last)).collect(),
+            alerts: care.alerts.iter().map(|alert| AlertView::of(alert, rules)).collect(),
             charts: care.charts.iter().map(ChartView::from).collect(),
         }
+    }
+}
+
+impl From<&DayTold> for CareDayView {
+    fn from(day: &DayTold) -> CareDayView {
+        let known = match day.known {
+            Known::Whole => KnownView::Whole,
+            Known::Away => KnownView::Away,
+            Known::Partly => KnownView::Partly,
+        };
+        CareDayView { day: day.date.to_string(), known, told: day.told.iter().map(TodayView::from).collect() }
     }
 }
 
@@ -99,11 +187,12 @@ impl From<&Today> for TodayView {
     }
 }
 
-impl From<&Sentence> for CareSentenceView {
-    fn from(sentence: &Sentence) -> CareSentenceView {
+impl CareSentenceView {
+    /// `days` is how many the sentence is about.
+    fn of(sentence: &Sentence, days: usize) -> CareSentenceView {
         CareSentenceView {
             words: sentence.plain.clone(),
-            numbers: sentence.expert.clone(),
+            numbers: plainly::numbers_of_sentence(sentence, days),
             measure: sentence.measure.to_owned(),
             is_change: sentence.is_more.is_some(),
             days: sentence.shown_by.iter().map(ToString::to_string).collect(),
@@ -111,12 +200,14 @@ impl From<&Sentence> for CareSentenceView {
     }
 }
 
-impl From<&Alert> for AlertView {
-    fn from(alert: &Alert) -> AlertView {
+impl AlertView {
+    fn of(alert: &Alert, rules: &Rules) -> AlertView {
         AlertView {
             day: alert.date.to_string(),
             rule: alert.rule.clone(),
-            words: alert.words.clone(),
+            words: plainly::alert(alert, rules),
+            numbers: plainly::numbers_of_alert(alert, rules),
+            measures: alert.measures.iter().map(|&measure| measure.to_owned()).collect(),
             days: alert.shown_by.iter().map(ToString::to_string).collect(),
         }
     }
@@ -128,6 +219,7 @@ impl From<&Chart> for ChartView {
             measure: chart.measure.to_owned(),
             title: chart.title.to_owned(),
             unit: CareUnit::from(chart.unit),
+            little: chart.little,
             is_guess: chart.is_guess,
             days: chart.days.iter().map(PointView::from).collect(),
         }

@@ -233,3 +233,68 @@ fn what_a_log_holds_and_how_real_it_is_are_the_pages_of_the_commands() {
     assert_eq!(answer.code, 422);
     assert!(text(&answer).contains("no day of it is whole"), "{}", text(&answer));
 }
+
+#[test]
+fn what_is_noted_about_a_run_or_a_log_lies_beside_it_and_others_see_it() {
+    let served = Served::scenario("studio");
+    let (run, log) = served.lived("studio", 1.0);
+    served.send("POST", "/api/walk/day.csv", &log);
+    let walked = served.walked()["run"].as_str().unwrap().to_owned();
+    let runs = served.folder.path().join("runs");
+    let note = |day: &str, note: &str| serde_json::json!({ "day": day, "rule": "sleep", "seen": true, "note": note });
+    let post = |run: &str, body: &Value| {
+        let (address, token, body) = (served.address, &served.token, body.to_string());
+        let path = format!("/api/runs/{}/notes", run.replace('/', "%2F"));
+        let head = format!(
+            "POST {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\
+             Content-Type: application/json\r\nContent-Length: {}\r\n\r\n",
+            body.len()
+        );
+        served.ask(&[head.as_bytes(), body.as_bytes()].concat())
+    };
+    for (of, place) in [(&run, run.clone()), (&walked, "day-walked-1".to_owned())] {
+        let cold = serde_json::json!({ "before": null, "note": note("2009-03-02", "a cold") });
+        assert_eq!(post(of, &cold).code, 200);
+        assert!(runs.join(&place).join("care-notes.json").is_file(), "{place}");
+        let kept: Value =
+            serde_json::from_slice(&served.api(&format!("/api/runs/{}/notes", of.replace('/', "%2F"))).body).unwrap();
+        assert_eq!(kept, serde_json::json!([note("2009-03-02", "a cold")]));
+        // Who has not seen the note does not replace it.
+        let unseen = serde_json::json!({ "before": null, "note": note("2009-03-02", "") });
+        assert_eq!(post(of, &unseen).code, 409);
+    }
+    let wrong = serde_json::json!({ "before": null, "note": note("today", "") });
+    assert_eq!((post(&run, &wrong).code, post("nowhere", &wrong).code), (422, 422));
+    let fine = serde_json::json!({ "before": null, "note": note("2009-03-03", "") });
+    assert_eq!(post("../studio", &fine).code, 404);
+    // Without the token nobody reads or writes any.
+    let address = served.address;
+    let stranger = format!("GET /api/runs/{run}/notes HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n");
+    assert_eq!(served.ask(stranger.as_bytes()).code, 401);
+}
+
+#[test]
+fn a_log_of_no_home_is_kept_for_the_care_view_alone() {
+    let served = Served::scenario("studio");
+    let day = |day: u32| {
+        let row = |hour: u32| {
+            format!("2024-01-{day:02} {hour:02}:10:00\tKitchenA\tON\n2024-01-{day:02} {hour:02}:20:00\tBedroomA\tON\n")
+        };
+        (0..24).map(row).collect::<String>()
+    };
+    let log: String = (1..=9).map(day).collect();
+    assert_eq!(served.send("POST", "/api/logs/flat.txt", log.as_bytes()).code, 200);
+    let done = served.walked();
+    assert_eq!((&done["state"], &done["run"]), (&"done".into(), &"flat-log-1".into()), "{done}");
+    let kept: Value = serde_json::from_slice(&served.api("/api/logs").body).unwrap();
+    assert_eq!(kept, serde_json::json!([{ "name": "flat-log-1", "log": "flat.txt" }]));
+    let care: Value = serde_json::from_slice(&served.api("/api/runs/flat-log-1/care").body).unwrap();
+    assert_eq!((&care["walks"], care["days"].as_array().unwrap().len()), (&"no_home".into(), 9), "{care}");
+    assert!(!care["remarks"].to_string().contains("--home"), "{care}");
+    // It is no run, and nothing plays it.
+    assert_eq!((served.api("/api/runs").body, served.api("/api/runs/flat-log-1").code), (b"[]".to_vec(), 404));
+    // What cannot be read leaves nothing.
+    served.send("POST", "/api/logs/letter.txt", b"Dear reader,\nthis is no log.\n");
+    assert_eq!(served.walked()["state"], "failed");
+    assert_eq!(names(&served.folder.path().join("runs")), ["flat-log-1"]);
+}

@@ -6,6 +6,7 @@ const chart = (values: (number | null)[], usual: [number, number] | null = null)
   measure: 'sleep',
   title: 'Sleep',
   unit: 'hours',
+  little: 0.5,
   is_guess: false,
   days: values.map((value, index) => ({ day: `2024-01-${String(index + 1).padStart(2, '0')}`, value, usual: index < 2 ? null : usual })),
 });
@@ -28,5 +29,5 @@ test('one value, and none, are drawn all the same', () => {
 
 test('values are said as people read them', () => {
   expect([said('clock', 24.5), said('clock', 22.25), said('hours', 7.04), said('times', 2), said('of_usual', 0.93)]).toEqual(['00:30', '22:15', '7.0 h', '2', '93 %']);
-  expect(described(chart([7, 7, 8], [6.5, 7.5]))).toBe('Sleep on 3 of 3 days; on 2024-01-03 8.0 h, usual 6.5 h to 7.5 h.');
+  expect(described(chart([7, 7, 8], [6.5, 7.5]))).toBe('Sleep on 3 of 3 days; on Wednesday 3 January 2024 8.0 h, usual 6.5 h to 7.5 h.');
 });

@@ -1,12 +1,16 @@
 // A small chart: where its days, its usual range and its lines go. Lengths are pixels.
 
-import type { ChartView, CareUnit, PointView } from '../../wire';
+import type { CareUnit, ChartView, PointView } from '../../wire';
+import { dayAndMonth, inFull } from './dates';
 
+/** Where nothing is known of the room that there is. */
 export const WIDTH = 560;
 export const HEIGHT = 120;
 const LEFT = 46;
 const BOTTOM = 20;
 const TOP = 8;
+/** Dates are so far apart that they can be read. */
+const DATE_APART = 52;
 
 export interface Drawn {
   /** The usual range, as paths: one for each stretch of days that have a usual. */
@@ -15,6 +19,8 @@ export interface Drawn {
   dots: { x: number; y: number; day: PointView }[];
   /** The first day of each month, or of each week of a short log. */
   dates: { x: number; text: string }[];
+  /** Where a day is. */
+  x: (day: string) => number | null;
   /** The lowest and the highest value, and where they are. */
   values: { y: number; text: string }[];
 }
@@ -37,11 +43,11 @@ export function said(unit: CareUnit, value: number): string {
 }
 
 /** Where everything of a chart goes. */
-export function drawn(chart: ChartView): Drawn {
+export function drawn(chart: ChartView, width = WIDTH): Drawn {
   const values = chart.days.flatMap(({ value, usual }) => [...(value === null ? [] : [value]), ...(usual ?? [])]);
   const [low, high] = values.length > 0 ? [Math.min(...values), Math.max(...values)] : [0, 1];
   const span = high - low || 1;
-  const step = (WIDTH - LEFT - 8) / Math.max(chart.days.length - 1, 1);
+  const step = (width - LEFT - 12) / Math.max(chart.days.length - 1, 1);
   const x = (day: number) => LEFT + day * step;
   const y = (value: number) => TOP + ((high - value) / span) * (HEIGHT - TOP - BOTTOM);
   const usual: string[] = [];
@@ -58,13 +64,16 @@ export function drawn(chart: ChartView): Drawn {
   }
   const dots = chart.days.flatMap((day, index) => (day.value === null ? [] : [{ x: x(index), y: y(day.value), day }]));
   const apart = chart.days.length > 70 ? 'month' : 'week';
+  let last = -Infinity;
   const dates = chart.days.flatMap((day, index) => {
     const begins = apart === 'month' ? day.day.endsWith('-01') : index % 7 === 0;
-    const isFar = index * step < WIDTH - LEFT - 40;
-    return begins && isFar ? [{ x: x(index), text: day.day.slice(5) }] : [];
+    const isFar = index * step < width - LEFT - 24 && x(index) - last >= DATE_APART;
+    if (begins && isFar) last = x(index);
+    return begins && isFar ? [{ x: x(index), text: dayAndMonth(day.day) }] : [];
   });
   const ends = low === high ? [low] : [high, low];
-  return { usual, dots, dates, values: ends.map((value) => ({ y: y(value), text: said(chart.unit, value) })) };
+  const at = new Map(chart.days.map(({ day }, index) => [day, x(index)]));
+  return { usual, dots, dates, x: (day) => at.get(day) ?? null, values: ends.map((value) => ({ y: y(value), text: said(chart.unit, value) })) };
 }
 
 /** A chart in a sentence, for who does not see it. */
@@ -73,5 +82,5 @@ export function described(chart: ChartView): string {
   const last = known.at(-1);
   if (!last) return `${chart.title}: not known.`;
   const usual = last.usual ? `, usual ${said(chart.unit, last.usual[0])} to ${said(chart.unit, last.usual[1])}` : '';
-  return `${chart.title} on ${known.length} of ${chart.days.length} days; on ${last.day} ${said(chart.unit, last.value!)}${usual}.`;
+  return `${chart.title} on ${known.length} of ${chart.days.length} days; on ${inFull(last.day)} ${said(chart.unit, last.value!)}${usual}.`;
 }

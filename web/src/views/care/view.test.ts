@@ -2,81 +2,199 @@ import { flushSync, mount, unmount } from 'svelte';
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import type { Live } from '../../live.svelte';
 import { Server } from '../../server';
-import type { CareView, StoredView } from '../../wire';
+import type { CareView, NoteIt, NoteView, StoredView, WalksView } from '../../wire';
 import CarePage from './Care.svelte';
+import { shifted } from './dates';
 
 const EVIL = '<img src=x onerror="globalThis.broken=1">';
+const FIRST = '2009-02-20';
+const days = Array.from({ length: 39 }, (_, index) => shifted(FIRST, index));
 
-const care = (name: string): CareView => ({
+const care = (name: string, walks: WalksView = 'lived'): CareView => ({
   name,
   person: 'Ada',
   day: '2009-03-30',
   remarks: ['No sensor is at an entrance, so nothing is known of outings'],
-  today: [
-    { measure: 'sleep', words: 'Slept 4.0 hours, less than usual (7.0 hours)', is_more: false },
-    { measure: 'meals', words: `Meals in the kitchen: 3 times, as usual ${EVIL}`, is_more: null },
-  ],
+  walks,
+  days: days.map((day) => ({
+    day,
+    known: day === '2009-03-10' ? 'away' : day === '2009-03-11' ? 'partly' : 'whole',
+    told: day === '2009-03-10' ? [] : [
+      { measure: 'sleep', words: 'Slept 4.0 hours, less than usual (7.0 hours)', is_more: day >= '2009-03-28' ? false : null },
+      { measure: 'meals', words: `Meals in the kitchen: 3 times, as usual ${EVIL}`, is_more: null },
+    ],
+  })),
   sentences: [
-    { words: 'On most nights of the last two weeks, Ada slept less than before.', numbers: 'truth 0.90', measure: 'sleep', is_change: true, days: ['2009-03-29'] },
-    { words: 'Every day of the last two weeks, Ada was out for 2 hours at most.', numbers: 'truth 1.00', measure: 'time_out', is_change: false, days: [] },
+    { words: 'On most nights of the last two weeks, Ada slept less than before.', numbers: 'So on 2 of 14 nights.', measure: 'sleep', is_change: true, days: ['2009-03-29', '2009-03-30'] },
+    { words: 'Every day of the last two weeks, Ada was out for 2 hours at most.', numbers: 'So on 14 of 14 days.', measure: 'time_out', is_change: false, days: [] },
   ],
-  alerts: [{ day: '2009-03-29', rule: 'sleep', words: 'Sleep: 4.0 h, less than the usual 7.0', days: ['2009-03-28', '2009-03-29'] }],
-  charts: [{ measure: 'sleep', title: 'Sleep', unit: 'hours', is_guess: false, days: ['28', '29', '30'].map((day) => ({ day: `2009-03-${day}`, value: 4, usual: [6.5, 7.5] })) }],
+  alerts: [{ day: '2009-03-29', rule: 'sleep', words: 'Much less sleep than usual, two days in a row', numbers: 'On average 4.0 hours; usually 7.0 hours.', measures: ['sleep'], days: ['2009-03-28', '2009-03-29'] }],
+  charts: [
+    { measure: 'sleep', title: 'Sleep', unit: 'hours', little: 0.5, is_guess: false, days: days.map((day, index) => ({ day, value: day < '2009-03-16' ? 7 + (index % 2) * 0.2 : 4, usual: [6.5, 7.5] })) },
+    { measure: 'bedtime', title: 'To bed', unit: 'clock', little: 0.4, is_guess: false, days: days.map((day) => ({ day, value: 22.5, usual: null })) },
+  ],
 });
 
 const stored = (name: string): StoredView => ({ name, walked_back: null, scenario: name, start: '2009-03-02 00:00:00', days: 30, has_truth: false, problem: null });
 
 let view: Record<string, unknown>;
 let answers: Record<string, unknown>;
+let notes: NoteView[];
+let sent: [string, unknown][];
 
-async function begin(hash = '#/care') {
-  window.location.hash = hash;
-  const fetch = (path: string) => Promise.resolve(path in answers ? Response.json(answers[path]) : new Response('There is no such run.', { status: 404 }));
-  const server = new Server('token', () => {}, fetch);
-  view = mount(CarePage, { target: document.body, props: { live: { server } as Live } });
+async function settle() {
   for (let turn = 0; turn < 10; turn++) {
     await new Promise((done) => setTimeout(done, 0));
     flushSync();
   }
 }
 
+async function begin(hash = '#/care') {
+  window.location.hash = hash;
+  const fetch = async (path: string, init: RequestInit) => {
+    if (init.method === 'POST') {
+      const body: unknown = typeof init.body === 'string' ? JSON.parse(init.body) : init.body;
+      sent.push([path, body]);
+      if (path.endsWith('/notes')) {
+        const { note } = body as NoteIt;
+        notes = [...notes.filter((other) => other.day !== note.day || other.rule !== note.rule), note];
+        return Response.json(notes);
+      }
+    }
+    if (path.endsWith('/notes')) return Response.json(notes);
+    return path in answers ? Response.json(answers[path]) : new Response('There is no such run.', { status: 404 });
+  };
+  const server = new Server('token', () => {}, fetch);
+  view = mount(CarePage, { target: document.body, props: { live: { server } as Live } });
+  await settle();
+}
+
+const text = () => document.body.textContent!.replace(/\s+/g, ' ');
+const one = <T extends Element>(selector: string) => document.querySelector<T>(selector)!;
+const cell = () => one<HTMLButtonElement>('td[aria-selected="true"] button');
+
+function press(key: string) {
+  cell().dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+}
+
 beforeEach(() => {
-  window.localStorage.clear();
-  answers = { '/api/runs': [stored('a'), stored('b')], '/api/runs/a/care': care('a'), '/api/runs/b/care': care('b') };
+  [notes, sent] = [[], []];
+  answers = { '/api/runs': [stored('a'), stored('b')], '/api/logs': [], '/api/walk': null, '/api/runs/a/care': care('a'), '/api/runs/b/care': care('b', 'sensors') };
 });
 afterEach(() => unmount(view));
 
 test('the day, what has changed and what is worth a look are told in words', async () => {
   await begin();
-  const text = document.body.textContent!;
-  for (const told of ['How 2009-03-30 was', 'Slept 4.0 hours, less than usual', 'Ada slept less than before', '1 of 1 not seen to', 'nothing is known of outings']) {
-    expect(text).toContain(told);
+  for (const told of ['How Monday 30 March 2009 was', 'One thing was unusual', 'Slept 4.0 hours, less than usual', 'Ada slept less than before', '1 of 1 alert not seen to', 'nothing is known of outings']) {
+    expect(text()).toContain(told);
   }
   expect(document.querySelector('img')).toBeNull();
-  expect(document.querySelectorAll('.today .odd').length).toBe(1);
 });
 
-test('an alert is seen to with a note, and shows its days', async () => {
+test('arrow keys go through the calendar by day and week, and the day that is open follows', async () => {
+  await begin();
+  expect(cell().title).toBe('Monday 30 March 2009, 1 thing unusual');
+  for (const [key, label] of [
+    ['ArrowLeft', 'Sunday 29 March 2009, 1 alert not seen to, 1 thing unusual'],
+    ['ArrowUp', 'Sunday 22 March 2009, nothing unusual'],
+    ['Home', 'Monday 16 March 2009, nothing unusual'],
+    ['PageUp', 'Friday 20 February 2009, nothing unusual'],
+    ['ArrowLeft', 'Friday 20 February 2009, nothing unusual'],
+    ['PageDown', 'Friday 20 March 2009, nothing unusual'],
+    ['End', 'Sunday 22 March 2009, nothing unusual'],
+  ] as const) {
+    press(key);
+    await settle();
+    expect(cell().title, key).toBe(label);
+    expect(document.activeElement).toBe(cell());
+  }
+  expect(one('.opened h2').textContent).toBe('Sunday 22 March 2009');
+  expect(window.location.hash).toBe('#/care/a@2009-03-22');
+  expect(document.querySelectorAll('td button[tabindex="0"]').length).toBe(1);
+  for (const [label, told] of [['10 March', 'Nobody was at home for most of this day'], ['11 March', 'Too little is known of this day']] as const) {
+    one<HTMLButtonElement>(`td button[title*="${label}"]`).click();
+    flushSync();
+    expect(one('.opened').textContent).toContain(told);
+  }
+});
+
+test('an alert is seen to with a note, which is kept by the server, and so is one of a day', async () => {
+  await begin('#/care/a@2009-03-29');
+  const alert = one<HTMLElement>('.opened .alert');
+  alert.querySelector<HTMLInputElement>('input[type=checkbox]')!.click();
+  const note = alert.querySelector<HTMLInputElement>('input[type=text]')!;
+  note.value = ' a cold ';
+  note.dispatchEvent(new Event('change', { bubbles: true }));
+  await settle();
+  const seen = { day: '2009-03-29', rule: 'sleep', seen: true, note: '' };
+  expect(sent).toEqual([
+    ['/api/runs/a/notes', { before: null, note: seen }],
+    ['/api/runs/a/notes', { before: seen, note: { ...seen, note: 'a cold' } }],
+  ]);
+  expect(text()).toContain('The one alert has been seen to');
+  expect(cell().title).toBe('Sunday 29 March 2009, 1 alert seen to, 1 thing unusual, with a note');
+  const ofDay = one<HTMLInputElement>('input[placeholder="note on this day"]');
+  ofDay.value = 'her son came';
+  ofDay.dispatchEvent(new Event('change', { bubbles: true }));
+  await settle();
+  expect(sent.at(-1)).toEqual(['/api/runs/a/notes', { before: null, note: { day: '2009-03-29', rule: '', seen: false, note: 'her son came' } }]);
+});
+
+test('a sentence opens down to its days, and leads to them walked', async () => {
+  await begin();
+  one<HTMLElement>('details').setAttribute('open', '');
+  one<HTMLElement>('details').dispatchEvent(new Event('toggle'));
+  flushSync();
+  expect(document.querySelectorAll('svg .marked').length).toBe(4);
+  expect(one<HTMLAnchorElement>('details a').getAttribute('href')).toBe('#/playback/a@2009-03-29T22:15:00');
+  one<HTMLButtonElement>('details li button').click();
+  flushSync();
+  expect(one('.opened h2').textContent).toBe('Sunday 29 March 2009');
+});
+
+test('where nobody can be seen walking that is said, and a log is walked back on wish', async () => {
   await begin('#/care/b');
-  expect(document.querySelector<HTMLSelectElement>('#care-run')!.value).toBe('b');
-  const [seen, note] = document.querySelectorAll<HTMLInputElement>('li input');
-  seen!.click();
-  note!.value = 'a cold';
-  note!.dispatchEvent(new Event('change', { bubbles: true }));
+  expect(one<HTMLSelectElement>('#care-run').value).toBe('b');
+  expect(text()).toContain('Playback shows its sensors alone');
+  answers['/api/runs/b/log'] = 'rows';
+  [...document.querySelectorAll('button')].find((button) => button.textContent === 'Walk its log back')!.click();
+  await settle();
+  expect(sent.map(([path]) => path)).toEqual(['/api/walk/b.db/b']);
+  await unmount(view);
+  answers['/api/logs'] = [{ name: 'c', log: 'c.csv' }];
+  answers['/api/runs/c/care'] = care('c', 'no_home');
+  await begin('#/care/c');
+  expect(text()).toContain('of no home that is known here');
+  expect(document.querySelector('a[href^="#/playback"]')).toBeNull();
+});
+
+test('two spans stand side by side, and may be others', async () => {
+  await begin();
+  const row = () => [...document.querySelectorAll('section[aria-label="Two spans"] tbody tr')].map((tr) => [...tr.children].filter((part) => !part.matches('.picture')).map((part) => part.textContent));
+  expect(row()[0]).toEqual(['Sleep', '4.0 h', '6.9 h', '2 hours 53 minutes less a day']);
+  expect(row()[1]).toEqual(['To bed', '22:30', '22:30', 'about the same']);
+  const [from] = document.querySelectorAll<HTMLInputElement>('input[type=date]');
+  from!.value = '2009-03-29';
+  from!.dispatchEvent(new Event('change', { bubbles: true }));
   flushSync();
-  expect(document.body.textContent).toContain('0 of 1 not seen to');
-  expect(window.localStorage.getItem('homebody-care')).toContain('a cold');
-  [...document.querySelectorAll('li button')].forEach((button) => (button as HTMLButtonElement).click());
-  flushSync();
-  expect(document.querySelectorAll('svg .marked').length).toBe(2);
+  expect(row()[0]!.at(-1)).toBe('too few days to say');
+});
+
+test('without a usual nothing is called usual or unusual', async () => {
+  const few = care('a');
+  answers['/api/runs/a/care'] = { ...few, sentences: [], alerts: [], charts: few.charts.map((chart) => ({ ...chart, days: chart.days.map((day) => ({ ...day, usual: null })) })) };
+  await begin();
+  expect(text()).toContain('What is usual is not known yet');
+  expect(text()).toContain('Too little is known to say what has changed');
+  expect(text()).not.toContain('All was as usual');
 });
 
 test('what goes wrong is said', async () => {
-  answers = { '/api/runs': [] };
+  answers = { '/api/runs': [], '/api/walk': null };
   await begin();
-  expect(document.body.textContent).toContain('No run is stored yet');
+  expect(text()).toContain('No run is stored yet');
   await unmount(view);
-  answers = { '/api/runs': [stored('a')] };
+  answers = { '/api/runs': [stored('a')], '/api/walk': null };
   await begin();
-  expect(document.querySelector('[role=alert]')!.textContent).toContain('There is no such run.');
+  expect([...document.querySelectorAll('[role=alert]')].map((alert) => alert.textContent).join()).toContain('There is no such run.');
 });

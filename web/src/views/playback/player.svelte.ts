@@ -3,7 +3,8 @@
 import { Throttle } from '../../plan/glow';
 import { Refused, type Server } from '../../server';
 import type { StoredView } from '../../wire';
-import { dayAt, follow } from '../../localtime';
+import { read } from '../../clock';
+import { dayAt, follow, instantOf } from '../../localtime';
 import { Stored } from './stored';
 import { Ticker } from './ticker';
 
@@ -35,12 +36,12 @@ export class Player {
 
   constructor(private readonly server: Pick<Server, 'json' | 'packed'>) {}
 
-  /** Fetches the list, and opens a run of this name, or the latest. */
-  async begin(name: string | null): Promise<void> {
+  /** Fetches the list, and opens a run of this name, or the latest, at a moment of its clock. */
+  async begin(name: string | null, moment: string | null = null): Promise<void> {
     await this.refresh();
     if (this.list === null) return;
     const wanted = name ?? this.list.find(({ problem }) => problem === null)?.name;
-    if (wanted !== undefined) await this.open(wanted);
+    if (wanted !== undefined) await this.open(wanted, moment);
   }
 
   /** Fetches the list again: a run has come. */
@@ -52,10 +53,11 @@ export class Player {
     }
   }
 
-  async open(name: string): Promise<void> {
+  async open(name: string, moment: string | null = null): Promise<void> {
     const asked = ++this.asked;
     if (this.first?.view.name === name) {
       this.opening = null;
+      this.goTo(moment);
       return;
     }
     this.pause();
@@ -70,7 +72,7 @@ export class Player {
       this.ticker = new Ticker(run);
       this.set();
       this.show();
-      this.load();
+      if (!this.goTo(moment)) this.load();
     } catch (error) {
       if (asked === this.asked) this.problem = said(error);
     } finally {
@@ -133,6 +135,13 @@ export class Player {
     this.ticker?.go(to_us);
     this.show();
     this.load();
+  }
+
+  /** @returns whether the run has such a moment: a date and a time on its clock. */
+  private goTo(moment: string | null): boolean {
+    const at_us = this.first === null || moment === null ? null : instantOf(this.first.view, read(moment));
+    if (at_us !== null) this.go(at_us);
+    return at_us !== null;
   }
 
   turn(days: number): void {

@@ -92,3 +92,13 @@ test('a day that is read ahead may fail, and is asked for again on its day', asy
   await settle();
   expect(player.first!.has(2)).toBe(true);
 });
+
+test('a run opens at a moment of its clock; one that it has not leaves it where it is', async () => {
+  await player.open('b', '2009-03-04T07:30:00');
+  const at = (2 * 24 + 7.5) * 3_600_000_000;
+  expect(player.ticker!.now_us).toBe(at);
+  await player.open('b', '2012-01-01T00:00:00');
+  expect(player.ticker!.now_us).toBe(at);
+  await player.open('b', '2009-03-02T06:00:00');
+  expect(player.ticker!.now_us).toBe(6 * 3_600_000_000);
+});

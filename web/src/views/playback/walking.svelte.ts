@@ -1,6 +1,6 @@
 // A log that is opened here: it goes to the server, which walks it back through a home while everything else goes on.
 
-import { type Server, said, walkPath } from '../../server';
+import { type Server, keepPath, said, walkPath } from '../../server';
 import type { WalkingView } from '../../wire';
 
 /** How often is asked how far it is. */
@@ -38,7 +38,8 @@ export class Walking {
     if (this.timer !== null) clearTimeout(this.timer);
   }
 
-  async open(log: File, run: string | null): Promise<void> {
+  /** Through the home of a run, or of the scenario where that is null; of no home at all it is kept as it is. */
+  async open(log: File, run: string | null, ofNoHome = false): Promise<void> {
     this.problem = '';
     if (log.size > LARGEST_BYTES) {
       this.problem = `${log.name} is larger than ${LARGEST_BYTES >> 20} MB. Open a part of it, or use homebody translate.`;
@@ -52,7 +53,7 @@ export class Walking {
     this.goes = true;
     this.view = { log: log.name, state: 'coming', share: 0, run: null, problem: null };
     try {
-      await this.server.post(walkPath(log.name, run), log);
+      await this.server.post(ofNoHome ? keepPath(log.name) : walkPath(log.name, run), log);
     } catch (error) {
       if (asked === this.asked) [this.view, this.goes, this.problem] = [null, false, said(error)];
       return;
@@ -82,7 +83,7 @@ export class Walking {
     this.goes = this.isGoingOn;
     if (this.goes) this.timer = setTimeout(() => void this.look(asked), EVERY_MS);
     else if (went && view !== null) {
-      if (view.state === 'failed') this.problem = `${view.log} cannot be walked back: ${view.problem ?? ''}`;
+      if (view.state === 'failed') this.problem = `${view.log} cannot be opened: ${view.problem ?? ''}`;
       else if (view.run !== null) this.ondone(view.run);
     }
   }

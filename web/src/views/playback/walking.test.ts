@@ -56,10 +56,10 @@ test('what another page has opened is seen, and what was over before is not open
   expect(done).toEqual(['new/run']);
 });
 
-test('why a log cannot be walked back is said', async () => {
+test('why a log cannot be opened is said', async () => {
   answers = [view({ state: 'failed', problem: 'none of the sensors is one of the home’s\n  hint: ids' })];
   await walking.open(log(), null);
-  expect(walking.problem).toContain('week.csv cannot be walked back: none of the sensors');
+  expect(walking.problem).toContain('week.csv cannot be opened: none of the sensors');
   refuses = 'other.csv is being walked back: wait for it, or stop it.';
   await walking.open(log(), null);
   expect([walking.problem, walking.isGoingOn]).toEqual([refuses, false]);

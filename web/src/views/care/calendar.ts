@@ -1,0 +1,105 @@
+// The calendar of a log: its months as grids of days, and what each day is marked by.
+
+import type { AlertView, CareView, KnownView, NoteView } from '../../wire';
+import { inFull, monthOf, monthsLater, shifted, weekday } from './dates';
+
+export interface Cell {
+  day: string;
+  known: KnownView;
+  /** Alerts that nobody has seen to, and those that somebody has. */
+  open: number;
+  seen: number;
+  /** How many things were unusual. */
+  odd: number;
+  /** Whether somebody has written something. */
+  noted: boolean;
+}
+
+export interface Month {
+  title: string;
+  /** From Monday to Sunday; nothing where a day is of another month, or before or after the log. */
+  weeks: { days: (Cell | null)[]; numbers: (number | null)[] }[];
+}
+
+/** What an alert is known by. */
+export const keyOf = ({ day, rule }: Pick<AlertView, 'day' | 'rule'>) => `${day} ${rule}`;
+
+/** All months of a log, in order. */
+export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonly NoteView[]): Month[] {
+  const [first, last] = [care.days[0]?.day, care.days.at(-1)?.day];
+  if (first === undefined || last === undefined) return [];
+  const cells = new Map(care.days.map(({ day, known, told }) => {
+    const odd = told.filter(({ is_more }) => is_more !== null).length;
+    return [day, { day, known, odd, open: 0, seen: 0, noted: false } as Cell];
+  }));
+  const seen = new Set(notes.filter((note) => note.seen).map(keyOf));
+  for (const alert of care.alerts) {
+    const cell = cells.get(alert.day);
+    if (cell) cell[seen.has(keyOf(alert)) ? 'seen' : 'open'] += 1;
+  }
+  for (const { day, note } of notes) {
+    const cell = cells.get(day);
+    if (cell && note !== '') cell.noted = true;
+  }
+  const months: Month[] = [];
+  for (let begin = `${first.slice(0, 7)}-01`; begin <= last; begin = monthsLater(begin, 1)) {
+    const weeks: Month['weeks'] = [];
+    for (let monday = shifted(begin, -weekday(begin)); monday.slice(0, 7) <= begin.slice(0, 7); monday = shifted(monday, 7)) {
+      const week = Array.from({ length: 7 }, (_, index) => shifted(monday, index));
+      const isOfMonth = (day: string) => day.startsWith(begin.slice(0, 7));
+      const days = week.map((day) => (isOfMonth(day) ? (cells.get(day) ?? null) : null));
+      // Weeks before and after the log say nothing.
+      if (days.every((cell) => cell === null)) continue;
+      weeks.push({ days, numbers: week.map((day) => (isOfMonth(day) ? Number(day.slice(8)) : null)) });
+    }
+    months.push({ title: monthOf(begin), weeks });
+  }
+  return months;
+}
+
+/** Whether a usual is known of anything, on a day or at all: without it nothing can be unusual. */
+export function hasUsual(care: Pick<CareView, 'charts'>, day: string | null = null): boolean {
+  return care.charts.some((chart) => chart.days.some((point) => point.usual !== null && (day === null || point.day === day)));
+}
+
+/** A day's marks in words. */
+export function described(cell: Cell): string {
+  const parts = [inFull(cell.day)];
+  if (cell.known === 'away') parts.push('away for most of the day');
+  if (cell.known === 'partly') parts.push('not known well enough');
+  const alerts = (count: number) => `${count} ${count === 1 ? 'alert' : 'alerts'}`;
+  if (cell.open > 0) parts.push(`${alerts(cell.open)} not seen to`);
+  if (cell.seen > 0) parts.push(`${alerts(cell.seen)} seen to`);
+  if (cell.odd > 0) parts.push(`${cell.odd} ${cell.odd === 1 ? 'thing' : 'things'} unusual`);
+  if (cell.noted) parts.push('with a note');
+  if (parts.length === 1) parts.push('nothing unusual');
+  return parts.join(', ');
+}
+
+/** Where a key leads from a day, within the log; null where it leads nowhere. */
+export function stepped(key: string, day: string, first: string, last: string): string | null {
+  const to = (() => {
+    switch (key) {
+      case 'ArrowLeft':
+        return shifted(day, -1);
+      case 'ArrowRight':
+        return shifted(day, 1);
+      case 'ArrowUp':
+        return shifted(day, -7);
+      case 'ArrowDown':
+        return shifted(day, 7);
+      case 'Home':
+        return shifted(day, -weekday(day));
+      case 'End':
+        return shifted(day, 6 - weekday(day));
+      case 'PageUp':
+        return monthsLater(day, -1);
+      case 'PageDown':
+        return monthsLater(day, 1);
+      default:
+        return null;
+    }
+  })();
+  if (to === null) return null;
+  return to < first ? first : to > last ? last : to;
+}

@@ -1,0 +1,49 @@
+// Days as the care view says them. A day is its date, such as `2009-03-02`; the page knows no time zone and wants none.
+
+import { read } from '../../clock';
+
+const DAY_MS = 86_400_000;
+
+const form = (options: Intl.DateTimeFormatOptions) => new Intl.DateTimeFormat('en-GB', { timeZone: 'UTC', ...options });
+const long = form({ weekday: 'long', day: 'numeric', month: 'long', year: 'numeric' });
+const medium = form({ weekday: 'short', day: 'numeric', month: 'short' });
+const short = form({ day: 'numeric', month: 'short' });
+const month = form({ month: 'long', year: 'numeric' });
+
+const ms = (day: string) => read(`${day} 00:00:00`);
+const said = (format: Intl.DateTimeFormat, day: string) => (Number.isFinite(ms(day)) ? format.format(ms(day)) : day);
+
+/** `Monday 2 March 2009`. */
+export const inFull = (day: string) => said(long, day).replace(',', '');
+
+/** `Mon 2 Mar`. */
+export const inShort = (day: string) => said(medium, day).replace(',', '');
+
+/** `2 Mar`. */
+export const dayAndMonth = (day: string) => said(short, day);
+
+/** `March 2009`. */
+export const monthOf = (day: string) => said(month, day);
+
+/** So many days later. */
+export function shifted(day: string, days: number): string {
+  return new Date(ms(day) + days * DAY_MS).toISOString().slice(0, 10);
+}
+
+/** How many days later one is than another. */
+export function between(from: string, to: string): number {
+  return Math.round((ms(to) - ms(from)) / DAY_MS);
+}
+
+/** The day of the week, Monday being 0. */
+export function weekday(day: string): number {
+  return (new Date(ms(day)).getUTCDay() + 6) % 7;
+}
+
+/** The same day of another month, or its last one. */
+export function monthsLater(day: string, months: number): string {
+  const [year, of, date] = day.split('-').map(Number) as [number, number, number];
+  const first = new Date(Date.UTC(year, of - 1 + months, 1));
+  const last = new Date(Date.UTC(year, of + months, 0)).getUTCDate();
+  return shifted(first.toISOString().slice(0, 10), Math.min(date, last) - 1);
+}

@@ -1,0 +1,100 @@
+// Two spans of days side by side: what each measure comes to in both, and what is different, in words.
+
+import type { CareView, CareUnit, ChartView } from '../../wire';
+import { said } from './chart';
+import { shifted } from './dates';
+
+/** Days from one to another, both included. */
+export interface Span {
+  from: string;
+  to: string;
+}
+
+export interface Beside {
+  measure: string;
+  title: string;
+  is_guess: boolean;
+  first: Side;
+  second: Side;
+  /** What the first is beside the second. */
+  words: string;
+  /** More in the first, or less; null where it is about the same, or not known. */
+  is_more: boolean | null;
+}
+
+export interface Side {
+  /** The values of days that are known. */
+  values: number[];
+  mean: number | null;
+  words: string;
+}
+
+/** So many days of each are needed to say anything of a difference (ours). */
+const LEAST_DAYS = 3;
+
+/** What is told as different is so many standard errors apart at least (ours). */
+const APART_SE = 2;
+
+/** The last two weeks beside the two before; of a short log its halves. */
+export function usualSpans(care: Pick<CareView, 'days' | 'day'>): [Span, Span] | null {
+  const [first, last] = [care.days[0]?.day, care.day ?? care.days.at(-1)?.day];
+  if (first === undefined || last === undefined) return null;
+  const known = care.days.findIndex(({ day }) => day === last) + 1;
+  const length = Math.max(Math.min(14, Math.floor(known / 2)), 1);
+  const middle = shifted(last, 1 - length);
+  const before = shifted(middle, -1);
+  return [{ from: middle, to: last }, { from: shifted(middle, -length), to: before < first ? first : before }];
+}
+
+/** All measures of two spans. */
+export function beside(care: Pick<CareView, 'charts'>, first: Span, second: Span): Beside[] {
+  return care.charts.map((chart) => {
+    const [one, other] = [sideOf(chart, first), sideOf(chart, second)];
+    const { words, is_more } = difference(chart, one, other);
+    return { measure: chart.measure, title: chart.title, is_guess: chart.is_guess, first: one, second: other, words, is_more };
+  });
+}
+
+function sideOf(chart: ChartView, { from, to }: Span): Side {
+  const values = chart.days.flatMap(({ day, value }) => (value !== null && day >= from && day <= to ? [value] : []));
+  const mean = values.length === 0 ? null : values.reduce((sum, value) => sum + value, 0) / values.length;
+  return { values, mean, words: mean === null ? 'not known' : said(chart.unit, mean) };
+}
+
+function difference(chart: ChartView, one: Side, other: Side): Pick<Beside, 'words' | 'is_more'> {
+  if (one.mean === null || other.mean === null || Math.min(one.values.length, other.values.length) < LEAST_DAYS) {
+    return { words: 'too few days to say', is_more: null };
+  }
+  const by = one.mean - other.mean;
+  const error = Math.sqrt(variance(one.values, one.mean) / one.values.length + variance(other.values, other.mean) / other.values.length);
+  // Days differ by chance: what chance alone may well make is no difference, and what nobody would notice is none either.
+  if (Math.abs(by) < Math.max(APART_SE * error, chart.little / 2)) return { words: 'about the same', is_more: null };
+  return { words: inWords(chart.unit, by, other.mean), is_more: by > 0 };
+}
+
+function variance(values: readonly number[], mean: number): number {
+  return values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / Math.max(values.length - 1, 1);
+}
+
+function inWords(unit: CareUnit, by: number, before: number): string {
+  const much = Math.abs(by);
+  const percent = () => `${Math.round((much / before) * 100)} %`;
+  switch (unit) {
+    case 'clock':
+      return `${long(much)} ${by > 0 ? 'later' : 'earlier'}`;
+    case 'hours':
+      return `${long(much)} ${by > 0 ? 'more' : 'less'} a day`;
+    case 'of_usual':
+      return `${percent()} ${by > 0 ? 'faster' : 'slower'}`;
+    case 'times':
+      return `${much.toFixed(1)} ${by > 0 ? 'more' : 'fewer'} a day`;
+  }
+}
+
+/** Hours as people say them: `25 minutes`, `1 hour 10 minutes`. */
+function long(hours: number): string {
+  const minutes = Math.round(hours * 60);
+  const [whole, rest] = [Math.floor(minutes / 60), minutes % 60];
+  const part = (count: number, one: string) => (count === 0 ? [] : [`${count} ${one}${count === 1 ? '' : 's'}`]);
+  return [...part(whole, 'hour'), ...part(rest, 'minute')].join(' ');
+}
