@@ -62,7 +62,10 @@ fn main() {
     for round in 0..ROUNDS {
         let mut both = [0.0; 2];
         for side in if round % 2 == 0 { [0, 1] } else { [1, 0] } {
-            server.psql("postgres", "DROP TABLE IF EXISTS firing, mark; CREATE TABLE mark (run_id bigint PRIMARY KEY, rows bigint[])");
+            server.psql(
+                "postgres",
+                "DROP TABLE IF EXISTS firing, mark; CREATE TABLE mark (run_id bigint PRIMARY KEY, rows bigint[])",
+            );
             server.psql("postgres", "INSERT INTO mark VALUES (1, '{0}')");
             server.psql("postgres", "CHECKPOINT");
             both[side] = transactions(&runtime, &server, &rows, side == 1);

@@ -56,14 +56,16 @@ pub(crate) struct Schema {
 impl Schema {
     /// Makes the tables that are missing; refuses those that rows do not fit into, with all that is wrong.
     pub fn make(session: &Session, server: &Server, begin: &Begin) -> Result<Schema, LogError> {
-        let is_truth = begin.tables.len() > 1;
+        // Rows of a log are numbered, those of a truth are not. A log may have a table of activities besides.
+        let is_truth = !begin.tables.iter().any(|table| table.is_numbered);
         let name = match (&server.schema, is_truth) {
             (Some(name), _) => name.clone(),
             (None, true) => TRUTH_SCHEMA.into(),
             (None, false) => usual(session, server)?,
         };
         names_fit(server, &name, begin)?;
-        let wanted: Vec<Wanted> = begin.tables.iter().map(|table| Wanted::of(table, begin)).chain([Wanted::runs()]).collect();
+        let wanted: Vec<Wanted> =
+            begin.tables.iter().map(|table| Wanted::of(table, begin)).chain([Wanted::runs()]).collect();
         let found = Found::look(session, &name, &wanted)?;
         let problems = found.problems(&name, &wanted, begin.how);
         if !problems.is_empty() {
@@ -241,7 +243,11 @@ impl Found {
             tables: BTreeMap::new(),
         };
         for row in session.wait(session.client.query(TABLES, &[&schema, &names]))? {
-            let table = FoundTable { is_table: row.get(1), may: [2, 3, 4, 5].map(|right| row.get(right)), ..Default::default() };
+            let table = FoundTable {
+                is_table: row.get(1),
+                may: [2, 3, 4, 5].map(|right| row.get(right)),
+                ..Default::default()
+            };
             found.tables.insert(row.get(0), table);
         }
         let mut each = |sql: &str, take: &dyn Fn(&mut FoundTable, &Row)| -> Result<(), LogError> {
@@ -283,7 +289,10 @@ impl Found {
             match self.tables.get(&wanted.name) {
                 Some(table) => table.problems(wanted, user, how, &mut problems),
                 None if matches!(self.schema, Some((true, false))) => problems.push((
-                    format!("there is no table {:?} in the schema {schema:?}, and {user:?} may not make one", wanted.name),
+                    format!(
+                        "there is no table {:?} in the schema {schema:?}, and {user:?} may not make one",
+                        wanted.name
+                    ),
                     format!("GRANT CREATE ON SCHEMA {schema} TO {user}, or name another: ?schema=NAME"),
                 )),
                 None => {}
@@ -354,7 +363,10 @@ impl FoundTable {
         let lacking: Vec<&str> = lacking.map(|((right, _), _)| *right).collect();
         if !lacking.is_empty() {
             let rights = lacking.join(", ");
-            wants(format!("{user:?} has no right to {rights} in {name:?}"), format!("GRANT {rights} ON {name} TO {user}"));
+            wants(
+                format!("{user:?} has no right to {rights} in {name:?}"),
+                format!("GRANT {rights} ON {name} TO {user}"),
+            );
         }
     }
 }

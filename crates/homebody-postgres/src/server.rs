@@ -68,9 +68,19 @@ const MODES: [(&str, Tls); 6] = [
 ];
 
 /// The parameters that a URL may have behind its question mark.
-const PARAMETERS: [&str; 13] = [
-    "schema", "run", "host", "port", "user", "dbname", "sslmode", "sslrootcert", "connect_timeout", "passfile",
-    "application_name", "options", "target_session_attrs",
+const PARAMETERS: [&str; 12] = [
+    "schema",
+    "run",
+    "host",
+    "port",
+    "user",
+    "dbname",
+    "sslmode",
+    "sslrootcert",
+    "connect_timeout",
+    "passfile",
+    "application_name",
+    "options",
 ];
 
 /// Those that are secret, and refused.
@@ -95,7 +105,8 @@ impl Server {
     fn parse_with(url: &str, environment: &dyn Fn(&str) -> Option<String>) -> Result<Server, LogError> {
         let mut problems = Problems::default();
         let parts = Parts::of(url, &mut problems);
-        let said = |name: &str, variable: &str| parts.parameter(name).map(str::to_owned).or_else(|| environment(variable));
+        let said =
+            |name: &str, variable: &str| parts.parameter(name).map(str::to_owned).or_else(|| environment(variable));
         let port = said("port", "PGPORT").or(parts.port.clone());
         let port = problems.number("port", port, 5432, 1..=65_535) as u16;
         let host = parts.parameter("host").map(str::to_owned).or(parts.host.clone()).or_else(|| environment("PGHOST"));
@@ -283,7 +294,8 @@ impl Problems {
         if self.what.is_empty() {
             return Ok(());
         }
-        let lines: Vec<String> = self.what.into_iter().map(|what| readable(format!("{}: {what}", self.place))).collect();
+        let lines: Vec<String> =
+            self.what.into_iter().map(|what| readable(format!("{}: {what}", self.place))).collect();
         let mut hints = self.hints;
         hints.dedup();
         Err(NoPlace { what: lines.join("\n"), hint: readable(hints.join("; ")) }.into())
@@ -300,7 +312,8 @@ mod tests {
 
     #[test]
     fn a_url_says_where_who_and_what() {
-        let server = parse("postgresql://ann%40home@db.example:5433/homes?schema=home1&sslmode=verify-full&run=7").unwrap();
+        let server =
+            parse("postgresql://ann%40home@db.example:5433/homes?schema=home1&sslmode=verify-full&run=7").unwrap();
         assert_eq!((server.user.as_str(), server.database.as_str(), server.port), ("ann@home", "homes", 5433));
         assert_eq!(server.host, Host::Name("db.example".into()));
         assert_eq!((server.schema.as_deref(), server.run.as_deref()), (Some("home1"), Some("7")));
@@ -330,8 +343,17 @@ mod tests {
 
     #[test]
     fn all_that_is_wrong_is_told_at_once() {
-        let error = parse("postgresql://ann@a,b:99999/homes?schem=x&sslmode=on&schema=pg_x&run=").unwrap_err().to_string();
-        for told in ["several hosts", "port \"99999\"", "schem", "did you mean schema?", "sslmode=\"on\"", "pg_x", "run has no value"] {
+        let error =
+            parse("postgresql://ann@a,b:99999/homes?schem=x&sslmode=on&schema=pg_x&run=").unwrap_err().to_string();
+        for told in [
+            "several hosts",
+            "port \"99999\"",
+            "schem",
+            "did you mean schema?",
+            "sslmode=\"on\"",
+            "pg_x",
+            "run has no value",
+        ] {
             assert!(error.contains(told), "{told}: {error}");
         }
         for schema in ["a\"; drop table x; --", "A", "1a", "", "\u{e9}", &"a".repeat(64)] {

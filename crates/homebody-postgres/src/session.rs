@@ -15,9 +15,11 @@ use tokio_postgres::{Client, Config, Error};
 /// How long a server may take for one thing that it is asked (ours): less than a run waits for a destination.
 const ANSWERS_WITHIN: Duration = Duration::from_secs(100);
 
-/// What holds in each session (ours). Who is cut off in the middle holds nobody up for long.
-const SETTINGS: &str = "SET lock_timeout = '30s'; SET idle_in_transaction_session_timeout = '90s'; \
-                        SET tcp_keepalives_idle = 10; SET tcp_keepalives_interval = 10; SET tcp_keepalives_count = 3";
+/// What holds in each session (ours). Who is cut off in the middle holds nobody up for long, and what is said to be committed is
+/// on the server's disk.
+const SETTINGS: &str = "SET lock_timeout = '30s'; SET idle_in_transaction_session_timeout = '90s'; SET statement_timeout = 0; \
+     SET tcp_keepalives_idle = 10; SET tcp_keepalives_interval = 10; SET tcp_keepalives_count = 3; \
+     SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') = 'off'";
 
 /// How long an unanswered packet is sent again (ours).
 const UNANSWERED: Duration = Duration::from_secs(30);
@@ -54,7 +56,10 @@ impl Session {
             .tcp_user_timeout(UNANSWERED);
         match &server.host {
             Host::Name(name) => config.host(name),
+            #[cfg(unix)]
             Host::Socket(folder) => config.host_path(folder),
+            #[cfg(not(unix))]
+            Host::Socket(folder) => config.host(folder.to_string_lossy()),
         };
         if let Some(options) = &server.options {
             config.options(options);
@@ -77,7 +82,9 @@ impl Session {
             tokio::time::timeout(server.connect_within, connecting).await
         });
         match connected {
-            Ok(Ok((client, connection))) => Ok(Session { server: server.clone(), runtime, client, connection, ended_by }),
+            Ok(Ok((client, connection))) => {
+                Ok(Session { server: server.clone(), runtime, client, connection, ended_by })
+            }
             Ok(Err(error)) => Err(told(server, &error, found.ignored.as_deref())),
             Err(_) => Err(silent(server, server.connect_within)),
         }
@@ -89,11 +96,7 @@ impl Session {
     }
 
     /// The same, not longer than so.
-    pub fn wait_for<T>(
-        &self,
-        longest: Duration,
-        asked: impl Future<Output = Result<T, Error>>,
-    ) -> Result<T, LogError> {
+    pub fn wait_for<T>(&self, longest: Duration, asked: impl Future<Output = Result<T, Error>>) -> Result<T, LogError> {
         let answer = self.runtime.block_on(async { tokio::time::timeout(longest, asked).await });
         match answer {
             Ok(Ok(answer)) => Ok(answer),

@@ -19,7 +19,6 @@ use homebody_core::time::Micros;
 use homebody_log::table::{Batch, ColumnKind};
 use homebody_log::{Begin, How, LogError, RunInfo, Sink, Url, Watermark};
 use std::pin::pin;
-use std::sync::Arc;
 use tokio_postgres::types::ToSql;
 
 /// Rows and bytes after which a transaction ends, whoever asks for it or not (ours): what memory has to hold.
@@ -40,7 +39,7 @@ struct Open {
     /// None after it was lost, until the next transaction.
     session: Option<Session>,
     schema: Schema,
-    run: Arc<RunInfo>,
+    run: RunInfo,
     encoder: Encoder,
     /// How many transactions have changed the run.
     commits: i64,
@@ -81,9 +80,13 @@ impl Postgres {
 impl Sink for Postgres {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let server = Server::parse(&self.url)?;
+        let mut run = begin.run.clone();
+        if let Some(id) = &server.run {
+            let no_number = || wrong(&server, format!("run={id} is no whole number"), "write run=7, or leave it out");
+            run.id = id.parse().map_err(|_| no_number())?;
+        }
         let session = Session::open(&server)?;
         let schema = Schema::make(&session, &server, begin)?;
-        let run = begin.run;
         if runs::has_others(&session, &schema)? {
             let (what, hint) = match schema.is_truth {
                 true => ("holds logs", "a truth goes into a schema of its own: ?schema=NAME"),
@@ -95,7 +98,7 @@ impl Sink for Postgres {
         let is_ours = self.has_tried && known.as_ref().is_some_and(|known| known.commits == 0);
         let has_rows = known.is_none() && begin.how != How::GoOn && runs::has_rows(&session, &schema, run.id)?;
         if begin.how == How::New && (known.is_some() && !is_ours || has_rows) {
-            return Err(already(&server, &schema, run));
+            return Err(already(&server, &schema, &run));
         }
         let mut replaces = begin.how == How::Replace && (known.is_some() || has_rows);
         let nothing = vec![0; schema.tables.len()];
@@ -109,20 +112,21 @@ impl Sink for Postgres {
             Some(known) => (known.commits, nothing),
             None => {
                 self.has_tried = true;
-                if !runs::add(&session, &schema, run)? {
-                    return Err(already(&server, &schema, run));
+                if !runs::add(&session, &schema, &run)? {
+                    return Err(already(&server, &schema, &run));
                 }
                 (0, nothing)
             }
         };
-        let encoder = Encoder::new(run.id, runs::start_of(run), begin.time);
+        let encoder = Encoder::new(run.id, runs::start_of(&run), begin.time);
         let waiting = vec![Rows::default(); schema.tables.len()];
-        let (run, session) = (Arc::new(run.clone()), Some(session));
+        let session = Some(session);
         let goes_on = begin.how == How::GoOn && !schema.is_truth && durable[0] > 0;
         let instants = begin.tables[0].columns.iter().find(|column| column.kind == ColumnKind::Instant);
         let goes_on_by = instants.filter(|_| goes_on).map(|column| (ident(&column.name), begin.time));
         let sealed = None;
-        let open = Open { server, session, schema, run, encoder, commits, durable, replaces, goes_on_by, sealed, waiting };
+        let open =
+            Open { server, session, schema, run, encoder, commits, durable, replaces, goes_on_by, sealed, waiting };
         let watermark = open.watermark();
         self.open = Some(open);
         Ok(watermark)
@@ -165,7 +169,9 @@ impl Sink for Postgres {
 impl Drop for Postgres {
     /// A run of which nothing was stored leaves nothing behind that would be in the way of the next.
     fn drop(&mut self) {
-        let Some(Open { session: Some(session), schema, run, commits: 0, sealed: None, .. }) = &self.open else { return };
+        let Some(Open { session: Some(session), schema, run, commits: 0, sealed: None, .. }) = &self.open else {
+            return;
+        };
         let _ = runs::forget(session, schema, run.id);
     }
 }
@@ -233,7 +239,9 @@ impl Open {
         if self.session.is_none() {
             self.session = Some(Session::open(&self.server)?);
         }
-        let Open { server, session: Some(session), schema, run, sealed: Some(sealed), .. } = self else { return Ok(()) };
+        let Open { server, session: Some(session), schema, run, sealed: Some(sealed), .. } = self else {
+            return Ok(());
+        };
         let ask = |sql: &str| session.wait(session.client.batch_execute(sql));
         ask("BEGIN")?;
         let known = runs::find(session, schema, run.id, true)?;

@@ -41,7 +41,8 @@ pub(crate) fn connector(server: &Server) -> Result<MakeRustlsConnect, LogError> 
         Some((file, tls)) => {
             let roots = Arc::new(roots(server, file.as_deref())?);
             let trusted = WebPkiServerVerifier::builder_with_provider(roots, provider.clone()).build();
-            let trusted = trusted.map_err(|error| wrong(server, format!("its certificates are none: {error}"), FILE))?;
+            let trusted =
+                trusted.map_err(|error| wrong(server, format!("its certificates are none: {error}"), FILE))?;
             Judge { trusted: Some(trusted), provider: provider.clone(), asks_name: tls == Tls::VerifyFull }
         }
     };

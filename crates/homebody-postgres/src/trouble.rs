@@ -56,10 +56,20 @@ pub(crate) fn told(server: &Server, error: &tokio_postgres::Error, ignored: Opti
         "28P01" | "28000" => no_password(server, what, ignored),
         "3D000" => wrong(server, what, &format!("createdb {} makes it; or name another", server.database)),
         "42501" => wrong(server, what, "have an owner GRANT it to this user, or connect as another"),
-        "25006" => wrong(server, what, "the server takes no changes: it stands by for another, or is set so; name one that does"),
-        "23505" => wrong(server, what, "another program has written rows of this run: let it come to its end, or use --force"),
+        "25006" => wrong(
+            server,
+            what,
+            "the server takes no changes: it stands by for another, or is set so; name one that does",
+        ),
+        "23505" => {
+            wrong(server, what, "another program has written rows of this run: let it come to its end, or use --force")
+        }
         _ if passes(code) => wrong(server, what, "it may pass: what was confirmed before is safe").passing(),
-        _ => wrong(server, format!("{what} [{code}]"), said.hint().unwrap_or("docs/postgresql.md says what is wanted of a server")),
+        _ => wrong(
+            server,
+            format!("{what} [{code}]"),
+            said.hint().unwrap_or("docs/postgresql.md says what is wanted of a server"),
+        ),
     }
 }
 

@@ -65,7 +65,8 @@ fn who_writes_again_what_was_not_heard_of_doubles_rows_and_that_is_seen() {
     let sound = server.dump(&database, "public", 1);
     let again = |key: &str| {
         server.psql(&database, key);
-        let lost = "INSERT INTO firing SELECT 1, seq, fired_at, sensor, value FROM firing WHERE run_id = 1 AND seq >= 450";
+        let lost =
+            "INSERT INTO firing SELECT 1, seq, fired_at, sensor, value FROM firing WHERE run_id = 1 AND seq >= 450";
         server.try_psql(&database, lost).is_ok()
     };
     assert!(!again("SELECT 1"), "with its key the table refuses what it has");

@@ -48,7 +48,8 @@ fn whatever_kills_the_program_nothing_is_lost_or_doubled() {
     while killed < wanted || begun {
         let mut child = spawn(run, if begun { "on" } else { "new" }, &url);
         // Once it has them all, it may come to its end.
-        let until = Instant::now() + Duration::from_millis(if killed < wanted { 40 + chance.below(500) } else { 60_000 });
+        let until =
+            Instant::now() + Duration::from_millis(if killed < wanted { 40 + chance.below(500) } else { 60_000 });
         let ended = loop {
             match child.try_wait().unwrap() {
                 Some(status) => break Some(status),
@@ -66,13 +67,17 @@ fn whatever_kills_the_program_nothing_is_lost_or_doubled() {
                 child.kill().unwrap();
                 child.wait().unwrap();
                 killed += 1;
-                let there = format!("SELECT to_regclass('public.homebody_run') IS NOT NULL AND EXISTS (SELECT FROM homebody_run WHERE run_id = {run})");
+                let there = format!(
+                    "SELECT to_regclass('public.homebody_run') IS NOT NULL AND EXISTS (SELECT FROM homebody_run WHERE run_id = {run})"
+                );
                 begun = server.psql(&database, &there) == "t";
                 with_rows += usize::from(begun && rows(server, &database, run) > 0);
             }
         }
     }
-    println!("{killed} kills of the program in {lives} lives, {with_rows} of them with rows stored: nothing lost, nothing doubled");
+    println!(
+        "{killed} kills of the program in {lives} lives, {with_rows} of them with rows stored: nothing lost, nothing doubled"
+    );
     assert!(with_rows > 0, "some were killed with rows stored");
 }
 
@@ -98,7 +103,10 @@ fn a_watermark_apart_from_its_rows_is_caught() {
     const KILLS: u64 = 40;
     let Some(server) = Server::shared() else { return };
     let database = server.database("naive");
-    server.psql(&database, "CREATE TABLE naive (seq bigint); CREATE TABLE mark (rows bigint); INSERT INTO mark VALUES (0)");
+    server.psql(
+        &database,
+        "CREATE TABLE naive (seq bigint); CREATE TABLE mark (rows bigint); INSERT INTO mark VALUES (0)",
+    );
     let chance = Chance::new(3);
     let url = format!("host={} user=postgres dbname={database}", server.folder().display());
     for kill in 1..=KILLS {

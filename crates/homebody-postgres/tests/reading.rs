@@ -82,7 +82,11 @@ fn tables_of_others_are_read_and_what_is_missing_is_told() {
     let url = server.url("postgres", &database, "");
     let mut file = LoggerFile { table: Some("event".into()), ..Default::default() };
     let error = log(&url, &file).unwrap_err().to_string();
-    for told in ["has no column \"fired_at\", no column \"sensor\", no column \"value\"", "it has run, time, device, message", "--mapping"] {
+    for told in [
+        "has no column \"fired_at\", no column \"sensor\", no column \"value\"",
+        "it has run, time, device, message",
+        "--mapping",
+    ] {
         assert!(error.contains(told), "{error}");
     }
     (file.columns.run, file.columns.time) = ("run".into(), "time".into());
@@ -91,7 +95,10 @@ fn tables_of_others_are_read_and_what_is_missing_is_told() {
     assert_eq!((read.rows, read.skipped, read.clock), (2, 2, Clock::Local));
     assert_eq!(texts(&read).iter().map(|row| (row.1, row.2)).collect::<Vec<_>>(), [("bath", "1"), ("hall", "21.5")]);
     let error = log(&url, &LoggerFile { table: Some("evnt".into()), ..Default::default() }).unwrap_err().to_string();
-    assert!(error.contains("no table \"evnt\" in the schema \"public\"") && error.contains("did you mean \"event\""), "{error}");
+    assert!(
+        error.contains("no table \"evnt\" in the schema \"public\"") && error.contains("did you mean \"event\""),
+        "{error}"
+    );
     let error = log(&format!("{url}&schema=nowhere"), &file).unwrap_err().to_string();
     assert!(error.contains("there is none at all"), "{error}");
 }

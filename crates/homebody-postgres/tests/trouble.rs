@@ -105,10 +105,19 @@ fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
     );
     server.psql(&database, "DROP TABLE firing; CREATE VIEW firing AS SELECT 1 AS seq");
     refused(&url, How::New, &["\"firing\" is no table"]);
-    let truth = Life::new(1, 20).live(&server.url("postgres", &database, "&schema=one"), Some(&server.url("postgres", &database, "&schema=one")), Policy::default());
+    let truth = Life::new(1, 20).live(
+        &server.url("postgres", &database, "&schema=one"),
+        Some(&server.url("postgres", &database, "&schema=one")),
+        Policy::default(),
+    );
     assert!(truth.unwrap_err().to_string().contains("a truth goes into a schema of its own"));
     let log = Life::new(2, 20);
-    log.live(&server.url("postgres", &database, "&schema=two"), Some(&server.url("postgres", &database, "&schema=three")), Policy::default()).unwrap();
+    log.live(
+        &server.url("postgres", &database, "&schema=two"),
+        Some(&server.url("postgres", &database, "&schema=three")),
+        Policy::default(),
+    )
+    .unwrap();
     refused(&server.url("postgres", &database, "&schema=three"), How::New, &["holds truths"]);
 }
 
@@ -117,15 +126,30 @@ fn who_may_not_write_is_told_with_what_is_lacking() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("rights");
     live(&server.url("postgres", &database, ""), How::New).unwrap();
-    server.psql(&database, "CREATE ROLE reader LOGIN; GRANT SELECT ON firing, homebody_run TO reader; CREATE ROLE bare LOGIN");
+    server.psql(
+        &database,
+        "CREATE ROLE reader LOGIN; GRANT SELECT ON firing, homebody_run TO reader; CREATE ROLE bare LOGIN",
+    );
     server.psql(&database, "CREATE ROLE idle LOGIN; ALTER ROLE idle SET default_transaction_read_only = on");
     let url = |user: &str, more: &str| server.url(user, &database, more);
-    refused(&url("reader", ""), How::New, &["no right to INSERT in \"firing\"", "INSERT, UPDATE in \"homebody_run\"", "GRANT INSERT ON firing TO reader"]);
+    refused(
+        &url("reader", ""),
+        How::New,
+        &["no right to INSERT in \"firing\"", "INSERT, UPDATE in \"homebody_run\"", "GRANT INSERT ON firing TO reader"],
+    );
     refused(&url("reader", ""), How::Replace, &["no right to INSERT, DELETE in \"firing\""]);
-    refused(&url("bare", "&schema=home9"), How::New, &["no schema \"home9\"", "\"bare\" may not make one", "CREATE SCHEMA home9"]);
+    refused(
+        &url("bare", "&schema=home9"),
+        How::New,
+        &["no schema \"home9\"", "\"bare\" may not make one", "CREATE SCHEMA home9"],
+    );
     server.psql(&database, "CREATE SCHEMA shut; CREATE SCHEMA seen; GRANT USAGE ON SCHEMA seen TO bare");
     refused(&url("bare", "&schema=shut"), How::New, &["may not use the schema \"shut\""]);
-    refused(&url("bare", "&schema=seen"), How::New, &["no table \"firing\"", "no table \"homebody_run\"", "GRANT CREATE ON SCHEMA seen TO bare"]);
+    refused(
+        &url("bare", "&schema=seen"),
+        How::New,
+        &["no table \"firing\"", "no table \"homebody_run\"", "GRANT CREATE ON SCHEMA seen TO bare"],
+    );
     refused(&url("idle", ""), How::New, &["takes no changes", "default_transaction_read_only"]);
 }
 
@@ -153,7 +177,8 @@ fn names_that_are_sql_never_reach_the_server() {
     }
     let file = LoggerFile { table: Some("homebody_run".into()), ..Default::default() };
     assert!(matches!(Life::new(1, 10).live_as(&url, None, Policy::default(), &file), Err(LogError::SameName { .. })));
-    let tables = "SELECT count(*) FROM pg_tables WHERE schemaname NOT IN ('pg_catalog', 'information_schema', 'sqlite_x')";
+    let tables =
+        "SELECT count(*) FROM pg_tables WHERE schemaname NOT IN ('pg_catalog', 'information_schema', 'sqlite_x')";
     assert_eq!(server.psql(&database, tables), "0");
     // Words of SQL are names as others are.
     let mut file = LoggerFile { table: Some("select".into()), ..Default::default() };
@@ -169,8 +194,15 @@ fn a_run_that_is_there_is_refused_replaced_or_gone_on_with() {
     let url = server.url("postgres", &database, "");
     live(&url, How::New).unwrap();
     let sound = server.dump(&database, "public", 1);
-    refused(&url, How::New, &["the run 1 of \"a quiet night\" is in the schema \"public\" already", "--force", "--resume"]);
-    server.psql(&database, "UPDATE firing SET value = 'changed' WHERE seq < 50; INSERT INTO firing VALUES (2, 0, now(), 'x', 'y')");
+    refused(
+        &url,
+        How::New,
+        &["the run 1 of \"a quiet night\" is in the schema \"public\" already", "--force", "--resume"],
+    );
+    server.psql(
+        &database,
+        "UPDATE firing SET value = 'changed' WHERE seq < 50; INSERT INTO firing VALUES (2, 0, now(), 'x', 'y')",
+    );
     assert_ne!(server.dump(&database, "public", 1), sound);
     live(&url, How::GoOn).unwrap();
     assert_ne!(server.dump(&database, "public", 1), sound, "what is there is not written again");
@@ -179,6 +211,9 @@ fn a_run_that_is_there_is_refused_replaced_or_gone_on_with() {
     assert_eq!(server.psql(&database, "SELECT count(*) FROM firing WHERE run_id = 2"), "1", "others stay");
     server.psql(&database, "DELETE FROM homebody_run");
     refused(&url, How::New, &["already"]);
+    refused(&format!("{url}&run=x"), How::New, &["run=x is no whole number"]);
+    live(&format!("{url}&run=8"), How::New).unwrap();
+    assert_eq!(server.psql(&database, "SELECT count(*) FROM firing WHERE run_id = 8"), "200");
     // A run that could not begin leaves nothing that would be in the way.
     let truth = server.url("postgres", &database, "&schema=public");
     let life = Life::new(3, 20);
@@ -209,7 +244,13 @@ fn a_server_that_dies_in_the_middle_is_an_error_that_passes() {
     let url = server.url("postgres", "postgres", "");
     let going = std::thread::spawn({
         let url = url.clone();
-        move || Life { rests: Duration::from_millis(3), settles: 2, ..Life::new(1, 50_000) }.live(&url, None, Policy::default())
+        move || {
+            Life { rests: Duration::from_millis(3), settles: 2, ..Life::new(1, 50_000) }.live(
+                &url,
+                None,
+                Policy::default(),
+            )
+        }
     });
     std::thread::sleep(Duration::from_millis(700));
     server.stop();

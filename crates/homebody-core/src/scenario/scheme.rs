@@ -218,7 +218,8 @@ impl Scheme {
         match row.stands {
             Stands::Server if at.strip_prefix("//").is_none_or(|at| at.trim().is_empty()) => Err(none("server")),
             Stands::Server if told != place => {
-                let what = readable(format!("{told:?} had a password in it, which histories and lists of processes show"));
+                let what =
+                    readable(format!("{told:?} had a password in it, which histories and lists of processes show"));
                 Err(NoPlace { what, hint: row.scheme.instead_of_password().into() })
             }
             Stands::Text | Stands::File if at.trim().is_empty() => Err(none("file")),
