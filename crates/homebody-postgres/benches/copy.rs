@@ -27,8 +27,10 @@ const ROUNDS: usize = 9;
 const ROWS: u64 = 400_000;
 /// Rows of a batch, as a run hands them over.
 const BATCH: usize = 4096;
-/// Rows of a transaction where the cost of a watermark is measured: fewer than those of a run that is lived as fast as it can be.
-const TRANSACTION: usize = 50_000;
+/// Rows of a transaction where the cost of a watermark is measured: as the destination ends one that is filled as fast as it can be.
+const TRANSACTION: usize = 200_000;
+/// Transactions of either kind in a round.
+const PARTS: usize = ROWS as usize / TRANSACTION / 2;
 
 const TABLE: &str = "CREATE TABLE firing (run_id bigint, seq bigint, fired_at timestamp with time zone, sensor text, value text, \
                      PRIMARY KEY (run_id, seq))";
@@ -58,22 +60,25 @@ fn main() {
         ratios.push(both[0] / both[1]);
     }
     lines.push(Spread::of(&ratios).line("destination_vs_bare_copy", 3));
-    let mut ratios = Vec::new();
-    for round in 0..ROUNDS {
-        let mut both = [0.0; 2];
-        for side in if round % 2 == 0 { [0, 1] } else { [1, 0] } {
-            server.psql(
-                "postgres",
-                "DROP TABLE IF EXISTS firing, mark; CREATE TABLE mark (run_id bigint PRIMARY KEY, rows bigint[])",
-            );
-            server.psql("postgres", "INSERT INTO mark VALUES (1, '{0}')");
-            server.psql("postgres", "CHECKPOINT");
-            both[side] = transactions(&runtime, &server, &rows, side == 1);
-        }
-        println!("{ROWS} rows by {TRANSACTION}: {:.3} s, with watermarks {:.3} s", both[0], both[1]);
-        ratios.push(both[1] / both[0]);
+    let [mut without, mut with] = [Vec::new(), Vec::new()];
+    for round in 0..2 * ROUNDS {
+        server.psql(
+            "postgres",
+            "DROP TABLE IF EXISTS firing, mark; CREATE TABLE mark (run_id bigint PRIMARY KEY, rows bigint[])",
+        );
+        server.psql("postgres", "INSERT INTO mark VALUES (1, '{0}')");
+        server.psql("postgres", "CHECKPOINT");
+        transactions(&runtime, &server, &rows, round, [&mut without, &mut with]);
     }
-    lines.push(Spread::of(&ratios).line("with_watermarks_vs_without", 3));
+    let ratios: Vec<f64> = without.chunks(PARTS).zip(with.chunks(PARTS)).map(|(a, b)| middle(b) / middle(a)).collect();
+    let medians = [&without, &with].map(|all| middle(all));
+    println!("a transaction of {TRANSACTION} rows: {:.4} s, with a watermark {:.4} s", medians[0], medians[1]);
+    println!("by rounds: {}", Spread::of(&ratios).line("", 3));
+    lines.push(format!(
+        "RATIO with_watermarks_vs_without {:.3}, of medians of {} each",
+        medians[1] / medians[0],
+        with.len()
+    ));
     lines.iter().for_each(|line| println!("{line}"));
 }
 
@@ -162,26 +167,31 @@ fn sink(server: &Server, batches: &[Batch]) -> f64 {
     start.elapsed().as_secs_f64()
 }
 
-/// Several transactions of COPY, each with a watermark or without; seconds.
-fn transactions(runtime: &Runtime, server: &Server, rows: &[Bare], has_watermarks: bool) -> f64 {
+/// Transactions of COPY that have a watermark and that have none, in turns; the seconds of each.
+fn transactions(runtime: &Runtime, server: &Server, rows: &[Bare], round: usize, took: [&mut Vec<f64>; 2]) {
     let client = connected(runtime, server);
     runtime.block_on(async {
         client.batch_execute(TABLE).await.expect("a table");
-        let start = Instant::now();
         for (number, rows) in rows.chunks(TRANSACTION).enumerate() {
+            let has_watermark = (number + round) % 2 == 1;
+            let start = Instant::now();
             client.batch_execute("BEGIN").await.expect("a transaction");
-            if has_watermarks {
+            if has_watermark {
                 let look = "SELECT rows FROM mark WHERE run_id = $1 FOR UPDATE";
                 client.query_one(look, &[&1_i64]).await.expect("a watermark");
             }
             copy(&client, rows).await;
-            if has_watermarks {
+            if has_watermark {
                 let then = vec![(number * TRANSACTION + rows.len()) as i64];
                 let set = "UPDATE mark SET rows = $2 WHERE run_id = $1";
                 client.execute(set, &[&1_i64, &then]).await.expect("a watermark");
             }
             client.batch_execute("COMMIT").await.expect("a commit");
+            took[usize::from(has_watermark)].push(start.elapsed().as_secs_f64());
         }
-        start.elapsed().as_secs_f64()
-    })
+    });
+}
+
+fn middle(values: &[f64]) -> f64 {
+    Spread::of(values).median
 }

@@ -20,7 +20,7 @@ const HEADER: &[u8] = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0";
 const TRAILER: &[u8] = &(-1_i16).to_be_bytes();
 
 /// Bytes that are handed to the connection at once (ours).
-const CHUNK_BYTES: usize = 1 << 18;
+const CHUNK_BYTES: usize = 1 << 16;
 
 /// How cells become bytes.
 pub(crate) struct Encoder {
@@ -117,6 +117,12 @@ impl Rows {
         let whole = self.whole.clone();
         let last = Bytes::copy_from_slice(&self.last);
         [Bytes::from_static(HEADER)].into_iter().chain(whole).chain([last, Bytes::from_static(TRAILER)])
+    }
+
+    /// The chunks of a COPY of them that will not change any more, from one of them on; the first is the header.
+    pub fn whole_from(&self, first: usize) -> impl Iterator<Item = Bytes> + use<> {
+        let whole = self.whole.clone();
+        [Bytes::from_static(HEADER)].into_iter().chain(whole).skip(first)
     }
 
     /// How many bytes they take in memory.

@@ -56,7 +56,8 @@ pub(crate) struct Schema {
 impl Schema {
     /// Makes the tables that are missing; refuses those that rows do not fit into, with all that is wrong.
     pub fn make(session: &Session, server: &Server, begin: &Begin) -> Result<Schema, LogError> {
-        let is_truth = begin.tables.len() > 1;
+        // Rows of a log are numbered, those of a truth are not. A log may have a table of activities besides.
+        let is_truth = !begin.tables.iter().any(|table| table.is_numbered);
         let name = match (&server.schema, is_truth) {
             (Some(name), _) => name.clone(),
             (None, true) => TRUTH_SCHEMA.into(),

@@ -68,7 +68,7 @@ const MODES: [(&str, Tls); 6] = [
 ];
 
 /// The parameters that a URL may have behind its question mark.
-const PARAMETERS: [&str; 13] = [
+const PARAMETERS: [&str; 12] = [
     "schema",
     "run",
     "host",
@@ -81,7 +81,6 @@ const PARAMETERS: [&str; 13] = [
     "passfile",
     "application_name",
     "options",
-    "target_session_attrs",
 ];
 
 /// Those that are secret, and refused.

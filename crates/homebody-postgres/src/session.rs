@@ -15,9 +15,11 @@ use tokio_postgres::{Client, Config, Error};
 /// How long a server may take for one thing that it is asked (ours): less than a run waits for a destination.
 const ANSWERS_WITHIN: Duration = Duration::from_secs(100);
 
-/// What holds in each session (ours). Who is cut off in the middle holds nobody up for long.
-const SETTINGS: &str = "SET lock_timeout = '30s'; SET idle_in_transaction_session_timeout = '90s'; \
-                        SET tcp_keepalives_idle = 10; SET tcp_keepalives_interval = 10; SET tcp_keepalives_count = 3";
+/// What holds in each session (ours). Who is cut off in the middle holds nobody up for long, and what is said to be committed is
+/// on the server's disk.
+const SETTINGS: &str = "SET lock_timeout = '30s'; SET idle_in_transaction_session_timeout = '90s'; SET statement_timeout = 0; \
+     SET tcp_keepalives_idle = 10; SET tcp_keepalives_interval = 10; SET tcp_keepalives_count = 3; \
+     SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') = 'off'";
 
 /// How long an unanswered packet is sent again (ours).
 const UNANSWERED: Duration = Duration::from_secs(30);
@@ -54,7 +56,10 @@ impl Session {
             .tcp_user_timeout(UNANSWERED);
         match &server.host {
             Host::Name(name) => config.host(name),
+            #[cfg(unix)]
             Host::Socket(folder) => config.host_path(folder),
+            #[cfg(not(unix))]
+            Host::Socket(folder) => config.host(folder.to_string_lossy()),
         };
         if let Some(options) = &server.options {
             config.options(options);

@@ -1,7 +1,7 @@
 //! A log or a truth in a database of PostgreSQL.
 //!
 //! Rows wait in memory, in the form in which they are sent, until a transaction has taken them; with them goes how far the
-//! database holds the run then. A transaction that fails is made again with the same rows. Where nobody knows whether it was
+//! database holds the run then. Rows of a log that come by the thousand are sent before the transaction ends. A transaction that fails is made again with the same rows. Where nobody knows whether it was
 //! taken, because the connection was lost as it ended, the next one asks: each begins with a look at the run's watermark, which
 //! waits for whatever is still on its way.
 
@@ -18,8 +18,8 @@ use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
 use homebody_log::table::{Batch, ColumnKind};
 use homebody_log::{Begin, How, LogError, RunInfo, Sink, Url, Watermark};
-use std::pin::pin;
-use std::sync::Arc;
+use std::pin::Pin;
+use tokio_postgres::CopyInSink;
 use tokio_postgres::types::ToSql;
 
 /// Rows and bytes after which a transaction ends, whoever asks for it or not (ours): what memory has to hold.
@@ -40,7 +40,7 @@ struct Open {
     /// None after it was lost, until the next transaction.
     session: Option<Session>,
     schema: Schema,
-    run: Arc<RunInfo>,
+    run: RunInfo,
     encoder: Encoder,
     /// How many transactions have changed the run.
     commits: i64,
@@ -54,6 +54,15 @@ struct Open {
     sealed: Option<Sealed>,
     /// The rows that have come since.
     waiting: Vec<Rows>,
+    /// A transaction that takes waiting rows already.
+    ahead: Option<Ahead>,
+}
+
+/// A transaction in which rows of the only table are on their way.
+struct Ahead {
+    copy: Pin<Box<CopyInSink<Bytes>>>,
+    /// How many chunks of them were sent.
+    sent: usize,
 }
 
 /// What a transaction takes: it stays the same until the transaction was taken.
@@ -81,9 +90,13 @@ impl Postgres {
 impl Sink for Postgres {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let server = Server::parse(&self.url)?;
+        let mut run = begin.run.clone();
+        if let Some(id) = &server.run {
+            let no_number = || wrong(&server, format!("run={id} is no whole number"), "write run=7, or leave it out");
+            run.id = id.parse().map_err(|_| no_number())?;
+        }
         let session = Session::open(&server)?;
         let schema = Schema::make(&session, &server, begin)?;
-        let run = begin.run;
         if runs::has_others(&session, &schema)? {
             let (what, hint) = match schema.is_truth {
                 true => ("holds logs", "a truth goes into a schema of its own: ?schema=NAME"),
@@ -95,7 +108,7 @@ impl Sink for Postgres {
         let is_ours = self.has_tried && known.as_ref().is_some_and(|known| known.commits == 0);
         let has_rows = known.is_none() && begin.how != How::GoOn && runs::has_rows(&session, &schema, run.id)?;
         if begin.how == How::New && (known.is_some() && !is_ours || has_rows) {
-            return Err(already(&server, &schema, run));
+            return Err(already(&server, &schema, &run));
         }
         let mut replaces = begin.how == How::Replace && (known.is_some() || has_rows);
         let nothing = vec![0; schema.tables.len()];
@@ -109,21 +122,33 @@ impl Sink for Postgres {
             Some(known) => (known.commits, nothing),
             None => {
                 self.has_tried = true;
-                if !runs::add(&session, &schema, run)? {
-                    return Err(already(&server, &schema, run));
+                if !runs::add(&session, &schema, &run)? {
+                    return Err(already(&server, &schema, &run));
                 }
                 (0, nothing)
             }
         };
-        let encoder = Encoder::new(run.id, runs::start_of(run), begin.time);
+        let encoder = Encoder::new(run.id, runs::start_of(&run), begin.time);
         let waiting = vec![Rows::default(); schema.tables.len()];
-        let (run, session) = (Arc::new(run.clone()), Some(session));
+        let session = Some(session);
         let goes_on = begin.how == How::GoOn && !schema.is_truth && durable[0] > 0;
         let instants = begin.tables[0].columns.iter().find(|column| column.kind == ColumnKind::Instant);
         let goes_on_by = instants.filter(|_| goes_on).map(|column| (ident(&column.name), begin.time));
-        let sealed = None;
-        let open =
-            Open { server, session, schema, run, encoder, commits, durable, replaces, goes_on_by, sealed, waiting };
+        let (sealed, ahead) = (None, None);
+        let open = Open {
+            server,
+            session,
+            schema,
+            run,
+            encoder,
+            commits,
+            durable,
+            replaces,
+            goes_on_by,
+            sealed,
+            waiting,
+            ahead,
+        };
         let watermark = open.watermark();
         self.open = Some(open);
         Ok(watermark)
@@ -137,6 +162,7 @@ impl Sink for Postgres {
         {
             open.commit(None)?;
         }
+        open.send_ahead();
         open.encoder.learn(batch).map_err(|text| {
             let what = readable(format!("the text {text:?}"));
             let hint = "PostgreSQL takes no NUL in texts: give the sensor another id";
@@ -166,9 +192,12 @@ impl Sink for Postgres {
 impl Drop for Postgres {
     /// A run of which nothing was stored leaves nothing behind that would be in the way of the next.
     fn drop(&mut self) {
-        let Some(Open { session: Some(session), schema, run, commits: 0, sealed: None, .. }) = &self.open else {
+        let Some(open) = self.open.as_mut().filter(|open| open.commits == 0 && open.sealed.is_none()) else { return };
+        let was_ahead = open.ahead.take().is_some();
+        let Open { session: Some(session), schema, run, .. } = open else { return };
+        if was_ahead && session.wait(session.client.batch_execute("ROLLBACK")).is_err() {
             return;
-        };
+        }
         let _ = runs::forget(session, schema, run.id);
     }
 }
@@ -180,7 +209,9 @@ impl Open {
 
     /// Refuses the end of a run that is gone on with and was stopped before it had come as far as before.
     fn has_come_as_far(&mut self, end: Micros) -> Result<(), LogError> {
-        let Some((column, time)) = self.goes_on_by.take() else { return Ok(()) };
+        // Where new rows have come, it has.
+        let has_new = self.sealed.is_some() || self.waiting.iter().any(|rows| rows.count > 0);
+        let Some((column, time)) = self.goes_on_by.take().filter(|_| !has_new) else { return Ok(()) };
         let Open { server, session: Some(session), schema, run, .. } = self else { return Ok(()) };
         let end = runs::start_of(run) + end;
         let (seconds, milliseconds) = (end as f64 / 1e6, end.div_euclid(1000));
@@ -210,11 +241,14 @@ impl Open {
             match self.transact() {
                 // A connection may have been lost long ago, without anybody noticing: a new one is tried once.
                 Err(error) if error.passes() => {
-                    self.session = None;
-                    self.transact().inspect_err(|_| self.session = None)?;
+                    self.disconnect();
+                    if let Err(error) = self.transact() {
+                        self.disconnect();
+                        return Err(error);
+                    }
                 }
                 Err(error) => {
-                    self.session = None;
+                    self.disconnect();
                     return Err(error);
                 }
                 Ok(()) => {}
@@ -231,36 +265,80 @@ impl Open {
         Ok(())
     }
 
-    /// One transaction of the sealed rows, unless an earlier one has taken them.
-    fn transact(&mut self) -> Result<(), LogError> {
-        if self.session.is_none() {
-            self.session = Some(Session::open(&self.server)?);
+    fn disconnect(&mut self) {
+        (self.ahead, self.session) = (None, None);
+    }
+
+    /// Sends what has come so far of a log's rows, so that the server works while others are made. Where that fails, the
+    /// transaction is made anew when it is to end, and says why.
+    fn send_ahead(&mut self) {
+        let is_due = self.waiting.len() == 1 && self.sealed.is_none() && self.waiting[0].whole_from(1).next().is_some();
+        if is_due && self.try_ahead().is_err() {
+            self.disconnect();
         }
-        let Open { server, session: Some(session), schema, run, sealed: Some(sealed), .. } = self else {
-            return Ok(());
-        };
-        let ask = |sql: &str| session.wait(session.client.batch_execute(sql));
-        ask("BEGIN")?;
+    }
+
+    fn try_ahead(&mut self) -> Result<(), LogError> {
+        if self.ahead.is_none() {
+            if self.session.is_none() || !self.begin()? {
+                return Ok(());
+            }
+            let Some(session) = &self.session else { return Ok(()) };
+            let sql = copy_into(&self.schema.tables[0]);
+            let copy = session.wait(session.client.copy_in(&sql))?;
+            self.ahead = Some(Ahead { copy: Box::pin(copy), sent: 0 });
+        }
+        let (Some(session), Some(Ahead { copy, sent })) = (&self.session, &mut self.ahead) else { return Ok(()) };
+        for chunk in self.waiting[0].whole_from(*sent) {
+            session.wait(copy.feed(chunk))?;
+            *sent += 1;
+        }
+        Ok(())
+    }
+
+    /// Begins a transaction, with a look at how far the run is. False where an earlier one has taken the sealed rows.
+    fn begin(&self) -> Result<bool, LogError> {
+        let Open { server, session: Some(session), schema, run, .. } = self else { return Ok(false) };
+        session.wait(session.client.batch_execute("BEGIN"))?;
         let known = runs::find(session, schema, run.id, true)?;
         let known = known.ok_or_else(|| changed(server, "its row in homebody_run is gone"))?;
         if known.commits != self.commits {
+            session.wait(session.client.batch_execute("ROLLBACK"))?;
             // It has gone as asked where that was in doubt. Nobody else leaves just these numbers.
-            let is_taken = sealed.is_in_doubt && known.commits == self.commits + 1 && known.rows == sealed.then;
-            ask("ROLLBACK")?;
-            return if is_taken { Ok(()) } else { Err(changed(server, "another program has gone on with it")) };
+            let is_taken = |sealed: &Sealed| sealed.is_in_doubt && known.rows == sealed.then;
+            let is_ours = known.commits == self.commits + 1 && self.sealed.as_ref().is_some_and(is_taken);
+            return if is_ours { Ok(false) } else { Err(changed(server, "another program has gone on with it")) };
         }
         for table in schema.tables.iter().filter(|_| self.replaces) {
             let sql = format!("DELETE FROM {} WHERE {} = $1", table.quoted, table.run_column);
             session.wait(session.client.execute(&sql, &[&run.id]))?;
         }
+        Ok(true)
+    }
+
+    /// One transaction of the sealed rows, unless an earlier one has taken them.
+    fn transact(&mut self) -> Result<(), LogError> {
+        if self.session.is_none() {
+            self.session = Some(Session::open(&self.server)?);
+        }
+        let mut ahead = self.ahead.take();
+        if ahead.is_none() && !self.begin()? {
+            return Ok(());
+        }
+        let Open { server, session: Some(session), schema, run, sealed: Some(sealed), .. } = self else {
+            return Ok(());
+        };
         for (table, rows) in schema.tables.iter().zip(&sealed.rows).filter(|(_, rows)| rows.count > 0) {
             let sql = copy_into(table);
             let copied = session.wait(async {
-                let mut copy = pin!(session.client.copy_in::<_, Bytes>(&sql).await?);
-                for chunk in rows.copy().filter(|chunk| !chunk.is_empty()) {
+                let Ahead { mut copy, sent } = match ahead.take() {
+                    Some(ahead) => ahead,
+                    None => Ahead { copy: Box::pin(session.client.copy_in(&sql).await?), sent: 0 },
+                };
+                for chunk in rows.copy().skip(sent).filter(|chunk| !chunk.is_empty()) {
                     copy.feed(chunk).await?;
                 }
-                copy.finish().await
+                copy.as_mut().finish().await
             })?;
             if copied != rows.count {
                 return Err(changed(server, "the server has taken another number of rows"));
@@ -268,7 +346,7 @@ impl Open {
         }
         runs::mark(session, schema, run, &sealed.then, sealed.end)?;
         sealed.is_in_doubt = true;
-        ask("COMMIT")
+        session.wait(session.client.batch_execute("COMMIT"))
     }
 }
 

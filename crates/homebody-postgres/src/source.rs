@@ -26,6 +26,9 @@ pub const FORM: Form = Form {
 /// Rows that are asked for at once (ours).
 const ROWS_AT_ONCE: i32 = 8192;
 
+/// What rows are read in: at one instant of the table, however long who takes them needs.
+const BEGIN: &str = "BEGIN READ ONLY; SET LOCAL idle_in_transaction_session_timeout = 0";
+
 /// So many runs, tables or columns are named in an error (ours).
 const MOST_NAMED: usize = 20;
 
@@ -36,7 +39,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
     let run = table.run(&session, &server)?;
     let (sql, parameter) = table.rows(run.as_deref());
     let parameters: Vec<&(dyn ToSql + Sync)> = parameter.iter().map(|run| run as &(dyn ToSql + Sync)).collect();
-    session.wait(session.client.batch_execute("BEGIN READ ONLY"))?;
+    session.wait(session.client.batch_execute(BEGIN))?;
     session.wait(session.client.execute(&format!("DECLARE rows NO SCROLL CURSOR FOR {sql}"), &parameters))?;
     let next = session.wait(session.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
     let mut line = 0;
@@ -50,7 +53,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
             })?;
         }
         if rows.len() < ROWS_AT_ONCE as usize {
-            return Ok(());
+            return session.wait(session.client.batch_execute("COMMIT"));
         }
     }
 }

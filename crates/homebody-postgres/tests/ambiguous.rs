@@ -37,6 +37,24 @@ fn whatever_becomes_of_a_transaction_whose_end_nobody_hears_of_rows_are_there_on
 }
 
 #[test]
+fn rows_that_were_sent_before_their_transaction_ended_are_there_once() {
+    let Some(server) = Server::shared() else { return };
+    let database = server.database("ahead");
+    let url = server.url("postgres", &database, "");
+    let life = |run| Life { settles: 60, ..Life::new(run, 12_000) };
+    life(1).live(&url, None, Policy::default()).unwrap();
+    let undisturbed = server.dump(&database, "public", 1);
+    let proxy = Proxy::start(&server.socket(), 4);
+    let through = format!("postgresql://postgres@127.0.0.1:{}/{database}?sslmode=disable", proxy.port);
+    let mut run = 1;
+    while proxy.cut().iter().sum::<usize>() < 4 {
+        run += 1;
+        life(run).live(&through, None, patient(30)).unwrap();
+        assert_eq!(server.dump(&database, "public", run), undisturbed, "run {run}, cut {:?}", proxy.cut());
+    }
+}
+
+#[test]
 fn a_replaced_run_whose_end_nobody_hears_of_is_replaced_once() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("replaced");

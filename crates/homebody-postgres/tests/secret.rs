@@ -73,6 +73,4 @@ fn a_connection_is_as_secret_as_the_url_wants() {
     }
     let error = live("localhost", "verify-full", &folder.path().join("names")).unwrap_err();
     assert!(error.contains("has no certificates"), "{error}");
-    let Some(plain) = Server::shared() else { return };
-    assert!(plain.socket().exists());
 }

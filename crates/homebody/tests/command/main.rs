@@ -10,6 +10,7 @@ mod invariants;
 mod links;
 mod replays;
 mod outputs;
+mod passwords;
 mod trouble;
 mod stops;
 mod streams;
