@@ -21,7 +21,7 @@ lazy = polars.scan_parquet(files, hive_partitioning=True)
 by_polars = lazy.select(polars.len()).collect().item()
 polars_day = lazy.filter((polars.col("run") == 5) & (polars.col("day").cast(polars.String) == "2009-03-08")).select(polars.len()).collect().item()
 whole = polars.read_parquet(log)
-feather = polars.read_ipc(arrow, memory_map=False)
+feather = polars.read_ipc(arrow)
 about = duckdb.sql(f"select decode(value) from parquet_kv_metadata('{log}') where decode(key) = 'homebody'").fetchall()[0][0]
 empty = duckdb.sql(f"select count(*) from read_parquet('{truth}/movement/*/*/*.parquet', hive_partitioning = true)").fetchall()[0][0]
 print(json.dumps({
