@@ -3,7 +3,7 @@
 #[path = "../../homebody-log/tests/stage/mod.rs"]
 mod stage;
 
-use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_log::elsewhere::install;
 use homebody_log::{How, LogError, Logger, RunInfo, Source, TruthLog, read};
 use stage::Folder;
@@ -68,7 +68,8 @@ fn duckdb_and_polars_read_what_we_write_and_we_read_what_they_write() {
     let live = |id, urls: &[_]| -> Result<_, LogError> {
         let run = Arc::new(RunInfo { id, ..stage::run() });
         let places = homebody_log::logger::destinations(urls, How::New)?;
-        stage::store(Logger::open(places, &LoggerFile::default(), &run, How::New)?, &firings, 1000)
+        let mapping = LoggerFile { time: TimeFormat::Utc, ..LoggerFile::default() };
+        stage::store(Logger::open(places, &mapping, &run, How::New)?, &firings, 1000)
     };
     live(5, &urls).unwrap();
     live(6, &urls[..1]).unwrap();
