@@ -3,8 +3,7 @@
 use super::batches::Opened;
 use super::cells::{Texts, Time, Times};
 use super::files::files;
-use crate::fault::broken;
-use crate::sink::no_store;
+use crate::fault::{broken, no_store};
 use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::Schema;
 use homebody_core::problem::readable;
