@@ -107,7 +107,7 @@ fn duckdb_and_polars_read_what_we_write_and_we_read_what_they_write() {
             println!("skipped: python3 has no pandas and pyarrow");
             continue;
         }
-        let back = read(&Source::recognise(&path).unwrap(), &LoggerFile::default()).unwrap();
+        let back = read(Source::recognise(&path).unwrap(), &LoggerFile::default()).unwrap();
         assert!(back.events == log.events && back.sensors == log.sensors && back.values == log.values, "{name}");
     }
 }

@@ -23,7 +23,7 @@ fn ready(name: &str) -> Folder {
 }
 
 fn read_at(path: &Path) -> Result<Log, LogError> {
-    read(&Source::recognise(path)?, &LoggerFile::default())
+    read(Source::recognise(path)?, &LoggerFile::default())
 }
 
 /// Writes three columns as a program of somebody else's would.

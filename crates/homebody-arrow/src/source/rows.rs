@@ -49,13 +49,11 @@ fn spans(schema: &Schema) -> Option<[usize; 3]> {
     Some([begin?, end?, activity?]).filter(|_| !is_log)
 }
 
+/// Takes so many rows of some columns.
+type Take<'t> = dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError> + 't;
+
 /// Reads columns, and gives each batch with them in this order.
-fn each_batch(
-    path: &Path,
-    opened: Opened,
-    columns: &[usize],
-    take: &mut dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError>,
-) -> Result<(), LogError> {
+fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &mut Take<'_>) -> Result<(), LogError> {
     let mut sorted = columns.to_vec();
     sorted.sort_unstable();
     sorted.dedup();
