@@ -34,7 +34,7 @@ fn a_log_goes_through_all_texts_and_comes_back_the_same() {
     let folder = Folder::new("texts-round");
     let first = folder.url("csv:first.csv");
     let local = LoggerFile { time: homebody_core::scenario::logger::TimeFormat::Local, ..LoggerFile::default() };
-    let logger = stage::open(&[first.clone()], &local, false).unwrap();
+    let logger = stage::open(std::slice::from_ref(&first), &local, false).unwrap();
     stage::store(logger, &stage::firings(3_000), 100).unwrap();
     let mut from = Source::from(&first);
     for (number, (kind, name)) in kinds().into_iter().enumerate() {
