@@ -100,9 +100,12 @@ impl Columns {
         for (column, field) in self.columns.iter_mut().zip(self.schema.fields().iter().skip(first)) {
             arrays.push(match column {
                 Values::Instants(all) => {
-                    let DataType::Timestamp(_, zone) = field.data_type() else { unreachable!("by its type") };
+                    let zone = match field.data_type() {
+                        DataType::Timestamp(_, zone) => zone.clone(),
+                        _ => None,
+                    };
                     let instants = std::mem::take(all).into_iter().collect::<TimestampMicrosecondArray>();
-                    Arc::new(instants.with_timezone_opt(zone.clone()))
+                    Arc::new(instants.with_timezone_opt(zone))
                 }
                 Values::Integers(all) => Arc::new(std::mem::take(all).into_iter().collect::<Int64Array>()),
                 Values::Reals(all) => Arc::new(std::mem::take(all).into_iter().collect::<Float64Array>()),

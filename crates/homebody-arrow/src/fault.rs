@@ -49,3 +49,12 @@ pub(crate) fn broken(path: &Path, what: &str, why: impl ToString) -> LogError {
     let why = format!("it begins as {what}, but is damaged or cut short: {}", why.to_string());
     LogError::NoLog { place: path.display().to_string(), why: readable(why) }
 }
+
+/// What becomes of the URL of an object store.
+pub(crate) fn no_store(url: &Path) -> LogError {
+    LogError::CannotHold {
+        place: format!("parquet:{}", url.display()),
+        what: "a log: this program has no object store".into(),
+        hint: "take a folder, parquet:lives, and copy it",
+    }
+}

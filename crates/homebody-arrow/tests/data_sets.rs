@@ -82,7 +82,7 @@ fn each_day_has_its_file_once_it_is_over() {
     logger.finish().unwrap();
     let dates = ["07", "08", "09", "10"].map(|day| format!("run=5/day=2009-03-{day}/part-0.parquet"));
     assert_eq!(names(url.path()), dates);
-    let log = read(&Source::recognise(url.path()).unwrap(), &LoggerFile::default()).unwrap();
+    let log = read(Source::recognise(url.path()).unwrap(), &LoggerFile::default()).unwrap();
     assert_eq!(log.rows, firings.len() as u64);
     assert!(log.events.is_sorted_by_key(|event| event.at));
 }
@@ -99,7 +99,7 @@ fn runs_in_one_folder_leave_each_other_alone() {
     let both = Source::recognise(url.path()).unwrap();
     let said = read(&both, &LoggerFile::default()).unwrap_err().to_string();
     assert!(said.contains("several runs: name one of run=5, run=6"), "{said}");
-    let one = read(&Source::recognise(&url.path().join("run=6")).unwrap(), &LoggerFile::default()).unwrap();
+    let one = read(Source::recognise(&url.path().join("run=6")).unwrap(), &LoggerFile::default()).unwrap();
     assert_eq!(one.rows, 11_000);
     // Given up before its first day is whole, it has replaced nothing.
     let mut logger = of_run(5, &url, How::Replace).unwrap();
@@ -294,7 +294,7 @@ fn rows_in_no_order_of_time_keep_their_own_order() {
     sink.write(&batch.with(&texts)).unwrap();
     sink.finish(0).unwrap();
     assert!(names(url.path()).len() > 10);
-    let log = read(&Source::recognise(url.path()).unwrap(), &LoggerFile::default()).unwrap();
+    let log = read(Source::recognise(url.path()).unwrap(), &LoggerFile::default()).unwrap();
     let values: Vec<String> = log.events.iter().map(|event| log.value(event).to_owned()).collect();
     let wanted: Vec<String> = (0..500).map(|row| format!("{}", f64::from(row) / 100.0)).collect();
     assert_eq!(values, wanted);

@@ -3,7 +3,7 @@
 #[path = "../../homebody-log/tests/stage/mod.rs"]
 mod stage;
 
-use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_log::elsewhere::install;
 use homebody_log::{How, LogError, Logger, RunInfo, Source, TruthLog, read};
 use stage::Folder;
@@ -21,7 +21,7 @@ lazy = polars.scan_parquet(files, hive_partitioning=True)
 by_polars = lazy.select(polars.len()).collect().item()
 polars_day = lazy.filter((polars.col("run") == 5) & (polars.col("day").cast(polars.String) == "2009-03-08")).select(polars.len()).collect().item()
 whole = polars.read_parquet(log)
-feather = polars.read_ipc(arrow, memory_map=False)
+feather = polars.read_ipc(arrow)
 about = duckdb.sql(f"select decode(value) from parquet_kv_metadata('{log}') where decode(key) = 'homebody'").fetchall()[0][0]
 empty = duckdb.sql(f"select count(*) from read_parquet('{truth}/movement/*/*/*.parquet', hive_partitioning = true)").fetchall()[0][0]
 print(json.dumps({
@@ -68,7 +68,8 @@ fn duckdb_and_polars_read_what_we_write_and_we_read_what_they_write() {
     let live = |id, urls: &[_]| -> Result<_, LogError> {
         let run = Arc::new(RunInfo { id, ..stage::run() });
         let places = homebody_log::logger::destinations(urls, How::New)?;
-        stage::store(Logger::open(places, &LoggerFile::default(), &run, How::New)?, &firings, 1000)
+        let mapping = LoggerFile { time: TimeFormat::Utc, ..LoggerFile::default() };
+        stage::store(Logger::open(places, &mapping, &run, How::New)?, &firings, 1000)
     };
     live(5, &urls).unwrap();
     live(6, &urls[..1]).unwrap();
@@ -106,7 +107,7 @@ fn duckdb_and_polars_read_what_we_write_and_we_read_what_they_write() {
             println!("skipped: python3 has no pandas and pyarrow");
             continue;
         }
-        let back = read(&Source::recognise(&path).unwrap(), &LoggerFile::default()).unwrap();
+        let back = read(Source::recognise(&path).unwrap(), &LoggerFile::default()).unwrap();
         assert!(back.events == log.events && back.sensors == log.sensors && back.values == log.values, "{name}");
     }
 }

@@ -23,7 +23,7 @@ fn ready(name: &str) -> Folder {
 }
 
 fn read_at(path: &Path) -> Result<Log, LogError> {
-    read(&Source::recognise(path)?, &LoggerFile::default())
+    read(Source::recognise(path)?, &LoggerFile::default())
 }
 
 /// Writes three columns as a program of somebody else's would.
@@ -178,7 +178,7 @@ fn a_damaged_file_is_refused_by_its_name() {
     let folder = ready("damaged");
     for ending in ["parquet", "arrow"] {
         let good = folder.url(&format!("{ending}:good.{ending}"));
-        let logger = stage::open(&[good.clone()], &LoggerFile::default(), false).unwrap();
+        let logger = stage::open(std::slice::from_ref(&good), &LoggerFile::default(), false).unwrap();
         stage::store(logger, &stage::firings(300), 100).unwrap();
         let bytes = fs::read(good.path()).unwrap();
         let path = folder.path().join(format!("bad.{ending}"));

@@ -140,7 +140,7 @@ fn tables_of_the_truth_have_files_of_their_own() {
     assert_eq!(names.len(), 20);
     // None of them is taken for a log.
     for name in names.iter().filter(|name| !name.contains(".activity.")) {
-        let read = read(&Source::recognise(&folder.path().join(name)).unwrap(), &LoggerFile::default());
+        let read = read(Source::recognise(&folder.path().join(name)).unwrap(), &LoggerFile::default());
         assert!(matches!(read, Err(LogError::NoLog { .. })), "{name}");
     }
 }

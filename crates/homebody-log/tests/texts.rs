@@ -34,7 +34,7 @@ fn a_log_goes_through_all_texts_and_comes_back_the_same() {
     let folder = Folder::new("texts-round");
     let first = folder.url("csv:first.csv");
     let local = LoggerFile { time: homebody_core::scenario::logger::TimeFormat::Local, ..LoggerFile::default() };
-    let logger = stage::open(&[first.clone()], &local, false).unwrap();
+    let logger = stage::open(std::slice::from_ref(&first), &local, false).unwrap();
     stage::store(logger, &stage::firings(3_000), 100).unwrap();
     let mut from = Source::from(&first);
     for (number, (kind, name)) in kinds().into_iter().enumerate() {
@@ -209,10 +209,10 @@ fn a_text_that_unpacks_to_very_much_takes_little_memory() {
     };
     let line = packed("line.csv.gz", &[b'x'; 1 << 20], 300);
     assert!(fs::metadata(&line).unwrap().len() < 400_000);
-    let said = read(&Source::recognise(&line).unwrap(), &LoggerFile::default()).unwrap_err();
+    let said = read(Source::recognise(&line).unwrap(), &LoggerFile::default()).unwrap_err();
     assert!(matches!(said, LogError::TooLong { .. }), "{said}");
     let rows = packed("rows.csv.gz", &b"2009-03-02 07:12:03,M1,ON\n".repeat(10_000), 200);
-    let log = survey(&Source::recognise(&rows).unwrap(), &LoggerFile::default()).unwrap();
+    let log = survey(Source::recognise(&rows).unwrap(), &LoggerFile::default()).unwrap();
     assert_eq!((log.rows, log.events.len()), (2_000_001, 0));
     #[cfg(target_os = "linux")]
     {
@@ -240,7 +240,7 @@ fn odd_lines_of_json_are_named_and_cost_no_other() {
         r#"{"time": "2009-03-02T07:12:07Z", "sensor": "h\u00e4ll", "value": {"a": [1]}}"#,
     ];
     fs::write(folder.path().join("log.jsonl"), lines.join("\n")).unwrap();
-    let log = read(&Source::recognise(&folder.path().join("log.jsonl")).unwrap(), &LoggerFile::default()).unwrap();
+    let log = read(Source::recognise(&folder.path().join("log.jsonl")).unwrap(), &LoggerFile::default()).unwrap();
     let told: Vec<(&str, &str)> = log.events.iter().map(|event| (log.sensor(event), log.value(event))).collect();
     assert_eq!(told, [("hall", "ON"), ("hall", "21.5"), ("7", "true"), ("häll", r#"{"a":[1]}"#)]);
     let lines: Vec<u64> = log.problems.iter().map(|problem| problem.line).collect();

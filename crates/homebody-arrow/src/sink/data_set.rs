@@ -7,6 +7,7 @@
 
 use super::days::{Days, parquet_files};
 use crate::encoded::{Format, Layout};
+use crate::fault::no_store;
 use homebody_core::time::Micros;
 use homebody_log::clock::Clock;
 use homebody_log::lock::FileLock;
@@ -112,15 +113,6 @@ impl Sink for DataSet {
             }
         }
         Ok(())
-    }
-}
-
-/// What becomes of the URL of an object store.
-pub(crate) fn no_store(url: &Path) -> LogError {
-    LogError::CannotHold {
-        place: format!("parquet:{}", url.display()),
-        what: "a log: this program has no object store".into(),
-        hint: "take a folder, parquet:lives, and copy it",
     }
 }
 

@@ -134,10 +134,8 @@ impl Days {
             _ => {}
         }
         let path = folder.join(format!("part-{number}.parquet"));
-        if self.how != How::New || number == 0 {
-            // A program that died on its way has left some.
-            remove_parts(&path)?;
-        }
+        // A program that died on its way has left some.
+        remove_parts(&path)?;
         let file = FreshFile::create_hidden(&path, self.how != How::New)?;
         let file = TableFile::begin(file, &self.layout, self.come)?;
         self.open.insert(day, Open { file, rows_before: self.come, used: self.come });

@@ -7,7 +7,6 @@ mod one_file;
 
 use crate::encoded::Format;
 use data_set::DataSet;
-pub(crate) use data_set::no_store;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::{Sink, Url};
 use one_file::OneFile;

@@ -18,8 +18,11 @@ enum Kind<'a> {
     Large(&'a arrow_array::LargeStringArray),
     Views(&'a arrow_array::StringViewArray),
     Dictionary(Vec<usize>, Box<Texts<'a>>),
-    Numbers(Box<dyn Fn(usize, &mut String) + 'a>),
+    Numbers(Told<'a>),
 }
+
+/// Writes what a row says.
+type Told<'a> = Box<dyn Fn(usize, &mut String) + 'a>;
 
 impl<'a> Texts<'a> {
     /// Of a column; None for a type that is neither.
@@ -69,7 +72,7 @@ impl<'a> Texts<'a> {
 }
 
 /// Writes the numbers of a column.
-fn numbers(array: &ArrayRef) -> Option<Box<dyn Fn(usize, &mut String) + '_>> {
+fn numbers(array: &ArrayRef) -> Option<Told<'_>> {
     macro_rules! of {
         ($kind:ty) => {{
             let numbers = array.as_primitive_opt::<$kind>()?;

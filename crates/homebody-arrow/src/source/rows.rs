@@ -3,8 +3,7 @@
 use super::batches::Opened;
 use super::cells::{Texts, Time, Times};
 use super::files::files;
-use crate::fault::broken;
-use crate::sink::no_store;
+use crate::fault::{broken, no_store};
 use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::Schema;
 use homebody_core::problem::readable;
@@ -50,13 +49,11 @@ fn spans(schema: &Schema) -> Option<[usize; 3]> {
     Some([begin?, end?, activity?]).filter(|_| !is_log)
 }
 
+/// Takes so many rows of some columns.
+type Take<'t> = dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError> + 't;
+
 /// Reads columns, and gives each batch with them in this order.
-fn each_batch(
-    path: &Path,
-    opened: Opened,
-    columns: &[usize],
-    take: &mut dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError>,
-) -> Result<(), LogError> {
+fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &mut Take<'_>) -> Result<(), LogError> {
     let mut sorted = columns.to_vec();
     sorted.sort_unstable();
     sorted.dedup();
