@@ -83,7 +83,8 @@ mod built {
         #[test]
         fn a_run_is_told_what_it_can_do_and_the_rest_is_refused() {
             let (mut takes, commands) = orders(true);
-            for order in [Order::Pause {}, Order::Resume {}, Order::Step { seconds: 1.5 }, Order::Speed { times: 0.5 }] {
+            for order in [Order::Pause {}, Order::Resume {}, Order::Step { seconds: 1.5 }, Order::Speed { times: 0.5 }]
+            {
                 takes(&order).unwrap();
             }
             takes(&Order::Stop {}).unwrap();

@@ -103,7 +103,8 @@ impl Address {
         }
         Err(LogError::NoPlace(NoPlace {
             what: format!("{} is told what happens as it happens, and this goes faster than life", self.place()),
-            hint: "a run at --speed 1 goes at the pace of life; ?allow-fast=true at the end of the place allows any".into(),
+            hint: "a run at --speed 1 goes at the pace of life; ?allow-fast=true at the end of the place allows any"
+                .into(),
         }))
     }
 
@@ -180,17 +181,8 @@ impl Address {
 }
 
 /// What may stand behind the question mark.
-const KEYS: [&str; 9] = [
-    "style",
-    "discovery",
-    "discovery-prefix",
-    "off-delay",
-    "allow-fast",
-    "public",
-    "ca",
-    "password-file",
-    "state",
-];
+const KEYS: [&str; 9] =
+    ["style", "discovery", "discovery-prefix", "off-delay", "allow-fast", "public", "ca", "password-file", "state"];
 
 impl FromStr for Style {
     type Err = &'static str;
@@ -263,7 +255,10 @@ impl Wrong {
             None => text.rsplit_once(':').map_or((text, None), |(host, port)| (host, Some(port))),
         };
         if host.is_empty() || host.contains(|letter: char| letter.is_whitespace() || letter.is_control()) {
-            self.add("the place of a broker names no host", "write mqtt://HOST/PREFIX, such as mqtt://localhost/homebody");
+            self.add(
+                "the place of a broker names no host",
+                "write mqtt://HOST/PREFIX, such as mqtt://localhost/homebody",
+            );
         }
         match port.map(|port| port.parse::<u16>().map_err(|_| port)) {
             Some(Ok(port)) if port > 0 => (host.to_owned(), port),
@@ -348,7 +343,10 @@ impl Wrong {
     }
 
     fn unknown(&mut self, key: &str) {
-        self.add(format!("{key:?} is nothing that a broker can be told by"), format!("write one of {}", KEYS.join(", ")));
+        self.add(
+            format!("{key:?} is nothing that a broker can be told by"),
+            format!("write one of {}", KEYS.join(", ")),
+        );
     }
 
     /// What is wrong with several things together.
@@ -416,7 +414,10 @@ mod tests {
                     &ca=my%20ca.pem&password-file=secret&discovery-prefix=ha&state=acknowledged.json";
         let all = read(text).unwrap();
         assert_eq!((all.tls, all.host.as_str(), all.port, all.user.as_deref()), (true, "::1", 99, Some("ann@home")));
-        assert_eq!((all.prefix.as_str(), all.style, all.discovery), ("care/north", Style::Zigbee2Mqtt, Discovery::Entity));
+        assert_eq!(
+            (all.prefix.as_str(), all.style, all.discovery),
+            ("care/north", Style::Zigbee2Mqtt, Discovery::Entity)
+        );
         assert_eq!((all.off_delay_s, all.allow_fast, all.discovery_prefix.as_str()), (90, true, "ha"));
         assert_eq!(all.ca.as_deref(), Some(Path::new("my ca.pem")));
         assert_eq!(all.place(), "mqtts://[::1]:99/care/north");
@@ -425,9 +426,20 @@ mod tests {
 
     #[test]
     fn all_that_is_wrong_is_told_at_once_and_a_password_never() {
-        let error = read("mqtt://ann:hunter2@:0/a//b/+/%23?style=esphome&discovery=all&allow-fast=yes&speed=2&ca=x").unwrap_err();
-        for told in ["password-file", PASSWORD, "names no host", "no number from 1 to 65535", "is none of a topic",
-            "homeassistant, zigbee2mqtt or plain", "device, entity or off", "neither true nor false", "\"speed\"", "write mqtts://"] {
+        let error = read("mqtt://ann:hunter2@:0/a//b/+/%23?style=esphome&discovery=all&allow-fast=yes&speed=2&ca=x")
+            .unwrap_err();
+        for told in [
+            "password-file",
+            PASSWORD,
+            "names no host",
+            "no number from 1 to 65535",
+            "is none of a topic",
+            "homeassistant, zigbee2mqtt or plain",
+            "device, entity or off",
+            "neither true nor false",
+            "\"speed\"",
+            "write mqtts://",
+        ] {
             assert!(error.contains(told), "{told}: {error}");
         }
         assert!(!error.contains("hunter2"), "{error}");

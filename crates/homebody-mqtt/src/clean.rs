@@ -96,7 +96,10 @@ fn ours(address: &Address, kept: Vec<(String, Vec<u8>)>) -> Cleaned {
         .filter_map(|(topic, _)| topic.strip_suffix("/run").filter(|home| home.starts_with(&below)).map(str::to_owned))
         .collect();
     let end = end_of_ids(&address.prefix);
-    let is_ours = |topic: &str| match topic.strip_prefix(&address.discovery_prefix).and_then(|rest| rest.strip_suffix("/config")) {
+    let is_ours = |topic: &str| match topic
+        .strip_prefix(&address.discovery_prefix)
+        .and_then(|rest| rest.strip_suffix("/config"))
+    {
         Some(rest) => rest.rsplit('/').next().is_some_and(|id| id.ends_with(&end)),
         None => homes.iter().any(|home| topic.strip_prefix(home.as_str()).is_some_and(|rest| rest.starts_with('/'))),
     };
@@ -113,7 +116,10 @@ fn ours(address: &Address, kept: Vec<(String, Vec<u8>)>) -> Cleaned {
 async fn remove(client: &AsyncClient, events: &mut EventLoop, topics: &[String]) -> Result<(), Trouble> {
     let end = Instant::now() + LONGEST;
     for topic in topics {
-        client.publish(topic.clone(), Vec::new(), PublishOptions::new(QoS::AtLeastOnce).retained()).await.map_err(lost)?;
+        client
+            .publish(topic.clone(), Vec::new(), PublishOptions::new(QoS::AtLeastOnce).retained())
+            .await
+            .map_err(lost)?;
         loop {
             let event = timeout_at(end, events.poll()).await.map_err(|_| Trouble::silent(LONGEST))?;
             if let Event::Incoming(Packet::PubAck(_)) = event.map_err(|error| Trouble::of(&error))? {

@@ -10,8 +10,8 @@ use crate::speech::Message;
 use crate::trouble::Trouble;
 use homebody_log::RunInfo;
 use rumqttc::{
-    AsyncClient, ClientError, ConnectionError, Event, EventLoop, LastWill, MqttOptions, Outgoing, Packet, PubAckReason, Publish,
-    PublishOptions, QoS, RetainForwardRule, SubscribeFilterInput, TlsConfiguration, Transport, ValidatedTopic,
+    AsyncClient, ClientError, ConnectionError, Event, EventLoop, LastWill, MqttOptions, Outgoing, Packet, PubAckReason,
+    Publish, PublishOptions, QoS, RetainForwardRule, SubscribeFilterInput, TlsConfiguration, Transport, ValidatedTopic,
 };
 use std::cell::RefCell;
 use std::collections::{HashMap, VecDeque};
@@ -92,7 +92,9 @@ impl Connection {
     pub fn live(mut self) {
         let runtime = match Builder::new_current_thread().enable_all().build() {
             Ok(runtime) => runtime,
-            Err(error) => return self.over(Some(Trouble::new(error.to_string(), "allow this user more files").finally())),
+            Err(error) => {
+                return self.over(Some(Trouble::new(error.to_string(), "allow this user more files").finally()));
+            }
         };
         let mut wait = FIRST_WAIT;
         loop {
@@ -180,7 +182,8 @@ impl Connection {
                 }
                 Ok(Event::Incoming(Packet::PubAck(ack))) => {
                     if !matches!(ack.reason, PubAckReason::Success | PubAckReason::NoMatchingSubscribers) {
-                        let what = format!("the broker does not take messages below {}: {:?}", self.place.base, ack.reason);
+                        let what =
+                            format!("the broker does not take messages below {}: {:?}", self.place.base, ack.reason);
                         return Err(Trouble::new(what, "let this user write there").finally());
                     }
                     if let Some(sent) = by_packet.remove(&ack.pkid) {

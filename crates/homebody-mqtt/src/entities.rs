@@ -101,8 +101,13 @@ impl Device {
             }
             "bed" => {
                 let restless = Says::Number { unit: None };
-                let restlessness =
-                    Entity { key: "restlessness", name: Some("Restlessness"), says: restless, class: None, property: "restlessness" };
+                let restlessness = Entity {
+                    key: "restlessness",
+                    name: Some("Restlessness"),
+                    says: restless,
+                    class: None,
+                    property: "restlessness",
+                };
                 vec![
                     binary("occupancy", "occupancy", truth, false),
                     restlessness,

@@ -77,7 +77,25 @@ mod tests {
     /// 200 names, most of them made to get out: no topic has a part that MQTT reads as anything but text, and no two are one.
     #[test]
     fn two_hundred_names_stay_inside_and_apart() {
-        let bad = ["+", "#", "/", "\0", "$SYS", "..", "-", "_", " ", "\u{e9}", "\u{1f600}", "a", "A", "1", "--", "-2f-", "\n"];
+        let bad = [
+            "+",
+            "#",
+            "/",
+            "\0",
+            "$SYS",
+            "..",
+            "-",
+            "_",
+            " ",
+            "\u{e9}",
+            "\u{1f600}",
+            "a",
+            "A",
+            "1",
+            "--",
+            "-2f-",
+            "\n",
+        ];
         let mut names: BTreeSet<String> = TAKEN.map(String::from).into();
         names.extend(["".into(), "x".repeat(300), "x".repeat(301), "x".repeat(70_000), "\u{e9}".repeat(100)]);
         for first in bad {
@@ -102,8 +120,7 @@ mod tests {
     #[test]
     fn homes_below_prefixes_have_ids_of_their_own() {
         let (prefixes, homes) = (["a", "a/b", "b", "a-in-b", "a_b", "b/a"], ["a", "b", "a b", "b/a", "a-in-b", "in"]);
-        let ids: BTreeSet<_> =
-            prefixes.iter().flat_map(|prefix| homes.map(|home| id_of_home(prefix, home))).collect();
+        let ids: BTreeSet<_> = prefixes.iter().flat_map(|prefix| homes.map(|home| id_of_home(prefix, home))).collect();
         assert_eq!(ids.len(), prefixes.len() * homes.len());
     }
 }

@@ -80,7 +80,11 @@ pub(crate) struct Answer {
 /// Hears an order, has it obeyed, and says what has become of it.
 pub(crate) fn answer(payload: &[u8], is_kept: bool, run: &RunInfo, takes: Option<&mut TakesOrders>) -> Answer {
     let (id, what, order) = match is_kept {
-        true => (None, None, Err("a message that the broker keeps is no order: it would be obeyed at every beginning".into())),
+        true => (
+            None,
+            None,
+            Err("a message that the broker keeps is no order: it would be obeyed at every beginning".into()),
+        ),
         false => understood(payload),
     };
     let done = order.and_then(|order| {

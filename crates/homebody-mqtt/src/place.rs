@@ -59,7 +59,13 @@ impl Place {
             }
         };
         let sensors = run.sensors.iter().map(placed).collect();
-        Place { id: id_of_home(&address.prefix, home), style: address.style, is_discovered: address.discovery != Discovery::Off, sensors, base }
+        Place {
+            id: id_of_home(&address.prefix, home),
+            style: address.style,
+            is_discovered: address.discovery != Discovery::Off,
+            sensors,
+            base,
+        }
     }
 
     /// A topic of the home's own.

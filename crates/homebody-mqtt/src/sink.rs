@@ -94,7 +94,8 @@ impl Sink for MqttSink {
             });
         }
         if address.user.is_none() && !address.public && is_public(&address) {
-            let what = "this broker is on the internet and asks for no name: anybody could read the home and give it orders";
+            let what =
+                "this broker is on the internet and asks for no name: anybody could read the home and give it orders";
             let hint = "name a user, or allow it by ?public=true";
             return Err(Trouble::new(what, hint).finally().error(&place_told));
         }
@@ -213,6 +214,8 @@ fn is_public(address: &Address) -> bool {
             let shared = ip.octets()[0] == 100 && ip.octets()[1] & 0xc0 == 64;
             !(ip.is_loopback() || ip.is_private() || ip.is_link_local() || ip.is_unspecified() || shared)
         }
-        IpAddr::V6(ip) => !(ip.is_loopback() || ip.is_unique_local() || ip.is_unicast_link_local() || ip.is_unspecified()),
+        IpAddr::V6(ip) => {
+            !(ip.is_loopback() || ip.is_unique_local() || ip.is_unicast_link_local() || ip.is_unspecified())
+        }
     })
 }

@@ -45,7 +45,8 @@ pub(crate) struct Speech {
 impl Speech {
     pub fn new(run: &RunInfo, place: Arc<Place>) -> Speech {
         let by_id = place.sensors.iter().enumerate().map(|(index, sensor)| (sensor.in_log.clone(), index));
-        let topics = place.sensors.iter().map(|sensor| sensor.topics.iter().map(|topic| topic.as_str().into()).collect());
+        let topics =
+            place.sensors.iter().map(|sensor| sensor.topics.iter().map(|topic| topic.as_str().into()).collect());
         Speech {
             run: run.id.to_string(),
             clock: Clock::new(&run.calendar, TimeFormat::LocalOffset),
@@ -60,7 +61,10 @@ impl Speech {
     /// The message of a row.
     pub fn message(&mut self, seq: i64, at: Micros, sensor: &str, said: &str) -> Result<Message, LogError> {
         let Some(&index) = self.by_id.get(sensor) else {
-            return Err(LogError::destination(&self.place.base, format!("a row is of {sensor:?}, which is no sensor of the run")));
+            return Err(LogError::destination(
+                &self.place.base,
+                format!("a row is of {sensor:?}, which is no sensor of the run"),
+            ));
         };
         let place = self.place.clone();
         let placed = &place.sensors[index];

@@ -35,7 +35,8 @@ impl StateFile {
     pub fn write(&mut self, rows: u64) -> Result<(), LogError> {
         let Some(path) = self.path.as_ref().filter(|_| rows != self.written) else { return Ok(()) };
         let error = |source| LogError::File { place: path.display().to_string(), source };
-        let text = serde_json::to_string(&Acknowledged { run: self.run.to_string(), rows }).map_err(LogError::Recording)?;
+        let text =
+            serde_json::to_string(&Acknowledged { run: self.run.to_string(), rows }).map_err(LogError::Recording)?;
         // Whoever reads it finds the one before or this one, and never a part.
         let beside = path.with_extension("part");
         fs::write(&beside, text).and_then(|()| fs::rename(&beside, path)).map_err(error)?;

@@ -69,14 +69,20 @@ impl Trouble {
             | ConnectionError::MqttState(StateError::ConnFail { reason: code }) => refused(*code),
             ConnectionError::MqttState(StateError::ServerDisconnect { reason_code, .. }) => sent_away(*reason_code),
             ConnectionError::Tls(error) => {
-                Trouble::new(format!("TLS does not come about: {error}"), "?ca=FILE names the certificates to trust").finally()
+                Trouble::new(format!("TLS does not come about: {error}"), "?ca=FILE names the certificates to trust")
+                    .finally()
             }
             ConnectionError::MqttState(StateError::ConnectionAborted) => closed(),
             // What came instead of an answer is told with it.
-            ConnectionError::MqttState(StateError::Deserialization(why)) if why.to_string().contains("reset by peer") => closed(),
-            ConnectionError::Timeout(_) => {
-                Trouble::new("the broker does not answer", "check the host and the port, and whether a firewall is between")
+            ConnectionError::MqttState(StateError::Deserialization(why))
+                if why.to_string().contains("reset by peer") =>
+            {
+                closed()
             }
+            ConnectionError::Timeout(_) => Trouble::new(
+                "the broker does not answer",
+                "check the host and the port, and whether a firewall is between",
+            ),
             error => match cause::<io::Error>(error) {
                 Some(cause) => of_io(cause),
                 None => Trouble::new(format!("the connection was lost: {error}"), "the broker's own log says more"),
@@ -94,7 +100,8 @@ fn refused(code: ConnectReturnCode) -> Trouble {
         )
         .finally(),
         RefusedProtocolVersion | UnsupportedProtocolVersion => {
-            Trouble::new("the broker does not speak MQTT 5", "a newer one does, such as mosquitto from 1.6 on").finally()
+            Trouble::new("the broker does not speak MQTT 5", "a newer one does, such as mosquitto from 1.6 on")
+                .finally()
         }
         code => Trouble::new(format!("the broker takes no connection: {code:?}"), "the broker's own log says more"),
     }
@@ -102,8 +109,12 @@ fn refused(code: ConnectReturnCode) -> Trouble {
 
 fn sent_away(code: DisconnectReasonCode) -> Trouble {
     match code {
-        DisconnectReasonCode::NotAuthorized => Trouble::new("the broker does not let this user write here", "look at its list of rights").finally(),
-        code => Trouble::new(format!("the broker has ended the connection: {code:?}"), "the broker's own log says more"),
+        DisconnectReasonCode::NotAuthorized => {
+            Trouble::new("the broker does not let this user write here", "look at its list of rights").finally()
+        }
+        code => {
+            Trouble::new(format!("the broker has ended the connection: {code:?}"), "the broker's own log says more")
+        }
     }
 }
 
@@ -111,12 +122,14 @@ fn of_tls(error: &rustls::Error) -> Trouble {
     let certificate = |what: &str, hint: &str| Trouble::new(what, hint).finally();
     match error {
         rustls::Error::InvalidCertificate(why) => match why {
-            CertificateError::Expired | CertificateError::ExpiredContext { .. } => {
-                certificate("the certificate of the broker has expired", "renew it, or set this machine's clock if that is wrong")
-            }
-            CertificateError::NotValidYet | CertificateError::NotValidYetContext { .. } => {
-                certificate("the certificate of the broker is not valid yet", "look whether this machine's clock is right")
-            }
+            CertificateError::Expired | CertificateError::ExpiredContext { .. } => certificate(
+                "the certificate of the broker has expired",
+                "renew it, or set this machine's clock if that is wrong",
+            ),
+            CertificateError::NotValidYet | CertificateError::NotValidYetContext { .. } => certificate(
+                "the certificate of the broker is not valid yet",
+                "look whether this machine's clock is right",
+            ),
             CertificateError::UnknownIssuer | CertificateError::BadSignature => certificate(
                 "the certificate of the broker is of nobody that is trusted",
                 "?ca=FILE names the certificate of who has issued it",
@@ -125,9 +138,15 @@ fn of_tls(error: &rustls::Error) -> Trouble {
                 "the certificate of the broker is for another name",
                 "write the host as the certificate has it",
             ),
-            why => certificate(&format!("the certificate of the broker is not good: {why:?}"), "?ca=FILE names what is trusted"),
+            why => certificate(
+                &format!("the certificate of the broker is not good: {why:?}"),
+                "?ca=FILE names what is trusted",
+            ),
         },
-        error => Trouble::new(format!("TLS does not come about: {error}"), "mqtt:// speaks without TLS, often on port 1883").finally(),
+        error => {
+            Trouble::new(format!("TLS does not come about: {error}"), "mqtt:// speaks without TLS, often on port 1883")
+                .finally()
+        }
     }
 }
 
@@ -140,7 +159,9 @@ fn of_io(error: &io::Error) -> Trouble {
     use io::ErrorKind::*;
     match error.kind() {
         ConnectionRefused => Trouble::new("no broker listens there", "start the broker, or correct host and port"),
-        HostUnreachable | NetworkUnreachable => Trouble::new("the host cannot be reached", "check the host and the network"),
+        HostUnreachable | NetworkUnreachable => {
+            Trouble::new("the host cannot be reached", "check the host and the network")
+        }
         UnexpectedEof | ConnectionReset | ConnectionAborted | BrokenPipe => closed(),
         _ if error.to_string().contains("lookup") => {
             Trouble::new(format!("the host is not known: {error}"), "correct the name of the host")

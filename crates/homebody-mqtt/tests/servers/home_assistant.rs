@@ -15,11 +15,17 @@ fn home_assistant_takes_all_that_we_tell_it() {
         return;
     }
     let Some(broker) = Broker::start() else { return };
-    for style in ["homeassistant", "homeassistant&discovery=entity", "zigbee2mqtt&discovery=device", "zigbee2mqtt&discovery=entity"] {
+    for style in [
+        "homeassistant",
+        "homeassistant&discovery=entity",
+        "zigbee2mqtt&discovery=device",
+        "zigbee2mqtt&discovery=entity",
+    ] {
         live(&broker.url(&format!("homebody?style={style}")), 16);
         let kept = broker.kept();
         let file = broker.folder.path().join("kept.jsonl");
-        let lines = kept.iter().map(|heard| json!({ "topic": heard.topic, "payload": heard.payload }).to_string() + "\n");
+        let lines =
+            kept.iter().map(|heard| json!({ "topic": heard.topic, "payload": heard.payload }).to_string() + "\n");
         fs::write(&file, lines.collect::<String>()).unwrap();
         let script = repository().join("checks/homeassistant/schemas.py");
         let output = Command::new(&python).arg(script).arg(&file).output().unwrap();

@@ -14,7 +14,8 @@ fn looks(broker: &Broker, style: &str) -> String {
     wait_for("the last word", || listener.heard().iter().any(|heard| heard.payload.contains("offline")).then_some(()));
     let line = |heard: &Heard| format!("{}\n    {}\n", heard.topic, heard.payload);
     let heard = listener.heard();
-    let rows: String = heard.iter().filter(|heard| heard.row().is_some() && !heard.topic.ends_with("/run")).map(line).collect();
+    let rows: String =
+        heard.iter().filter(|heard| heard.row().is_some() && !heard.topic.ends_with("/run")).map(line).collect();
     let mut kept = broker.kept();
     kept.retain(|heard| heard.topic.starts_with(&prefix) || heard.topic.starts_with(&format!("found-{prefix}")));
     kept.sort_by(|a, b| a.topic.cmp(&b.topic));
@@ -58,8 +59,12 @@ fn polarity_is_that_of_each_system() {
         live(&broker.url(&format!("as-{style}?style={style}")), 16);
         let topic = format!("as-{style}/the_studio/{topic}");
         wait_for("both", || {
-            let all: Vec<Value> =
-                listener.heard().iter().filter(|heard| heard.topic == topic && heard.row().is_some()).map(Heard::json).collect();
+            let all: Vec<Value> = listener
+                .heard()
+                .iter()
+                .filter(|heard| heard.topic == topic && heard.row().is_some())
+                .map(Heard::json)
+                .collect();
             (all.len() >= 2).then_some(all)
         })
     };
@@ -92,7 +97,11 @@ fn what_is_kept_is_what_is_so() {
     assert_eq!(of("hall_motion/state"), r#"{"state":"OFF"}"#);
     drop(logger);
     wait_for("the will", || {
-        broker.kept().iter().any(|heard| heard.topic.ends_with("the_studio/status") && heard.payload == "offline").then_some(())
+        broker
+            .kept()
+            .iter()
+            .any(|heard| heard.topic.ends_with("the_studio/status") && heard.payload == "offline")
+            .then_some(())
     });
 }
 
@@ -124,11 +133,29 @@ fn names_made_to_get_out_stay_inside() {
     use homebody_log::{Destination, Logger, RunInfo};
     use std::sync::Arc;
     let Some(broker) = Broker::start() else { return };
-    let names = ["#", "+", "../x", "a/b", "$SYS/broker", "\u{0}", "command", "status", "bridge", "\u{e9}", "", "a b", "a_b", "a-b"];
+    let names = [
+        "#",
+        "+",
+        "../x",
+        "a/b",
+        "$SYS/broker",
+        "\u{0}",
+        "command",
+        "status",
+        "bridge",
+        "\u{e9}",
+        "",
+        "a b",
+        "a_b",
+        "a-b",
+    ];
     let mut run = crate::broker::run();
     run.home = Some("$SYS/+/#".into());
     let first = run.sensors[1].clone();
-    run.sensors = names.iter().map(|name| homebody_log::SensorInfo { name: name.to_string(), id: name.to_string(), ..first.clone() }).collect();
+    run.sensors = names
+        .iter()
+        .map(|name| homebody_log::SensorInfo { name: name.to_string(), id: name.to_string(), ..first.clone() })
+        .collect();
     let run: Arc<RunInfo> = Arc::new(run);
     let listener = Listener::to(&broker, "#");
     let to = Destination::own("mqtt", MqttSink::live(&broker.url("homebody")), homebody_mqtt::policy());
@@ -153,7 +180,9 @@ fn names_made_to_get_out_stay_inside() {
     let outside: Vec<&Heard> = heard
         .iter()
         .filter(|heard| heard.topic != "probe" && !heard.topic.starts_with("homebody/-24-SYS-2f--2b--2f--23-/"))
-        .filter(|heard| !(heard.topic.starts_with("homeassistant/device/") && heard.topic.contains("-in-homebody/config")))
+        .filter(|heard| {
+            !(heard.topic.starts_with("homeassistant/device/") && heard.topic.contains("-in-homebody/config"))
+        })
         .collect();
     assert_eq!(outside, Vec::<&Heard>::new());
 }

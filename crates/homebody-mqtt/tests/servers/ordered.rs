@@ -64,7 +64,13 @@ fn what_others_are_told_and_what_the_broker_keeps_is_no_order() {
     broker.say("homebody/the_studio/command", order, &["-r"]);
     let (takes, orders) = obedient();
     let logger = logger(MqttSink::live(&broker.url("homebody")).with_orders(takes), How::New).unwrap();
-    for topic in ["homebody/the_studio", "homebody/other/command", "homebody/the_studio/command/x", "homebody/command", "other/the_studio/command"] {
+    for topic in [
+        "homebody/the_studio",
+        "homebody/other/command",
+        "homebody/the_studio/command/x",
+        "homebody/command",
+        "other/the_studio/command",
+    ] {
         broker.say(topic, order, &[]);
     }
     let listener = Listener::to(&broker, "homebody/#");

@@ -62,7 +62,10 @@ impl Clean {
             false => format!("{topics} of {homes} removed\n"),
         };
         if others > 0 {
-            text += &format!("{} below the prefix are of nobody that is known, and stay\n", counted(others, "topic", "topics"));
+            text += &format!(
+                "{} below the prefix are of nobody that is known, and stay\n",
+                counted(others, "topic", "topics")
+            );
         }
         print_text(&text)
     }
