@@ -12,6 +12,7 @@ use std::io::{BufRead, BufReader};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -30,7 +31,8 @@ pub struct Broker {
 impl Broker {
     /// One that lets anybody in; None where there is no mosquitto, which is told.
     pub fn start() -> Option<Broker> {
-        Broker::with("allow_anonymous true\n")
+        // However slow a listener is, nothing is left out for it.
+        Broker::with("allow_anonymous true\nmax_queued_messages 0\n")
     }
 
     /// One with these lines in its configuration, in which `FOLDER` is its own.
@@ -156,6 +158,8 @@ impl Heard {
 pub struct Listener {
     child: Child,
     heard: Arc<Mutex<Vec<Heard>>>,
+    /// Rows up to here, at most, were heard of.
+    rows: Arc<AtomicU64>,
 }
 
 impl Listener {
@@ -183,20 +187,31 @@ impl Listener {
             .spawn()
             .unwrap();
         let (output, heard) = (child.stdout.take().unwrap(), Arc::new(Mutex::new(Vec::new())));
-        let into = heard.clone();
+        let (into, rows) = (heard.clone(), Arc::new(AtomicU64::new(0)));
+        let highest = rows.clone();
         thread::spawn(move || {
             for line in BufReader::new(output).lines().map_while(Result::ok) {
                 let mut parts = line.splitn(3, '\t').map(str::to_owned);
                 if let (Some(topic), Some(kept), Some(payload)) = (parts.next(), parts.next(), parts.next()) {
-                    into.lock().unwrap().push(Heard { topic, is_kept: kept == "1", payload });
+                    let heard = Heard { topic, is_kept: kept == "1", payload };
+                    heard
+                        .row()
+                        .iter()
+                        .for_each(|(_, seq)| assert!(highest.fetch_max(seq + 1, Ordering::Relaxed) < u64::MAX));
+                    into.lock().unwrap().push(heard);
                 }
             }
         });
-        Listener { child, heard }
+        Listener { child, heard, rows }
     }
 
     pub fn heard(&self) -> Vec<Heard> {
         self.heard.lock().unwrap().clone()
+    }
+
+    /// The number behind that of the highest row that was heard.
+    pub fn rows(&self) -> u64 {
+        self.rows.load(Ordering::Relaxed)
     }
 
     pub fn count(&self) -> usize {
