@@ -56,7 +56,7 @@ fn has_python() -> bool {
 #[test]
 fn duckdb_and_polars_read_what_we_write_and_we_read_what_they_write() {
     if !has_python() {
-        let required = std::env::var("HOMEBODY_SERVERS").is_ok_and(|wanted| wanted == "required");
+        let required = std::env::var("HOMEBODY_READERS").is_ok_and(|wanted| wanted == "required");
         assert!(!required, "python3 has no duckdb and polars");
         println!("skipped: python3 has no duckdb and polars (pip install duckdb polars)");
         return;

@@ -104,8 +104,8 @@ impl Turns {
             }
         }
         let rest = states.len() / 4 * 4;
-        for place in rest..states.len() {
-            add(to, chance(place), row(states[place]));
+        for (place, &state) in states.iter().enumerate().skip(rest) {
+            add(to, chance(place), row(state));
         }
         self.touched.iter().for_each(|&state| to[state as usize] *= self.passing[state as usize]);
         for (&state, chance) in states.iter().zip(chances) {

@@ -233,7 +233,7 @@ impl LiveRun {
             sensors: self.sensors().map(str::to_owned).collect(),
             truth: places.truth.clone(),
             recorded: places.recording.clone(),
-            folder: folder_of(&places),
+            folder: folder_of(places),
             progress: self.progress(),
             recording,
             stored,

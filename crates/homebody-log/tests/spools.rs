@@ -20,8 +20,11 @@ const PLENTY_BYTES: u64 = 64 << 20;
 struct Server {
     got: Arc<Mutex<Got>>,
     asked: Arc<AtomicUsize>,
-    is_away: fn(usize) -> bool,
+    is_away: IsAway,
 }
+
+/// Whether it is away, by how often it was asked before.
+type IsAway = fn(usize) -> bool;
 
 /// What it has: the numbers and texts of rows, of which some are not sure yet, and whether the end was told.
 #[derive(Default)]
@@ -31,7 +34,7 @@ struct Got {
 }
 
 impl Server {
-    fn new(is_away: fn(usize) -> bool) -> Server {
+    fn new(is_away: IsAway) -> Server {
         Server { got: Arc::default(), asked: Arc::default(), is_away }
     }
 
@@ -93,7 +96,7 @@ fn spool(folder: &Folder, most_bytes: u64) -> WhenDown {
 
 #[test]
 fn who_was_away_gets_every_row_once_and_no_spool_is_left() {
-    let ways: [(&str, fn(usize) -> bool); 5] = [
+    let ways: [(&str, IsAway); 5] = [
         ("in-the-middle", |asked| (3..9).contains(&asked)),
         ("at-the-beginning", |asked| asked < 4),
         ("again-and-again", |asked| asked % 3 == 1),
