@@ -70,7 +70,7 @@ impl Broker {
         }
     }
 
-    /// Has it write down its sessions, so that it knows them when it is begun again.
+    /// Has it store who listens, so that it knows when it is begun again.
     pub fn save(&self) {
         let id = self.child.as_ref().unwrap().id().to_string();
         assert!(Command::new("kill").args(["-USR1", &id]).status().unwrap().success());
@@ -194,7 +194,10 @@ impl Listener {
                 let mut parts = line.splitn(3, '\t').map(str::to_owned);
                 if let (Some(topic), Some(kept), Some(payload)) = (parts.next(), parts.next(), parts.next()) {
                     let heard = Heard { topic, is_kept: kept == "1", payload };
-                    heard.row().iter().for_each(|(_, seq)| assert!(highest.fetch_max(seq + 1, Ordering::Relaxed) < u64::MAX));
+                    heard
+                        .row()
+                        .iter()
+                        .for_each(|(_, seq)| assert!(highest.fetch_max(seq + 1, Ordering::Relaxed) < u64::MAX));
                     into.lock().unwrap().push(heard);
                 }
             }
