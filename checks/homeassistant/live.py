@@ -1,4 +1,4 @@
-"""A whole Home Assistant beside a broker: prints its MQTT entities and how often each has changed.
+"""A whole Home Assistant beside a broker: prints its MQTT entities, how often each has changed, and how often it was on.
 
     python live.py HOST PORT SECONDS
 """
@@ -28,11 +28,14 @@ async def main(host, port, seconds):
         # What a whole frontend needs is of no use here.
         hass.config.components.update({"http", "file_upload"})
         hass.http = MagicMock()
-        changes = {}
+        changes, ons = {}, {}
 
         @callback
         def changed(event):
-            changes[event.data["entity_id"]] = changes.get(event.data["entity_id"], 0) + 1
+            entity, state = event.data["entity_id"], event.data["new_state"]
+            changes[entity] = changes.get(entity, 0) + 1
+            if state is not None and state.state == "on":
+                ons[entity] = ons.get(entity, 0) + 1
 
         hass.bus.async_listen(EVENT_STATE_CHANGED, changed)
         entry = config_entries.ConfigEntry(
@@ -58,6 +61,7 @@ async def main(host, port, seconds):
                 "state": state.state,
                 "seq": state.attributes.get("seq"),
                 "changes": changes.get(state.entity_id, 0),
+                "ons": ons.get(state.entity_id, 0),
                 "area": area.name if area else None,
             }))
         await hass.async_stop(force=True)

@@ -82,9 +82,9 @@ mod built {
             let (mut takes, commands) = orders(true);
             for order in [Order::Pause {}, Order::Resume {}, Order::Step { seconds: 1.5 }, Order::Speed { times: 0.5 }]
             {
-                takes(&order).unwrap();
+                assert_eq!(takes(&order), Ok(()));
             }
-            takes(&Order::Stop {}).unwrap();
+            assert_eq!(takes(&Order::Stop {}), Ok(()));
             let said: Vec<Command> = commands.try_iter().collect();
             let step = Command::Step(1_500_000);
             assert_eq!(said, [Command::Pause, Command::Resume, step, Command::Speed(Speed::Times(0.5)), Command::Stop]);

@@ -224,19 +224,19 @@ impl Paced {
     }
 
     /// Does what is said there, too.
-    #[cfg_attr(not(feature = "mqtt"), expect(dead_code, reason = "brokers say it"))]
+    #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "brokers say it"))]
     pub fn hear(&mut self, commands: Receiver<Command>) {
         self.from_afar.push(commands);
     }
 
     /// Whether it goes no faster than life by now.
-    #[cfg_attr(not(feature = "mqtt"), expect(dead_code, reason = "brokers ask"))]
+    #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "brokers ask"))]
     pub fn is_no_faster_than_life(&self) -> bool {
         matches!(self.pace.speed, Speed::Times(times) if times <= 1.0)
     }
 
     /// From now on no command makes it faster than life: that it goes at the pace of life is what comes of a higher speed.
-    #[cfg_attr(not(feature = "mqtt"), expect(dead_code, reason = "brokers want it"))]
+    #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "brokers want it"))]
     pub fn keep_to_life(&mut self) {
         self.keeps_to_life = true;
     }

@@ -24,6 +24,10 @@ pub(crate) fn greeting(
     if place.style == Style::Zigbee2Mqtt {
         all.extend(zigbee::messages(place, run));
     }
+    if takes_orders {
+        // Of a run that is paused, what was said of it last comes after the greeting.
+        all.push(Message::kept(place.topic("running"), "ON"));
+    }
     let (topic, [online, _]) = place.status();
     all.push(Message::kept(topic, online));
     all

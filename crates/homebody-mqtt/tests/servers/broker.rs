@@ -70,7 +70,7 @@ impl Broker {
         }
     }
 
-    /// Has it write down its sessions, so that it knows them when it is begun again.
+    /// Has it store who listens, so that it knows when it is begun again.
     pub fn save(&self) {
         let id = self.child.as_ref().unwrap().id().to_string();
         assert!(Command::new("kill").args(["-USR1", &id]).status().unwrap().success());
