@@ -265,7 +265,7 @@ export type CareDayView = { day: string, known: KnownView,
  */
 told: Array<TodayView>, };
 
-export type KnownView = "whole" | "away" | "partly";
+export type KnownView = "whole" | "nobody_home" | "partly";
 
 export type TodayView = { measure: string, words: string, 
 /**

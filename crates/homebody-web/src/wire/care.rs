@@ -57,7 +57,7 @@ pub struct CareDayView {
 pub enum KnownView {
     Whole,
     /// Nobody was at home for most of it.
-    Away,
+    NobodyHome,
     /// More than an hour of it is unknown.
     Partly,
 }
@@ -174,7 +174,7 @@ impl From<&DayTold> for CareDayView {
     fn from(day: &DayTold) -> CareDayView {
         let known = match day.known {
             Known::Whole => KnownView::Whole,
-            Known::Away => KnownView::Away,
+            Known::Away => KnownView::NobodyHome,
             Known::Partly => KnownView::Partly,
         };
         CareDayView { day: day.date.to_string(), known, told: day.told.iter().map(TodayView::from).collect() }

@@ -65,7 +65,7 @@ export function hasUsual(care: Pick<CareView, 'charts'>, day: string | null = nu
 /** A day's marks in words. */
 export function described(cell: Cell): string {
   const parts = [inFull(cell.day)];
-  if (cell.known === 'away') parts.push('away for most of the day');
+  if (cell.known === 'nobody_home') parts.push('away for most of the day');
   if (cell.known === 'partly') parts.push('not known well enough');
   const alerts = (count: number) => `${count} ${count === 1 ? 'alert' : 'alerts'}`;
   if (cell.open > 0) parts.push(`${alerts(cell.open)} not seen to`);

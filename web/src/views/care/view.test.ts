@@ -18,7 +18,7 @@ const care = (name: string, walks: WalksView = 'lived'): CareView => ({
   walks,
   days: days.map((day) => ({
     day,
-    known: day === '2009-03-10' ? 'away' : day === '2009-03-11' ? 'partly' : 'whole',
+    known: day === '2009-03-10' ? 'nobody_home' : day === '2009-03-11' ? 'partly' : 'whole',
     told: day === '2009-03-10' ? [] : [
       { measure: 'sleep', words: 'Slept 4.0 hours, less than usual (7.0 hours)', is_more: day >= '2009-03-28' ? false : null },
       { measure: 'meals', words: `Meals in the kitchen: 3 times, as usual ${EVIL}`, is_more: null },
