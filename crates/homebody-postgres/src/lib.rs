@@ -12,7 +12,7 @@ mod server;
 mod password;
 mod tls;
 mod trouble;
-mod session;
+mod connection;
 
 mod rows;
 mod schema;

@@ -1,9 +1,9 @@
 //! The table `homebody_run`: what each run is, and how far the database holds it. That is its watermark, which changes in the
 //! same transaction as the rows that it counts.
 
+use crate::connection::Connection;
 use crate::rows::EPOCH_2000;
 use crate::schema::Schema;
-use crate::session::Session;
 use bytes::BytesMut;
 use homebody_core::time::Micros;
 use homebody_log::{LogError, RunInfo};
@@ -28,13 +28,13 @@ pub(crate) fn holds(is_truth: bool) -> &'static str {
 }
 
 /// What is known of a run; `locks` has who else would change it wait until this transaction ends.
-pub(crate) fn find(session: &Session, schema: &Schema, run: i64, locks: bool) -> Result<Option<Known>, LogError> {
+pub(crate) fn find(connection: &Connection, schema: &Schema, run: i64, locks: bool) -> Result<Option<Known>, LogError> {
     let lock = if locks { " FOR UPDATE" } else { "" };
     let sql = format!(
         "SELECT holds, tables, rows, commits, ended_at IS NOT NULL FROM {} WHERE run_id = $1{lock}",
         schema.runs()
     );
-    let row = session.wait(session.client.query_opt(&sql, &[&run]))?;
+    let row = connection.wait(connection.client.query_opt(&sql, &[&run]))?;
     Ok(row.map(|row| Known {
         holds: row.get(0),
         tables: row.get(1),
@@ -46,16 +46,16 @@ pub(crate) fn find(session: &Session, schema: &Schema, run: i64, locks: bool) ->
 
 /// Whether the schema has runs of the other kind: of a truth where it should be of logs, or of logs where it should be of a
 /// truth.
-pub(crate) fn has_others(session: &Session, schema: &Schema) -> Result<bool, LogError> {
+pub(crate) fn has_others(connection: &Connection, schema: &Schema) -> Result<bool, LogError> {
     let sql = format!("SELECT EXISTS (SELECT FROM {} WHERE holds <> $1)", schema.runs());
-    Ok(session.wait(session.client.query_one(&sql, &[&holds(schema.is_truth)]))?.get(0))
+    Ok(connection.wait(connection.client.query_one(&sql, &[&holds(schema.is_truth)]))?.get(0))
 }
 
 /// Whether a table has rows of a run, wherever they are from.
-pub(crate) fn has_rows(session: &Session, schema: &Schema, run: i64) -> Result<bool, LogError> {
+pub(crate) fn has_rows(connection: &Connection, schema: &Schema, run: i64) -> Result<bool, LogError> {
     for table in schema.tables.iter().filter(|table| table.is_numbered) {
         let sql = format!("SELECT EXISTS (SELECT FROM {} WHERE {} = $1)", table.quoted, table.run_column);
-        if session.wait(session.client.query_one(&sql, &[&run]))?.get(0) {
+        if connection.wait(connection.client.query_one(&sql, &[&run]))?.get(0) {
             return Ok(true);
         }
     }
@@ -63,7 +63,7 @@ pub(crate) fn has_rows(session: &Session, schema: &Schema, run: i64) -> Result<b
 }
 
 /// Adds a run without rows. False where it is there already.
-pub(crate) fn add(session: &Session, schema: &Schema, run: &RunInfo) -> Result<bool, LogError> {
+pub(crate) fn add(connection: &Connection, schema: &Schema, run: &RunInfo) -> Result<bool, LogError> {
     let sql = format!(
         "INSERT INTO {} (run_id, holds, home, scenario, seed, version, zone, started_at, tables, rows, commits) \
          VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9, $10, 0) ON CONFLICT DO NOTHING",
@@ -84,12 +84,12 @@ pub(crate) fn add(session: &Session, schema: &Schema, run: &RunInfo) -> Result<b
         &tables,
         &rows,
     ];
-    Ok(session.wait(session.client.execute(&sql, &values))? == 1)
+    Ok(connection.wait(connection.client.execute(&sql, &values))? == 1)
 }
 
 /// Says that so many rows are there, within the transaction that has brought them. One that replaces says anew what the run is.
 pub(crate) fn mark(
-    session: &Session,
+    connection: &Connection,
     schema: &Schema,
     run: &RunInfo,
     rows: &[i64],
@@ -105,15 +105,15 @@ pub(crate) fn mark(
     let end = end.map(|end| At(start.0 + end));
     let values: [&(dyn ToSql + Sync); 10] =
         [&run.id, &rows, &end, &run.home, &run.scenario, &seed, &run.version, &zone, &start, &tables];
-    session.wait(session.client.execute(&sql, &values)).map(|_| ())
+    connection.wait(connection.client.execute(&sql, &values)).map(|_| ())
 }
 
 /// Removes a run of which no row has ever come.
-pub(crate) fn forget(session: &Session, schema: &Schema, run: i64) -> Result<(), LogError> {
+pub(crate) fn forget(connection: &Connection, schema: &Schema, run: i64) -> Result<(), LogError> {
     /// Nobody waits longer for what only tidies up (ours).
     const LONGEST: std::time::Duration = std::time::Duration::from_secs(2);
     let sql = format!("DELETE FROM {} WHERE run_id = $1 AND commits = 0", schema.runs());
-    session.wait_for(LONGEST, session.client.execute(&sql, &[&run])).map(|_| ())
+    connection.wait_for(LONGEST, connection.client.execute(&sql, &[&run])).map(|_| ())
 }
 
 /// The run's start, in microseconds since 1970.

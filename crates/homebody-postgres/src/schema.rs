@@ -1,7 +1,7 @@
 //! The tables of a run in the database: made where they are missing, else held against what they should be, all at once.
 
+use crate::connection::Connection;
 use crate::server::{Server, is_plain_name};
-use crate::session::Session;
 use crate::trouble::wrong;
 use homebody_core::problem::readable;
 use homebody_core::scenario::logger::TimeFormat;
@@ -55,18 +55,18 @@ pub(crate) struct Schema {
 
 impl Schema {
     /// Makes the tables that are missing; refuses those that rows do not fit into, with all that is wrong.
-    pub fn make(session: &Session, server: &Server, begin: &Begin) -> Result<Schema, LogError> {
+    pub fn make(connection: &Connection, server: &Server, begin: &Begin) -> Result<Schema, LogError> {
         // Rows of a log are numbered, those of a truth are not. A log may have a table of activities besides.
         let is_truth = !begin.tables.iter().any(|table| table.is_numbered);
         let name = match (&server.schema, is_truth) {
             (Some(name), _) => name.clone(),
             (None, true) => TRUTH_SCHEMA.into(),
-            (None, false) => usual(session, server)?,
+            (None, false) => usual(connection, server)?,
         };
         names_fit(server, &name, begin)?;
         let wanted: Vec<Wanted> =
             begin.tables.iter().map(|table| Wanted::of(table, begin)).chain([Wanted::runs()]).collect();
-        let found = Found::look(session, &name, &wanted)?;
+        let found = Found::look(connection, &name, &wanted)?;
         let problems = found.problems(&name, &wanted, begin.how);
         if !problems.is_empty() {
             return Err(all(server, problems));
@@ -74,7 +74,7 @@ impl Schema {
         let statements: Vec<String> = found.missing(&name, &wanted);
         if !statements.is_empty() {
             let sql = format!("BEGIN; SELECT pg_advisory_xact_lock({TURN}); {}; COMMIT", statements.join("; "));
-            session.wait(session.client.batch_execute(&sql))?;
+            connection.wait(connection.client.batch_execute(&sql))?;
         }
         let tables = begin.tables.iter().map(|table| in_table(&name, table, begin.run_column)).collect();
         Ok(Schema { name, tables, is_truth })
@@ -86,9 +86,9 @@ impl Schema {
     }
 }
 
-/// The schema that a session makes tables in if nobody says where.
-pub(crate) fn usual(session: &Session, server: &Server) -> Result<String, LogError> {
-    let row = session.wait(session.client.query_one("SELECT current_schema()::text", &[]))?;
+/// The schema that a connection makes tables in if nobody says where.
+pub(crate) fn usual(connection: &Connection, server: &Server) -> Result<String, LogError> {
+    let row = connection.wait(connection.client.query_one("SELECT current_schema()::text", &[]))?;
     let none = || wrong(server, "this user has no schema".into(), "name one: ?schema=NAME");
     row.get::<_, Option<String>>(0).ok_or_else(none)
 }
@@ -214,7 +214,7 @@ struct FoundColumn {
 const RIGHTS: [&str; 4] = ["INSERT", "SELECT", "UPDATE", "DELETE"];
 
 impl Found {
-    fn look(session: &Session, schema: &str, wanted: &[Wanted]) -> Result<Found, LogError> {
+    fn look(connection: &Connection, schema: &str, wanted: &[Wanted]) -> Result<Found, LogError> {
         const ABOUT: &str = "SELECT current_setting('transaction_read_only') = 'on', current_user::text, \
              has_database_privilege(current_database(), 'CREATE'), \
              (SELECT has_schema_privilege(oid, 'USAGE') FROM pg_namespace WHERE nspname = $1), \
@@ -233,7 +233,7 @@ impl Found {
              WHERE n.nspname = $1 AND c.relname::text = ANY($2) AND i.indisunique AND i.indpred IS NULL \
              GROUP BY c.relname, i.indexrelid";
         let names: Vec<&str> = wanted.iter().map(|wanted| wanted.name.as_str()).collect();
-        let about = session.wait(session.client.query_one(ABOUT, &[&schema]))?;
+        let about = connection.wait(connection.client.query_one(ABOUT, &[&schema]))?;
         let usage: Option<bool> = about.get(3);
         let mut found = Found {
             is_read_only: about.get(0),
@@ -242,7 +242,7 @@ impl Found {
             schema: usage.zip(about.get(4)),
             tables: BTreeMap::new(),
         };
-        for row in session.wait(session.client.query(TABLES, &[&schema, &names]))? {
+        for row in connection.wait(connection.client.query(TABLES, &[&schema, &names]))? {
             let table = FoundTable {
                 is_table: row.get(1),
                 may: [2, 3, 4, 5].map(|right| row.get(right)),
@@ -251,7 +251,7 @@ impl Found {
             found.tables.insert(row.get(0), table);
         }
         let mut each = |sql: &str, take: &dyn Fn(&mut FoundTable, &Row)| -> Result<(), LogError> {
-            for row in session.wait(session.client.query(sql, &[&schema, &names]))? {
+            for row in connection.wait(connection.client.query(sql, &[&schema, &names]))? {
                 if let Some(table) = found.tables.get_mut(row.get::<_, &str>(0)) {
                     take(table, &row);
                 }

@@ -32,7 +32,7 @@ pub(crate) struct Server {
     pub password_file: Option<PathBuf>,
     /// What the server calls this program in its lists.
     pub application: String,
-    /// Settings of the session, as `-c name=value`.
+    /// Settings of the connection, as `-c name=value`.
     pub options: Option<String>,
 }
 
@@ -318,9 +318,9 @@ mod tests {
         assert_eq!(server.host, Host::Name("db.example".into()));
         assert_eq!((server.schema.as_deref(), server.run.as_deref()), (Some("home1"), Some("7")));
         assert_eq!(server.tls, Tls::VerifyFull);
-        let socket = parse("ann@/homes?host=/tmp/sockets").unwrap();
-        assert_eq!(socket.host, Host::Socket("/tmp/sockets".into()));
-        assert_eq!(parse("postgresql://%2Ftmp%2Fs/homes").unwrap().host, Host::Socket("/tmp/s".into()));
+        let socket = parse("ann@/homes?host=/run/sockets").unwrap();
+        assert_eq!(socket.host, Host::Socket("/run/sockets".into()));
+        assert_eq!(parse("postgresql://%2Frun%2Fs/homes").unwrap().host, Host::Socket("/run/s".into()));
         let six = parse("ann@[::1]:6000/homes").unwrap();
         assert_eq!((six.host, six.port), (Host::Name("::1".into()), 6000));
         let bare = parse("postgresql://db").unwrap();

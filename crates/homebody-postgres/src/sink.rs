@@ -5,11 +5,11 @@
 //! taken, because the connection was lost as it ended, the next one asks: each begins with a look at the run's watermark, which
 //! waits for whatever is still on its way.
 
+use crate::connection::Connection;
 use crate::rows::{Encoder, Rows, copy_into};
 use crate::runs::{self, At, Known};
 use crate::schema::{Schema, ident};
 use crate::server::Server;
-use crate::session::Session;
 use crate::trouble::wrong;
 use bytes::Bytes;
 use futures_util::SinkExt;
@@ -38,7 +38,7 @@ pub struct Postgres {
 struct Open {
     server: Server,
     /// None after it was lost, until the next transaction.
-    session: Option<Session>,
+    connection: Option<Connection>,
     schema: Schema,
     run: RunInfo,
     encoder: Encoder,
@@ -95,18 +95,18 @@ impl Sink for Postgres {
             let no_number = || wrong(&server, format!("run={id} is no whole number"), "write run=7, or leave it out");
             run.id = id.parse().map_err(|_| no_number())?;
         }
-        let session = Session::open(&server)?;
-        let schema = Schema::make(&session, &server, begin)?;
-        if runs::has_others(&session, &schema)? {
+        let connection = Connection::open(&server)?;
+        let schema = Schema::make(&connection, &server, begin)?;
+        if runs::has_others(&connection, &schema)? {
             let (what, hint) = match schema.is_truth {
                 true => ("holds logs", "a truth goes into a schema of its own: ?schema=NAME"),
                 false => ("holds truths", "a log goes into another schema: ?schema=NAME"),
             };
             return Err(wrong(&server, format!("the schema {:?} {what}", schema.name), hint));
         }
-        let known = runs::find(&session, &schema, run.id, false)?;
+        let known = runs::find(&connection, &schema, run.id, false)?;
         let is_ours = self.has_tried && known.as_ref().is_some_and(|known| known.commits == 0);
-        let has_rows = known.is_none() && begin.how != How::GoOn && runs::has_rows(&session, &schema, run.id)?;
+        let has_rows = known.is_none() && begin.how != How::GoOn && runs::has_rows(&connection, &schema, run.id)?;
         if begin.how == How::New && (known.is_some() && !is_ours || has_rows) {
             return Err(already(&server, &schema, &run));
         }
@@ -122,7 +122,7 @@ impl Sink for Postgres {
             Some(known) => (known.commits, nothing),
             None => {
                 self.has_tried = true;
-                if !runs::add(&session, &schema, &run)? {
+                if !runs::add(&connection, &schema, &run)? {
                     return Err(already(&server, &schema, &run));
                 }
                 (0, nothing)
@@ -130,14 +130,14 @@ impl Sink for Postgres {
         };
         let encoder = Encoder::new(run.id, runs::start_of(&run), begin.time);
         let waiting = vec![Rows::default(); schema.tables.len()];
-        let session = Some(session);
+        let connection = Some(connection);
         let goes_on = begin.how == How::GoOn && !schema.is_truth && durable[0] > 0;
         let instants = begin.tables[0].columns.iter().find(|column| column.kind == ColumnKind::Instant);
         let goes_on_by = instants.filter(|_| goes_on).map(|column| (ident(&column.name), begin.time));
         let (sealed, ahead) = (None, None);
         let open = Open {
             server,
-            session,
+            connection,
             schema,
             run,
             encoder,
@@ -194,11 +194,11 @@ impl Drop for Postgres {
     fn drop(&mut self) {
         let Some(open) = self.open.as_mut().filter(|open| open.commits == 0 && open.sealed.is_none()) else { return };
         let was_ahead = open.ahead.take().is_some();
-        let Open { session: Some(session), schema, run, .. } = open else { return };
-        if was_ahead && session.wait(session.client.batch_execute("ROLLBACK")).is_err() {
+        let Open { connection: Some(connection), schema, run, .. } = open else { return };
+        if was_ahead && connection.wait(connection.client.batch_execute("ROLLBACK")).is_err() {
             return;
         }
-        let _ = runs::forget(session, schema, run.id);
+        let _ = runs::forget(connection, schema, run.id);
     }
 }
 
@@ -212,7 +212,7 @@ impl Open {
         // Where new rows have come, it has.
         let has_new = self.sealed.is_some() || self.waiting.iter().any(|rows| rows.count > 0);
         let Some((column, time)) = self.goes_on_by.take().filter(|_| !has_new) else { return Ok(()) };
-        let Open { server, session: Some(session), schema, run, .. } = self else { return Ok(()) };
+        let Open { server, connection: Some(connection), schema, run, .. } = self else { return Ok(()) };
         let end = runs::start_of(run) + end;
         let (seconds, milliseconds) = (end as f64 / 1e6, end.div_euclid(1000));
         let end: &(dyn ToSql + Sync) = match time {
@@ -222,7 +222,7 @@ impl Open {
         };
         let (table, run_column) = (&schema.tables[0].quoted, &schema.tables[0].run_column);
         let sql = format!("SELECT EXISTS (SELECT FROM {table} WHERE {run_column} = $1 AND {column} > $2)");
-        match session.wait(session.client.query_one(&sql, &[&run.id, end]))?.get(0) {
+        match connection.wait(connection.client.query_one(&sql, &[&run.id, end]))?.get(0) {
             true => Err(changed(server, "it has rows from after the end of this one")),
             false => Ok(()),
         }
@@ -266,7 +266,7 @@ impl Open {
     }
 
     fn disconnect(&mut self) {
-        (self.ahead, self.session) = (None, None);
+        (self.ahead, self.connection) = (None, None);
     }
 
     /// Sends what has come so far of a log's rows, so that the server works while others are made. Where that fails, the
@@ -280,17 +280,17 @@ impl Open {
 
     fn try_ahead(&mut self) -> Result<(), LogError> {
         if self.ahead.is_none() {
-            if self.session.is_none() || !self.begin()? {
+            if self.connection.is_none() || !self.begin()? {
                 return Ok(());
             }
-            let Some(session) = &self.session else { return Ok(()) };
+            let Some(connection) = &self.connection else { return Ok(()) };
             let sql = copy_into(&self.schema.tables[0]);
-            let copy = session.wait(session.client.copy_in(&sql))?;
+            let copy = connection.wait(connection.client.copy_in(&sql))?;
             self.ahead = Some(Ahead { copy: Box::pin(copy), sent: 0 });
         }
-        let (Some(session), Some(Ahead { copy, sent })) = (&self.session, &mut self.ahead) else { return Ok(()) };
+        let (Some(connection), Some(Ahead { copy, sent })) = (&self.connection, &mut self.ahead) else { return Ok(()) };
         for chunk in self.waiting[0].whole_from(*sent) {
-            session.wait(copy.feed(chunk))?;
+            connection.wait(copy.feed(chunk))?;
             *sent += 1;
         }
         Ok(())
@@ -298,12 +298,12 @@ impl Open {
 
     /// Begins a transaction, with a look at how far the run is. False where an earlier one has taken the sealed rows.
     fn begin(&self) -> Result<bool, LogError> {
-        let Open { server, session: Some(session), schema, run, .. } = self else { return Ok(false) };
-        session.wait(session.client.batch_execute("BEGIN"))?;
-        let known = runs::find(session, schema, run.id, true)?;
+        let Open { server, connection: Some(connection), schema, run, .. } = self else { return Ok(false) };
+        connection.wait(connection.client.batch_execute("BEGIN"))?;
+        let known = runs::find(connection, schema, run.id, true)?;
         let known = known.ok_or_else(|| changed(server, "its row in homebody_run is gone"))?;
         if known.commits != self.commits {
-            session.wait(session.client.batch_execute("ROLLBACK"))?;
+            connection.wait(connection.client.batch_execute("ROLLBACK"))?;
             // It has gone as asked where that was in doubt. Nobody else leaves just these numbers.
             let is_taken = |sealed: &Sealed| sealed.is_in_doubt && known.rows == sealed.then;
             let is_ours = known.commits == self.commits + 1 && self.sealed.as_ref().is_some_and(is_taken);
@@ -311,29 +311,29 @@ impl Open {
         }
         for table in schema.tables.iter().filter(|_| self.replaces) {
             let sql = format!("DELETE FROM {} WHERE {} = $1", table.quoted, table.run_column);
-            session.wait(session.client.execute(&sql, &[&run.id]))?;
+            connection.wait(connection.client.execute(&sql, &[&run.id]))?;
         }
         Ok(true)
     }
 
     /// One transaction of the sealed rows, unless an earlier one has taken them.
     fn transact(&mut self) -> Result<(), LogError> {
-        if self.session.is_none() {
-            self.session = Some(Session::open(&self.server)?);
+        if self.connection.is_none() {
+            self.connection = Some(Connection::open(&self.server)?);
         }
         let mut ahead = self.ahead.take();
         if ahead.is_none() && !self.begin()? {
             return Ok(());
         }
-        let Open { server, session: Some(session), schema, run, sealed: Some(sealed), .. } = self else {
+        let Open { server, connection: Some(connection), schema, run, sealed: Some(sealed), .. } = self else {
             return Ok(());
         };
         for (table, rows) in schema.tables.iter().zip(&sealed.rows).filter(|(_, rows)| rows.count > 0) {
             let sql = copy_into(table);
-            let copied = session.wait(async {
+            let copied = connection.wait(async {
                 let Ahead { mut copy, sent } = match ahead.take() {
                     Some(ahead) => ahead,
-                    None => Ahead { copy: Box::pin(session.client.copy_in(&sql).await?), sent: 0 },
+                    None => Ahead { copy: Box::pin(connection.client.copy_in(&sql).await?), sent: 0 },
                 };
                 for chunk in rows.copy().skip(sent).filter(|chunk| !chunk.is_empty()) {
                     copy.feed(chunk).await?;
@@ -344,9 +344,9 @@ impl Open {
                 return Err(changed(server, "the server has taken another number of rows"));
             }
         }
-        runs::mark(session, schema, run, &sealed.then, sealed.end)?;
+        runs::mark(connection, schema, run, &sealed.then, sealed.end)?;
         sealed.is_in_doubt = true;
-        session.wait(session.client.batch_execute("COMMIT"))
+        connection.wait(connection.client.batch_execute("COMMIT"))
     }
 }
 

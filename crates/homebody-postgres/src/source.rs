@@ -1,10 +1,10 @@
 //! A table in a database of PostgreSQL: by the names of a mapping, or ours. It is read row by row, in the order of its numbers,
 //! through a cursor.
 
+use crate::connection::Connection;
 use crate::runs::At;
 use crate::schema::{ident, quoted, usual};
 use crate::server::Server;
-use crate::session::Session;
 use crate::trouble::{told, wrong};
 use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
@@ -34,17 +34,17 @@ const MOST_NAMED: usize = 20;
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let server = Server::parse(&path.to_string_lossy())?;
-    let session = Session::open(&server)?;
-    let table = Found::find(&session, &server, file)?;
-    let run = table.run(&session, &server)?;
+    let connection = Connection::open(&server)?;
+    let table = Found::find(&connection, &server, file)?;
+    let run = table.run(&connection, &server)?;
     let (sql, parameter) = table.rows(run.as_deref());
     let parameters: Vec<&(dyn ToSql + Sync)> = parameter.iter().map(|run| run as &(dyn ToSql + Sync)).collect();
-    session.wait(session.client.batch_execute(BEGIN))?;
-    session.wait(session.client.execute(&format!("DECLARE rows NO SCROLL CURSOR FOR {sql}"), &parameters))?;
-    let next = session.wait(session.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
+    connection.wait(connection.client.batch_execute(BEGIN))?;
+    connection.wait(connection.client.execute(&format!("DECLARE rows NO SCROLL CURSOR FOR {sql}"), &parameters))?;
+    let next = connection.wait(connection.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
     let mut line = 0;
     loop {
-        let rows = session.wait(session.client.query(&next, &[]))?;
+        let rows = connection.wait(connection.client.query(&next, &[]))?;
         for row in &rows {
             line += 1;
             table.take(line, row, reading).map_err(|failed| match failed {
@@ -53,7 +53,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
             })?;
         }
         if rows.len() < ROWS_AT_ONCE as usize {
-            return session.wait(session.client.batch_execute("COMMIT"));
+            return connection.wait(connection.client.batch_execute("COMMIT"));
         }
     }
 }
@@ -103,19 +103,19 @@ impl From<LogError> for Failed {
 
 impl Found {
     /// The table by the names of a mapping, or all that is missing.
-    fn find(session: &Session, server: &Server, file: &LoggerFile) -> Result<Found, LogError> {
+    fn find(connection: &Connection, server: &Server, file: &LoggerFile) -> Result<Found, LogError> {
         const COLUMNS: &str = "SELECT a.attname::text, format_type(a.atttypid, NULL) FROM pg_attribute a \
              JOIN pg_class c ON c.oid = a.attrelid JOIN pg_namespace n ON n.oid = c.relnamespace \
              WHERE n.nspname = $1 AND c.relname = $2 AND c.relkind IN ('r', 'p', 'v', 'm', 'f') \
              AND a.attnum > 0 AND NOT a.attisdropped ORDER BY a.attnum";
         let schema = match &server.schema {
             Some(schema) => schema.clone(),
-            None => usual(session, server)?,
+            None => usual(connection, server)?,
         };
         let table = file.table.clone().unwrap_or_else(|| "firing".into());
-        let columns = session.wait(session.client.query(COLUMNS, &[&schema, &table]))?;
+        let columns = connection.wait(connection.client.query(COLUMNS, &[&schema, &table]))?;
         if columns.is_empty() {
-            return Err(no_table(session, server, &schema, &table)?);
+            return Err(no_table(connection, server, &schema, &table)?);
         }
         let columns: Vec<(String, String)> = columns.iter().map(|row| (row.get(0), row.get(1))).collect();
         let has = |name: &String| columns.iter().any(|(column, _)| column == name).then(|| name.clone());
@@ -150,7 +150,7 @@ impl Found {
     }
 
     /// Which run is read, where rows say of which they are: the one that was asked for, or the only one.
-    fn run(&self, session: &Session, server: &Server) -> Result<Option<String>, LogError> {
+    fn run(&self, connection: &Connection, server: &Server) -> Result<Option<String>, LogError> {
         let Some(run) = &self.run else { return Ok(None) };
         let (run, table) = (ident(run), quoted(&self.schema, &self.table));
         // Where the run is the beginning of a key, each is found without a look at all rows.
@@ -164,11 +164,11 @@ impl Found {
             let (is_it, parameter) = self.is_run(&run, asked);
             let sql = format!("SELECT EXISTS (SELECT FROM {table} WHERE {is_it})");
             let parameters: Vec<&(dyn ToSql + Sync)> = parameter.iter().map(|run| run as _).collect();
-            if session.wait(session.client.query_one(&sql, &parameters))?.get(0) {
+            if connection.wait(connection.client.query_one(&sql, &parameters))?.get(0) {
                 return Ok(Some(asked.clone()));
             }
         }
-        let found = session.wait(session.client.query(&runs, &[]))?;
+        let found = connection.wait(connection.client.query(&runs, &[]))?;
         let found: Vec<&str> = found.iter().map(|row| row.get(0)).collect();
         match (&server.run, &found[..]) {
             (Some(asked), found) => {
@@ -232,10 +232,10 @@ impl Found {
 }
 
 /// What to say where there is no such table.
-fn no_table(session: &Session, server: &Server, schema: &str, table: &str) -> Result<LogError, LogError> {
+fn no_table(connection: &Connection, server: &Server, schema: &str, table: &str) -> Result<LogError, LogError> {
     const TABLES: &str = "SELECT c.relname::text FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace \
          WHERE n.nspname = $1 AND c.relkind IN ('r', 'p', 'v', 'm', 'f') ORDER BY 1";
-    let found = session.wait(session.client.query(TABLES, &[&schema]))?;
+    let found = connection.wait(connection.client.query(TABLES, &[&schema]))?;
     let names: Vec<&str> = found.iter().map(|row| row.get(0)).collect();
     let what = format!("there is no table {table:?} in the schema {schema:?}");
     let hint = match (nearest(table, names.iter().copied()), &names[..]) {

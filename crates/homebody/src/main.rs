@@ -18,6 +18,7 @@ use clap::{CommandFactory, Parser};
 use commands::Command;
 use failure::{EXIT_CODES, Failure};
 use homebody_core::problem::counted;
+use homebody_core::scenario::scheme::without_password;
 use homebody_kit::{TRUST, VERSION};
 use print::{Told, tell, tell_as};
 use std::process::ExitCode;
@@ -46,12 +47,32 @@ const SIGNALS: &str =
 fn main() -> ExitCode {
     signals::outlive_full_files();
     homebody_kit::elsewhere::install_all();
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return refuse(&error),
+    };
     tell_as(arguments.told);
     match arguments.command.run(Arguments::command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => report(&failure),
     }
+}
+
+/// Tells what is wrong with the words of the command. They are quoted, but for the passwords that somebody wrote into them.
+fn refuse(error: &clap::Error) -> ExitCode {
+    let value = |word: String| match word.strip_prefix("--").and_then(|word| word.split_once('=')) {
+        Some((_, value)) => value.to_owned(),
+        None => word,
+    };
+    let values = std::env::args_os().map(|word| value(word.to_string_lossy().into_owned()));
+    let secret: Vec<String> = values.filter(|value| without_password(value) != value.as_str()).collect();
+    if secret.is_empty() {
+        error.exit();
+    }
+    let quoted = error.render().to_string();
+    let told = secret.iter().fold(quoted, |told, value| told.replace(value.as_str(), &without_password(value)));
+    tell(format_args!("{}", told.trim_end()));
+    ExitCode::from(2)
 }
 
 /// Tells people on standard error, and scripts by the exit code.

@@ -15,7 +15,7 @@ use tokio_postgres::{Client, Config, Error};
 /// How long a server may take for one thing that it is asked (ours): less than a run waits for a destination.
 const ANSWERS_WITHIN: Duration = Duration::from_secs(100);
 
-/// What holds in each session (ours). Who is cut off in the middle holds nobody up for long, and what is said to be committed is
+/// What holds in each connection (ours). Who is cut off in the middle holds nobody up for long, and what is said to be committed is
 /// on the server's disk.
 const SETTINGS: &str = "SET lock_timeout = '30s'; SET idle_in_transaction_session_timeout = '90s'; SET statement_timeout = 0; \
      SET tcp_keepalives_idle = 10; SET tcp_keepalives_interval = 10; SET tcp_keepalives_count = 3; \
@@ -25,19 +25,19 @@ const SETTINGS: &str = "SET lock_timeout = '30s'; SET idle_in_transaction_sessio
 const UNANSWERED: Duration = Duration::from_secs(30);
 
 /// A connection. After an error that passes it is of no more use.
-pub(crate) struct Session {
+pub(crate) struct Connection {
     server: Server,
     runtime: Runtime,
     pub client: Client,
     /// Carries what is said in both directions.
-    connection: JoinHandle<()>,
+    carrier: JoinHandle<()>,
     /// Why the connection is lost, once it is.
     ended_by: Arc<Mutex<Option<Error>>>,
 }
 
-impl Session {
+impl Connection {
     /// Connects, within the time that the server's URL says.
-    pub fn open(server: &Server) -> Result<Session, LogError> {
+    pub fn open(server: &Server) -> Result<Connection, LogError> {
         let runtime = Builder::new_current_thread().enable_io().enable_time().build();
         let runtime = runtime.map_err(|error| away(server, format!("the system gives no connection: {error}")))?;
         let found = password::find(server);
@@ -71,20 +71,18 @@ impl Session {
         let ended_by = Arc::<Mutex<Option<Error>>>::default();
         let connected = runtime.block_on(async {
             let connecting = async {
-                let (client, connection) = config.connect(connector).await?;
+                let (client, line) = config.connect(connector).await?;
                 let ended = ended_by.clone();
-                let connection = tokio::spawn(async move {
-                    *ended.lock().unwrap_or_else(PoisonError::into_inner) = connection.await.err();
+                let carrier = tokio::spawn(async move {
+                    *ended.lock().unwrap_or_else(PoisonError::into_inner) = line.await.err();
                 });
                 client.batch_execute(SETTINGS).await?;
-                Ok((client, connection))
+                Ok((client, carrier))
             };
             tokio::time::timeout(server.connect_within, connecting).await
         });
         match connected {
-            Ok(Ok((client, connection))) => {
-                Ok(Session { server: server.clone(), runtime, client, connection, ended_by })
-            }
+            Ok(Ok((client, carrier))) => Ok(Connection { server: server.clone(), runtime, client, carrier, ended_by }),
             Ok(Err(error)) => Err(told(server, &error, found.ignored.as_deref())),
             Err(_) => Err(silent(server, server.connect_within)),
         }
@@ -116,8 +114,8 @@ impl Session {
     }
 }
 
-impl Drop for Session {
+impl Drop for Connection {
     fn drop(&mut self) {
-        self.connection.abort();
+        self.carrier.abort();
     }
 }
