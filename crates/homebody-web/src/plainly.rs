@@ -64,6 +64,11 @@ spoken! {
     room_changes Amount false: "more moving about at home", "less moving about at home", "moving about at home";
     pace Pace false: "faster on foot", "slower on foot", "walking pace";
     pace_slow Pace false: "faster on the slowest ways", "slower on the slowest ways", "the slowest ways";
+    walking_speed Amount false: "faster on foot", "slower on foot", "walking speed";
+    walking_speed_slow Amount false: "faster on slow walks", "slower on slow walks", "slow walks";
+    walking_speed_fast Amount false: "faster on fast walks", "slower on fast walks", "fast walks";
+    company Hours false: "more time with company", "less time with company", "time with company";
+    visits Times false: "more often visitors", "less often visitors", "visitors";
     pacing Times false: "more often to and fro between rooms", "less often to and fro between rooms", "going to and fro";
     lapping Times false: "more often round and round the rooms", "less often round and round the rooms", "going round and round";
     sedentary Hours false: "more sitting and resting by day", "less sitting and resting by day", "sitting and resting";
