@@ -98,7 +98,10 @@ mod built {
                 assert!(takes(&order).is_err(), "{order:?}");
             }
             assert_eq!(commands.try_iter().count(), 0);
-            assert!(orders(false).0(&Order::Speed { times: 2.0 }).is_err(), "nobody is there to be told");
+            let (mut takes, commands) = orders(false);
+            takes(&Order::Speed { times: 2.0 }).unwrap();
+            drop(commands);
+            assert!(takes(&Order::Speed { times: 2.0 }).is_err(), "nobody is there to be told");
         }
     }
 }

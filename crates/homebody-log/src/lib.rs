@@ -37,6 +37,7 @@ pub mod word;
 mod spreadsheet;
 mod mapping;
 mod messages;
+pub mod destination;
 mod writer;
 mod packed;
 
@@ -61,9 +62,10 @@ pub mod records;
 
 pub use anonymise::{Anonymised, Anonymising, anonymise};
 pub use convert::convert;
+pub use destination::Destination;
 pub use error::LogError;
 pub use label::{Labelled, label};
-pub use logger::{Destination, Logger, RowsOfFirings, Stored};
+pub use logger::{Logger, RowsOfFirings, Stored};
 pub use mapping::read_mapping;
 pub use meter::Meter;
 pub use places::Places;

@@ -1,14 +1,13 @@
 //! Stores a run's firings in as many places as wished.
 
-use crate::elsewhere;
+use crate::destination::Destination;
 use crate::error::LogError;
 use crate::fresh::all_can_be_written;
 use crate::mapping::{Columns, Shown};
 use crate::messages::{LogRow, Messages};
 use crate::meter::Meter;
-use crate::policy::Policy;
 use crate::run_info::RunInfo;
-use crate::sink::{self, How, Sink, Watermark};
+use crate::sink::{How, Watermark};
 use crate::table::{Batch, Cell, TextId, Texts};
 use crate::url::Url;
 use crate::writer::{BATCH, BATCH_WAITS, Beginning, Writer};
@@ -17,31 +16,6 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 use std::sync::Arc;
 use std::time::Instant;
-
-/// Where rows go, and what becomes of the run if that fails.
-pub struct Destination {
-    /// What errors and summaries call it, such as `csv:log.csv`.
-    pub place: String,
-    /// What takes the rows.
-    pub sink: Box<dyn Sink>,
-    /// How long a failure is waited for, and whether the run ends with it.
-    pub policy: Policy,
-    /// What counts what it takes.
-    pub meter: Arc<Meter>,
-}
-
-impl Destination {
-    /// A place of one of the known kinds, which the run cannot do without.
-    pub fn of(url: &Url) -> Destination {
-        let policy = elsewhere::of(url.scheme()).map_or_else(Policy::default, |elsewhere| (elsewhere.policy)());
-        Destination { place: url.to_string(), sink: sink::open(url), policy, meter: Arc::default() }
-    }
-
-    /// A caller's own.
-    pub fn own(place: impl Into<String>, sink: impl Sink + 'static, policy: Policy) -> Destination {
-        Destination { place: place.into(), sink: Box::new(sink), policy, meter: Arc::default() }
-    }
-}
 
 /// Destinations of known kinds, of which all can be written.
 pub fn destinations(urls: &[Url], how: How) -> Result<Vec<Destination>, LogError> {

@@ -4,8 +4,8 @@
 //! What was given and not noted before the program died is given again, with the same numbers: such a destination gets each row at
 //! least once.
 
+use crate::destination::Destination;
 use crate::error::LogError;
-use crate::logger::Destination;
 use crate::sink::{Begin, How, Sink, Watermark};
 use crate::spool::file_name;
 use crate::table::Batch;

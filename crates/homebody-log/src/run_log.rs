@@ -1,11 +1,12 @@
 //! All that a run leaves: its log, the truth apart from it, the table of its sensors, and the recording that lives it
 //! again.
 
+use crate::destination::Destination;
 use crate::error::LogError;
 use crate::fresh::{FreshFile, remove_parts};
 use crate::limits::LARGEST_RECORDING_BYTES;
 use crate::lock::{FileLock, FolderLock};
-use crate::logger::{Destination, Logger, RowsOfFirings, Stored, destinations};
+use crate::logger::{Logger, RowsOfFirings, Stored, destinations};
 use crate::meter::Meter;
 use crate::places::Places;
 use crate::plain;

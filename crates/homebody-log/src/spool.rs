@@ -5,8 +5,8 @@
 
 mod frame;
 
+use crate::destination::Destination;
 use crate::error::{LogError, place_of};
-use crate::logger::Destination;
 use crate::meter::Meter;
 use crate::policy::Policy;
 use crate::run_info::RunInfo;

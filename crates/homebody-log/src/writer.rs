@@ -3,8 +3,8 @@
 //! Batches come through a bounded queue: when the destination is the slower, the maker waits for it, and memory stays
 //! small. An error ends the thread; it comes out of the next call to the writer.
 
+use crate::destination::Destination;
 use crate::error::LogError;
-use crate::logger::Destination;
 use crate::meter::Meter;
 use crate::policy::Policy;
 use crate::run_info::RunInfo;

@@ -72,7 +72,9 @@ fn no_event_is_lost_or_doubled() {
         rows.push((0, "hall", "ON"));
         rows.push((0, "hall", "ON"));
         let map = map(&rows, &Asked::default());
-        let events = rows.iter().filter(|(_, _, value)| *value == "ON").count() as u64;
+        // A door is no sensor of movement, whatever it says.
+        let moved = |(_, name, value): &&(Micros, &str, &str)| *value == "ON" && *name != "front door";
+        let events = rows.iter().filter(moved).count() as u64;
         assert_eq!(map.events, events);
         assert_eq!(map.days.iter().map(|day| day.sum.events).sum::<u64>(), events);
         assert_eq!(map.hours.iter().map(|hour| hour.sum.events).sum::<u64>(), events);

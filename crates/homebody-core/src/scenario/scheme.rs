@@ -259,6 +259,11 @@ pub fn forms() -> String {
     listed(&SCHEMES.map(|row| format!("{}:{}", row.name, row.at)))
 }
 
+/// The same of those that a scenario's file may name.
+pub fn forms_of_scenarios() -> String {
+    listed(&Scheme::of_scenarios().map(|row| format!("{}:{}", row.name, row.at)).collect::<Vec<_>>())
+}
+
 /// What can be said instead of one another.
 fn listed(names: &[String]) -> String {
     match names {

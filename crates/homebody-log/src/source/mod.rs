@@ -61,7 +61,6 @@ pub use recorded_truth::{truth_at, truth_beside};
 pub use run_clock::RunClock;
 pub use sensors::SensorMap;
 pub use start::Start;
-use std::path::Path;
 
 /// Reads a log into memory; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they
 /// are neither ours nor to be guessed.
@@ -92,7 +91,7 @@ pub fn stream(
     reading.log.known = sensors::known_beside(path, &mut reading.log.remarks)?;
     let beside = source.activities_beside();
     reading.has_spans = beside.is_some();
-    (source.form().read)(path, file, &mut reading).map_err(|error| no_log(path, error))?;
+    (source.form().read)(path, file, &mut reading).map_err(|error| no_log(&source, error))?;
     if let Some(beside) = beside {
         reading.go_beside(beside.path());
         (beside.form().read)(beside.path(), file, &mut reading)?;
@@ -101,17 +100,19 @@ pub fn stream(
     match log.problems.first() {
         Some(first) if log.rows == 0 && log.activities.is_empty() => {
             let why = format!("line {}: {}", first.line, first.why);
-            Err(no_log(path, LogError::NoLog { place: place_of(path), why }))
+            Err(no_log(&source, LogError::NoLog { place: place_of(path), why }))
         }
         _ => Ok(log),
     }
 }
 
 /// Why a file is no log: where it is no text, what stands in its lines says nothing.
-fn no_log(path: &Path, error: LogError) -> LogError {
+fn no_log(source: &Source, error: LogError) -> LogError {
     match error {
+        // Forms of crates of their own say it themselves.
+        error if !FORMS.contains(source.form()) => error,
         LogError::NoLog { place, why } => {
-            let start = Start::of(path).ok();
+            let start = Start::of(source.path()).ok();
             let no_text = start.filter(|start| !start.is_sqlite()).and_then(|start| start.no_text());
             LogError::NoLog { place, why: no_text.map_or(why, str::to_owned) }
         }

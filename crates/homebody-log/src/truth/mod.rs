@@ -9,9 +9,10 @@
 mod names;
 mod tables;
 
+use crate::destination::Destination;
 use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file};
-use crate::logger::{Destination, RowsOfFirings};
+use crate::logger::RowsOfFirings;
 use crate::mapping::Shown;
 use crate::meter::Meter;
 use crate::run_info::RunInfo;

@@ -2,6 +2,7 @@
 
 use crate::broker::{Broker, firings, free_port, is_installed, live, logger};
 use homebody_core::event::Firing;
+use homebody_core::scenario::scheme::Scheme;
 use homebody_log::{How, LogError, Logger, Url};
 use homebody_mqtt::MqttSink;
 use rcgen::{BasicConstraints, CertificateParams, DnType, IsCa, Issuer, KeyPair, date_time_ymd};
@@ -56,7 +57,9 @@ fn a_password_is_read_from_a_file_and_a_wrong_one_is_refused_and_told_by_nobody(
         let said = error(&wrong);
         assert!(said.contains("lets this user not in") && !said.contains("hunter"), "{said}");
     }
-    let written: Url = format!("mqtt://ann:hunter2@127.0.0.1:{}/homebody", broker.port).parse().unwrap();
+    let at = format!("ann:hunter2@127.0.0.1:{}/homebody", broker.port);
+    assert!(!format!("mqtt://{at}").parse::<Url>().unwrap_err().to_string().contains("hunter2"));
+    let written = Url::new(Scheme::Mqtt, at);
     let refused = logger(MqttSink::live(&written), How::New).err().unwrap();
     assert!(matches!(refused, LogError::NoPlace(_)), "exit code 2");
     assert!(!refused.to_string().contains("hunter2") && refused.to_string().contains("password-file"));

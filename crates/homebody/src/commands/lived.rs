@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use crate::signals::Signals;
 use homebody_core::recording::Recording;
-use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
+use homebody_core::scenario::scheme::{NoPlace, Scheme, SchemeRow};
 use homebody_core::time::{Micros, SECOND, seconds};
 use homebody_kit::{Destinations, Difference, LiveRun, Lived, Progress, Url, VERSION, WhenDown};
 use homebody_log::sink::log_beside;
@@ -250,7 +250,7 @@ fn not_as_said(differences: &[Difference]) -> String {
 
 /// The place of a truth: a database where no kind is said.
 fn truth_place(text: &str) -> Result<Url, String> {
-    let is_kind = |(scheme, _): (&str, &str)| SCHEMES.iter().any(|row| row.name == scheme);
+    let is_kind = |(scheme, _): (&str, &str)| SchemeRow::named(scheme).is_some();
     match text.split_once(':').is_some_and(is_kind) {
         true => text.parse().map_err(|error: NoPlace| error.to_string()),
         false => Ok(Url::new(Scheme::Sqlite, text)),

@@ -51,9 +51,14 @@ fn left(folder: &Folder, run: &str) -> Vec<(String, Vec<u8>)> {
 
 fn differ(folder: &Folder, run: &str, whole: &[(String, Vec<u8>)]) -> Vec<String> {
     let found = left(folder, run);
-    let names: Vec<&String> = found.iter().map(|(name, _)| name).collect();
-    assert_eq!(names, whole.iter().map(|(name, _)| name).collect::<Vec<_>>());
-    found.iter().zip(whole).filter(|(one, other)| one != other).map(|(one, _)| one.0.clone()).collect()
+    // A data set has a file for each day, so that files may be missing, too.
+    let only = |some: &[(String, Vec<u8>)], others: &[(String, Vec<u8>)]| -> Vec<String> {
+        some.iter().filter(|file| !others.contains(file)).map(|(name, _)| name.clone()).collect()
+    };
+    let mut differ = [only(&found, whole), only(whole, &found)].concat();
+    differ.sort();
+    differ.dedup();
+    differ
 }
 
 /// Kills a run so long after its recording stands; whether it was on its way.

@@ -89,7 +89,7 @@ fn columns_are_written_and_read_by_the_command() {
     folder.write("cut.parquet", &whole[..whole.len() / 2]);
     folder
         .run("look cut.parquet")
-        .fails(1, "cut.parquet cannot be read as a log: it begins as Parquet, but is damaged or cut short");
+        .fails(2, "cut.parquet cannot be read as a log: it begins as Parquet, but is damaged or cut short");
 }
 
 /// A store elsewhere is told as such, and no folder is made that is called so.

@@ -4,7 +4,7 @@ use super::{Report, Surroundings, folded};
 use crate::problem::Problem;
 use crate::scenario::inside::{outside_folder, taken_in_run};
 use crate::scenario::logger::{LoggerFile, LumpFile, MessagesFile};
-use crate::scenario::scheme::{NoPlace, OUTPUT, Scheme, Stands};
+use crate::scenario::scheme::{self, NoPlace, OUTPUT, Scheme, Stands};
 use crate::scenario::source::{Source, pointer_part};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -43,6 +43,7 @@ fn check_targets(report: &mut Report, targets: &[String]) {
         let (scheme, path) = match Scheme::split(target) {
             Ok(parts) => parts,
             Err(NoPlace { what, hint }) => {
+                let hint = hint.replace(&scheme::forms(), &scheme::forms_of_scenarios());
                 report.hinted(&pointer, what, hint);
                 continue;
             }

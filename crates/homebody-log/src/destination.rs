@@ -1,0 +1,33 @@
+//! Where rows go: a sink, and how it is treated.
+
+use crate::elsewhere;
+use crate::meter::Meter;
+use crate::policy::Policy;
+use crate::sink::{self, Sink};
+use crate::url::Url;
+use std::sync::Arc;
+
+/// Where rows go, and what becomes of the run if that fails.
+pub struct Destination {
+    /// What errors and summaries call it, such as `csv:log.csv`.
+    pub place: String,
+    /// What takes the rows.
+    pub sink: Box<dyn Sink>,
+    /// How long a failure is waited for, and whether the run ends with it.
+    pub policy: Policy,
+    /// What counts what it takes.
+    pub meter: Arc<Meter>,
+}
+
+impl Destination {
+    /// A place of one of the known kinds, which the run cannot do without.
+    pub fn of(url: &Url) -> Destination {
+        let policy = elsewhere::of(url.scheme()).map_or_else(Policy::default, |elsewhere| (elsewhere.policy)());
+        Destination { place: url.to_string(), sink: sink::open(url), policy, meter: Arc::default() }
+    }
+
+    /// A caller's own.
+    pub fn own(place: impl Into<String>, sink: impl Sink + 'static, policy: Policy) -> Destination {
+        Destination { place: place.into(), sink: Box::new(sink), policy, meter: Arc::default() }
+    }
+}
