@@ -99,7 +99,7 @@ mod built {
             }
             assert_eq!(commands.try_iter().count(), 0);
             let (mut takes, commands) = orders(false);
-            takes(&Order::Speed { times: 2.0 }).unwrap();
+            assert!(takes(&Order::Speed { times: 2.0 }).is_ok());
             drop(commands);
             assert!(takes(&Order::Speed { times: 2.0 }).is_err(), "nobody is there to be told");
         }

@@ -251,7 +251,7 @@ fn not_as_said(differences: &[Difference]) -> String {
 /// The place of a truth: a database where no kind is said.
 fn truth_place(text: &str) -> Result<Url, String> {
     let is_kind = |(scheme, _): (&str, &str)| SchemeRow::named(scheme).is_some();
-    match text.split_once(':').is_some_and(is_kind) {
+    match text.contains("://") || text.split_once(':').is_some_and(is_kind) {
         true => text.parse().map_err(|error: NoPlace| error.to_string()),
         false => Ok(Url::new(Scheme::Sqlite, text)),
     }
