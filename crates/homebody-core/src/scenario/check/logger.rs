@@ -44,7 +44,12 @@ fn check_targets(report: &mut Report, targets: &[String]) {
             Ok(parts) => parts,
             Err(NoPlace { what, hint }) => {
                 let hint = hint.replace(&scheme::forms(), &scheme::forms_of_scenarios());
-                report.hinted(&pointer, what, hint);
+                let mut problem = report.source.problem(&pointer, what, Some(hint));
+                if scheme::without_password(target) != *target {
+                    // The line would show it.
+                    problem.excerpt = None;
+                }
+                report.problems.push(problem);
                 continue;
             }
         };
