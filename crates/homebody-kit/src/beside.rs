@@ -3,10 +3,12 @@
 use crate::broker;
 use crate::error::Error;
 use crate::pace::Paced;
+use homebody_core::scenario::scheme::Scheme;
 use homebody_log::{Destination, Url, WhenDown};
 use std::path::Path;
 
-/// The destinations of these places. What they confirm is noted in the run's folder, where it has one. A run hears its brokers, and is
+/// The destinations of these places. What those that cannot say it have confirmed is noted in
+/// the run's folder, where it has one. A run hears its brokers, and is
 /// refused where it is faster than they may be told.
 pub(crate) fn destinations(
     urls: &[Url],
@@ -19,8 +21,9 @@ pub(crate) fn destinations(
         let destination = broker::destination(url, paced)?.unwrap_or_else(|| Destination::of(url));
         let destination = destination.when_down(when);
         all.push(match folder {
-            Some(folder) => destination.remembered_in(folder),
-            None => destination,
+            // A database says itself what it holds, also after it was put back to what it was before.
+            Some(folder) if url.scheme() != Scheme::Postgresql => destination.remembered_in(folder),
+            _ => destination,
         });
     }
     Ok(all)
