@@ -19,6 +19,7 @@ use homebody_log::elsewhere::Elsewhere;
 pub const ELSEWHERE: Elsewhere = Elsewhere {
     schemes: &[Scheme::Parquet, Scheme::Arrow],
     open: sink::open,
+    fleet: None,
     policy: Policy::default,
     forms: &source::FORMS,
 };

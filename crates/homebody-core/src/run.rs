@@ -82,22 +82,43 @@ pub struct Guest {
     pub build: Build,
 }
 
+/// The bodies of all who live there, and then of those who come to visit.
+fn builds(scenario: &Scenario, guests: &[Guest]) -> Vec<Build> {
+    let residents = scenario.residents.iter().map(|resident| Build::of(&resident.file));
+    residents.chain(guests.iter().map(|guest| guest.build)).collect()
+}
+
 impl Run {
     /// A run of a scenario from its start, `length` long.
     pub fn new(scenario: &Scenario, drivers_of: &dyn DriverProvider, seed: u64, length: Micros) -> Run {
+        let home = Arc::new(Run::home_of(scenario, &drivers_of.guests()));
+        Run::in_home(home, scenario, drivers_of, seed, length)
+    }
+
+    /// The home of a scenario's runs, baked for all who live there and come to visit. It is the same whatever their seeds.
+    pub fn home_of(scenario: &Scenario, guests: &[Guest]) -> Home {
+        let places = scenario.link.as_ref().map(|link| link::other_places(link, &scenario.home.sensors));
+        let moved = places.map_or(Cow::Borrowed(&scenario.home), |more| Cow::Owned(scenario.home.with_sensors(more)));
+        let mut home = Home::bake(&moved, &builds(scenario, guests));
+        home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
+        home
+    }
+
+    /// As [`Run::new`], in a home that was baked before by [`Run::home_of`]: many runs of a scenario share one.
+    pub fn in_home(
+        home: Arc<Home>,
+        scenario: &Scenario,
+        drivers_of: &dyn DriverProvider,
+        seed: u64,
+        length: Micros,
+    ) -> Run {
         let guests = drivers_of.guests();
-        let residents = scenario.residents.iter().map(|resident| Build::of(&resident.file));
-        let builds: Vec<Build> = residents.chain(guests.iter().map(|guest| guest.build)).collect();
+        let builds = builds(scenario, &guests);
         let start_of_day = scenario.calendar.start_of_day();
         let link = scenario
             .link
             .as_ref()
             .map(|file| Link::new(file, &scenario.home.sensors, scenario.home.numbers(), start_of_day, seed));
-        let places = scenario.link.as_ref().map(|link| link::other_places(link, &scenario.home.sensors));
-        let moved = places.map_or(Cow::Borrowed(&scenario.home), |more| Cow::Owned(scenario.home.with_sensors(more)));
-        let mut home = Home::bake(&moved, &builds);
-        home.sun = Sun::of(&scenario.calendar, scenario.home.latitude_deg);
-        let home = Arc::new(home);
         let drivers = (0..builds.len()).map(|body| {
             let given = drivers_of.driver(body, &home, seed);
             let resident = scenario.residents.get(body);

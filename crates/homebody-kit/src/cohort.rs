@@ -553,7 +553,7 @@ impl Members {
         match self {
             Members::Many(count) => {
                 let (number, width) = (index as u32 + 1, count.to_string().len().max(4));
-                let seed = seed_of(seed, "member/", &number.to_le_bytes());
+                let seed = seed_of_member(seed, number);
                 Member { name: format!("{number:0width$}"), seed, row: None }
             }
             Members::Listed(profiles) => {
@@ -563,6 +563,11 @@ impl Members {
             }
         }
     }
+}
+
+/// The seed of a member of whom nothing but their number is known, from 1 on.
+pub(crate) fn seed_of_member(seed: u64, number: u32) -> u64 {
+    seed_of(seed, "member/", &number.to_le_bytes())
 }
 
 /// A seed for each member; at most what every JSON reader keeps exactly.

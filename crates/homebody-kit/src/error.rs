@@ -110,6 +110,9 @@ pub enum Error {
     /// Whoever asked has asked for it to end early.
     #[error("it was cancelled")]
     Cancelled,
+    /// A fleet cannot be like this, or cannot tell these places: all that is wrong.
+    #[error("{0}")]
+    Fleet(String),
     /// A scenario cannot be fitted to a log.
     #[error("{0}")]
     Calibration(String),

@@ -49,6 +49,7 @@ mod live_home;
 mod profiles;
 mod cohort_list;
 mod cohort;
+pub mod fleet;
 
 mod idle_sensors;
 mod log_with_run;

@@ -2,6 +2,7 @@
 //!
 //! A program that has them says so once, before all else, by [`install`]; from then on they are opened and read as all others are.
 
+use crate::fleet::FleetSink;
 use crate::policy::Policy;
 use crate::sink::{Begin, Sink, Watermark};
 use crate::source::Form;
@@ -18,6 +19,8 @@ pub struct Elsewhere {
     pub schemes: &'static [Scheme],
     /// The sink of a place. Nothing is touched before it is begun.
     pub open: fn(&Url) -> Box<dyn Sink>,
+    /// What takes the rows of a fleet at such a place; None where no fleet can write there.
+    pub fleet: Option<fn(&Url) -> Box<dyn FleetSink>>,
     /// How a destination of this kind is treated where nobody says otherwise.
     pub policy: fn() -> Policy,
     /// The forms in which it reads logs.

@@ -46,6 +46,9 @@ pub mod spool;
 pub mod remembered;
 pub mod truth;
 
+/// Fleets: many homes that tell one place.
+pub mod fleet;
+
 pub mod run_log;
 pub mod rows;
 

@@ -56,6 +56,12 @@ impl Meter {
         }
     }
 
+    /// So many rows were taken, and are durable.
+    pub(crate) fn took_rows(&self, rows: u64) {
+        let before = self.rows.fetch_add(rows, Ordering::Relaxed);
+        self.made_sure(before + rows);
+    }
+
     /// So many rows are durable.
     pub(crate) fn made_sure(&self, rows: u64) {
         self.durable.fetch_max(rows, Ordering::Relaxed);

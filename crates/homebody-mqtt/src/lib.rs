@@ -36,5 +36,5 @@ use homebody_log::sink::Sink;
 /// The kinds of places of this crate, for a program that installs them.
 pub fn elsewhere() -> Elsewhere {
     let open = |url: &Url| -> Box<dyn Sink> { Box::new(MqttSink::new(url)) };
-    Elsewhere { schemes: &[Scheme::Mqtt, Scheme::Mqtts], open, policy, forms: &[] }
+    Elsewhere { schemes: &[Scheme::Mqtt, Scheme::Mqtts], open, fleet: None, policy, forms: &[] }
 }

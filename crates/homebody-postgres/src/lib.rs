@@ -31,6 +31,7 @@ pub use source::FORM;
 pub const POSTGRESQL: Elsewhere = Elsewhere {
     schemes: &[Scheme::Postgresql],
     open: |url| Box::new(Postgres::new(url)),
+    fleet: None,
     policy: Policy::default,
     forms: &[FORM],
 };

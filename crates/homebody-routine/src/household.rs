@@ -1,5 +1,7 @@
 //! Everybody of a scenario who lives by a routine or a script: the residents, and those who visit them.
 
+mod many;
+
 use crate::completion::{self, Word};
 use crate::language::lexicon::OWN_FILE;
 use crate::language::{self, Known, Lexicon};
@@ -30,6 +32,8 @@ use homebody_script::{Cast, Names, Program, ScriptDriver};
 use homebody_walk::{Gains, Mesh};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+
+pub use many::ManyRuns;
 
 /// The routines of a scenario, understood.
 #[derive(Clone, Debug)]
@@ -301,20 +305,13 @@ impl Household {
     }
 
     /// The driver of a resident who lives by a script.
-    fn scripted(
-        &self,
-        body: usize,
-        program: &Arc<Program>,
-        home: &Arc<Home>,
-        mesh: Arc<Mesh>,
-        seed: u64,
-    ) -> ScriptDriver {
+    fn scripted(&self, body: usize, program: &Arc<Program>, home: &Arc<Home>, on: &Footing, seed: u64) -> ScriptDriver {
         let file = &self.scenario.residents[body].file;
         let residents = self.scenario.residents.iter().map(|resident| resident.file.name.clone());
         let cast = Cast {
-            places: Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, &file.name)),
+            places: on.places.clone(),
             home: home.clone(),
-            mesh,
+            mesh: on.mesh.clone(),
             calendar: self.scenario.calendar.clone(),
             names: residents.chain(self.guests().into_iter().map(|guest| guest.name)).collect(),
             name: file.name.clone(),
@@ -330,6 +327,55 @@ impl Household {
         let radius_m = self.scenario.residents.get(body).map_or(Build::adult().radius_m, |one| one.file.radius_m);
         Arc::new(Mesh::with_numbers(&home.plan, radius_m, &home.numbers))
     }
+
+    /// What a body's driver stands on. Nothing for a body that nobody knows.
+    fn footing(&self, body: usize, home: &Home) -> Option<Footing> {
+        let host = match body.checked_sub(self.scenario.residents.len()) {
+            Some(guest) => self.guests.get(guest)?.host,
+            None => body,
+        };
+        let (mesh, name) = (self.mesh(body, home), &self.scenario.residents[host].file.name);
+        let asleep_at = self.routine(body).and_then(Routine::sleeps_at);
+        let places = Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name).sleeping_at(asleep_at));
+        Some(Footing { mesh, places, people: self.people(), life: self.life(host, 0) })
+    }
+
+    /// The driver of a body that stands on this.
+    fn driver_on(&self, on: &Footing, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn drivers::Driver>> {
+        let company = |build: Build| Company::new(on.people.clone(), build.radius_m, &home.numbers);
+        let life = |life: &Life| Arc::new(life.of_seed(seed));
+        if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
+            let Visitor { host, name } = self.guests.get(guest)?;
+            let own = Body::new(home.clone(), on.mesh.clone(), home.numbers.of(&GUEST_PACE_MPS));
+            let (host, company) = (ResidentId::of(*host), company(Build::adult()));
+            let (life, places) = (life(on.life.as_ref()?), on.places.clone());
+            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, (host, name), company)));
+        }
+        if let Some(program) = self.scripts.get(&body) {
+            return Some(Box::new(self.scripted(body, program, home, on, seed)));
+        }
+        let (life, places) = (life(on.life.as_ref()?), on.places.clone());
+        let kind = self.routine(body)?.person.as_ref().map_or(Kind::Person, |person| person.kind);
+        let own = Body::new(home.clone(), on.mesh.clone(), life.pace_mps);
+        match kind {
+            Kind::Person => {
+                let company = company(Build::of(&self.scenario.residents[body].file));
+                let id = ResidentId::of(body);
+                Some(Box::new(RoutineDriver::new(life, home.clone(), places, own, id, company)))
+            }
+            Kind::Cat | Kind::Dog => Some(Box::new(PetDriver::new(life, places, own))),
+        }
+    }
+}
+
+/// What of a body's driver does not depend on the seed.
+#[derive(Clone, Debug)]
+struct Footing {
+    mesh: Arc<Mesh>,
+    places: Arc<Places>,
+    people: Arc<People>,
+    /// The life of whose it is, as seed 0 has it; of a guest that of the host. None for who lives by no routine.
+    life: Option<Life>,
 }
 
 /// The gains that a resident's file says.
@@ -346,36 +392,7 @@ impl DriverProvider for Household {
     }
 
     fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn drivers::Driver>> {
-        let mesh = self.mesh(body, home);
-        let places = |name: &str| {
-            let asleep_at = self.routine(body).and_then(Routine::sleeps_at);
-            Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name).sleeping_at(asleep_at))
-        };
-        let company = |build: Build| Company::new(self.people(), build.radius_m, &home.numbers);
-        if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
-            let Visitor { host, name } = self.guests.get(guest)?;
-            let life = Arc::new(self.life(*host, seed)?);
-            let places = places(&life.name);
-            let (own, host) =
-                (Body::new(home.clone(), mesh.clone(), home.numbers.of(&GUEST_PACE_MPS)), ResidentId::of(*host));
-            let company = company(Build::adult());
-            return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, (host, name), company)));
-        }
-        if let Some(program) = self.scripts.get(&body) {
-            return Some(Box::new(self.scripted(body, program, home, mesh, seed)));
-        }
-        let life = Arc::new(self.life(body, seed)?);
-        let places = places(&life.name);
-        let kind = self.routine(body)?.person.as_ref().map_or(Kind::Person, |person| person.kind);
-        let own = Body::new(home.clone(), mesh.clone(), life.pace_mps);
-        match kind {
-            Kind::Person => {
-                let company = company(Build::of(&self.scenario.residents[body].file));
-                let id = ResidentId::of(body);
-                Some(Box::new(RoutineDriver::new(life, home.clone(), places, own, id, company)))
-            }
-            Kind::Cat | Kind::Dog => Some(Box::new(PetDriver::new(life, places, own))),
-        }
+        self.driver_on(&self.footing(body, home)?, body, home, seed)
     }
 }
 

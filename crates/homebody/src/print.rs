@@ -44,6 +44,17 @@ pub fn tell(text: impl std::fmt::Display) {
     };
 }
 
+/// The same with figures for programs: where everything is told as objects, they are in it under this name.
+pub fn tell_with(text: impl std::fmt::Display, name: &str, figures: &impl serde::Serialize) {
+    use std::io::Write;
+    if !IN_JSON.load(Ordering::Relaxed) {
+        return tell(text);
+    }
+    let mut object = as_json(&seen(&text.to_string()), Timestamp::now());
+    object[name] = serde_json::to_value(figures).unwrap_or_default();
+    let _ = writeln!(std::io::stderr().lock(), "{object}");
+}
+
 /// How people, or programs that collect logs, are told something.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Told {

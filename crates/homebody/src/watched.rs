@@ -1,5 +1,6 @@
 //! How a run is watched from outside: its numbers in the text format of Prometheus, by `--metrics`.
 
+use crate::commands::fleet::told::{Look, numbers};
 use crate::failure::Failure;
 use crate::print::tell;
 use homebody_core::time::SECOND;
@@ -9,6 +10,7 @@ use homebody_web::serve_metrics;
 use jiff::Timestamp;
 use std::fmt::Write;
 use std::net::{Ipv4Addr, SocketAddr};
+use std::sync::PoisonError;
 
 /// Where numbers are asked for.
 #[derive(clap::Args)]
@@ -28,15 +30,27 @@ impl Watched {
     /// Begins to serve the numbers of a run, where somebody wants them.
     pub fn begin(&self, scenario: &str) -> Result<Meters, Failure> {
         let meters = Meters::default();
-        if let Some(address) = self.metrics {
-            if !address.ip().is_loopback() {
-                tell(format_args!("warning: who can reach {address} can read the run's numbers"));
-            }
-            let (seen, name) = (meters.clone(), scenario.to_owned());
-            let bound = serve_metrics(address, move || text(&name, &seen.look(), Timestamp::now()))?;
-            tell(format_args!("numbers    http://{bound}/metrics"));
-        }
+        let (seen, name) = (meters.clone(), scenario.to_owned());
+        self.serve(move || text(&name, &seen.look(), Timestamp::now()))?;
         Ok(meters)
+    }
+
+    /// The same for a fleet, of which the last report is served.
+    pub fn begin_fleet(&self, scenarios: &str) -> Result<Look, Failure> {
+        let look = Look::default();
+        let (seen, name) = (look.clone(), scenarios.to_owned());
+        self.serve(move || numbers(&name, &seen.lock().unwrap_or_else(PoisonError::into_inner), escaped))?;
+        Ok(look)
+    }
+
+    fn serve(&self, look: impl Fn() -> String + Clone + Send + Sync + 'static) -> Result<(), Failure> {
+        let Some(address) = self.metrics else { return Ok(()) };
+        if !address.ip().is_loopback() {
+            tell(format_args!("warning: who can reach {address} can read the run's numbers"));
+        }
+        let bound = serve_metrics(address, look)?;
+        tell(format_args!("numbers    http://{bound}/metrics"));
+        Ok(())
     }
 }
 

@@ -3,6 +3,7 @@
 mod casas;
 mod csv;
 pub(crate) mod database;
+pub(crate) mod fleet_jsonl;
 mod jsonl;
 mod open;
 pub(crate) mod sqlite;

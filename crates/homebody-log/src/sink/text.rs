@@ -1,7 +1,7 @@
 //! A text of rows, a line each: a new file, one that a program which died has left, to be gone on with, a file that is packed as it
 //! is written, or standard output.
 
-use super::{Begin, How};
+use super::How;
 use crate::error::{LogError, place_of};
 use crate::fresh::{FreshFile, remove_parts};
 use crate::lock::FileLock;
@@ -55,12 +55,12 @@ pub(super) enum Text {
 
 impl Text {
     /// Begins a text. One `is_followed` that has its name from its first line on, so that it can be read while it grows.
-    pub fn begin(at: &At, begin: &Begin, is_followed: bool) -> Result<Text, LogError> {
+    pub fn begin(at: &At, how: How, is_followed: bool) -> Result<Text, LogError> {
         Ok(match at {
             At::Output => Text::Output(BufWriter::with_capacity(1 << 16, io::stdout())),
             At::File(path) => match Packing::of(path)? {
-                Some(packing) => Text::Packed(Box::new(PackedFile::begin(path, packing, begin)?)),
-                None => Text::File(Box::new(TextFile::begin(path, begin, is_followed)?)),
+                Some(packing) => Text::Packed(Box::new(PackedFile::begin(path, packing, how)?)),
+                None => Text::File(Box::new(TextFile::begin(path, how, is_followed)?)),
             },
         })
     }
@@ -170,12 +170,12 @@ pub(super) struct TextFile {
 }
 
 impl TextFile {
-    fn begin(path: &Path, begin: &Begin, is_followed: bool) -> Result<TextFile, LogError> {
+    fn begin(path: &Path, how: How, is_followed: bool) -> Result<TextFile, LogError> {
         let lock = FileLock::take(path)?;
-        let left = if begin.how == How::GoOn { FreshFile::reopen(path)? } else { None };
+        let left = if how == How::GoOn { FreshFile::reopen(path)? } else { None };
         let (file, left) = match left {
             Some((file, left)) => (file, Some(Left::new(left))),
-            None => (FreshFile::create(path, begin.how == How::Replace)?, None),
+            None => (FreshFile::create(path, how == How::Replace)?, None),
         };
         Ok(TextFile { file, left, is_followed, _lock: lock })
     }
@@ -226,17 +226,17 @@ pub(super) struct PackedFile {
 }
 
 impl PackedFile {
-    fn begin(path: &Path, packing: Packing, begin: &Begin) -> Result<PackedFile, LogError> {
+    fn begin(path: &Path, packing: Packing, how: How) -> Result<PackedFile, LogError> {
         let lock = FileLock::take(path)?;
         let mut left = None;
-        if begin.how == How::GoOn {
+        if how == How::GoOn {
             remove_parts(path)?;
             if path.is_file() {
                 let text = unpacked(path).map_err(|error| LogError::reading(path, error))?;
                 left = Some(Left::new(text));
             }
         }
-        let packer = packing.pack(FreshFile::create(path, begin.how != How::New)?)?;
+        let packer = packing.pack(FreshFile::create(path, how != How::New)?)?;
         Ok(PackedFile { path: path.into(), packer, left, _lock: lock })
     }
 

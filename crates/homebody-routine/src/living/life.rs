@@ -18,6 +18,7 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, Micros, micros};
 use homebody_walk::Gains;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A person's life as it was written, with the conditions that it shows.
 #[derive(Clone, Debug)]
@@ -27,9 +28,14 @@ pub struct Life {
     pub calendar: Calendar,
     /// Metres a second, as the resident's file says or, before it, the routine.
     pub pace_mps: f64,
+    /// The pace as it is written, and whether it is said exactly, so that it is theirs whoever else there is.
+    written_mps: f64,
+    has_exact_pace: bool,
+    /// Whether they are not quite as they are written.
+    is_one_of_many: bool,
     seed: u64,
-    /// The routine first, then what it leaves unsaid, then the conditions.
-    sources: Vec<Source>,
+    /// The routine first, then what it leaves unsaid, then the conditions. Lives of other seeds share it.
+    sources: Arc<Vec<Source>>,
     pub constitution: Constitution,
     pub person: Person,
     /// What the scenario sets otherwise in how lives are lived.
@@ -108,27 +114,24 @@ impl Life {
         numbers: &Numbers,
     ) -> Life {
         let pace = routine.person.as_ref().and_then(|person| person.pace_mps);
-        let mut constitution = Stream::named(seed, &format!("resident/{name}/constitution"));
+        let written_mps = pace.map_or(pace_mps, |pace| pace.mean());
         let mut life = Life {
             name: name.into(),
             calendar: calendar.clone(),
-            pace_mps: pace.map_or(pace_mps, |pace| pace.mean()),
+            pace_mps: written_mps,
+            written_mps,
+            has_exact_pace: pace.is_some_and(|pace| pace.low >= pace.high),
+            is_one_of_many,
             seed,
-            sources: Vec::new(),
-            constitution: Constitution::draw(numbers, &mut constitution),
-            person: match is_one_of_many {
-                true => Person::draw(numbers, &mut Stream::named(seed, &format!("resident/{name}/person"))),
-                false => Person::AS_WRITTEN,
-            },
+            sources: Arc::default(),
+            constitution: Constitution::draw(numbers, &mut Life::constitution_of(name, seed)),
+            person: Person::AS_WRITTEN,
             numbers: numbers.clone(),
             gains: Gains::USUAL,
         };
-        // A pace that is said exactly is theirs, whoever else there is.
-        if pace.is_none_or(|pace| pace.low < pace.high) {
-            life.pace_mps *= life.person.pace;
-        }
+        life.draw();
         life.add_conditions(&routine.changes.clone(), &[], conditions, 0);
-        for source in &mut life.sources {
+        for source in Arc::make_mut(&mut life.sources) {
             let begins = |shown: &Vec<(Phase, f64)>| {
                 shown.iter().filter_map(|(phase, _)| phase.from).map(|from| day_in(calendar, from)).max()
             };
@@ -137,8 +140,31 @@ impl Life {
         let (own_keys, ordinary_keys) = (Keys::of(&routine, "own"), Keys::of(&ordinary, "ordinary"));
         let always = |routine, keys| Source { routine, keys, condition: None, shown: Vec::new() };
         let ordinary = always(ordinary, ordinary_keys);
-        life.sources.splice(0..0, [always(routine, own_keys), ordinary]);
+        Arc::make_mut(&mut life.sources).splice(0..0, [always(routine, own_keys), ordinary]);
         life
+    }
+
+    /// The life that another seed makes of the same words.
+    pub fn of_seed(&self, seed: u64) -> Life {
+        let mut life = Life { seed, ..self.clone() };
+        life.draw();
+        life
+    }
+
+    /// Draws what is theirs and in no words.
+    fn draw(&mut self) {
+        self.constitution = Constitution::draw(&self.numbers, &mut Life::constitution_of(&self.name, self.seed));
+        self.person = match self.is_one_of_many {
+            true => Person::draw(&self.numbers, &mut self.stream("person")),
+            false => Person::AS_WRITTEN,
+        };
+        // A pace that is said exactly is theirs, whoever else there is.
+        let factor = if self.has_exact_pace { 1.0 } else { self.person.pace };
+        self.pace_mps = self.written_mps * factor;
+    }
+
+    fn constitution_of(name: &str, seed: u64) -> Stream {
+        Stream::named(seed, &format!("resident/{name}/constitution"))
     }
 
     fn add_conditions(
@@ -153,12 +179,13 @@ impl Life {
             let Some(routine) = conditions.get(condition).filter(|_| depth < DEPTH) else { continue };
             let shown: Vec<(Phase, f64)> = shown.iter().copied().chain([(change.phase, *severity)]).collect();
             self.add_conditions(&routine.changes, &shown, conditions, depth + 1);
-            if let Some(known) = self.sources.iter_mut().find(|source| source.condition.as_ref() == Some(condition)) {
+            let sources = Arc::make_mut(&mut self.sources);
+            if let Some(known) = sources.iter_mut().find(|source| source.condition.as_ref() == Some(condition)) {
                 known.shown.push(shown);
                 continue;
             }
             let (keys, condition, shown) = (Keys::of(routine, condition), Some(condition.clone()), vec![shown]);
-            self.sources.push(Source { routine: routine.clone(), keys, condition, shown });
+            sources.push(Source { routine: routine.clone(), keys, condition, shown });
         }
     }
 

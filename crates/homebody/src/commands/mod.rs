@@ -13,6 +13,7 @@ mod coverage;
 mod day;
 mod density;
 mod experiment;
+pub mod fleet;
 mod follow;
 mod for_programs;
 mod health;
@@ -49,6 +50,8 @@ pub enum Command {
     Run(run::Arguments),
     /// Live a home on the world's clock, for as long as nobody stops it
     Live(live::Arguments),
+    /// Live thousands of homes at once on the world's clock, to see what a back end bears
+    Fleet(fleet::Arguments),
     /// Live a recording again, byte for byte
     Replay(replay::Arguments),
     /// Report everything that is wrong with a scenario
@@ -115,6 +118,7 @@ impl Command {
         match self {
             Command::Run(arguments) => arguments.run(),
             Command::Live(arguments) => arguments.run(),
+            Command::Fleet(arguments) => arguments.run(),
             Command::Replay(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
             Command::Routine(arguments) => arguments.run(),

@@ -1,0 +1,256 @@
+//! Living all homes, each a little ahead of the clock, and what of it is to be told by now. It knows no clock: it is told the time.
+
+use super::churn::Presence;
+use super::homes::{FleetOf, HomeOf};
+use super::storms::Storms;
+use homebody_core::drivers::error::DriverError;
+use homebody_core::event::Events;
+use homebody_core::run::Run;
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::fleet::{FleetRow, HomeRows, Told};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// A home that is lived less far ahead than this is lived on (ours), in microseconds of the world's clock: ten thousand people who
+/// plan their day at midnight take some seconds.
+const AHEAD: i64 = 30 * SECOND;
+
+/// So much is lived of a home at once, in microseconds of the world's clock (ours): what it says meanwhile waits in memory.
+const STEP: i64 = 60 * SECOND;
+
+/// Who is far behind lives on in steps of this part of it (ours), and at most so far at once.
+const PART_OF_BEHIND: i64 = 4;
+const LONGEST_STEP: Micros = 3600 * SECOND;
+
+/// A step ends once it has so many events (ours), whatever drivers decide.
+const MOST_EVENTS: usize = 100_000;
+
+/// All homes.
+pub(super) struct Living {
+    homes: Vec<Home>,
+    /// The homes by how far they are lived, in microseconds since 1970.
+    by_lived: BinaryHeap<Reverse<(i64, u32)>>,
+    held: BinaryHeap<Reverse<Held>>,
+    clocks: Clocks,
+    storms: Option<Storms>,
+    events: Events,
+    /// Homes that are there, by what was told of them.
+    pub there: usize,
+    /// How often homes have come and gone since the fleet began.
+    pub came: u64,
+    pub went: u64,
+    /// Whose driver decided what nobody can do: they are lived no further.
+    pub failed: Vec<(u32, DriverError)>,
+}
+
+/// One home.
+struct Home {
+    run: Run,
+    rows: HomeRows,
+    presence: Option<Presence>,
+    skew: Micros,
+    /// When its runs start.
+    start: i64,
+    is_there: bool,
+    /// What it says is told no earlier than what it has said before.
+    last_due: i64,
+    order: u64,
+}
+
+/// What instants of runs are by the world's clock.
+#[derive(Clone, Copy, Debug)]
+struct Clocks {
+    /// How many times as fast as life, from the instant `begin` of the world's clock on; None where runs are where that is.
+    speed: Option<f64>,
+    begin: i64,
+}
+
+/// What is to be told once its time has come; of one home in the order in which it happened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Held {
+    due: i64,
+    home: u32,
+    order: u64,
+    told: Kept,
+}
+
+/// The same, without order of its own.
+#[derive(Clone, Copy, Debug)]
+struct Kept(Told);
+
+impl PartialEq for Kept {
+    fn eq(&self, _: &Kept) -> bool {
+        true
+    }
+}
+
+impl Eq for Kept {}
+
+impl PartialOrd for Kept {
+    fn partial_cmp(&self, other: &Kept) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Kept {
+    fn cmp(&self, _: &Kept) -> std::cmp::Ordering {
+        std::cmp::Ordering::Equal
+    }
+}
+
+impl Clocks {
+    /// When something of a run that starts at `start` happens, by the world's clock, for a home whose clock is ahead by `skew`.
+    fn of(&self, start: i64, at: Micros, skew: Micros) -> i64 {
+        match self.speed {
+            None => start + at - skew,
+            Some(speed) => self.begin + ((at - skew) as f64 / speed) as i64,
+        }
+    }
+
+    /// How long a span of the world's clock is in a run.
+    fn span(&self, span: i64) -> Micros {
+        self.speed.map_or(span, |speed| (span as f64 * speed) as Micros)
+    }
+}
+
+impl Living {
+    /// All homes of a fleet that begins to tell at this instant, in microseconds since 1970.
+    pub fn new(fleet: FleetOf, begin: i64) -> Living {
+        let FleetOf { fleet: of, homes, speed, storms, starts } = fleet;
+        let clocks = Clocks { speed, begin };
+        let home = |(index, home): (usize, HomeOf)| {
+            let HomeOf { run, rows, presence, skew } = home;
+            let is_there = presence.as_ref().is_none_or(Presence::is_there);
+            let start = starts[of.homes[index].layout];
+            Home { run, rows, presence, skew, start, is_there, last_due: i64::MIN, order: 0 }
+        };
+        let homes: Vec<Home> = homes.into_iter().enumerate().map(home).collect();
+        let lived = homes.iter().zip(0..).map(|(home, index)| Reverse((clocks.of(home.start, 0, home.skew), index)));
+        Living {
+            by_lived: lived.collect(),
+            held: BinaryHeap::new(),
+            there: homes.iter().filter(|home| home.is_there).count(),
+            homes,
+            clocks,
+            storms,
+            events: Events::default(),
+            came: 0,
+            went: 0,
+            failed: Vec::new(),
+        }
+    }
+
+    /// Up to which instant all homes are lived.
+    pub fn lived(&self) -> i64 {
+        self.by_lived.peek().map_or(i64::MAX, |Reverse((lived, _))| *lived)
+    }
+
+    /// When there is something to tell, as far as homes are lived.
+    pub fn next_due(&self) -> Option<i64> {
+        let begin = self.clocks.begin;
+        let told = |due| self.storms.map_or(due, |storms: Storms| begin + storms.told_at(due - begin));
+        self.held.peek().map(|Reverse(held)| told(held.due))
+    }
+
+    /// From this instant on messages are in time or late; outages count from it.
+    pub fn begin(&mut self, now: i64) {
+        self.clocks.begin = now;
+    }
+
+    /// How many outages have ended by then, and whether there is one.
+    pub fn storms(&self, now: i64) -> (u64, bool) {
+        let after = now - self.clocks.begin;
+        self.storms.map_or((0, false), |storms| (storms.ended(after), storms.is_away(after)))
+    }
+
+    /// When a home is to be lived on.
+    pub fn next_life(&self) -> i64 {
+        self.lived().saturating_sub(AHEAD)
+    }
+
+    /// How much waits for its time.
+    pub fn holds(&self) -> usize {
+        self.held.len()
+    }
+
+    /// What is to be told by now, at most so much of it.
+    pub fn due(&mut self, now: i64, most: usize, into: &mut Vec<Told>) {
+        let begin = self.clocks.begin;
+        if self.storms.is_some_and(|storms| storms.is_away(now - begin)) {
+            return;
+        }
+        while into.len() < most
+            && let Some(Reverse(held)) = self.held.peek()
+            && held.due <= now
+        {
+            let Kept(mut told) = held.told;
+            match &mut told {
+                Told::Row(row) => {
+                    row.due = self.storms.map_or(row.due, |storms| begin + storms.told_at(row.due - begin));
+                }
+                Told::Comes(_) => (self.there, self.came) = (self.there + 1, self.came + 1),
+                Told::Goes(_) => (self.there, self.went) = (self.there - 1, self.went + 1),
+            }
+            into.push(told);
+            self.held.pop();
+        }
+    }
+
+    /// Lives the home on that is lived least far. False where all are far enough ahead.
+    pub fn live_one(&mut self, now: i64) -> bool {
+        let Some(&Reverse((lived, index))) = self.by_lived.peek() else { return false };
+        if lived >= now + AHEAD {
+            return false;
+        }
+        self.by_lived.pop();
+        let share = (i64::from(index) + 1) as f64 / self.homes.len() as f64;
+        let home = &mut self.homes[index as usize];
+        let step = match home.run.now() {
+            // Not all of them at once from then on.
+            0 => (self.clocks.span(STEP) as f64 * share) as Micros + 1,
+            _ => {
+                self.clocks.span(STEP.max((now - lived) / PART_OF_BEHIND)).min(LONGEST_STEP.max(self.clocks.span(STEP)))
+            }
+        };
+        self.events.clear();
+        let until = home.run.now().saturating_add(step);
+        let ended = home.run.advance_within(until, MOST_EVENTS, &mut self.events).err();
+        let clocks = self.clocks;
+        home.say(index, &self.events, clocks, &mut self.held);
+        match ended {
+            None => self.by_lived.push(Reverse((clocks.of(home.start, home.run.now(), home.skew), index))),
+            Some(error) => self.failed.push((index, error)),
+        }
+        true
+    }
+}
+
+impl Home {
+    /// Takes in what has happened, to be told when its time has come.
+    fn say(&mut self, index: u32, events: &Events, clocks: Clocks, held: &mut BinaryHeap<Reverse<Held>>) {
+        let now = self.run.now();
+        let Home { rows, presence, skew, start, is_there, last_due, order, .. } = self;
+        let mut hold = |at: Micros, told: &dyn Fn(i64) -> Told| {
+            let due = clocks.of(*start, at, *skew).max(*last_due);
+            *last_due = due;
+            held.push(Reverse(Held { due, home: index, order: *order, told: Kept(told(due)) }));
+            *order += 1;
+        };
+        let mut come_and_go = |until: Micros, hold: &mut dyn FnMut(Micros, &dyn Fn(i64) -> Told)| {
+            while let Some((at, comes)) = presence.as_mut().and_then(|presence| presence.change(until)) {
+                *is_there = comes;
+                hold(at, &|_| if comes { Told::Comes(index) } else { Told::Goes(index) });
+            }
+            *is_there
+        };
+        rows.of(&events.firings, now, |seq, at, sensor, value| {
+            if come_and_go(at, &mut hold) {
+                hold(at, &|due| Told::Row(FleetRow { seq, at, due, home: index, sensor, value }));
+            }
+        });
+        come_and_go(now - 1, &mut hold);
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,215 @@
+//! Many homes that tell one place, over one connection or into one file: what a fleet is, and what takes what it says.
+
+mod lateness;
+mod teller;
+
+use crate::elsewhere::{self, not_built_in};
+use crate::error::LogError;
+use crate::mapping::{Columns, Shown};
+use crate::messages::Messages;
+use crate::run_info::RunInfo;
+use crate::sink::How;
+use crate::sink::fleet_jsonl::FleetJsonl;
+use crate::table::Table;
+use crate::url::Url;
+use homebody_core::event::{Firing, Value};
+use homebody_core::ids::SensorId;
+use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
+use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
+use homebody_core::time::Micros;
+pub use lateness::Lateness;
+use std::sync::Arc;
+pub use teller::{Now, Since, Teller};
+
+/// The homes that tell one place.
+#[derive(Debug)]
+pub struct Fleet {
+    /// The number of the first home among all that there may be: 1, unless several fleets share a place.
+    pub first: u32,
+    /// The kinds of homes.
+    pub layouts: Vec<Layout>,
+    /// The homes; rows count them from 0.
+    pub homes: Vec<FleetHome>,
+}
+
+/// One home of a fleet.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FleetHome {
+    /// What it is called, such as `home00001`.
+    pub name: String,
+    /// Which of the layouts it has.
+    pub layout: usize,
+    /// The id of its run, as a run of its own would have it.
+    pub run: i64,
+    /// The number that all of its randomness comes from.
+    pub seed: u64,
+}
+
+/// What homes of one scenario have in common.
+#[derive(Debug)]
+pub struct Layout {
+    /// What is known of their runs, but for what is each home's own: id, name and seed.
+    pub run: RunInfo,
+    /// The table that rows are of, under the names that the scenario's logger says.
+    pub table: Table,
+    /// The name of the column of the run's id.
+    pub run_column: String,
+    /// How instants are written.
+    pub time: TimeFormat,
+    shown: Shown,
+    file: LoggerFile,
+}
+
+impl Layout {
+    /// The layout of runs like this one.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the names of the scenario's logger.
+    pub fn new(run: RunInfo, file: &LoggerFile) -> Result<Layout, LogError> {
+        let columns = Columns::new(file)?;
+        let shown = Shown::new(file, &run.sensor_names())?;
+        let run = RunInfo { id: 0, home: None, seed: 0, ..run };
+        Ok(Layout {
+            run,
+            table: columns.log_table(),
+            run_column: columns.run,
+            time: shown.time,
+            shown,
+            file: file.clone(),
+        })
+    }
+
+    /// The network's own id of a sensor.
+    pub fn sensor(&self, sensor: SensorId) -> &str {
+        &self.shown.sensors[sensor.index()]
+    }
+
+    /// What the log shows for a value; `buffer` is where it is put together if it has to be.
+    pub fn value<'a>(&'a self, value: Value, buffer: &'a mut String) -> &'a str {
+        self.shown.value(value, buffer)
+    }
+
+    /// What turns the firings of a home of this seed into rows.
+    pub fn rows(&self, seed: u64) -> HomeRows {
+        HomeRows(Messages::new(&self.file.messages, seed, &self.run.sensor_names()))
+    }
+}
+
+impl Fleet {
+    /// The layout of a home.
+    pub fn layout_of(&self, home: u32) -> &Layout {
+        &self.layouts[self.homes[home as usize].layout]
+    }
+
+    /// What is known of the run of a home.
+    pub fn run_of(&self, home: u32) -> RunInfo {
+        let FleetHome { name, run, seed, .. } = &self.homes[home as usize];
+        RunInfo { id: *run, home: Some(name.clone()), seed: *seed, ..self.layout_of(home).run.clone() }
+    }
+}
+
+/// Turns the firings of one home into the rows that its log has of them.
+#[derive(Clone)]
+pub struct HomeRows(Messages);
+
+impl HomeRows {
+    /// All rows from the last `until` to this one: the number of each, its time, the sensor and what it said.
+    pub fn of(&mut self, firings: &[Firing], until: Micros, mut each: impl FnMut(u64, Micros, SensorId, Value)) {
+        let mut rows = Vec::new();
+        for firing in firings {
+            self.0.firing(firing, &mut rows);
+        }
+        self.0.quiet(until, &mut rows);
+        rows.iter().for_each(|row| each(row.seq, row.at, row.sensor, row.value));
+    }
+}
+
+/// A row of a home's log on its way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FleetRow {
+    /// The rows of a home are numbered from 0.
+    pub seq: u64,
+    /// Its time by the home's clock, in microseconds since the run's start.
+    pub at: Micros,
+    /// When it is to be told, in microseconds since 1970 by the world's clock.
+    pub due: i64,
+    /// Whose it is.
+    pub home: u32,
+    /// Which of the home's sensors said it.
+    pub sensor: SensorId,
+    /// What it said.
+    pub value: Value,
+}
+
+/// What a place is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Told {
+    /// A row.
+    Row(FleetRow),
+    /// A home has come.
+    Comes(u32),
+    /// A home has gone.
+    Goes(u32),
+}
+
+/// What takes the rows of a fleet.
+///
+/// Its life: [`begin`](FleetSink::begin) once, then any number of [`tell`](FleetSink::tell), then
+/// [`finish`](FleetSink::finish), or drop where the fleet is given up. After an error that [`passes`](LogError::passes) the same call is
+/// made again with the same rows, if there is time: what a place has kept of them must not be kept twice.
+pub trait FleetSink: Send {
+    /// Whether such a fleet could tell the place, as far as its name says; `is_fast` where it goes faster than life.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with it.
+    fn check(&self, _is_fast: bool) -> Result<(), LogError> {
+        Ok(())
+    }
+
+    /// Begins. Returns up to which row the place holds each home already: those before are not given again.
+    fn begin(&mut self, fleet: &Arc<Fleet>, how: How) -> Result<Vec<u64>, LogError>;
+
+    /// Takes what is told, in order, and returns once it has arrived, as far as a place of this kind can say so.
+    fn tell(&mut self, told: &[Told]) -> Result<(), LogError>;
+
+    /// Makes sure of everything; the fleet has ended at this instant, in microseconds since 1970.
+    fn finish(&mut self, end: i64) -> Result<(), LogError>;
+
+    /// How much it is told at once, at most.
+    fn most_at_once(&self) -> usize {
+        MOST_AT_ONCE
+    }
+}
+
+/// How much a place is told at once where it does not say otherwise (ours).
+const MOST_AT_ONCE: usize = 1000;
+
+/// What takes the rows of a fleet at a place. Nothing is touched before it is begun.
+///
+/// # Errors
+///
+/// [`LogError::NoPlace`] for a kind of place that no fleet can write, which says those that it can; [`LogError::NotBuiltIn`] for
+/// one that this build does not have.
+pub fn sink(url: &Url) -> Result<Box<dyn FleetSink>, LogError> {
+    let scheme = url.scheme();
+    if scheme == Scheme::Jsonl {
+        return Ok(Box::new(FleetJsonl::new(url)));
+    }
+    match elsewhere::of(scheme) {
+        Some(elsewhere) => elsewhere.fleet.map(|open| open(url)).ok_or_else(|| no_fleet(url)),
+        None if WRITABLE.contains(&scheme) => Err(not_built_in(url)),
+        None => Err(no_fleet(url)),
+    }
+}
+
+/// The kinds of places that a fleet can write, in builds that have them.
+const WRITABLE: [Scheme; 4] = [Scheme::Jsonl, Scheme::Postgresql, Scheme::Mqtt, Scheme::Mqtts];
+
+fn no_fleet(url: &Url) -> LogError {
+    let rows = SCHEMES.iter().filter(|row| WRITABLE.contains(&row.scheme));
+    let can: Vec<String> = rows.map(|row| format!("{}:{}", row.name, row.at)).collect();
+    let what = format!("{url} has no room for many homes");
+    LogError::NoPlace(NoPlace { what, hint: format!("a fleet writes {}, and jsonl:-", can.join(", ")) })
+}

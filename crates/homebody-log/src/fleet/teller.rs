@@ -1,0 +1,344 @@
+//! A thread that tells one place what a fleet says. What it has not told yet waits in a list, which its maker keeps short.
+
+use super::{Fleet, FleetSink, Lateness, Told};
+use crate::error::LogError;
+use crate::meter::Meter;
+use crate::sink::How;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+/// The world's clock, in microseconds since 1970.
+pub type Now = Arc<dyn Fn() -> i64 + Send + Sync>;
+
+/// How long to wait before something is tried again, and at most (ours).
+const FIRST_WAIT: Duration = Duration::from_millis(100);
+const LONGEST_WAIT: Duration = Duration::from_secs(5);
+
+/// How long a place that is away is waited for at the end (ours).
+const AT_THE_END: Duration = Duration::from_secs(60);
+
+/// Who tells one place.
+pub struct Teller {
+    place: String,
+    shared: Arc<Shared>,
+    thread: Option<JoinHandle<Result<(), LogError>>>,
+    meter: Arc<Meter>,
+}
+
+#[derive(Default)]
+struct Shared {
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Default)]
+struct State {
+    waiting: Vec<Told>,
+    /// What is being told now: how much of it is left, and since when it is due.
+    in_hand: usize,
+    oldest_in_hand: Option<i64>,
+    /// When the fleet has ended, and since when that is known.
+    ended: Option<(i64, Instant)>,
+    is_given_up: bool,
+    /// From when on lateness counts.
+    counts_from: Option<i64>,
+    /// Since this was looked at last.
+    since: Since,
+}
+
+/// What a place was told in a while.
+#[derive(Clone, Debug, Default)]
+pub struct Since {
+    /// Rows, those too that were due before the fleet began to tell.
+    pub rows: u64,
+    /// How late the others were.
+    pub lateness: Lateness,
+}
+
+impl Shared {
+    fn lock(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Teller {
+    /// Begins a place, and then a thread that tells it. Something that fails and [passes](LogError::passes) is tried again for this
+    /// long.
+    ///
+    /// # Errors
+    ///
+    /// The place cannot be begun.
+    pub fn begin(
+        place: String,
+        mut sink: Box<dyn FleetSink>,
+        (fleet, how): (&Arc<Fleet>, How),
+        retry_for: Duration,
+        now: &Now,
+    ) -> Result<Teller, LogError> {
+        let (meter, shared) = (Arc::new(Meter::default()), Arc::new(Shared::default()));
+        let there = tried(&shared, &meter, retry_for, || sink.begin(fleet, how))?;
+        let work = Work { sink, shared: shared.clone(), meter: meter.clone(), retry_for, there, now: now.clone() };
+        let thread = thread::Builder::new().spawn(move || work.live());
+        let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
+        Ok(Teller { place, shared, thread: Some(thread), meter })
+    }
+
+    /// What errors call the place.
+    pub fn place(&self) -> &str {
+        &self.place
+    }
+
+    /// What counts what it has taken.
+    pub fn meter(&self) -> &Arc<Meter> {
+        &self.meter
+    }
+
+    /// Lateness counts from this instant on: what is due before it is what the fleet catches up with.
+    pub fn count_from(&self, instant: i64) {
+        self.shared.lock().counts_from = Some(instant);
+    }
+
+    /// Has the place told this, after all that waits already.
+    pub fn tell(&self, told: &[Told]) {
+        self.shared.lock().waiting.extend_from_slice(told);
+        self.shared.changed.notify_all();
+    }
+
+    /// How much waits to be told.
+    pub fn waiting(&self) -> usize {
+        let state = self.shared.lock();
+        state.waiting.len() + state.in_hand
+    }
+
+    /// Since when that is due which waits the longest, in microseconds since 1970.
+    pub fn oldest_due(&self) -> Option<i64> {
+        let state = self.shared.lock();
+        state.oldest_in_hand.or_else(|| first_due(&state.waiting))
+    }
+
+    /// What was told since this was asked last.
+    pub fn since(&self) -> Since {
+        std::mem::take(&mut self.shared.lock().since)
+    }
+
+    /// The error by which it has ended, if it has.
+    ///
+    /// # Errors
+    ///
+    /// That one.
+    pub fn check(&mut self) -> Result<(), LogError> {
+        match &self.thread {
+            Some(thread) if !thread.is_finished() => Ok(()),
+            _ => self.join(),
+        }
+    }
+
+    /// Has the place told what still waits, and that the fleet has ended then.
+    ///
+    /// # Errors
+    ///
+    /// The place could not be told, or not within a minute.
+    pub fn finish(&mut self, end: i64) -> Result<(), LogError> {
+        self.shared.lock().ended = Some((end, Instant::now()));
+        self.shared.changed.notify_all();
+        self.join()
+    }
+
+    fn join(&mut self) -> Result<(), LogError> {
+        match self.thread.take() {
+            Some(thread) => thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)),
+            None => Err(LogError::Stopped { place: self.place.clone() }),
+        }
+    }
+}
+
+impl Drop for Teller {
+    fn drop(&mut self) {
+        self.shared.lock().is_given_up = true;
+        self.shared.changed.notify_all();
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+struct Work {
+    sink: Box<dyn FleetSink>,
+    shared: Arc<Shared>,
+    meter: Arc<Meter>,
+    retry_for: Duration,
+    /// By home: up to which row the place holds it already.
+    there: Vec<u64>,
+    now: Now,
+}
+
+impl Work {
+    fn live(mut self) -> Result<(), LogError> {
+        loop {
+            let (told, ended) = {
+                let mut state = self.shared.lock();
+                while state.waiting.is_empty() && state.ended.is_none() && !state.is_given_up {
+                    state = self.shared.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+                }
+                if state.is_given_up {
+                    return Ok(());
+                }
+                let told = std::mem::take(&mut state.waiting);
+                state.in_hand = told.len();
+                (told, state.ended)
+            };
+            for told in told.chunks(self.sink.most_at_once().max(1)) {
+                self.tell(told)?;
+            }
+            if let (true, Some((end, _))) = (told.is_empty(), ended) {
+                let Work { sink, shared, meter, retry_for, .. } = &mut self;
+                return tried(shared, meter, *retry_for, || sink.finish(end));
+            }
+        }
+    }
+
+    fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
+        let Work { sink, shared, meter, there, retry_for, now } = self;
+        shared.lock().oldest_in_hand = first_due(told);
+        let is_new = |told: &&Told| match told {
+            Told::Row(row) => row.seq >= there[row.home as usize],
+            Told::Comes(_) | Told::Goes(_) => true,
+        };
+        let new: Vec<Told> = told.iter().filter(is_new).copied().collect();
+        if !new.is_empty() {
+            tried(shared, meter, *retry_for, || sink.tell(&new))?;
+        }
+        let now = now();
+        let mut state = shared.lock();
+        let mut rows = 0;
+        for told in &new {
+            let Told::Row(row) = told else { continue };
+            rows += 1;
+            if state.counts_from.is_some_and(|from| row.due >= from) {
+                state.since.lateness.add(now - row.due);
+            }
+        }
+        state.since.rows += rows;
+        state.in_hand = state.in_hand.saturating_sub(told.len());
+        state.oldest_in_hand = None;
+        meter.took_rows(rows);
+        Ok(())
+    }
+}
+
+fn first_due(told: &[Told]) -> Option<i64> {
+    told.iter().find_map(|told| if let Told::Row(row) = told { Some(row.due) } else { None })
+}
+
+/// Makes a call, and makes it again while its error passes and there is time.
+fn tried<T>(
+    shared: &Shared,
+    meter: &Meter,
+    retry_for: Duration,
+    mut call: impl FnMut() -> Result<T, LogError>,
+) -> Result<T, LogError> {
+    let (begun, mut wait) = (Instant::now(), FIRST_WAIT);
+    loop {
+        let error = match call() {
+            Err(error) if error.passes() => error,
+            done => {
+                meter.puts_aside(false, 0);
+                return done;
+            }
+        };
+        meter.puts_aside(true, 0);
+        let mut state = shared.lock();
+        let waited = Instant::now();
+        while waited.elapsed() < wait && !state.is_given_up {
+            let left = wait.saturating_sub(waited.elapsed());
+            state = shared.changed.wait_timeout(state, left).unwrap_or_else(PoisonError::into_inner).0;
+        }
+        let is_over = state.ended.is_some_and(|(_, since)| since.elapsed() > AT_THE_END.min(retry_for));
+        if begun.elapsed() >= retry_for || state.is_given_up || is_over {
+            return Err(error);
+        }
+        drop(state);
+        meter.tries_again();
+        wait = (2 * wait).min(LONGEST_WAIT);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fleet::FleetRow;
+    use homebody_core::event::Value;
+    use homebody_core::ids::SensorId;
+    use std::sync::atomic::{AtomicI64, Ordering};
+
+    /// A place that takes a while by the fake clock for each call, and is away for the first ones.
+    struct Slow {
+        clock: Arc<AtomicI64>,
+        takes_us: i64,
+        away: u32,
+        told: Arc<Mutex<Vec<Told>>>,
+    }
+
+    impl FleetSink for Slow {
+        fn begin(&mut self, _: &Arc<Fleet>, _: How) -> Result<Vec<u64>, LogError> {
+            Ok(vec![2, 0])
+        }
+
+        fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
+            self.clock.fetch_add(self.takes_us, Ordering::SeqCst);
+            if self.away > 0 {
+                self.away -= 1;
+                return Err(LogError::destination("there", "it is away").passing());
+            }
+            self.told.lock().unwrap().extend_from_slice(told);
+            Ok(())
+        }
+
+        fn finish(&mut self, _: i64) -> Result<(), LogError> {
+            Ok(())
+        }
+    }
+
+    fn row(home: u32, seq: u64, due: i64) -> Told {
+        Told::Row(FleetRow { seq, at: 0, due, home, sensor: SensorId(0), value: Value::Fire })
+    }
+
+    fn teller(takes_us: i64, away: u32, retry_for: Duration) -> (Teller, Arc<Mutex<Vec<Told>>>) {
+        let (clock, told) = (Arc::new(AtomicI64::new(1_000_000)), Arc::new(Mutex::new(Vec::new())));
+        let sink = Slow { clock: clock.clone(), takes_us, away, told: told.clone() };
+        let fleet = Arc::new(Fleet { first: 1, layouts: Vec::new(), homes: Vec::new() });
+        let now: Now = Arc::new(move || clock.load(Ordering::SeqCst));
+        let teller = Teller::begin("there".into(), Box::new(sink), (&fleet, How::New), retry_for, &now).unwrap();
+        teller.count_from(1_000_000);
+        (teller, told)
+    }
+
+    #[test]
+    fn lateness_is_from_when_a_row_is_due_to_when_the_place_has_it() {
+        let (mut teller, told) = teller(30_000, 0, Duration::ZERO);
+        // Of home 0 two rows are there; one is from before the fleet began.
+        teller.tell(&[row(0, 1, 1_000_000), row(1, 0, 900_000), row(0, 2, 1_010_000), Told::Goes(1)]);
+        teller.finish(2_000_000).unwrap();
+        assert_eq!(*told.lock().unwrap(), [row(1, 0, 900_000), row(0, 2, 1_010_000), Told::Goes(1)]);
+        let since = teller.since();
+        assert_eq!((since.rows, since.lateness.count(), since.lateness.most_us()), (2, 1, 20_000));
+        assert_eq!((teller.since().rows, teller.waiting(), teller.meter().read().rows), (0, 0, 2));
+    }
+
+    #[test]
+    fn what_waits_for_a_place_that_is_away_is_late_and_told_once() {
+        let (mut teller, told) = teller(50_000, 2, Duration::from_secs(60));
+        teller.tell(&[row(1, 0, 1_000_000)]);
+        teller.finish(2_000_000).unwrap();
+        assert_eq!(told.lock().unwrap().len(), 1);
+        assert_eq!((teller.since().lateness.most_us(), teller.meter().read().retries), (150_000, 2));
+    }
+
+    #[test]
+    fn a_place_that_is_away_and_not_waited_for_ends_it() {
+        let (mut teller, told) = teller(0, 1, Duration::ZERO);
+        teller.tell(&[row(1, 0, 1_000_000)]);
+        assert!(teller.finish(2_000_000).is_err() && told.lock().unwrap().is_empty());
+    }
+}

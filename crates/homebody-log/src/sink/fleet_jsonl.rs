@@ -1,0 +1,109 @@
+//! The rows of many homes as a JSON object a line: which home, and then as the log of that home alone has it.
+
+use super::How;
+use super::jsonl::in_json;
+use super::text::{At, Text};
+use crate::clock::{Clock, Stamp};
+use crate::error::LogError;
+use crate::fleet::{Fleet, FleetRow, FleetSink, Told};
+use crate::table::thousandths;
+use crate::url::Url;
+use homebody_core::event::Value;
+use std::io::Write;
+use std::sync::Arc;
+
+/// The key of the home, unless a column of the log has this name.
+const HOME: &str = "home";
+
+/// One text for all homes.
+pub(crate) struct FleetJsonl {
+    at: At,
+    open: Option<Open>,
+}
+
+struct Open {
+    fleet: Arc<Fleet>,
+    text: Text,
+    kinds: Vec<InKind>,
+    line: Vec<u8>,
+    buffer: String,
+}
+
+/// What the lines of homes of one kind are made of.
+struct InKind {
+    clock: Clock,
+    /// What stands before the home, and before the value of each column.
+    home: String,
+    keys: Vec<String>,
+    sensors: Vec<String>,
+}
+
+impl FleetJsonl {
+    pub fn new(url: &Url) -> FleetJsonl {
+        FleetJsonl { at: At::of(url), open: None }
+    }
+}
+
+impl FleetSink for FleetJsonl {
+    fn begin(&mut self, fleet: &Arc<Fleet>, how: How) -> Result<Vec<u64>, LogError> {
+        let kinds = fleet.layouts.iter().map(|layout| {
+            let names = || layout.table.columns.iter().map(|column| column.name.as_str());
+            let home = if names().any(|name| name == HOME) { "home_name" } else { HOME };
+            let sensors = (0..layout.run.sensors.len()).map(homebody_core::ids::SensorId::of);
+            InKind {
+                clock: Clock::new(&layout.run.calendar, layout.time),
+                home: format!("{{{}:", in_json(home)),
+                keys: names().map(|name| format!(",{}:", in_json(name))).collect(),
+                sensors: sensors.map(|sensor| in_json(layout.sensor(sensor))).collect(),
+            }
+        });
+        let kinds = kinds.collect();
+        let text = Text::begin(&self.at, how, true)?;
+        self.open = Some(Open { fleet: fleet.clone(), text, kinds, line: Vec::new(), buffer: String::new() });
+        Ok(vec![0; fleet.homes.len()])
+    }
+
+    fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
+        let Some(open) = &mut self.open else { return Err(LogError::Stopped { place: self.at.place() }) };
+        for told in told {
+            if let Told::Row(row) = told {
+                open.line(row);
+                open.text.line(&open.line)?;
+            }
+        }
+        open.text.show()
+    }
+
+    fn finish(&mut self, _: i64) -> Result<(), LogError> {
+        self.open.take().map_or(Ok(()), |open| open.text.finish())
+    }
+}
+
+impl Open {
+    fn line(&mut self, row: &FleetRow) {
+        let Open { fleet, kinds, line, buffer, .. } = self;
+        let home = &fleet.homes[row.home as usize];
+        let InKind { clock, home: key, keys, sensors } = &mut kinds[home.layout];
+        let [seq, time, sensor, value] = &keys[..] else { unreachable!("a log has four columns") };
+        line.clear();
+        // What is written into a vector arrives.
+        let _ = write!(line, "{key}\"{}\"{seq}{}{time}", home.name, row.seq);
+        let _ = match clock.stamp(row.at) {
+            Stamp::Text(text) => write!(line, "\"{text}\""),
+            Stamp::Seconds(_) => write!(line, "{}", clock.text(row.at)),
+            Stamp::Milliseconds(number) => write!(line, "{number}"),
+        };
+        let _ = write!(line, "{sensor}{}{value}", sensors[row.sensor.index()]);
+        let _ = match row.value {
+            Value::Reading(number) => {
+                thousandths(number, buffer);
+                line.write_all(buffer.as_bytes())
+            }
+            said => {
+                let text = fleet.layouts[home.layout].value(said, buffer);
+                write!(line, "\"{text}\"")
+            }
+        };
+        line.extend_from_slice(b"}\n");
+    }
+}

@@ -1,0 +1,42 @@
+//! Many runs of one household, each of a seed of its own: what does not depend on the seed is made once.
+
+use super::{Footing, Household};
+use homebody_core::drivers::Driver;
+use homebody_core::home::Home;
+use homebody_core::run::{DriverProvider, Guest, Run};
+use homebody_core::time::Micros;
+use std::sync::Arc;
+
+/// A household of which many runs are made in one baked home. Each is what [`Run::new`] makes of the same household and seed.
+pub struct ManyRuns {
+    household: Arc<Household>,
+    home: Arc<Home>,
+    /// By body; nothing for a body that nobody knows.
+    by_body: Vec<Option<Footing>>,
+}
+
+impl ManyRuns {
+    /// Bakes the home of a household. It takes some milliseconds, and some megabytes.
+    pub fn new(household: Arc<Household>) -> ManyRuns {
+        let guests = household.guests();
+        let home = Arc::new(Run::home_of(&household.scenario, &guests));
+        let bodies = household.scenario.residents.len() + guests.len();
+        let by_body = (0..bodies).map(|body| household.footing(body, &home)).collect();
+        ManyRuns { household, home, by_body }
+    }
+
+    /// The run of a seed.
+    pub fn run(&self, seed: u64, length: Micros) -> Run {
+        Run::in_home(self.home.clone(), &self.household.scenario, self, seed, length)
+    }
+}
+
+impl DriverProvider for ManyRuns {
+    fn guests(&self) -> Vec<Guest> {
+        self.household.guests()
+    }
+
+    fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Driver>> {
+        self.household.driver_on(self.by_body.get(body)?.as_ref()?, body, home, seed)
+    }
+}

@@ -1,0 +1,263 @@
+//! `homebody fleet`: thousands of homes on the world's clock, to see what a back end bears.
+
+pub mod told;
+
+use super::scenario::Trust;
+use crate::failure::{EXIT_CODES, Failure};
+use crate::length::span;
+use crate::print::{tell, write_file};
+use crate::signals::Signals;
+use crate::start::Start;
+use crate::watched::Watched;
+use homebody_core::problem::Problems;
+use homebody_core::time::{Micros, SECOND};
+use homebody_kit::fleet::{Churn, FleetOf, FleetRun, FleetSetup, MOST_HOMES, Storms};
+use homebody_kit::{Error, OpenScenario, Url};
+use homebody_log::places::can_be_written;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use jiff::Timestamp;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use told::Telling;
+
+/// Lives thousands of homes on the world's clock from one process, to see what a back end bears.
+///
+/// Each home has a life of its own: its number and the seed decide it, whatever else is asked for here. Of several scenarios each home
+/// has one, in turn. It is said every few seconds how many messages there are and how late they come, and at the end for the whole.
+#[derive(clap::Args)]
+#[command(after_help = format!("Examples:
+  homebody fleet scenarios/tigerplace --homes 1000 --out 'mqtt://localhost/load?discovery=off' --for 10min
+  homebody fleet scenarios/tigerplace --homes 500 --out postgresql://ann@localhost/homes --report report.jsonl
+  homebody fleet scenarios/studio scenarios/tigerplace --homes 50 --out jsonl:- --storm 'every 5min for 30s' | consumer
+  homebody fleet scenarios/tigerplace --homes 200 --out jsonl:fleet.jsonl --skew 2s --churn 'stay 30min away 5min' --list homes.csv
+
+{EXIT_CODES},
+129, 130 or 143 it was ended by SIGHUP, SIGINT or SIGTERM."))]
+pub struct Arguments {
+    /// The scenarios' folders, or their scenario.json; home 1 has the first, home 2 the second, and so on in turn
+    #[arg(required = true, value_name = "SCENARIO")]
+    scenarios: Vec<PathBuf>,
+    #[command(flatten)]
+    trust: Trust,
+    /// How many homes
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=MOST_HOMES as i64))]
+    homes: u32,
+    /// The number of the first home, where other fleets live those before it
+    #[arg(long, value_name = "NUMBER", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=MOST_HOMES as i64))]
+    first: u32,
+    /// Tell this place: mqtt://HOST/PREFIX, postgresql://USER@HOST/DATABASE, jsonl:FILE or jsonl:-; may be given several times
+    #[arg(long, value_name = "URL", required = true)]
+    out: Vec<Url>,
+    /// From when on homes are lived: now, today, 2026-11-01 or 2026-11-01T08:00, on the clock of the home. What lies before now is lived
+    /// as fast as it goes
+    #[arg(long, value_name = "TIME", default_value = "now")]
+    from: Start,
+    /// Go this many times as fast as life from then on, 0.1 to 1000, instead of by the world's clock
+    #[arg(long, value_name = "TIMES", value_parser = speed)]
+    speed: Option<f64>,
+    /// How long it tells by the world's clock, such as 10min; without it until somebody stops it
+    #[arg(long = "for", value_name = "TIME", value_parser = span)]
+    lasts: Option<Micros>,
+    /// The number all randomness comes from, instead of the first scenario's
+    #[arg(long)]
+    seed: Option<u64>,
+    /// Leave out a condition that a routine shows; may be given several times
+    #[arg(long, value_name = "CONDITION")]
+    without: Vec<String>,
+    /// The network of all homes is away again and again, and then all of them report at once: 'every 5min for 30s'
+    #[arg(long, value_name = "WHEN", value_parser = storms)]
+    storm: Option<Storms>,
+    /// The clock of each home is off by up to so much, either way
+    #[arg(long, value_name = "TIME", value_parser = span)]
+    skew: Option<Micros>,
+    /// Homes come and go; these are averages: 'stay 30min away 5min'
+    #[arg(long, value_name = "HOW", value_parser = churn)]
+    churn: Option<Churn>,
+    /// What becomes of the fleet while a place is away: it ends with an error, or waits for the place, for a day at most
+    #[arg(long, value_name = "WHAT", value_enum, default_value_t)]
+    on_sink_down: WhenAway,
+    /// How often it says how it goes
+    #[arg(long, value_name = "TIME", default_value = "5s", value_parser = span)]
+    every: Micros,
+    /// Write all reports into this file, a JSON object a line; the last is on the whole
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
+    /// Write the homes into this CSV file: scenario, seed and run of each, and how much its clock is ahead
+    #[arg(long, value_name = "FILE")]
+    list: Option<PathBuf>,
+    #[command(flatten)]
+    watched: Watched,
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
+    /// Say nothing but errors
+    #[arg(long)]
+    quiet: bool,
+    /// Print the report on the whole as one JSON object on standard output
+    #[arg(long)]
+    json: bool,
+}
+
+/// What becomes of a fleet while a place is away.
+#[derive(Clone, Copy, Default, PartialEq, clap::ValueEnum)]
+enum WhenAway {
+    #[default]
+    Error,
+    Retry,
+}
+
+/// For so long a place is waited for (ours).
+const RETRY_FOR: Duration = Duration::from_secs(86_400);
+
+/// Who begins this long before now is faster than life for a while (ours): homes take their time to be made.
+const BEFORE_NOW: i64 = 600 * SECOND;
+
+fn speed(text: &str) -> Result<f64, String> {
+    let speed = text.parse().ok().filter(|speed| (0.1..=1000.0).contains(speed));
+    speed.ok_or_else(|| "write a number from 0.1 to 1000".into())
+}
+
+/// Outages as people write them.
+fn storms(text: &str) -> Result<Storms, String> {
+    let [every, lasts] = two_spans(text, ["every", "for"]).ok_or("write 'every 5min for 30s'")?;
+    Storms::new(every?, lasts?).ok_or_else(|| "an outage is shorter than the time from one to the next".into())
+}
+
+/// How homes come and go, as people write it.
+fn churn(text: &str) -> Result<Churn, String> {
+    let [stays, away] = two_spans(text, ["stay", "away"]).ok_or("write 'stay 30min away 5min'")?;
+    let (stays, away) = (stays?, away?);
+    match stays.min(away) >= SECOND {
+        true => Ok(Churn { stays, away }),
+        false => Err("no home comes or goes for less than a second".into()),
+    }
+}
+
+/// Two spans of time, each behind its word.
+fn two_spans(text: &str, [first, second]: [&str; 2]) -> Option<[Result<Micros, String>; 2]> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    match words[..] {
+        [one, a, other, b] if one == first && other == second => Some([span(a), span(b)]),
+        _ => None,
+    }
+}
+
+fn duration(span: Micros) -> Duration {
+    Duration::from_micros(u64::try_from(span).unwrap_or(0))
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let signals = Signals::listen()?;
+        if self.json && self.out.iter().any(Url::is_output) {
+            let hint = "leave --json out, or write the reports into --report FILE";
+            return Err(Failure::usage(format!(
+                "rows and the report cannot both go to standard output\n  hint: {hint}"
+            )));
+        }
+        let scenarios = self.scenarios()?;
+        self.files_can_be_written(&scenarios)?;
+        let started = |opened: &OpenScenario| opened.scenario().calendar.timestamp(0).as_microsecond();
+        let is_late = |opened| started(opened) < Timestamp::now().as_microsecond() - BEFORE_NOW;
+        let is_fast = self.speed.map_or_else(|| scenarios.iter().any(is_late), |speed| speed > 1.0);
+        let run = FleetRun::new(&self.out, is_fast, self.force)?;
+        let names: Vec<String> = scenarios.iter().map(|opened| opened.name().to_owned()).collect();
+        let fleet = self.make(scenarios)?;
+        if let Some(list) = &self.list {
+            write_file(list, told::list(&fleet).as_bytes(), self.force)?;
+        }
+        let look = self.watched.begin_fleet(&names.join(", "))?;
+        let mut telling = Telling::begin(&self, look)?;
+        let run = FleetRun {
+            retry_for: if self.on_sink_down == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO },
+            lasts: self.lasts.map(duration),
+            every: duration(self.every),
+            cancel: signals.cancel().clone(),
+            ..run
+        };
+        let mut failed = None;
+        let last = fleet.live(run, |lived| {
+            if let Err(error) = telling.hear(lived) {
+                failed.get_or_insert(error);
+            }
+        })?;
+        telling.end(&last)?;
+        failed.map_or(Ok(()), Err)?;
+        let is_over = self.lasts.is_some_and(|lasts| last.running_s * 1e6 >= lasts as f64);
+        signals.ended(!is_over)
+    }
+
+    /// The scenarios, each begun when the fleet is; all that is wrong with any of them.
+    fn scenarios(&self) -> Result<Vec<OpenScenario>, Failure> {
+        let (mut all, mut problems) = (Vec::new(), Vec::new());
+        for path in &self.scenarios {
+            let opened = self.trust.source(path)?.open();
+            match opened {
+                Ok(opened) => all.push(self.from.of(&opened)?),
+                Err(Error::Problems(Problems(found))) => problems.extend(found),
+                Err(error) => return Err(error.into()),
+            }
+        }
+        if problems.is_empty() { Ok(all) } else { Err(Problems(problems).into()) }
+    }
+
+    fn files_can_be_written(&self, scenarios: &[OpenScenario]) -> Result<(), Failure> {
+        let files = self.out.iter().filter_map(Url::file).chain(self.report.as_deref()).chain(self.list.as_deref());
+        let files: Vec<&Path> = files.collect();
+        let sources: Vec<PathBuf> = scenarios.iter().flat_map(OpenScenario::paths).collect();
+        Ok(can_be_written(&files, &sources, self.force)?)
+    }
+
+    /// Makes the homes, and shows how far that is.
+    fn make(&self, scenarios: Vec<OpenScenario>) -> Result<FleetOf, Failure> {
+        let begun = Instant::now();
+        let bar = bar(self.quiet, "homes made", Some(self.homes.into()));
+        let setup = FleetSetup {
+            scenarios,
+            homes: self.homes,
+            first: self.first,
+            seed: self.seed,
+            without: self.without.clone(),
+            speed: self.speed,
+            skew: self.skew.unwrap_or(0),
+            churn: self.churn,
+            storms: self.storm,
+        };
+        let fleet = setup.make(|made| bar.set_position(made as u64));
+        bar.finish_and_clear();
+        let fleet = fleet?;
+        if !self.quiet {
+            let homes = told::counted(self.homes.into());
+            tell(format_args!("{homes} homes made in {:.1} s; Ctrl-C ends them", begun.elapsed().as_secs_f64()));
+        }
+        Ok(fleet)
+    }
+}
+
+/// What shows how far something is, where somebody looks.
+fn bar(is_quiet: bool, what: &str, length: Option<u64>) -> ProgressBar {
+    let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+    let template =
+        if length.is_some() { format!("{{bar:40}} {{pos}} of {{len}} {what}") } else { "{spinner} {msg}".into() };
+    let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::with_draw_target(length, target).with_style(style)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn storms_and_churn_are_read_as_people_write_them() {
+        let five_minutes = 300 * SECOND;
+        assert_eq!(storms("every 5min for 30s"), Ok(Storms::new(five_minutes, 30 * SECOND).unwrap()));
+        assert_eq!(churn("stay 5m away 1h"), Ok(Churn { stays: five_minutes, away: 3600 * SECOND }));
+        for wrong in ["", "5min", "every 5min", "every 30s for 5min", "for 30s every 5min", "every 5 min for 30 s"] {
+            assert!(storms(wrong).is_err(), "{wrong}");
+        }
+        for wrong in ["10%", "stay 5min", "stay 5min away 0s", "stay 0.1s away 5s"] {
+            assert!(churn(wrong).is_err(), "{wrong}");
+        }
+        assert!(speed("2").is_ok() && speed("max").is_err() && speed("0").is_err() && speed("NaN").is_err());
+    }
+}

@@ -1,0 +1,246 @@
+//! What people and programs are told of a fleet: a line every few seconds, a file of reports, numbers for Prometheus.
+
+use super::{Arguments, bar};
+use crate::failure::Failure;
+use crate::print::{print_json, tell, tell_with};
+use homebody_kit::fleet::{FleetLived, FleetOf, FleetReport};
+use homebody_log::fresh::FreshFile;
+use indicatif::ProgressBar;
+use std::fmt::Write;
+use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Where what was said last is looked up by others.
+pub type Look = Arc<Mutex<FleetReport>>;
+
+/// Who tells it.
+pub struct Telling {
+    is_quiet: bool,
+    is_json: bool,
+    bar: ProgressBar,
+    file: Option<FreshFile>,
+    look: Look,
+    /// Of how long a time was behind at the beginning, in seconds.
+    caught_up_s: f64,
+}
+
+impl Telling {
+    pub fn begin(asked: &Arguments, look: Look) -> Result<Telling, Failure> {
+        let create = |path: &std::path::PathBuf| FreshFile::create(Path::new(path), asked.force);
+        let file = asked.report.as_ref().map(create).transpose()?;
+        let is_quiet = asked.quiet;
+        let bar = bar(is_quiet, "", None);
+        Ok(Telling { is_quiet, is_json: asked.json, bar, file, look, caught_up_s: 0.0 })
+    }
+
+    pub fn hear(&mut self, lived: FleetLived) -> Result<(), Failure> {
+        match lived {
+            FleetLived::CatchesUp(behind_s) => {
+                self.caught_up_s = self.caught_up_s.max(behind_s);
+                if !self.bar.is_hidden() {
+                    self.bar.set_message(format!("{behind_s:.0} s behind the clock"));
+                    self.bar.tick();
+                }
+            }
+            FleetLived::Begun => {
+                self.bar.finish_and_clear();
+                if !self.is_quiet && self.caught_up_s >= 1.0 {
+                    tell(format_args!("{} caught up with", seconds(self.caught_up_s)));
+                }
+            }
+            FleetLived::Report(report) => {
+                if !self.is_quiet {
+                    tell_with(line(report), "fleet", report);
+                }
+                self.keep(report)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The last report.
+    pub fn end(mut self, report: &FleetReport) -> Result<(), Failure> {
+        self.bar.finish_and_clear();
+        self.keep(report)?;
+        if let Some(file) = self.file.take() {
+            file.finish()?;
+        }
+        if report.failed > 0 {
+            tell(format_args!(
+                "warning: in {} homes somebody decided what nobody can do: they ended there",
+                report.failed
+            ));
+        }
+        if self.is_json {
+            return print_json(report);
+        }
+        if !self.is_quiet {
+            tell_with(format!("{}\n{}", whole(report), line(report)), "fleet", report);
+        }
+        Ok(())
+    }
+
+    fn keep(&mut self, report: &FleetReport) -> Result<(), Failure> {
+        *self.look.lock().unwrap_or_else(PoisonError::into_inner) = report.clone();
+        if let Some(file) = &mut self.file {
+            let text = serde_json::to_string(report).map_err(Failure::usage)?;
+            file.write(text.as_bytes())?;
+            file.write(b"\n")?;
+            // From the first report on it can be followed.
+            match file.part().is_some() {
+                true => file.name_early()?,
+                false => file.flush()?,
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What is said every few seconds.
+fn line(report: &FleetReport) -> String {
+    let FleetReport { late_median_ms, late_99_ms, late_most_ms, behind_s, .. } = report;
+    let mut line = format!("{} homes", counted(report.homes as u64));
+    // A string takes whatever is written to it.
+    let _ = write!(line, "  {:.0} messages/s", report.messages_per_s);
+    let _ = write!(line, "  late {} median, {} 99 %, {} most", ms(*late_median_ms), ms(*late_99_ms), ms(*late_most_ms));
+    if *behind_s >= 0.1 || report.waiting > 0 {
+        let _ = write!(line, "  {} behind, {} waiting", seconds(*behind_s), counted(report.waiting as u64));
+    }
+    if report.ahead_s < 1.0 {
+        let _ = write!(line, "  lived {} ahead", seconds(report.ahead_s));
+    }
+    if let Some(memory) = report.memory_mb {
+        let _ = write!(line, "  {memory:.0} MB");
+    }
+    if let Some(processors) = report.processors {
+        let _ = write!(line, "  {:.0} % of a processor", 100.0 * processors);
+    }
+    if report.retries > 0 {
+        let _ = write!(line, "  {} retries", report.retries);
+    }
+    if report.came + report.went > 0 {
+        let _ = write!(line, "  {} came, {} went", report.came, report.went);
+    }
+    if report.is_away {
+        line.push_str("  outage");
+    }
+    line
+}
+
+/// What is said before the last of these lines.
+fn whole(report: &FleetReport) -> String {
+    let FleetReport { running_s, messages, homes_in_all, storms, .. } = report;
+    let storms = if *storms > 0 { format!(", {storms} outages") } else { String::new() };
+    let homes = counted(*homes_in_all as u64);
+    let mut text =
+        format!("in all     {} from {homes} homes in {}{storms}", messages_of(*messages), seconds(*running_s));
+    for destination in &report.destinations {
+        let _ = write!(text, "\ntold       {} {}", destination.place, messages_of(destination.messages));
+    }
+    text
+}
+
+fn messages_of(count: u64) -> String {
+    format!("{} messages", counted(count))
+}
+
+/// A number with a comma before each three digits.
+pub fn counted(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index) % 3 == 0 {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+fn ms(ms: f64) -> String {
+    if ms < 10.0 { format!("{ms:.1} ms") } else { format!("{ms:.0} ms") }
+}
+
+fn seconds(s: f64) -> String {
+    if s.abs() < 10.0 { format!("{s:.1} s") } else { format!("{s:.0} s") }
+}
+
+/// The homes of a fleet as a table, with the truth about their clocks.
+pub fn list(of: &FleetOf) -> String {
+    let mut text = String::from("home,scenario,seed,run,clock_ahead_s,there_at_begin\n");
+    for (home, index) in of.fleet.homes.iter().zip(0..) {
+        let scenario = quoted(&of.fleet.layouts[home.layout].run.scenario);
+        let ahead_s = of.skew(index) as f64 / 1e6;
+        let there = of.is_there(index);
+        let _ = writeln!(text, "{},{scenario},{},{},{ahead_s},{there}", home.name, home.seed, home.run);
+    }
+    text
+}
+
+/// A cell of a table, in quotes where it needs them.
+fn quoted(text: &str) -> String {
+    let is_plain = !text.contains([',', '"', '\n', '\r']);
+    if is_plain { text.into() } else { format!("\"{}\"", text.replace('"', "\"\"")) }
+}
+
+/// Numbers for Prometheus.
+pub fn numbers(scenario: &str, report: &FleetReport, escaped: impl Fn(&str) -> String) -> String {
+    let mut text = String::new();
+    let scenario = escaped(scenario);
+    let mut family = |name: &str, kind: &str, help: &str, values: &[(String, f64)]| {
+        let _ = writeln!(text, "# HELP {name} {help}\n# TYPE {name} {kind}");
+        for (labels, value) in values {
+            let _ = writeln!(text, "{name}{{scenario=\"{scenario}\"{labels}}} {value}");
+        }
+    };
+    let one = |value: f64| vec![(String::new(), value)];
+    family("homebody_homes", "gauge", "Homes that are there.", &one(report.homes as f64));
+    family("homebody_messages_per_second", "gauge", "Messages told a second.", &one(report.messages_per_s));
+    let late = [("0.5", report.late_median_ms), ("0.99", report.late_99_ms), ("1", report.late_most_ms)];
+    let late: Vec<_> = late.iter().map(|(share, ms)| (format!(",quantile=\"{share}\""), ms / 1000.0)).collect();
+    family("homebody_late_seconds", "gauge", "How late messages are told, since the last report.", &late);
+    family("homebody_behind_seconds", "gauge", "How long what waits the longest has been due.", &one(report.behind_s));
+    family("homebody_ahead_seconds", "gauge", "How far homes are lived ahead of the clock.", &one(report.ahead_s));
+    let of = |value: fn(&homebody_kit::fleet::OfDestination) -> f64| -> Vec<(String, f64)> {
+        let label = |place: &str| format!(",destination=\"{}\"", escaped(place));
+        report.destinations.iter().map(|one| (label(&one.place), value(one))).collect()
+    };
+    family(
+        "homebody_retries_total",
+        "counter",
+        "How often a call to a destination was made again.",
+        &of(|one| one.retries as f64),
+    );
+    family("homebody_waiting", "gauge", "Messages that are due and not told.", &of(|one| one.waiting as f64));
+    family(
+        "homebody_destination_up",
+        "gauge",
+        "Whether a destination is there.",
+        &of(|one| f64::from(u8::from(!one.is_away))),
+    );
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_report_is_a_line_for_people_and_numbers_for_programs() {
+        let report = FleetReport {
+            homes: 12_345,
+            messages_per_s: 612.4,
+            late_median_ms: 0.42,
+            late_99_ms: 31.0,
+            ..Default::default()
+        };
+        assert_eq!(
+            line(&report),
+            "12,345 homes  612 messages/s  late 0.4 ms median, 31 ms 99 %, 0.0 ms most  lived 0.0 s ahead"
+        );
+        let numbers = numbers("a\"b", &report, |text| text.replace('"', "\\\""));
+        assert!(numbers.contains("homebody_late_seconds{scenario=\"a\\\"b\",quantile=\"0.99\"} 0.031\n"), "{numbers}");
+        assert_eq!((counted(7), counted(1_000), counted(1_234_567)), ("7".into(), "1,000".into(), "1,234,567".into()));
+        assert_eq!((quoted("a b"), quoted("a,\"b\"")), ("a b".into(), "\"a,\"\"b\"\"\"".into()));
+    }
+}
