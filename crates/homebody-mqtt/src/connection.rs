@@ -1,14 +1,10 @@
-//! The connection to a broker, in a thread of its own: it sends what is on its way, hears acknowledgements, orders, and that Home
-//! Assistant has begun anew, and connects again when it is lost.
+//! The connection to a broker, in a thread of its own: it sends what is on its way, hears acknowledgements and what its speaker
+//! listens to, and connects again when it is lost.
 
 use crate::address::Address;
 use crate::flight::{Flight, Link, Sent, Wish};
-use crate::greeting::{greeting, is_of_another};
-use crate::order::{Order, TakesOrders, answer};
-use crate::place::Place;
 use crate::speech::Message;
 use crate::trouble::Trouble;
-use homebody_log::RunInfo;
 use rumqttc::{
     AsyncClient, ClientError, ConnectionError, Event, EventLoop, LastWill, MqttOptions, Outgoing, Packet, PubAckReason,
     Publish, PublishOptions, QoS, RetainForwardRule, SubscribeFilterInput, TlsConfiguration, Transport, ValidatedTopic,
@@ -33,19 +29,32 @@ const LONGEST_WAIT: Duration = Duration::from_secs(5);
 /// Nobody may send us more at once (ours).
 const LONGEST_INCOMING_BYTES: u32 = 64 * 1024;
 
+/// So many topics are remembered (ours); a fleet has a hundred thousand of them.
+const MOST_TOPICS: usize = 4096;
+
 /// So many messages wait inside of the client (ours).
 const IN_CLIENT: usize = 64;
 
 /// What a connection needs.
 pub(crate) struct Connection {
     pub flight: Arc<Flight>,
-    pub address: Address,
-    pub place: Arc<Place>,
-    pub run: Arc<RunInfo>,
-    pub orders: Option<TakesOrders>,
     pub options: MqttOptions,
-    /// Tells this connection from that of another program that lives the same home.
-    pub instance: String,
+    pub speaker: Box<dyn Speaker>,
+}
+
+/// Whose connection it is: what they say at each beginning, and what they listen to.
+pub(crate) trait Speaker: Send {
+    /// What is said before all else on each connection.
+    fn greeting(&mut self) -> Vec<Message>;
+
+    /// What is listened to. What the broker keeps there is none of it.
+    fn topics(&self) -> Vec<String>;
+
+    /// Somebody has said something there.
+    fn told(&mut self, publish: &Publish, flight: &Flight) -> Result<(), Trouble>;
+
+    /// Below which topic they speak.
+    fn base(&self) -> &str;
 }
 
 /// A text that no other program has.
@@ -55,9 +64,13 @@ pub(crate) fn instance() -> String {
 }
 
 /// What the broker is to know before anything is sent.
-pub(crate) fn options(address: &Address, place: &Place, instance: &str) -> Result<MqttOptions, Trouble> {
-    let (topic, [_, offline]) = place.status();
-    let mut options = open(address, &format!("homebody-{}-{instance}", place.id))?;
+pub(crate) fn options(
+    address: &Address,
+    (topic, offline): (String, &'static str),
+    id: &str,
+    instance: &str,
+) -> Result<MqttOptions, Trouble> {
+    let mut options = open(address, &format!("homebody-{id}-{instance}"))?;
     options.set_last_will(LastWill::new(topic, offline, QoS::AtLeastOnce, true, None));
     Ok(options)
 }
@@ -132,11 +145,11 @@ impl Connection {
     /// One connection, until it is lost or all is done.
     async fn connect(&mut self) -> Result<(), Trouble> {
         let (client, events) = AsyncClient::builder(self.options.clone()).capacity(IN_CLIENT).build();
-        let greeting = self.greeting();
+        let greeting = self.speaker.greeting();
         self.flight.change(|state| state.begin_connection(greeting));
         let sent = RefCell::new(VecDeque::new());
         let flight = self.flight.clone();
-        let filters = self.filters();
+        let filters = self.speaker.topics().into_iter().map(listened_to).collect();
         let mut send = std::pin::pin!(send(client, &flight, filters, &sent));
         let mut hear = std::pin::pin!(self.hear(events, &sent));
         tokio::select! {
@@ -148,26 +161,6 @@ impl Connection {
             },
             heard = &mut hear => heard,
         }
-    }
-
-    fn greeting(&self) -> Vec<Message> {
-        greeting(&self.address, &self.place, &self.run, &self.instance, self.orders.is_some())
-    }
-
-    /// What is listened to: the home's own orders, whether Home Assistant begins anew, and what others say in our name. What the
-    /// broker keeps there is none of it.
-    fn filters(&self) -> Vec<SubscribeFilterInput> {
-        let topics = [self.place.command(), self.birth(), self.place.topic("run"), self.place.status().0];
-        let listen = |topic| {
-            let filter = SubscribeFilterInput::new(topic, QoS::AtLeastOnce).no_local(true);
-            filter.retain_forward_rule(RetainForwardRule::Never)
-        };
-        topics.map(listen).into()
-    }
-
-    /// Where Home Assistant says that it has begun.
-    fn birth(&self) -> String {
-        format!("{}/status", self.address.discovery_prefix)
     }
 
     /// Hears the broker until the connection is lost, or ends as it was asked to.
@@ -182,54 +175,30 @@ impl Connection {
                 }
                 Ok(Event::Incoming(Packet::PubAck(ack))) => {
                     if !matches!(ack.reason, PubAckReason::Success | PubAckReason::NoMatchingSubscribers) {
-                        let what =
-                            format!("the broker does not take messages below {}: {:?}", self.place.base, ack.reason);
+                        let what = format!(
+                            "the broker does not take messages below {}: {:?}",
+                            self.speaker.base(),
+                            ack.reason
+                        );
                         return Err(Trouble::new(what, "let this user write there").finally());
                     }
                     if let Some(sent) = by_packet.remove(&ack.pkid) {
                         self.flight.acknowledge(sent);
                     }
                 }
-                Ok(Event::Incoming(Packet::Publish(publish))) => self.told(&publish)?,
+                Ok(Event::Incoming(Packet::Publish(publish))) => self.speaker.told(&publish, &self.flight)?,
                 Ok(Event::Outgoing(Outgoing::Disconnect)) | Err(ConnectionError::RequestsDone) => return Ok(()),
                 Ok(_) => {}
                 Err(error) => return Err(Trouble::of(&error)),
             }
         }
     }
+}
 
-    /// Somebody has said something.
-    fn told(&mut self, publish: &Publish) -> Result<(), Trouble> {
-        let (status, [online, _]) = self.place.status();
-        if publish.topic == self.place.command() {
-            self.ordered(publish);
-        } else if publish.topic == self.birth() && *publish.payload == *b"online" {
-            let greeting = self.greeting();
-            self.flight.change(|state| state.greet_again(greeting));
-        } else if publish.topic == self.place.topic("run") && is_of_another(&publish.payload, &self.instance) {
-            return Err(Trouble::another());
-        } else if publish.topic == status && publish.payload != online {
-            // The last word of a program that lived this home before, and that the broker has only now found dead.
-            self.flight.change(|state| state.say(Message::kept(status, online)));
-        }
-        Ok(())
-    }
-
-    fn ordered(&mut self, publish: &Publish) {
-        let answer = answer(&publish.payload, publish.retain, &self.run, self.orders.as_mut());
-        let running = match answer.obeyed {
-            Some(Order::Pause {}) => Some("OFF"),
-            Some(Order::Resume {}) => Some("ON"),
-            _ => None,
-        };
-        let topic = self.place.topic("command/result").into();
-        let result = Message { topic, payload: answer.payload.into(), retain: false, then: None };
-        let running = running.map(|running| Message::kept(self.place.topic("running"), running));
-        self.flight.change(|state| {
-            state.say(result);
-            running.into_iter().for_each(|running| state.say(running));
-        });
-    }
+/// What is listened to in a topic: what others say from now on.
+fn listened_to(topic: String) -> SubscribeFilterInput {
+    let filter = SubscribeFilterInput::new(topic, QoS::AtLeastOnce).no_local(true);
+    filter.retain_forward_rule(RetainForwardRule::Never)
 }
 
 /// Why nothing more is sent.
@@ -273,6 +242,9 @@ async fn send(
             let topic = match topics.get(&message.topic) {
                 Some(topic) => topic.clone(),
                 None => {
+                    if topics.len() >= MOST_TOPICS {
+                        topics.clear();
+                    }
                     let Ok(topic) = ValidatedTopic::new(&*message.topic) else { continue };
                     topics.insert(message.topic.clone(), topic.clone());
                     topic

@@ -81,6 +81,8 @@ pub(crate) struct State {
     /// What each topic that is kept was told last, in the order of first messages.
     told: Vec<Told>,
     by_topic: HashMap<Arc<str>, usize>,
+    /// Whether nobody asks again: a fleet has too many topics to keep in mind.
+    pub forgets: bool,
     pub link: Link,
     pub wish: Wish,
     /// Counts acknowledgements.
@@ -237,7 +239,7 @@ impl State {
 
     /// Keeps what a topic was told last, for who asks again.
     pub fn keep_in_mind(&mut self, message: &Message) {
-        if !message.retain && message.then.is_none() {
+        if self.forgets || !message.retain && message.then.is_none() {
             return;
         }
         let told = Told { message: message.clone(), at: Instant::now() };

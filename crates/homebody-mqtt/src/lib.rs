@@ -12,12 +12,14 @@ mod clean;
 mod connection;
 mod discovery;
 mod entities;
+mod fleet;
 mod flight;
 mod greeting;
 mod names;
 mod order;
 mod place;
 mod sink;
+mod speaker;
 mod speech;
 mod state_file;
 mod trouble;
@@ -25,16 +27,19 @@ mod zigbee;
 
 pub use address::{Address, Discovery, Style};
 pub use clean::{Cleaned, clean};
+pub use fleet::MqttFleet;
 pub use order::{Order, TakesOrders};
 pub use sink::{MqttSink, policy};
 
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Url;
 use homebody_log::elsewhere::Elsewhere;
+use homebody_log::fleet::FleetSink;
 use homebody_log::sink::Sink;
 
 /// The kinds of places of this crate, for a program that installs them.
 pub fn elsewhere() -> Elsewhere {
     let open = |url: &Url| -> Box<dyn Sink> { Box::new(MqttSink::new(url)) };
-    Elsewhere { schemes: &[Scheme::Mqtt, Scheme::Mqtts], open, fleet: None, policy, forms: &[] }
+    let fleet: fn(&Url) -> Box<dyn FleetSink> = |url| Box::new(MqttFleet::new(url));
+    Elsewhere { schemes: &[Scheme::Mqtt, Scheme::Mqtts], open, fleet: Some(fleet), policy, forms: &[] }
 }

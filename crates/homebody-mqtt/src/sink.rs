@@ -6,6 +6,7 @@ use crate::flight::{Flight, Link, Wish};
 use crate::greeting::{at_rest, farewell};
 use crate::order::TakesOrders;
 use crate::place::Place;
+use crate::speaker::HomeSpeaker;
 use crate::speech::Speech;
 use crate::state_file::StateFile;
 use crate::trouble::Trouble;
@@ -18,7 +19,7 @@ use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
 /// How long a broker may be away before a row that waits for it says so (ours). It is then tried again, as the policy says.
-const PATIENCE: Duration = Duration::from_secs(5);
+pub(crate) const PATIENCE: Duration = Duration::from_secs(5);
 
 /// How long a broker may be away before the run is given up (ours).
 const AWAY_FOR: Duration = Duration::from_secs(600);
@@ -93,28 +94,24 @@ impl Sink for MqttSink {
                 hint: "write the truth into a database or files",
             });
         }
-        if address.user.is_none() && !address.public && is_public(&address) {
-            let what =
-                "this broker is on the internet and asks for no name: anybody could read the home and give it orders";
-            let hint = "name a user, or allow it by ?public=true";
-            return Err(Trouble::new(what, hint).finally().error(&place_told));
-        }
+        not_public(&address)?;
         let state = StateFile::new(address.state.as_deref(), begin.run.id);
         let before = if begin.how == How::GoOn { state.rows() } else { 0 };
         let place = Arc::new(Place::of(&address, begin.run));
         let instance = instance();
-        let options = options(&address, &place, &instance).map_err(|trouble| trouble.error(&place_told))?;
+        let (topic, [_, offline]) = place.status();
+        let options = options(&address, (topic, offline), &place.id, &instance);
+        let options = options.map_err(|trouble| trouble.error(&place_told))?;
         let flight = Arc::new(Flight::default());
         flight.change(|shared| at_rest(&place).iter().for_each(|message| shared.keep_in_mind(message)));
-        let connection = Connection {
-            flight: flight.clone(),
+        let speaker = HomeSpeaker {
             address,
             place: place.clone(),
             run: Arc::new(begin.run.clone()),
             orders: self.orders.take(),
-            options,
             instance,
         };
+        let connection = Connection { flight: flight.clone(), options, speaker: Box::new(speaker) };
         let thread = thread::Builder::new().spawn(move || connection.live());
         let thread = thread.map_err(|source| LogError::NoThread { place: place_told.clone(), source })?;
         let speech = Speech::new(begin.run, place.clone());
@@ -204,6 +201,15 @@ impl Drop for Open {
             let _ = thread.join();
         }
     }
+}
+
+/// Refuses a broker on the internet that anybody may listen to, unless that is meant.
+pub(crate) fn not_public(address: &Address) -> Result<(), LogError> {
+    if address.user.is_some() || address.public || !is_public(address) {
+        return Ok(());
+    }
+    let what = "this broker is on the internet and asks for no name: anybody could read the home and give it orders";
+    Err(Trouble::new(what, "name a user, or allow it by ?public=true").finally().error(&address.place()))
 }
 
 /// Whether a host is on the internet, as far as its addresses say. One that is not known is told of by who connects.

@@ -66,6 +66,25 @@ impl Speech {
                 format!("a row is of {sensor:?}, which is no sensor of the run"),
             ));
         };
+        Ok(self.said(index, seq, at, said))
+    }
+
+    /// From now on it speaks for this run of a home of the same kind; what its devices have said last is changed for what is in
+    /// `last`.
+    pub fn turn_to(&mut self, run: i64, last: &mut Vec<Map<String, Value>>) {
+        self.run.clear();
+        // A string takes whatever is written to it.
+        let _ = write!(self.run, "{run}");
+        if self.place.style == Style::Zigbee2Mqtt {
+            if last.is_empty() {
+                *last = self.place.sensors.iter().map(|sensor| unknown(&self.place, sensor)).collect();
+            }
+            std::mem::swap(&mut self.last, last);
+        }
+    }
+
+    /// The message of a sensor, by its number.
+    pub fn said(&mut self, index: usize, seq: i64, at: Micros, said: &str) -> Message {
         let place = self.place.clone();
         let placed = &place.sensors[index];
         let (entity, heard) = placed.device.hears(said);
@@ -75,15 +94,14 @@ impl Speech {
             Style::Plain => self.plain(placed, said),
             Style::Zigbee2Mqtt => self.zigbee(index, entity, &heard),
         }
-        // A string takes whatever is written to it.
         let _ = write!(self.line, ",\"run\":\"{}\",\"seq\":{seq},\"sim_time\":\"{}\"}}", self.run, self.clock.text(at));
         let momentary = placed.is_momentary(entity) && heard == Heard::Switched(true);
-        Ok(Message {
+        Message {
             topic: self.topics[index][entity].clone(),
             payload: self.line.as_str().into(),
             retain: !momentary,
             then: momentary.then(|| clear(place.style, placed).into()),
-        })
+        }
     }
 
     fn home_assistant(&mut self, heard: &Heard, said: &str) {

@@ -140,6 +140,12 @@ impl Living {
         }
     }
 
+    /// What a place is told first: that those homes have come that are there from the beginning.
+    pub fn first(&self) -> Vec<Told> {
+        let there = self.homes.iter().zip(0..).filter(|(home, _)| home.is_there);
+        there.map(|(_, index)| Told::Comes(index)).collect()
+    }
+
     /// Up to which instant all homes are lived.
     pub fn lived(&self) -> i64 {
         self.by_lived.peek().map_or(i64::MAX, |Reverse((lived, _))| *lived)
@@ -166,11 +172,6 @@ impl Living {
     /// When a home is to be lived on.
     pub fn next_life(&self) -> i64 {
         self.lived().saturating_sub(AHEAD)
-    }
-
-    /// How much waits for its time.
-    pub fn holds(&self) -> usize {
-        self.held.len()
     }
 
     /// What is to be told by now, at most so much of it.

@@ -44,8 +44,13 @@ pub struct FleetRun {
 /// What there is to say of a fleet on its way.
 #[derive(Clone, Debug)]
 pub enum FleetLived<'r> {
-    /// It lives what was before now, of which so many seconds are left.
-    CatchesUp(f64),
+    /// It lives what was before now, and its homes say that they have come.
+    CatchesUp {
+        /// How far it is behind the clock, in seconds.
+        behind_s: f64,
+        /// How much is on its way to places.
+        waiting: usize,
+    },
     /// It has begun to tell what happens now.
     Begun,
     /// How it goes.
@@ -91,9 +96,13 @@ impl FleetOf {
         let tellers = sinks.into_iter().map(begin_one).collect::<Result<Vec<Teller>, _>>()?;
         let catches_up = self.speed.is_none();
         let mut running = Running { living: Living::new(self, now()), tellers, told: Vec::new(), now, fleet };
-        while catches_up && running.living.lived() < (running.now)() && !cancel.is_cancelled() {
-            running.turn(&cancel)?;
-            say(FleetLived::CatchesUp(((running.now)() - running.living.lived()) as f64 / SECOND as f64));
+        let first = running.living.first();
+        running.tellers.iter().for_each(|teller| teller.tell(&first));
+        let is_behind = |running: &Running| catches_up && running.living.lived() < (running.now)();
+        while (is_behind(&running) || running.waiting() > 0) && !cancel.is_cancelled() {
+            running.turn(&cancel, catches_up)?;
+            let behind = ((running.now)() - running.living.lived()).max(0);
+            say(FleetLived::CatchesUp { behind_s: behind as f64 / SECOND as f64, waiting: running.waiting() });
         }
         let begun = (running.now)();
         running.living.begin(begun);
@@ -103,7 +112,7 @@ impl FleetOf {
         let end = lasts.map_or(i64::MAX, |lasts| begun.saturating_add(micros(lasts)));
         let mut next_report = begun + micros(every);
         while !cancel.is_cancelled() && (running.now)() < end {
-            running.turn(&cancel)?;
+            running.turn(&cancel, true)?;
             if (running.now)() >= next_report {
                 next_report += micros(every);
                 say(FleetLived::Report(&books.report(&mut running)));
@@ -129,21 +138,34 @@ struct Running {
 }
 
 impl Running {
-    /// Tells what is due, and lives homes on for a moment.
-    fn turn(&mut self, cancel: &Cancel) -> Result<(), Error> {
+    /// How much waits for places, most of all for the slowest.
+    fn waiting(&self) -> usize {
+        self.tellers.iter().map(Teller::waiting).max().unwrap_or(0)
+    }
+
+    /// Tells what is due, if it is time for that, and lives homes on for a moment.
+    fn turn(&mut self, cancel: &Cancel, tells: bool) -> Result<(), Error> {
         self.tellers.iter_mut().try_for_each(Teller::check)?;
-        if self.tellers.iter().any(|teller| teller.waiting() > MOST_WAITING) {
+        if self.waiting() > MOST_WAITING {
             thread::sleep(Duration::from_millis(1));
             return Ok(());
         }
         let now = (self.now)();
         self.told.clear();
-        self.living.due(now, HANDFUL, &mut self.told);
+        if tells {
+            self.living.due(now, HANDFUL, &mut self.told);
+        }
         if !self.told.is_empty() {
             self.tellers.iter().for_each(|teller| teller.tell(&self.told));
         }
         let until = self.living.next_due().map_or(now + LOOK, |due| due.clamp(now, now + LOOK));
-        while self.living.live_one((self.now)()) && (self.now)() < until && !cancel.is_cancelled() {}
+        let mut lives = true;
+        while lives {
+            lives = self.living.live_one((self.now)()) && (self.now)() < until && !cancel.is_cancelled();
+        }
+        if !tells && self.told.is_empty() {
+            thread::sleep(Duration::from_micros(SHORTEST_SLEEP as u64));
+        }
         Ok(())
     }
 

@@ -160,7 +160,7 @@ impl Arguments {
         let started = |opened: &OpenScenario| opened.scenario().calendar.timestamp(0).as_microsecond();
         let is_late = |opened| started(opened) < Timestamp::now().as_microsecond() - BEFORE_NOW;
         let is_fast = self.speed.map_or_else(|| scenarios.iter().any(is_late), |speed| speed > 1.0);
-        let run = FleetRun::new(&self.out, is_fast, self.force)?;
+        let mut run = FleetRun::new(&self.out, is_fast, self.force)?;
         let names: Vec<String> = scenarios.iter().map(|opened| opened.name().to_owned()).collect();
         let fleet = self.make(scenarios)?;
         if let Some(list) = &self.list {
@@ -168,13 +168,10 @@ impl Arguments {
         }
         let look = self.watched.begin_fleet(&names.join(", "))?;
         let mut telling = Telling::begin(&self, look)?;
-        let run = FleetRun {
-            retry_for: if self.on_sink_down == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO },
-            lasts: self.lasts.map(duration),
-            every: duration(self.every),
-            cancel: signals.cancel().clone(),
-            ..run
-        };
+        run.retry_for = if self.on_sink_down == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO };
+        run.lasts = self.lasts.map(duration);
+        run.every = duration(self.every);
+        run.cancel = signals.cancel().clone();
         let mut failed = None;
         let last = fleet.live(run, |lived| {
             if let Err(error) = telling.hear(lived) {

@@ -35,10 +35,10 @@ impl Telling {
 
     pub fn hear(&mut self, lived: FleetLived) -> Result<(), Failure> {
         match lived {
-            FleetLived::CatchesUp(behind_s) => {
+            FleetLived::CatchesUp { behind_s, waiting } => {
                 self.caught_up_s = self.caught_up_s.max(behind_s);
                 if !self.bar.is_hidden() {
-                    self.bar.set_message(format!("{behind_s:.0} s behind the clock"));
+                    self.bar.set_message(format!("{behind_s:.0} s behind the clock, {waiting} on their way"));
                     self.bar.tick();
                 }
             }

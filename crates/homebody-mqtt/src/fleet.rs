@@ -1,0 +1,288 @@
+//! Many homes on one connection: each has topics of its own, as a home alone has them.
+//!
+//! A broker finds a dead program by its connection, so it can say of the fleet that it is not there any more, on `fleet00001/status`,
+//! and not of each home. A home that comes says what it is; one that goes, that it is not there.
+
+use crate::address::Address;
+use crate::connection::{Connection, Speaker, instance, options};
+use crate::flight::{Flight, Link, State, Wish};
+use crate::greeting::{PROGRAM, at_rest, farewell, greeting, is_of_another};
+use crate::names::{id_of_home, level};
+use crate::place::Place;
+use crate::sink::{PATIENCE, not_public};
+use crate::speech::{Message, Speech};
+use crate::trouble::Trouble;
+use homebody_core::event::Value as Said;
+use homebody_core::scenario::scheme::NoPlace;
+use homebody_log::fleet::{Fleet, FleetRow, FleetSink, Told};
+use homebody_log::{How, LogError, Url};
+use rumqttc::Publish;
+use serde_json::{Map, Value, json};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::{self, JoinHandle};
+
+/// A broker that many homes tell.
+pub struct MqttFleet {
+    url: Url,
+    open: Option<Open>,
+}
+
+struct Open {
+    told: String,
+    address: Address,
+    fleet: Arc<Fleet>,
+    instance: String,
+    flight: Arc<Flight>,
+    thread: Option<JoinHandle<()>>,
+    /// By layout: what homes of it say, and below which topic the one is that it was made for.
+    kinds: Vec<(Speech, String)>,
+    homes: Vec<Home>,
+    /// Whether each home is there: on a new connection they say so again.
+    there: There,
+    status: String,
+    buffer: String,
+    has_said_farewell: bool,
+}
+
+/// Whether each home is there, by its number.
+type There = Arc<Mutex<Vec<bool>>>;
+
+#[derive(Clone, Default)]
+struct Home {
+    /// The number of the next row.
+    next: u64,
+    /// Of Zigbee2MQTT: by sensor, all that it has said last.
+    last: Vec<Map<String, Value>>,
+}
+
+/// Where a fleet says that it is there.
+fn own_name(fleet: &Fleet) -> String {
+    format!("fleet{:05}", fleet.first)
+}
+
+impl MqttFleet {
+    /// The broker of a URL. Nothing is touched before it is begun.
+    pub fn new(url: &Url) -> MqttFleet {
+        MqttFleet { url: url.clone(), open: None }
+    }
+
+    fn begun(&mut self) -> Result<&mut Open, LogError> {
+        let stopped = || LogError::Stopped { place: self.url.scheme().row().name.into() };
+        self.open.as_mut().ok_or_else(stopped)
+    }
+}
+
+impl FleetSink for MqttFleet {
+    fn check(&self, is_fast: bool) -> Result<(), LogError> {
+        let address = Address::of(&self.url)?;
+        if address.state.is_some() {
+            let (what, hint) =
+                (format!("{} is told by a fleet", address.place()), "leave ?state out: it is of one home");
+            return Err(LogError::NoPlace(NoPlace { what, hint: hint.into() }));
+        }
+        if is_fast { address.may_go_fast() } else { Ok(()) }
+    }
+
+    fn begin(&mut self, fleet: &Arc<Fleet>, _: How) -> Result<Vec<u64>, LogError> {
+        let address = Address::of(&self.url)?;
+        not_public(&address)?;
+        let (told, instance, name) = (address.place(), instance(), own_name(fleet));
+        let base = format!("{}/{name}", address.prefix);
+        let status = format!("{base}/status");
+        let id = id_of_home(&address.prefix, &name);
+        let options = options(&address, (status.clone(), "offline"), &id, &instance);
+        let options = options.map_err(|trouble| trouble.error(&told))?;
+        let flight = Arc::new(Flight::default());
+        flight.lock().forgets = true;
+        let there = There::new(Mutex::new(vec![false; fleet.homes.len()]));
+        let speaker = FleetSpeaker {
+            fleet: fleet.clone(),
+            address: address.clone(),
+            base,
+            instance: instance.clone(),
+            there: there.clone(),
+        };
+        let connection = Connection { flight: flight.clone(), options, speaker: Box::new(speaker) };
+        let thread = thread::Builder::new().spawn(move || connection.live());
+        let thread = thread.map_err(|source| LogError::NoThread { place: told.clone(), source })?;
+        let speech = |layout: usize| {
+            let first = fleet.homes.iter().position(|home| home.layout == layout);
+            let run = fleet.run_of(first.unwrap_or_default() as u32);
+            let place = Arc::new(Place::of(&address, &run));
+            (Speech::new(&run, place.clone()), place.base.clone())
+        };
+        let open = Open {
+            kinds: (0..fleet.layouts.len()).map(speech).collect(),
+            told,
+            address,
+            fleet: fleet.clone(),
+            instance,
+            flight,
+            thread: Some(thread),
+            homes: vec![Home::default(); fleet.homes.len()],
+            there,
+            status,
+            buffer: String::new(),
+            has_said_farewell: false,
+        };
+        open.wait(|shared| matches!(shared.link, Link::Up))?;
+        self.open = Some(open);
+        Ok(vec![0; fleet.homes.len()])
+    }
+
+    fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
+        let open = self.begun()?;
+        for told in told {
+            match *told {
+                Told::Row(row) => open.row(&row)?,
+                Told::Comes(home) => open.comes(home)?,
+                Told::Goes(home) => open.goes(home)?,
+            }
+        }
+        // It has arrived once the broker says so.
+        open.wait(State::is_empty)
+    }
+
+    fn finish(&mut self, _: i64) -> Result<(), LogError> {
+        let Some(open) = &mut self.open else { return Ok(()) };
+        if !open.has_said_farewell {
+            let there = open.there.lock().unwrap_or_else(PoisonError::into_inner).clone();
+            for home in (0..there.len()).filter(|&home| there[home]) {
+                open.goes(home as u32)?;
+            }
+            open.take(Message::kept(open.status.clone(), "offline"))?;
+            open.has_said_farewell = true;
+            open.flight.change(|shared| shared.wish = Wish::Finish);
+        }
+        open.wait(|shared| matches!(shared.link, Link::Over(None)))?;
+        self.open = None;
+        Ok(())
+    }
+}
+
+impl Open {
+    fn wait(&self, is_so: impl Fn(&State) -> bool) -> Result<(), LogError> {
+        self.flight.wait(PATIENCE, is_so).map(drop).map_err(|trouble| trouble.error(&self.told))
+    }
+
+    /// Sends a message once there is room for it.
+    fn take(&self, message: Message) -> Result<(), LogError> {
+        if !self.flight.lock().has_room() {
+            self.wait(State::has_much_room)?;
+        }
+        self.flight.lock().take(message);
+        self.flight.wake.notify_one();
+        Ok(())
+    }
+
+    fn row(&mut self, row: &FleetRow) -> Result<(), LogError> {
+        let Open { fleet, kinds, homes, buffer, .. } = self;
+        let home = &fleet.homes[row.home as usize];
+        let Home { next, last } = &mut homes[row.home as usize];
+        // After an error that passes the same rows come again.
+        if row.seq < *next {
+            return Ok(());
+        }
+        let (speech, base) = &mut kinds[home.layout];
+        let said = match row.value {
+            Said::Reading(number) => {
+                homebody_log::table::thousandths(number, buffer);
+                buffer.as_str()
+            }
+            value => fleet.layouts[home.layout].value(value, buffer),
+        };
+        speech.turn_to(home.run, last);
+        let mut message = speech.said(row.sensor.index(), row.seq as i64, row.at, said);
+        speech.turn_to(home.run, last);
+        if let Some(rest) = message.topic.strip_prefix(base.as_str()) {
+            message.topic = format!("{}/{}{rest}", self.address.prefix, level(&home.name)).into();
+        }
+        let next_row = row.seq + 1;
+        self.take(message)?;
+        self.homes[row.home as usize].next = next_row;
+        Ok(())
+    }
+
+    /// A home says what it is, and that it is there.
+    fn comes(&mut self, home: u32) -> Result<(), LogError> {
+        let run = self.fleet.run_of(home);
+        let place = Place::of(&self.address, &run);
+        let rest = if place.is_discovered { at_rest(&place) } else { Vec::new() };
+        for message in greeting(&self.address, &place, &run, &self.instance, false).into_iter().chain(rest) {
+            self.take(message)?;
+        }
+        self.is_there(home, true);
+        Ok(())
+    }
+
+    fn goes(&mut self, home: u32) -> Result<(), LogError> {
+        self.is_there(home, false);
+        let place = Place::of(&self.address, &self.fleet.run_of(home));
+        farewell(&place).into_iter().try_for_each(|message| self.take(message))
+    }
+
+    fn is_there(&self, home: u32, is_there: bool) {
+        self.there.lock().unwrap_or_else(PoisonError::into_inner)[home as usize] = is_there;
+    }
+}
+
+impl Drop for Open {
+    /// A fleet that is given up ends without a word: the broker then says by itself that it is not there any more.
+    fn drop(&mut self) {
+        self.flight.change(|shared| shared.wish = Wish::GiveUp);
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+/// A fleet on a connection.
+struct FleetSpeaker {
+    fleet: Arc<Fleet>,
+    address: Address,
+    base: String,
+    instance: String,
+    there: There,
+}
+
+impl Speaker for FleetSpeaker {
+    /// That the fleet is there, and after a connection was lost, that each of its homes is: the broker may have forgotten them. What
+    /// Home Assistant was told it keeps itself.
+    fn greeting(&mut self) -> Vec<Message> {
+        let layout = &self.fleet.layouts[0].run;
+        let mark = json!({
+            "program": PROGRAM,
+            "version": layout.version,
+            "homes": self.fleet.homes.len(),
+            "first": self.fleet.first,
+            "instance": self.instance,
+        });
+        let mut all = vec![
+            Message::kept(format!("{}/run", self.base), mark.to_string()),
+            Message::kept(format!("{}/status", self.base), "online"),
+        ];
+        let address = Address { discovery: crate::Discovery::Off, ..self.address.clone() };
+        let there = self.there.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        for home in (0..there.len()).filter(|&home| there[home]) {
+            let run = self.fleet.run_of(home as u32);
+            let place = Place::of(&address, &run);
+            all.extend(greeting(&address, &place, &run, &self.instance, false));
+        }
+        all
+    }
+
+    fn topics(&self) -> Vec<String> {
+        vec![format!("{}/run", self.base)]
+    }
+
+    fn told(&mut self, publish: &Publish, _: &Flight) -> Result<(), Trouble> {
+        match is_of_another(&publish.payload, &self.instance) {
+            true => Err(Trouble::another()),
+            false => Ok(()),
+        }
+    }
+
+    fn base(&self) -> &str {
+        &self.base
+    }
+}

@@ -1,0 +1,76 @@
+//! One home on a broker: it says what it is, and hears orders, that Home Assistant has begun anew, and what others say in its name.
+
+use crate::address::Address;
+use crate::connection::Speaker;
+use crate::flight::Flight;
+use crate::greeting::{greeting, is_of_another};
+use crate::order::{Order, TakesOrders, answer};
+use crate::place::Place;
+use crate::speech::Message;
+use crate::trouble::Trouble;
+use homebody_log::RunInfo;
+use rumqttc::Publish;
+use std::sync::Arc;
+
+/// A home that speaks for itself.
+pub(crate) struct HomeSpeaker {
+    pub address: Address,
+    pub place: Arc<Place>,
+    pub run: Arc<RunInfo>,
+    pub orders: Option<TakesOrders>,
+    /// Tells this connection from that of another program that lives the same home.
+    pub instance: String,
+}
+
+impl Speaker for HomeSpeaker {
+    fn greeting(&mut self) -> Vec<Message> {
+        greeting(&self.address, &self.place, &self.run, &self.instance, self.orders.is_some())
+    }
+
+    fn topics(&self) -> Vec<String> {
+        [self.place.command(), self.birth(), self.place.topic("run"), self.place.status().0].into()
+    }
+
+    fn base(&self) -> &str {
+        &self.place.base
+    }
+
+    fn told(&mut self, publish: &Publish, flight: &Flight) -> Result<(), Trouble> {
+        let (status, [online, _]) = self.place.status();
+        if publish.topic == self.place.command() {
+            self.ordered(publish, flight);
+        } else if publish.topic == self.birth() && *publish.payload == *b"online" {
+            let greeting = self.greeting();
+            flight.change(|state| state.greet_again(greeting));
+        } else if publish.topic == self.place.topic("run") && is_of_another(&publish.payload, &self.instance) {
+            return Err(Trouble::another());
+        } else if publish.topic == status && publish.payload != online {
+            // The last word of a program that lived this home before, and that the broker has only now found dead.
+            flight.change(|state| state.say(Message::kept(status, online)));
+        }
+        Ok(())
+    }
+}
+
+impl HomeSpeaker {
+    /// Where Home Assistant says that it has begun.
+    fn birth(&self) -> String {
+        format!("{}/status", self.address.discovery_prefix)
+    }
+
+    fn ordered(&mut self, publish: &Publish, flight: &Flight) {
+        let answer = answer(&publish.payload, publish.retain, &self.run, self.orders.as_mut());
+        let running = match answer.obeyed {
+            Some(Order::Pause {}) => Some("OFF"),
+            Some(Order::Resume {}) => Some("ON"),
+            _ => None,
+        };
+        let topic = self.place.topic("command/result").into();
+        let result = Message { topic, payload: answer.payload.into(), retain: false, then: None };
+        let running = running.map(|running| Message::kept(self.place.topic("running"), running));
+        flight.change(|state| {
+            state.say(result);
+            running.into_iter().for_each(|running| state.say(running));
+        });
+    }
+}

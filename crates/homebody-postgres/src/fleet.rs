@@ -1,0 +1,262 @@
+//! The runs of many homes in one database, over one connection.
+//!
+//! Each home is a run of its own, as alone. The rows of a transaction may be of many homes, and how far the database holds each of
+//! them goes in with them. A transaction whose end nobody heard of is looked for before it is made again.
+
+use crate::connection::Connection;
+use crate::rows::{Encoder, Rows, copy_into};
+use crate::runs::{self, At};
+use crate::schema::{InTable, Schema};
+use crate::server::Server;
+use crate::trouble::wrong;
+use futures_util::SinkExt;
+use homebody_core::event::Value;
+use homebody_core::problem::readable;
+use homebody_log::fleet::{Fleet, FleetRow, FleetSink, Told};
+use homebody_log::table::{Batch, Cell, Texts};
+use homebody_log::{Begin, How, LogError, Url};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use tokio_postgres::types::ToSql;
+
+/// How much goes into one transaction, at most (ours).
+const MOST_AT_ONCE: usize = 20_000;
+
+/// A database that many homes tell.
+pub struct PostgresFleet {
+    url: String,
+    open: Option<Open>,
+}
+
+struct Open {
+    server: Server,
+    /// None after it was lost, until the next transaction.
+    connection: Option<Connection>,
+    fleet: Arc<Fleet>,
+    schema: Schema,
+    kinds: Vec<Kind>,
+    homes: Vec<Home>,
+    /// Whether the server was asked to end a transaction, and has not said what became of it.
+    is_in_doubt: bool,
+}
+
+/// What rows of homes of one layout are made of.
+struct Kind {
+    table: InTable,
+    encoder: Encoder,
+    texts: Texts,
+    /// When runs start, in microseconds since 1970.
+    start: i64,
+}
+
+/// How far the database holds a home.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Home {
+    /// The number of the next row.
+    rows: i64,
+    /// How many transactions have changed it.
+    commits: i64,
+}
+
+impl PostgresFleet {
+    /// The database of a URL. Nothing is touched before it is begun.
+    pub fn new(url: &Url) -> PostgresFleet {
+        PostgresFleet { url: url.to_string(), open: None }
+    }
+
+    fn begun(&mut self) -> Result<&mut Open, LogError> {
+        self.open.as_mut().ok_or_else(|| LogError::Stopped { place: "postgresql".into() })
+    }
+}
+
+impl FleetSink for PostgresFleet {
+    fn check(&self, _: bool) -> Result<(), LogError> {
+        let server = Server::parse(&self.url)?;
+        match &server.run {
+            Some(run) => Err(wrong(&server, format!("run={run} is one run"), "leave it out: each home is a run of its own")),
+            None => Ok(()),
+        }
+    }
+
+    fn begin(&mut self, fleet: &Arc<Fleet>, how: How) -> Result<Vec<u64>, LogError> {
+        let server = Server::parse(&self.url)?;
+        let connection = Connection::open(&server)?;
+        let (mut kinds, mut all) = (Vec::new(), None);
+        for layout in &fleet.layouts {
+            // Rows of runs that are there already are gone on with: their ids are those of the very same lives.
+            let begin = Begin {
+                run: &layout.run,
+                tables: std::slice::from_ref(&layout.table),
+                time: layout.time,
+                run_column: &layout.run_column,
+                spreadsheet_safe: false,
+                how: How::GoOn,
+            };
+            let schema = Schema::make(&connection, &server, &begin)?;
+            let start = runs::start_of(&layout.run);
+            let encoder = Encoder::new(0, start, layout.time);
+            kinds.push(Kind { table: schema.tables[0].clone(), encoder, texts: Texts::default(), start });
+            all = Some(schema);
+        }
+        let none = || wrong(&server, "a fleet has no homes".into(), "ask for one or more");
+        let schema = all.ok_or_else(none)?;
+        if how == How::Replace {
+            runs::forget_all(&connection, &schema, &kinds_of(fleet, &kinds))?;
+        }
+        runs::add_all(&connection, &schema, fleet)?;
+        let homes = found(&connection, &server, &schema, fleet)?;
+        let there = homes.iter().map(|home| home.rows as u64).collect();
+        let (fleet, connection) = (fleet.clone(), Some(connection));
+        self.open = Some(Open { server, connection, fleet, schema, kinds, homes, is_in_doubt: false });
+        Ok(there)
+    }
+
+    fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
+        let open = self.begun()?;
+        let rows: Vec<FleetRow> =
+            told.iter().filter_map(|told| if let Told::Row(row) = told { Some(*row) } else { None }).collect();
+        if rows.is_empty() {
+            return Ok(());
+        }
+        match open.transact(&rows) {
+            // A connection may have been lost long ago, without anybody noticing: a new one is tried once.
+            Err(error) if error.passes() => {
+                open.connection = None;
+                open.transact(&rows)
+            }
+            done => done,
+        }
+        .inspect_err(|_| open.connection = None)
+    }
+
+    fn finish(&mut self, end: i64) -> Result<(), LogError> {
+        let open = self.begun()?;
+        let connection = open.connected()?;
+        let ids: Vec<i64> = open.fleet.homes.iter().map(|home| home.run).collect();
+        let sql = format!("UPDATE {} SET ended_at = $2 WHERE run_id = ANY($1)", open.schema.runs());
+        connection.wait(connection.client.execute(&sql, &[&ids, &At(end)]))?;
+        self.open = None;
+        Ok(())
+    }
+
+    fn most_at_once(&self) -> usize {
+        MOST_AT_ONCE
+    }
+}
+
+/// By table, the ids of the runs whose rows are in it.
+fn kinds_of(fleet: &Fleet, kinds: &[Kind]) -> Vec<(InTable, Vec<i64>)> {
+    let of = |layout: usize| fleet.homes.iter().filter(move |home| home.layout == layout).map(|home| home.run).collect();
+    kinds.iter().enumerate().map(|(layout, kind)| (kind.table.clone(), of(layout))).collect()
+}
+
+/// How far the database holds each home; refused if what it has is something else.
+fn found(connection: &Connection, server: &Server, schema: &Schema, fleet: &Fleet) -> Result<Vec<Home>, LogError> {
+    let known = runs::find_all(connection, schema, fleet)?;
+    let home = |home: &homebody_log::fleet::FleetHome| {
+        let Some(known) = known.get(&home.run) else {
+            return Err(wrong(server, format!("the run of {} is gone", home.name), "look who else changes the database"));
+        };
+        if known.holds != runs::holds(false) || known.version != fleet.layouts[home.layout].run.version {
+            let what = format!("the run {} is there, and is another's: {} of version {}", home.run, known.holds, known.version);
+            return Err(wrong(server, what, "--force replaces it, or name another schema: ?schema=NAME"));
+        }
+        Ok(Home { rows: known.rows, commits: known.commits })
+    };
+    fleet.homes.iter().map(home).collect()
+}
+
+impl Open {
+    fn connected(&mut self) -> Result<&Connection, LogError> {
+        if self.connection.is_none() {
+            self.connection = Some(Connection::open(&self.server)?);
+        }
+        self.connection.as_ref().ok_or_else(|| LogError::Stopped { place: self.server.place.clone() })
+    }
+
+    /// One transaction of these rows, unless an earlier one has taken them.
+    fn transact(&mut self, rows: &[FleetRow]) -> Result<(), LogError> {
+        self.connected()?;
+        // By the number of the home: up to which row these go.
+        let then: BTreeMap<u32, i64> = rows.iter().map(|row| (row.home, row.seq as i64 + 1)).collect();
+        let encoded = self.encode(rows)?;
+        let Open { server, connection: Some(connection), fleet, schema, kinds, homes, is_in_doubt } = self else {
+            return Ok(());
+        };
+        connection.wait(connection.client.batch_execute("BEGIN"))?;
+        let ids: Vec<i64> = then.keys().map(|&home| fleet.homes[home as usize].run).collect();
+        let now = runs::look_at(connection, schema, &ids)?;
+        let is = |of: &dyn Fn(u32, i64) -> Home| {
+            then.iter().all(|(&home, &rows)| {
+                let Home { rows, commits } = of(home, rows);
+                now.get(&fleet.homes[home as usize].run) == Some(&(rows, commits))
+            })
+        };
+        let after = |home: u32, rows: i64| Home { rows, commits: homes[home as usize].commits + 1 };
+        let is_taken = *is_in_doubt && is(&after);
+        if !is_taken && !is(&|home, _| homes[home as usize]) {
+            let what = "another program has gone on with a home of this fleet".to_owned();
+            return Err(wrong(server, what, "let one program at a time live a home"));
+        }
+        if is_taken {
+            connection.wait(connection.client.batch_execute("ROLLBACK"))?;
+        } else {
+            for (kind, rows) in kinds.iter().zip(&encoded).filter(|(_, rows)| rows.count > 0) {
+                let sql = copy_into(&kind.table);
+                connection.wait(async {
+                    let mut copy = Box::pin(connection.client.copy_in(&sql).await?);
+                    for chunk in rows.copy().filter(|chunk| !chunk.is_empty()) {
+                        copy.feed(chunk).await?;
+                    }
+                    copy.as_mut().finish().await
+                })?;
+            }
+            let rows: Vec<i64> = then.values().copied().collect();
+            runs::mark_all(connection, schema, &ids, &rows)?;
+            *is_in_doubt = true;
+            connection.wait(connection.client.batch_execute("COMMIT"))?;
+        }
+        *is_in_doubt = false;
+        for (home, rows) in then {
+            homes[home as usize] = after_commit(homes[home as usize], rows);
+        }
+        Ok(())
+    }
+
+    /// By layout, the rows as they are sent.
+    fn encode(&mut self, rows: &[FleetRow]) -> Result<Vec<Rows>, LogError> {
+        let Open { server, fleet, kinds, .. } = self;
+        let mut all = vec![Rows::default(); kinds.len()];
+        let mut buffer = String::new();
+        for row in rows {
+            let home = &fleet.homes[row.home as usize];
+            let (layout, kind) = (&fleet.layouts[home.layout], &mut kinds[home.layout]);
+            let before = kind.texts.len();
+            let sensor = Cell::Text(kind.texts.id(layout.sensor(row.sensor)));
+            let value = match row.value {
+                Value::Reading(number) => Cell::Thousandths(number),
+                value => Cell::Text(kind.texts.id(layout.value(value, &mut buffer))),
+            };
+            if kind.texts.len() > before {
+                kind.encoder.learn(&Batch::default().with(&kind.texts)).map_err(|text| {
+                    let what = readable(format!("the text {text:?}"));
+                    let hint = "PostgreSQL takes no NUL in texts: give the sensor another id";
+                    LogError::CannotHold { place: server.place.clone(), what, hint }
+                })?;
+            }
+            kind.encoder.of_run(home.run, kind.start);
+            kind.encoder.row(
+                &[Cell::Integer(row.seq as i64), Cell::Instant(row.at), sensor, value],
+                &mut all[home.layout],
+            );
+        }
+        Ok(all)
+    }
+}
+
+fn after_commit(home: Home, rows: i64) -> Home {
+    Home { rows, commits: home.commits + 1 }
+}
+
+/// What a statement is given.
+pub(crate) type Given<'a> = &'a (dyn ToSql + Sync);
