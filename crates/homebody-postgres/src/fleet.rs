@@ -4,6 +4,7 @@
 //! them goes in with them. A transaction whose end nobody heard of is looked for before it is made again.
 
 use crate::connection::Connection;
+use crate::fleet_runs;
 use crate::rows::{Encoder, Rows, copy_into};
 use crate::runs::{self, At};
 use crate::schema::{InTable, Schema};
@@ -17,7 +18,6 @@ use homebody_log::table::{Batch, Cell, Texts};
 use homebody_log::{Begin, How, LogError, Url};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use tokio_postgres::types::ToSql;
 
 /// How much goes into one transaction, at most (ours).
 const MOST_AT_ONCE: usize = 20_000;
@@ -73,7 +73,9 @@ impl FleetSink for PostgresFleet {
     fn check(&self, _: bool) -> Result<(), LogError> {
         let server = Server::parse(&self.url)?;
         match &server.run {
-            Some(run) => Err(wrong(&server, format!("run={run} is one run"), "leave it out: each home is a run of its own")),
+            Some(run) => {
+                Err(wrong(&server, format!("run={run} is one run"), "leave it out: each home is a run of its own"))
+            }
             None => Ok(()),
         }
     }
@@ -101,9 +103,9 @@ impl FleetSink for PostgresFleet {
         let none = || wrong(&server, "a fleet has no homes".into(), "ask for one or more");
         let schema = all.ok_or_else(none)?;
         if how == How::Replace {
-            runs::forget_all(&connection, &schema, &kinds_of(fleet, &kinds))?;
+            fleet_runs::forget(&connection, &schema, &kinds_of(fleet, &kinds))?;
         }
-        runs::add_all(&connection, &schema, fleet)?;
+        fleet_runs::add(&connection, &schema, fleet)?;
         let homes = found(&connection, &server, &schema, fleet)?;
         let there = homes.iter().map(|home| home.rows as u64).collect();
         let (fleet, connection) = (fleet.clone(), Some(connection));
@@ -131,9 +133,9 @@ impl FleetSink for PostgresFleet {
 
     fn finish(&mut self, end: i64) -> Result<(), LogError> {
         let open = self.begun()?;
-        let connection = open.connected()?;
         let ids: Vec<i64> = open.fleet.homes.iter().map(|home| home.run).collect();
         let sql = format!("UPDATE {} SET ended_at = $2 WHERE run_id = ANY($1)", open.schema.runs());
+        let connection = open.connected()?;
         connection.wait(connection.client.execute(&sql, &[&ids, &At(end)]))?;
         self.open = None;
         Ok(())
@@ -146,19 +148,27 @@ impl FleetSink for PostgresFleet {
 
 /// By table, the ids of the runs whose rows are in it.
 fn kinds_of(fleet: &Fleet, kinds: &[Kind]) -> Vec<(InTable, Vec<i64>)> {
-    let of = |layout: usize| fleet.homes.iter().filter(move |home| home.layout == layout).map(|home| home.run).collect();
+    let of =
+        |layout: usize| fleet.homes.iter().filter(move |home| home.layout == layout).map(|home| home.run).collect();
     kinds.iter().enumerate().map(|(layout, kind)| (kind.table.clone(), of(layout))).collect()
 }
 
 /// How far the database holds each home; refused if what it has is something else.
 fn found(connection: &Connection, server: &Server, schema: &Schema, fleet: &Fleet) -> Result<Vec<Home>, LogError> {
-    let known = runs::find_all(connection, schema, fleet)?;
+    let known = fleet_runs::find(connection, schema, fleet)?;
     let home = |home: &homebody_log::fleet::FleetHome| {
         let Some(known) = known.get(&home.run) else {
-            return Err(wrong(server, format!("the run of {} is gone", home.name), "look who else changes the database"));
+            return Err(wrong(
+                server,
+                format!("the run of {} is gone", home.name),
+                "look who else changes the database",
+            ));
         };
         if known.holds != runs::holds(false) || known.version != fleet.layouts[home.layout].run.version {
-            let what = format!("the run {} is there, and is another's: {} of version {}", home.run, known.holds, known.version);
+            let what = format!(
+                "the run {} is there, and is another's: {} of version {}",
+                home.run, known.holds, known.version
+            );
             return Err(wrong(server, what, "--force replaces it, or name another schema: ?schema=NAME"));
         }
         Ok(Home { rows: known.rows, commits: known.commits })
@@ -185,7 +195,7 @@ impl Open {
         };
         connection.wait(connection.client.batch_execute("BEGIN"))?;
         let ids: Vec<i64> = then.keys().map(|&home| fleet.homes[home as usize].run).collect();
-        let now = runs::look_at(connection, schema, &ids)?;
+        let now = fleet_runs::look_at(connection, schema, &ids)?;
         let is = |of: &dyn Fn(u32, i64) -> Home| {
             then.iter().all(|(&home, &rows)| {
                 let Home { rows, commits } = of(home, rows);
@@ -195,24 +205,26 @@ impl Open {
         let after = |home: u32, rows: i64| Home { rows, commits: homes[home as usize].commits + 1 };
         let is_taken = *is_in_doubt && is(&after);
         if !is_taken && !is(&|home, _| homes[home as usize]) {
-            let what = "another program has gone on with a home of this fleet".to_owned();
-            return Err(wrong(server, what, "let one program at a time live a home"));
+            return Err(changed(server, "another program has gone on with a home of this fleet"));
         }
         if is_taken {
             connection.wait(connection.client.batch_execute("ROLLBACK"))?;
         } else {
             for (kind, rows) in kinds.iter().zip(&encoded).filter(|(_, rows)| rows.count > 0) {
                 let sql = copy_into(&kind.table);
-                connection.wait(async {
+                let copied = connection.wait(async {
                     let mut copy = Box::pin(connection.client.copy_in(&sql).await?);
                     for chunk in rows.copy().filter(|chunk| !chunk.is_empty()) {
                         copy.feed(chunk).await?;
                     }
                     copy.as_mut().finish().await
                 })?;
+                if copied != rows.count {
+                    return Err(changed(server, "the server has taken another number of rows"));
+                }
             }
             let rows: Vec<i64> = then.values().copied().collect();
-            runs::mark_all(connection, schema, &ids, &rows)?;
+            fleet_runs::mark(connection, schema, &ids, &rows)?;
             *is_in_doubt = true;
             connection.wait(connection.client.batch_execute("COMMIT"))?;
         }
@@ -245,18 +257,17 @@ impl Open {
                 })?;
             }
             kind.encoder.of_run(home.run, kind.start);
-            kind.encoder.row(
-                &[Cell::Integer(row.seq as i64), Cell::Instant(row.at), sensor, value],
-                &mut all[home.layout],
-            );
+            kind.encoder
+                .row(&[Cell::Integer(row.seq as i64), Cell::Instant(row.at), sensor, value], &mut all[home.layout]);
         }
         Ok(all)
     }
 }
 
+fn changed(server: &Server, what: &str) -> LogError {
+    LogError::Changed { place: server.place.clone(), what: what.into() }
+}
+
 fn after_commit(home: Home, rows: i64) -> Home {
     Home { rows, commits: home.commits + 1 }
 }
-
-/// What a statement is given.
-pub(crate) type Given<'a> = &'a (dyn ToSql + Sync);

@@ -19,8 +19,12 @@ mod schema;
 mod runs;
 mod sink;
 
+mod fleet_runs;
+mod fleet;
+
 mod source;
 
+pub use fleet::PostgresFleet;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
 use homebody_log::elsewhere::Elsewhere;
@@ -31,7 +35,7 @@ pub use source::FORM;
 pub const POSTGRESQL: Elsewhere = Elsewhere {
     schemes: &[Scheme::Postgresql],
     open: |url| Box::new(Postgres::new(url)),
-    fleet: None,
+    fleet: Some(|url| Box::new(PostgresFleet::new(url))),
     policy: Policy::default,
     forms: &[FORM],
 };

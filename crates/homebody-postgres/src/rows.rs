@@ -56,6 +56,11 @@ impl Encoder {
         })
     }
 
+    /// From now on rows are of this run, which starts then.
+    pub fn of_run(&mut self, run: i64, start: i64) {
+        (self.run, self.start) = (run, start);
+    }
+
     /// Adds a row.
     pub fn row(&mut self, cells: &[Cell], rows: &mut Rows) {
         let out = &mut rows.last;

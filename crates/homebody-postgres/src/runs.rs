@@ -121,7 +121,7 @@ pub(crate) fn start_of(run: &RunInfo) -> i64 {
     run.calendar.timestamp(0).as_microsecond()
 }
 
-fn zone(run: &RunInfo) -> String {
+pub(crate) fn zone(run: &RunInfo) -> String {
     run.calendar.local(0).time_zone().iana_name().unwrap_or("UTC").to_owned()
 }
 
