@@ -337,7 +337,7 @@ impl Household {
         let (mesh, name) = (self.mesh(body, home), &self.scenario.residents[host].file.name);
         let asleep_at = self.routine(body).and_then(Routine::sleeps_at);
         let places = Arc::new(Places::new(&self.scenario.home, &home.plan, &mesh, name).sleeping_at(asleep_at));
-        Some(Footing { mesh, places, people: self.people(), life: self.life(host, 0) })
+        Some(Footing { mesh, places, people: self.people(), life: self.life(host, 0), ways: None })
     }
 
     /// The driver of a body that stands on this.
@@ -346,7 +346,7 @@ impl Household {
         let life = |life: &Life| Arc::new(life.of_seed(seed));
         if let Some(guest) = body.checked_sub(self.scenario.residents.len()) {
             let Visitor { host, name } = self.guests.get(guest)?;
-            let own = Body::new(home.clone(), on.mesh.clone(), home.numbers.of(&GUEST_PACE_MPS));
+            let own = on.body(home, home.numbers.of(&GUEST_PACE_MPS));
             let (host, company) = (ResidentId::of(*host), company(Build::adult()));
             let (life, places) = (life(on.life.as_ref()?), on.places.clone());
             return Some(Box::new(RoutineDriver::visitor(life, home.clone(), places, own, (host, name), company)));
@@ -356,7 +356,7 @@ impl Household {
         }
         let (life, places) = (life(on.life.as_ref()?), on.places.clone());
         let kind = self.routine(body)?.person.as_ref().map_or(Kind::Person, |person| person.kind);
-        let own = Body::new(home.clone(), on.mesh.clone(), life.pace_mps);
+        let own = on.body(home, life.pace_mps);
         match kind {
             Kind::Person => {
                 let company = company(Build::of(&self.scenario.residents[body].file));
@@ -376,6 +376,15 @@ struct Footing {
     people: Arc<People>,
     /// The life of whose it is, as seed 0 has it; of a guest that of the host. None for who lives by no routine.
     life: Option<Life>,
+    /// How many ways a body remembers at most; None for the usual number.
+    ways: Option<usize>,
+}
+
+impl Footing {
+    fn body(&self, home: &Arc<Home>, pace_mps: f64) -> Body {
+        let body = Body::new(home.clone(), self.mesh.clone(), pace_mps);
+        self.ways.into_iter().fold(body, Body::remembering)
+    }
 }
 
 /// The gains that a resident's file says.

@@ -46,6 +46,11 @@ impl Body {
         Body { home, routes: Routes::new(mesh), pace_mps, at: Point::ZERO, posture: Posture::Standing, spot: None }
     }
 
+    /// The same body, which remembers so many ways at most.
+    pub fn remembering(self, ways: usize) -> Body {
+        Body { routes: self.routes.at_most(ways), ..self }
+    }
+
     /// Puts the body somewhere, at the beginning of a run or behind the door.
     pub fn place(&mut self, spot: Spot, posture: Posture) {
         (self.at, self.posture, self.spot) = (spot.at, posture, Some(spot));

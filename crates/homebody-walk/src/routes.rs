@@ -13,12 +13,18 @@ const MOST: usize = 4096;
 pub struct Routes {
     mesh: Arc<Mesh>,
     known: BTreeMap<[u64; 4], Option<Arc<[Point]>>>,
+    most: usize,
 }
 
 impl Routes {
     /// A mesh of which no way is known yet.
     pub fn new(mesh: Arc<Mesh>) -> Routes {
-        Routes { mesh, known: BTreeMap::new() }
+        Routes { mesh, known: BTreeMap::new(), most: MOST }
+    }
+
+    /// The same, which remembers so many ways at most: where thousands of bodies are lived at once, memory is dearer than time.
+    pub fn at_most(self, most: usize) -> Routes {
+        Routes { most, ..self }
     }
 
     /// The mesh that is asked.
@@ -33,7 +39,7 @@ impl Routes {
             return known.clone();
         }
         let path: Option<Arc<[Point]>> = self.mesh.path(from, to).map(Arc::from);
-        if self.known.len() >= MOST {
+        if self.known.len() >= self.most {
             self.known.clear();
         }
         self.known.insert(key, path.clone());
@@ -72,5 +78,11 @@ mod tests {
             assert!(routes.path(from, to).is_some());
         }
         assert!(routes.known.len() <= MOST);
+        let mut few = Routes::new(routes.mesh().clone()).at_most(8);
+        for step in 0..100 {
+            let to = from + Point::new(0.0, 1e-3 * step as f64);
+            assert_eq!(few.path(from, to), routes.path(from, to));
+        }
+        assert!(few.known.len() <= 8);
     }
 }

@@ -7,6 +7,9 @@ use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::time::Micros;
 use std::sync::Arc;
 
+/// A body remembers so many ways at most (ours): one takes some microseconds to find, and a hundred bytes to remember.
+const WAYS: usize = 32;
+
 /// A household of which many runs are made in one baked home. Each is what [`Run::new`] makes of the same household and seed.
 pub struct ManyRuns {
     household: Arc<Household>,
@@ -21,7 +24,8 @@ impl ManyRuns {
         let guests = household.guests();
         let home = Arc::new(Run::home_of(&household.scenario, &guests));
         let bodies = household.scenario.residents.len() + guests.len();
-        let by_body = (0..bodies).map(|body| household.footing(body, &home)).collect();
+        let footing = |body| Some(Footing { ways: Some(WAYS), ..household.footing(body, &home)? });
+        let by_body = (0..bodies).map(footing).collect();
         ManyRuns { household, home, by_body }
     }
 

@@ -1,1 +1,153 @@
+use super::*;
+use crate::fleet::{Churn, FleetSetup};
+use homebody_core::ids::SensorId;
+use std::collections::BTreeMap;
 
+/// Every home's rows as they were told: number, time, sensor and value, with when they were due.
+type Rows = BTreeMap<String, Vec<(u64, Micros, SensorId, homebody_core::event::Value, i64)>>;
+
+const HOURS: i64 = 20;
+const HOUR: i64 = 3600 * SECOND;
+
+fn setup(homes: u32) -> FleetSetup {
+    let scenario = |name: &str| crate::template(name).unwrap().starting("2026-11-01T06:00:00").unwrap();
+    FleetSetup {
+        scenarios: vec![scenario("studio"), scenario("tigerplace")],
+        homes,
+        first: 1,
+        seed: Some(11),
+        without: Vec::new(),
+        speed: Some(1.0),
+        skew: 0,
+        churn: None,
+        storms: None,
+    }
+}
+
+/// Lives a fleet by a fake clock that is looked at so often.
+fn told(setup: FleetSetup, look: i64) -> (Rows, Living) {
+    let fleet = setup.make(|_| ()).unwrap();
+    let names: Vec<String> = fleet.fleet.homes.iter().map(|home| home.name.clone()).collect();
+    let mut rows: Rows = names.iter().map(|name| (name.clone(), Vec::new())).collect();
+    let begin = 1_000_000 * SECOND;
+    let mut living = Living::new(fleet, begin);
+    let mut now = begin;
+    while now < begin + HOURS * HOUR {
+        let mut told = Vec::new();
+        living.due(now, usize::MAX, &mut told);
+        for told in told {
+            let Told::Row(row) = told else { continue };
+            assert!(row.due <= now, "nothing is told before it is due");
+            let name = &names[row.home as usize];
+            rows.get_mut(name).unwrap().push((row.seq, row.at, row.sensor, row.value, row.due - begin));
+        }
+        while living.live_one(now) {}
+        assert!(living.lived() >= now + AHEAD);
+        now += look;
+    }
+    (rows, living)
+}
+
+/// What was told, without when.
+fn events(rows: &Rows) -> BTreeMap<&str, Vec<(u64, Micros, u32, String)>> {
+    let event = |&(seq, at, sensor, value, _): &_| -> (u64, Micros, u32, String) {
+        let (sensor, value): (SensorId, homebody_core::event::Value) = (sensor, value);
+        (seq, at, sensor.0, value.to_string())
+    };
+    // What is due at the end itself may be told or not, by how often somebody looks.
+    let is_before = |(_, at, ..): &&(u64, Micros, SensorId, homebody_core::event::Value, i64)| *at < (HOURS - 1) * HOUR;
+    rows.iter().map(|(name, rows)| (name.as_str(), rows.iter().filter(is_before).map(event).collect())).collect()
+}
+
+#[test]
+fn a_home_is_the_same_whatever_becomes_of_the_fleet() {
+    let (alone, _) = told(FleetSetup { first: 3, ..setup(1) }, 7 * SECOND);
+    let (alone, three) = (events(&alone), "home00003");
+    assert!(alone[three].len() > 50, "{}", alone[three].len());
+    let storms = Storms::new(300 * SECOND, 30 * SECOND);
+    for (how, other) in [
+        ("among others", setup(5)),
+        ("with storms", FleetSetup { storms, ..setup(4) }),
+        ("with clocks that differ", FleetSetup { skew: 90 * SECOND, ..setup(4) }),
+        ("at another pace", FleetSetup { speed: Some(60.0), ..setup(4) }),
+    ] {
+        let (all, _) = told(other, if how == "at another pace" { SECOND / 2 } else { 11 * SECOND });
+        assert_eq!(events(&all)[three], alone[three], "{how}");
+    }
+    // The controls: another home, and another seed.
+    let (others, _) = told(setup(5), 7 * SECOND);
+    assert_ne!(events(&others)["home00001"], alone[three]);
+    assert_ne!(events(&others)["home00001"], events(&others)["home00005"]);
+    let (reseeded, _) = told(FleetSetup { seed: Some(12), first: 3, ..setup(1) }, 7 * SECOND);
+    assert_ne!(events(&reseeded)[three], alone[three]);
+}
+
+#[test]
+fn home_k_is_member_k_of_a_cohort() {
+    let (rows, _) = told(FleetSetup { scenarios: setup(1).scenarios.split_off(1), ..setup(2) }, 7 * SECOND);
+    let scenario = crate::template("tigerplace").unwrap().starting("2026-11-01T06:00:00").unwrap();
+    let cohort = scenario.cohort(2).seed(11).days(2).start().unwrap();
+    let lives = cohort.live(|_, mut run| {
+        let mut firings = Vec::new();
+        while let Some(batch) = run.next_batch()? {
+            firings.extend(batch.firings.iter().map(|firing| (firing.seq, firing.at, firing.sensor.0, firing.value)));
+        }
+        Ok::<_, crate::Error>(firings)
+    });
+    for (life, rows) in lives.unwrap().iter().zip(events(&rows).values()) {
+        let is_before = |(_, at, ..): &&(u64, Micros, u32, _)| *at < (HOURS - 1) * HOUR;
+        let life = life.iter().filter(is_before).map(|&(seq, at, sensor, value)| (seq, at, sensor, value.to_string()));
+        assert_eq!(life.collect::<Vec<_>>(), *rows);
+    }
+}
+
+#[test]
+fn skew_and_storms_change_when_a_row_comes_and_nothing_else() {
+    let skew = 2 * SECOND;
+    let storms = Storms::new(600 * SECOND, 60 * SECOND).unwrap();
+    let fleet = FleetSetup { skew, ..setup(4) }.make(|_| ()).unwrap();
+    let skews: Vec<Micros> = (0..4).map(|home| fleet.skew(home)).collect();
+    assert!(skews.iter().all(|&of| of != 0 && of.abs() <= skew), "{skews:?}");
+    let (skewed, _) = told(FleetSetup { skew, ..setup(4) }, SECOND);
+    for (rows, of) in skewed.values().zip(&skews) {
+        let late = rows.iter().find(|(_, at, _, _, due)| due - at != -of);
+        assert_eq!(late, None, "a clock that is ahead says what happens earlier than it says");
+    }
+    let (stormy, living) = told(FleetSetup { storms: Some(storms), ..setup(4) }, SECOND);
+    assert_eq!(living.storms(1_000_000 * SECOND + 1250 * SECOND), (2, false));
+    let (mut held, mut all) = (0, 0);
+    for (_, at, _, _, due) in stormy.values().flatten() {
+        assert_eq!(*due, storms.told_at(*at));
+        (held, all) = (held + usize::from(due > at), all + 1);
+    }
+    assert!(held > all / 50 && held < all / 3, "{held} of {all}");
+}
+
+#[test]
+fn who_is_away_tells_nothing_and_the_rest_is_as_ever() {
+    let churn = Some(Churn { stays: 1800 * SECOND, away: 600 * SECOND });
+    let (all, _) = told(setup(6), 7 * SECOND);
+    let (some, living) = told(FleetSetup { churn, ..setup(6) }, 7 * SECOND);
+    assert!(living.came > 50 && living.went > 50 && living.there <= 6);
+    let (all, some) = (events(&all), events(&some));
+    let counts = |events: &BTreeMap<&str, Vec<_>>| events.values().map(Vec::len).sum::<usize>();
+    let _: fn(&BTreeMap<&str, Vec<(u64, Micros, u32, String)>>) -> usize = counts;
+    let share = counts(&some) as f64 / counts(&all) as f64;
+    assert!((0.5..0.95).contains(&share), "{share}");
+    for (name, rows) in &some {
+        assert!(rows.iter().all(|row| all[name].contains(row)), "{name}");
+    }
+}
+
+#[test]
+fn no_fleet_is_empty_or_too_large() {
+    for wrong in [
+        setup(0),
+        FleetSetup { first: 0, ..setup(1) },
+        FleetSetup { first: 99_999, ..setup(2) },
+        FleetSetup { speed: Some(0.0), ..setup(1) },
+        FleetSetup { skew: -1, ..setup(1) },
+    ] {
+        assert!(matches!(wrong.make(|_| ()), Err(crate::Error::Fleet(_))));
+    }
+}
