@@ -4,6 +4,7 @@
 
 mod arrives;
 mod broker;
+mod fleet;
 mod home_assistant;
 mod looks;
 mod ordered;

@@ -1,0 +1,152 @@
+//! Many homes on one connection: each looks as a home alone does, and is there again after the broker was away.
+
+use crate::broker::{Broker, Heard, Listener, firings, run, wait_for};
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::fleet::{Fleet, FleetHome, FleetRow, FleetSink, Layout, Told};
+use homebody_log::{Destination, How, Logger, Url};
+use homebody_mqtt::{MqttFleet, MqttSink, clean, policy};
+use std::sync::Arc;
+
+fn fleet(homes: u32) -> Arc<Fleet> {
+    let layout = Layout::new(run(), &LoggerFile::default()).unwrap();
+    let home = |number: u32| FleetHome {
+        name: format!("home{number:05}"),
+        layout: 0,
+        run: 1_000 + i64::from(number),
+        seed: u64::from(number),
+    };
+    Arc::new(Fleet { first: 1, layouts: vec![layout], homes: (1..=homes).map(home).collect() })
+}
+
+/// So many rows of each home, one after the other.
+fn rows(fleet: &Fleet, numbers: std::ops::Range<usize>) -> Vec<Told> {
+    let firings = firings(numbers.end as u64);
+    let row = |home: usize, number: usize| {
+        let firing = &firings[number];
+        Told::Row(FleetRow {
+            seq: firing.seq,
+            at: firing.at,
+            due: 0,
+            home: home as u32,
+            sensor: firing.sensor,
+            value: firing.value,
+        })
+    };
+    numbers.flat_map(|number| (0..fleet.homes.len()).map(move |home| (home, number))).map(|(h, n)| row(h, n)).collect()
+}
+
+fn comes(fleet: &Fleet) -> Vec<Told> {
+    (0..fleet.homes.len()).map(|home| Told::Comes(home as u32)).collect()
+}
+
+fn begun(url: &Url, fleet: &Arc<Fleet>) -> MqttFleet {
+    let mut sink = MqttFleet::new(url);
+    sink.check(false).unwrap();
+    assert_eq!(sink.begin(fleet, How::New).unwrap(), vec![0; fleet.homes.len()]);
+    sink.tell(&comes(fleet)).unwrap();
+    sink
+}
+
+/// What was heard of rows, by topic and text.
+fn told(listener: &Listener, below: &str) -> Vec<(String, String)> {
+    let is_row = |heard: &Heard| heard.row().is_some() && heard.topic.starts_with(below);
+    listener.heard().into_iter().filter(is_row).map(|heard| (heard.topic, heard.payload)).collect()
+}
+
+#[test]
+fn each_home_of_a_fleet_says_what_it_says_alone() {
+    let Some(broker) = Broker::start() else { return };
+    for style in ["homeassistant", "zigbee2mqtt", "plain"] {
+        let (fleet, prefix) = (fleet(3), format!("many-{style}"));
+        let listener = Listener::to(&broker, &format!("{prefix}/#"));
+        let mut sink = begun(&broker.url(&format!("{prefix}?style={style}&discovery=off")), &fleet);
+        sink.tell(&rows(&fleet, 0..40)).unwrap();
+        sink.finish(0).unwrap();
+        wait_for("all rows", || (told(&listener, &prefix).len() >= 120).then_some(()));
+        let alone = Listener::to(&broker, &format!("alone-{style}/#"));
+        let run = Arc::new(fleet.run_of(1));
+        let url = broker.url(&format!("alone-{style}?style={style}&discovery=off"));
+        let to = Destination::own("mqtt", MqttSink::live(&url), policy());
+        let mut logger = Logger::open(vec![to], &LoggerFile::default(), &run, How::New).unwrap();
+        crate::broker::store(&mut logger, &firings(40));
+        logger.finish().unwrap();
+        let below = format!("alone-{style}/home00002/");
+        wait_for("all rows", || (told(&alone, &below).len() >= 40).then_some(()));
+        let here = |(topic, text): (String, String)| (topic.replacen(&format!("alone-{style}"), &prefix, 1), text);
+        let expected: Vec<_> = told(&alone, &below).into_iter().map(here).collect();
+        assert_eq!(told(&listener, &format!("{prefix}/home00002/")), expected, "{style}");
+        // The control: another home says it elsewhere, of another run.
+        assert_ne!(told(&listener, &format!("{prefix}/home00001/")), expected);
+    }
+}
+
+#[test]
+fn homes_come_and_go_and_are_tidied_up() {
+    let Some(broker) = Broker::start() else { return };
+    let (fleet, url) = (fleet(2), broker.url("load"));
+    let mut sink = begun(&url, &fleet);
+    let status = |home: &str| {
+        let kept = broker.kept();
+        kept.into_iter().find(|heard| heard.topic == format!("load/{home}/status")).map(|heard| heard.payload)
+    };
+    assert_eq!(status("home00001").as_deref(), Some("online"));
+    sink.tell(&[Told::Goes(0)]).unwrap();
+    assert_eq!(status("home00001").as_deref(), Some("offline"));
+    assert_eq!(status("home00002").as_deref(), Some("online"));
+    assert_eq!(status("fleet00001").as_deref(), Some("online"));
+    sink.finish(0).unwrap();
+    assert_eq!(status("home00002").as_deref(), Some("offline"));
+    assert_eq!(status("fleet00001").as_deref(), Some("offline"));
+    let cleaned = clean(&url, false).unwrap();
+    assert_eq!(cleaned.homes, ["load/fleet00001", "load/home00001", "load/home00002"]);
+    assert!(broker.kept().is_empty());
+    // A fleet that dies is said to be gone by the broker.
+    let sink = begun(&url, &fleet);
+    drop(sink);
+    wait_for("the broker's word", || (status("fleet00001").as_deref() == Some("offline")).then_some(()));
+}
+
+#[test]
+fn a_fleet_is_there_again_after_the_broker_was_away() {
+    let Some(mut broker) = Broker::start() else { return };
+    let fleet = fleet(3);
+    let mut sink = begun(&broker.url("load?discovery=off"), &fleet);
+    sink.tell(&rows(&fleet, 0..5)).unwrap();
+    broker.kill();
+    let more = rows(&fleet, 5..10);
+    let error = sink.tell(&more).unwrap_err();
+    assert!(error.passes(), "{error}");
+    broker.begin();
+    let listener = Listener::to(&broker, "load/#");
+    while let Err(error) = sink.tell(&more) {
+        assert!(error.passes(), "{error}");
+    }
+    wait_for("the rest", || (0..3).all(|home| {
+        let rows: Vec<u64> = listener
+            .heard()
+            .iter()
+            .filter(|heard| heard.topic.starts_with(&format!("load/home{:05}/", home + 1)))
+            .filter_map(|heard| Some(heard.row()?.1))
+            .collect();
+        (5..10).all(|row| rows.contains(&row))
+    }).then_some(()));
+    // It has forgotten all, and is told again.
+    listener.wait("load/home00003/status", "online");
+    sink.tell(&rows(&fleet, 10..12)).unwrap();
+    sink.finish(0).unwrap();
+}
+
+#[test]
+fn what_no_fleet_can_be_told_by_is_refused() {
+    let check = |url: &str, is_fast| MqttFleet::new(&url.parse().unwrap()).check(is_fast);
+    assert!(check("mqtt://localhost/load", false).is_ok());
+    assert!(check("mqtt://localhost/load?allow-fast=true", true).is_ok());
+    for (url, is_fast, why) in [
+        ("mqtt://localhost/load", true, "faster than life"),
+        ("mqtt://localhost/load?state=file", false, "?state"),
+        ("mqtt://localhost/lo+ad", false, "prefix"),
+    ] {
+        let error = check(url, is_fast).unwrap_err().to_string();
+        assert!(error.contains(why), "{error}");
+    }
+}

@@ -1,0 +1,117 @@
+//! Many homes over one connection: every row of each is there once, whatever becomes of server and program.
+
+mod stage;
+
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::fleet::{Fleet, FleetHome, FleetRow, FleetSink, Layout, Told};
+use homebody_log::{How, LogError, Policy, Url};
+use homebody_postgres::PostgresFleet;
+use stage::life::{Life, firings, run};
+use stage::{Server, kills};
+use std::sync::Arc;
+
+const HOMES: u32 = 7;
+
+/// A fleet of two kinds of homes, which have tables of their own.
+fn fleet() -> Arc<Fleet> {
+    let other = LoggerFile { table: Some("message".into()), ..LoggerFile::default() };
+    let layouts = [LoggerFile::default(), other].map(|file| Layout::new(run(0), &file).unwrap()).into();
+    let home = |number: u32| FleetHome {
+        name: format!("home{number:05}"),
+        layout: number as usize % 2,
+        run: 500 + i64::from(number),
+        seed: u64::MAX,
+    };
+    Arc::new(Fleet { first: 1, layouts, homes: (1..=HOMES).map(home).collect() })
+}
+
+/// Rows of all homes, one after the other.
+fn rows(numbers: std::ops::Range<u64>) -> Vec<Told> {
+    let firings = firings(numbers.end);
+    let row = |home: u32, number: u64| {
+        let firing = &firings[number as usize];
+        let (seq, at, sensor, value) = (firing.seq, firing.at, firing.sensor, firing.value);
+        Told::Row(FleetRow { seq, at, due: 0, home, sensor, value })
+    };
+    numbers.flat_map(|number| (0..HOMES).map(move |home| (home, number))).map(|(h, n)| row(h, n)).collect()
+}
+
+fn begun(url: &str, how: How) -> Result<(PostgresFleet, Vec<u64>), LogError> {
+    let mut sink = PostgresFleet::new(&url.parse::<Url>().unwrap());
+    sink.check(true)?;
+    let there = sink.begin(&fleet(), how)?;
+    Ok((sink, there))
+}
+
+/// Of each home: how many rows there are, the number of the last, and what the database says of both.
+fn stored(server: &Server, database: &str) -> Vec<String> {
+    let sql = "SELECT r.home, count(*), max(a.seq) + 1, r.rows[1] FROM homebody_run r \
+               JOIN (SELECT * FROM firing UNION ALL SELECT * FROM message) a USING (run_id) GROUP BY 1, 4 ORDER BY 1";
+    server.psql(database, sql).lines().map(str::to_owned).collect()
+}
+
+fn all_have(rows: u64) -> Vec<String> {
+    (1..=HOMES).map(|home| format!("home{home:05}|{rows}|{rows}|{rows}")).collect()
+}
+
+#[test]
+fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
+    let Some(mut server) = Server::start() else { return };
+    let database = server.database("fleet");
+    let url = server.url("postgres", &database, "");
+    let (mut sink, there) = begun(&url, How::New).unwrap();
+    assert_eq!(there, vec![0; HOMES as usize]);
+    let mut told = 0;
+    for kill in 0..kills(3) as u64 {
+        for _ in 0..3 {
+            sink.tell(&rows(told..told + 20)).unwrap();
+            told += 20;
+        }
+        let next = rows(told..told + 20 + kill);
+        server.kill();
+        let error = sink.tell(&next).unwrap_err();
+        assert!(error.passes(), "{error}");
+        server.restart();
+        sink.tell(&next).unwrap();
+        told += 20 + kill;
+        assert_eq!(stored(&server, &database), all_have(told));
+    }
+    // Another program, after this one has died, is told how far each home is.
+    drop(sink);
+    let (mut sink, there) = begun(&url, How::New).unwrap();
+    assert_eq!(there, vec![told; HOMES as usize]);
+    sink.tell(&rows(told..told + 5)).unwrap();
+    sink.finish(1_236_500_000_000_000).unwrap();
+    assert_eq!(stored(&server, &database), all_have(told + 5));
+    let ended = "SELECT count(*) FROM homebody_run WHERE ended_at = '2009-03-08 08:13:20+00'";
+    assert_eq!(server.psql(&database, ended).trim(), HOMES.to_string());
+    // What is there is what a home alone would have left.
+    Life::new(502, told + 5).live(&server.url("postgres", &database, "?schema=alone"), None, Policy::default()).unwrap();
+    let differs = |run: i64| {
+        let of = |schema: &str, run: i64| format!("SELECT seq, ts, sensor, value FROM {schema}.firing WHERE run_id = {run}");
+        let sql = format!("SELECT count(*) FROM ({} EXCEPT {}) a", of("public", run), of("alone", 502));
+        server.psql(&database, &sql).trim().to_owned()
+    };
+    assert_eq!(differs(502), "0");
+    // Replaced, it begins anew.
+    let (_, there) = begun(&url, How::Replace).unwrap();
+    assert_eq!(there, vec![0; HOMES as usize]);
+    assert_eq!(stored(&server, &database), Vec::<String>::new());
+}
+
+/// The control: where another program has gone on with a home, nothing is added.
+#[test]
+fn two_programs_never_live_one_home() {
+    let Some(server) = Server::shared() else { return };
+    let database = server.database("twice");
+    let url = server.url("postgres", &database, "");
+    let (mut one, _) = begun(&url, How::New).unwrap();
+    let (mut other, _) = begun(&url, How::New).unwrap();
+    one.tell(&rows(0..10)).unwrap();
+    let error = other.tell(&rows(0..10)).unwrap_err();
+    assert!(!error.passes() && error.to_string().contains("another program"), "{error}");
+    one.tell(&rows(10..20)).unwrap();
+    assert_eq!(stored(server, &database), all_have(20));
+    let error = begun(&server.url("postgres", &database, "?run=7"), How::New).err().unwrap().to_string();
+    assert!(error.contains("each home is a run of its own"), "{error}");
+}
