@@ -86,9 +86,13 @@ fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
     let ended = "SELECT count(*) FROM homebody_run WHERE ended_at = '2009-03-08 08:13:20+00'";
     assert_eq!(server.psql(&database, ended).trim(), HOMES.to_string());
     // What is there is what a home alone would have left.
-    Life::new(502, told + 5).live(&server.url("postgres", &database, "?schema=alone"), None, Policy::default()).unwrap();
+    Life::new(502, told + 5)
+        .live(&server.url("postgres", &database, "&schema=alone"), None, Policy::default())
+        .unwrap();
     let differs = |run: i64| {
-        let of = |schema: &str, run: i64| format!("SELECT seq, ts, sensor, value FROM {schema}.firing WHERE run_id = {run}");
+        let of = |schema: &str, run: i64| {
+            format!("SELECT seq, \"time\", sensor, value FROM {schema}.firing WHERE run_id = {run}")
+        };
         let sql = format!("SELECT count(*) FROM ({} EXCEPT {}) a", of("public", run), of("alone", 502));
         server.psql(&database, &sql).trim().to_owned()
     };
@@ -112,6 +116,6 @@ fn two_programs_never_live_one_home() {
     assert!(!error.passes() && error.to_string().contains("another program"), "{error}");
     one.tell(&rows(10..20)).unwrap();
     assert_eq!(stored(server, &database), all_have(20));
-    let error = begun(&server.url("postgres", &database, "?run=7"), How::New).err().unwrap().to_string();
+    let error = begun(&server.url("postgres", &database, "&run=7"), How::New).err().unwrap().to_string();
     assert!(error.contains("each home is a run of its own"), "{error}");
 }

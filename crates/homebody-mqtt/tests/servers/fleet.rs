@@ -121,15 +121,19 @@ fn a_fleet_is_there_again_after_the_broker_was_away() {
     while let Err(error) = sink.tell(&more) {
         assert!(error.passes(), "{error}");
     }
-    wait_for("the rest", || (0..3).all(|home| {
-        let rows: Vec<u64> = listener
-            .heard()
-            .iter()
-            .filter(|heard| heard.topic.starts_with(&format!("load/home{:05}/", home + 1)))
-            .filter_map(|heard| Some(heard.row()?.1))
-            .collect();
-        (5..10).all(|row| rows.contains(&row))
-    }).then_some(()));
+    wait_for("the rest", || {
+        (0..3)
+            .all(|home| {
+                let rows: Vec<u64> = listener
+                    .heard()
+                    .iter()
+                    .filter(|heard| heard.topic.starts_with(&format!("load/home{:05}/", home + 1)))
+                    .filter_map(|heard| Some(heard.row()?.1))
+                    .collect();
+                (5..10).all(|row| rows.contains(&row))
+            })
+            .then_some(())
+    });
     // It has forgotten all, and is told again.
     listener.wait("load/home00003/status", "online");
     sink.tell(&rows(&fleet, 10..12)).unwrap();
