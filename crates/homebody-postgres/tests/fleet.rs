@@ -91,7 +91,7 @@ fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
         .unwrap();
     let differs = |run: i64| {
         let of = |schema: &str, run: i64| {
-            format!("SELECT seq, \"time\", sensor, value FROM {schema}.firing WHERE run_id = {run}")
+            format!("SELECT seq, fired_at, sensor, value FROM {schema}.firing WHERE run_id = {run}")
         };
         let sql = format!("SELECT count(*) FROM ({} EXCEPT {}) a", of("public", run), of("alone", 502));
         server.psql(&database, &sql).trim().to_owned()
