@@ -27,6 +27,7 @@ mod figures;
 mod labels;
 mod lives;
 mod live_homes;
+mod fleets;
 mod truths;
 mod walked_back;
 mod calibrated;

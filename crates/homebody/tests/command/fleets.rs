@@ -1,0 +1,93 @@
+//! Fleets: what each home of one says is what it says alone, reports count right, and what no fleet can do is refused at once.
+
+use crate::folder::Folder;
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// The rows of each home, without the home.
+fn by_home(lines: &str) -> BTreeMap<String, Vec<Value>> {
+    let mut homes: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+    for line in lines.lines() {
+        let mut row: Value = serde_json::from_str(line).unwrap();
+        let home = row.as_object_mut().unwrap().remove("home").unwrap();
+        homes.entry(home.as_str().unwrap().into()).or_default().push(row);
+    }
+    homes
+}
+
+#[test]
+fn each_home_says_what_it_says_alone_and_the_report_counts_it() {
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    folder.copy_scenario("tigerplace");
+    // At 1000 times the pace of life, some hours.
+    let fast = "--from 2026-11-01T08:00 --speed 1000";
+    let all = folder.run(&format!(
+        "fleet studio tigerplace --homes 4 {fast} --for 12s --out jsonl:all.jsonl --report report.jsonl --every 1s --list homes.csv --json"
+    ));
+    let report: Value = serde_json::from_str(&all.ok().out).unwrap();
+    let alone =
+        folder.run(&format!("fleet studio tigerplace --homes 1 --first 3 {fast} --for 10s --out jsonl:- --quiet"));
+    let (all, alone) = (by_home(&folder.read("all.jsonl")), by_home(&alone.ok().out));
+    assert_eq!(all.keys().collect::<Vec<_>>(), ["home00001", "home00002", "home00003", "home00004"]);
+    let (here, there) = (&all["home00003"], &alone["home00003"]);
+    let both = here.len().min(there.len());
+    assert!(both > 10 && alone.len() == 1);
+    assert_eq!(here[..both], there[..both]);
+    // The control: its neighbour of the same scenario lives otherwise.
+    assert_ne!(all["home00001"][..10], there[..10]);
+    assert!(here.iter().zip(0..).all(|(row, seq)| row["seq"] == seq));
+
+    let rows: usize = all.values().map(Vec::len).sum();
+    assert_eq!((&report["messages"], &report["timed"]), (&rows.into(), &rows.into()));
+    assert_eq!((&report["is_last"], &report["homes_in_all"]), (&true.into(), &4.into()));
+    let reports: Vec<Value> =
+        folder.read("report.jsonl").lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert!(reports.len() >= 3 && reports.last() == Some(&report));
+    let list = folder.read("homes.csv");
+    assert_eq!(list.lines().count(), 5);
+    assert!(list.lines().nth(2).unwrap().starts_with("home00002,tigerplace,"), "{list}");
+}
+
+#[test]
+fn what_no_fleet_can_do_is_refused_before_anything_begins() {
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    let done = folder.run("fleet studio --homes 3 --out csv:a.csv --out sqlite:b.db --out jsonl:c.jsonl");
+    assert_eq!(done.code, Some(2));
+    for part in ["csv:a.csv has no room", "sqlite:b.db has no room", "jsonl:FILE", "postgresql://"] {
+        assert!(done.err.contains(part), "{}", done.err);
+    }
+    folder.write("c.jsonl", "mine");
+    let done = folder.run("fleet studio --homes 3 --out jsonl:c.jsonl");
+    assert!(done.code == Some(1) && done.err.contains("--force"), "{}", done.err);
+    assert_eq!(folder.read("c.jsonl"), "mine");
+    for (words, why) in [
+        ("--homes 0 --out jsonl:-", "0"),
+        ("--homes 100000 --out jsonl:-", "99999"),
+        ("--homes 3", "--out"),
+        ("--homes 3 --out jsonl:- --json", "standard output"),
+        ("--homes 3 --out jsonl:- --storm often", "every 5min for 30s"),
+        ("--homes 3 --out jsonl:- --churn much", "stay 30min away 5min"),
+        ("--homes 2 --first 99999 --out jsonl:-", "from 1 to 99999"),
+        ("--homes 2 --without gout --out jsonl:-", "gout"),
+    ] {
+        let done = folder.run(&format!("fleet studio {words}"));
+        assert!(done.code == Some(2) && done.err.contains(why), "{words}: {}", done.err);
+    }
+    let files = folder.files();
+    assert!(files.iter().all(|file| file.starts_with("studio/") || file == "c.jsonl"), "{files:?}");
+}
+
+#[test]
+fn a_signal_ends_a_fleet_with_its_report() {
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    let fleet = folder.start("fleet studio --homes 20 --out jsonl:a.jsonl --report report.jsonl --every 1s");
+    folder.until("it reports", |folder| folder.path("report.jsonl").is_file());
+    fleet.signal("INT");
+    let done = fleet.finish();
+    assert_eq!(done.code, Some(130), "{}", done.err);
+    assert!(done.err.contains("in all"), "{}", done.err);
+    assert!(folder.read("report.jsonl").lines().last().unwrap().contains("\"is_last\":true"));
+}
