@@ -80,6 +80,10 @@ pub(crate) fn open(address: &Address, client: &str) -> Result<MqttOptions, Troub
     let mut options = MqttOptions::new(client, (address.host.clone(), address.port));
     options.set_keep_alive(KEEP_ALIVE_S).set_clean_start(true).set_connect_timeout(CONNECT_WITHIN);
     options.set_max_packet_size(Some(LONGEST_INCOMING_BYTES));
+    // A message is not held back for the next one: with acknowledgements that wait in turn, that is 40 ms.
+    let mut network = options.network_options();
+    network.set_tcp_nodelay(true);
+    options.set_network_options(network);
     let password = address.password().map_err(|error| Trouble::new(error.to_string(), "").finally())?;
     match (&address.user, password) {
         (Some(user), Some(password)) => drop(options.set_credentials(user.clone(), password)),
