@@ -12,6 +12,9 @@ use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::Micros;
 use std::sync::OnceLock;
 
+/// What takes the rows of a fleet at a place.
+pub type OpenFleet = fn(&Url) -> Box<dyn FleetSink>;
+
 /// A kind of place that is in a crate of its own.
 #[derive(Clone, Copy)]
 pub struct Elsewhere {
@@ -20,7 +23,7 @@ pub struct Elsewhere {
     /// The sink of a place. Nothing is touched before it is begun.
     pub open: fn(&Url) -> Box<dyn Sink>,
     /// What takes the rows of a fleet at such a place; None where no fleet can write there.
-    pub fleet: Option<fn(&Url) -> Box<dyn FleetSink>>,
+    pub fleet: Option<OpenFleet>,
     /// How a destination of this kind is treated where nobody says otherwise.
     pub policy: fn() -> Policy,
     /// The forms in which it reads logs.

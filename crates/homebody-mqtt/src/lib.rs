@@ -33,13 +33,12 @@ pub use sink::{MqttSink, policy};
 
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Url;
-use homebody_log::elsewhere::Elsewhere;
-use homebody_log::fleet::FleetSink;
+use homebody_log::elsewhere::{Elsewhere, OpenFleet};
 use homebody_log::sink::Sink;
 
 /// The kinds of places of this crate, for a program that installs them.
 pub fn elsewhere() -> Elsewhere {
     let open = |url: &Url| -> Box<dyn Sink> { Box::new(MqttSink::new(url)) };
-    let fleet: fn(&Url) -> Box<dyn FleetSink> = |url| Box::new(MqttFleet::new(url));
+    let fleet: OpenFleet = |url| Box::new(MqttFleet::new(url));
     Elsewhere { schemes: &[Scheme::Mqtt, Scheme::Mqtts], open, fleet: Some(fleet), policy, forms: &[] }
 }

@@ -158,9 +158,31 @@ impl Living {
         self.held.peek().map(|Reverse(held)| told(held.due))
     }
 
-    /// From this instant on messages are in time or late; outages count from it.
+    /// The fleet begins to tell at this instant: from it outages count, and in runs that go at a speed of their own all that was to
+    /// be told from the beginning on is told from then on.
     pub fn begin(&mut self, now: i64) {
-        self.clocks.begin = now;
+        let later = now - std::mem::replace(&mut self.clocks.begin, now);
+        if self.clocks.speed.is_none() {
+            return;
+        }
+        let moved = |Reverse((lived, home))| Reverse((lived + later, home));
+        self.by_lived = std::mem::take(&mut self.by_lived).into_iter().map(moved).collect();
+        let moved = |Reverse(held): Reverse<Held>| {
+            let told = match held.told.0 {
+                Told::Row(row) => Told::Row(FleetRow { due: row.due + later, ..row }),
+                told => told,
+            };
+            Reverse(Held { due: held.due + later, told: Kept(told), ..held })
+        };
+        self.held = std::mem::take(&mut self.held).into_iter().map(moved).collect();
+        for home in &mut self.homes {
+            home.last_due = home.last_due.saturating_add(later);
+        }
+    }
+
+    /// Whether all homes are lived so far ahead of an instant that the fleet can begin to tell then.
+    pub fn is_ready(&self, now: i64) -> bool {
+        self.lived() >= now + AHEAD / 2
     }
 
     /// How many outages have ended by then, and whether there is one.

@@ -94,14 +94,20 @@ impl FleetOf {
         let fleet = self.fleet.clone();
         let begin_one = |(place, sink)| Teller::begin(place, sink, (&fleet, how), retry_for, &now);
         let tellers = sinks.into_iter().map(begin_one).collect::<Result<Vec<Teller>, _>>()?;
-        let catches_up = self.speed.is_none();
-        let mut running = Running { living: Living::new(self, now()), tellers, told: Vec::new(), now, fleet };
+        let is_on_wall = self.speed.is_none();
+        let created = now();
+        let mut running = Running { living: Living::new(self, created), tellers, told: Vec::new(), now, fleet };
         let first = running.living.first();
         running.tellers.iter().for_each(|teller| teller.tell(&first));
-        let is_behind = |running: &Running| catches_up && running.living.lived() < (running.now)();
-        while (is_behind(&running) || running.waiting() > 0) && !cancel.is_cancelled() {
-            running.turn(&cancel, catches_up)?;
-            let behind = ((running.now)() - running.living.lived()).max(0);
+        // A fleet that goes at a speed of its own waits at its beginning until all is ready.
+        let clock = |running: &Running| if is_on_wall { (running.now)() } else { created };
+        while !cancel.is_cancelled() && (!running.living.is_ready(clock(&running)) || running.waiting() > 0) {
+            let now = clock(&running);
+            running.turn(now, &cancel, is_on_wall)?;
+            if running.living.is_ready(now) {
+                thread::sleep(Duration::from_micros(SHORTEST_SLEEP as u64));
+            }
+            let behind = (now - running.living.lived()).max(0);
             say(FleetLived::CatchesUp { behind_s: behind as f64 / SECOND as f64, waiting: running.waiting() });
         }
         let begun = (running.now)();
@@ -112,7 +118,7 @@ impl FleetOf {
         let end = lasts.map_or(i64::MAX, |lasts| begun.saturating_add(micros(lasts)));
         let mut next_report = begun + micros(every);
         while !cancel.is_cancelled() && (running.now)() < end {
-            running.turn(&cancel, true)?;
+            running.turn((running.now)(), &cancel, true)?;
             if (running.now)() >= next_report {
                 next_report += micros(every);
                 say(FleetLived::Report(&books.report(&mut running)));
@@ -144,27 +150,22 @@ impl Running {
     }
 
     /// Tells what is due, if it is time for that, and lives homes on for a moment.
-    fn turn(&mut self, cancel: &Cancel, tells: bool) -> Result<(), Error> {
+    fn turn(&mut self, now: i64, cancel: &Cancel, tells: bool) -> Result<(), Error> {
         self.tellers.iter_mut().try_for_each(Teller::check)?;
         if self.waiting() > MOST_WAITING {
             thread::sleep(Duration::from_millis(1));
             return Ok(());
         }
-        let now = (self.now)();
         self.told.clear();
         if tells {
             self.living.due(now, HANDFUL, &mut self.told);
+            self.tellers.iter().filter(|_| !self.told.is_empty()).for_each(|teller| teller.tell(&self.told));
         }
-        if !self.told.is_empty() {
-            self.tellers.iter().for_each(|teller| teller.tell(&self.told));
-        }
-        let until = self.living.next_due().map_or(now + LOOK, |due| due.clamp(now, now + LOOK));
+        let begun = (self.now)();
+        let until = self.living.next_due().map_or(begun + LOOK, |due| due.clamp(begun, begun + LOOK));
         let mut lives = true;
-        while lives {
-            lives = self.living.live_one((self.now)()) && (self.now)() < until && !cancel.is_cancelled();
-        }
-        if !tells && self.told.is_empty() {
-            thread::sleep(Duration::from_micros(SHORTEST_SLEEP as u64));
+        while lives && !cancel.is_cancelled() {
+            lives = self.living.live_one(now) && (self.now)() < until;
         }
         Ok(())
     }

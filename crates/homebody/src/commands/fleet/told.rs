@@ -9,6 +9,7 @@ use indicatif::ProgressBar;
 use std::fmt::Write;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// Where what was said last is looked up by others.
 pub type Look = Arc<Mutex<FleetReport>>;
@@ -22,7 +23,11 @@ pub struct Telling {
     look: Look,
     /// Of how long a time was behind at the beginning, in seconds.
     caught_up_s: f64,
+    told_at: Instant,
 }
+
+/// How often it is said how far a fleet is behind that has not begun (ours).
+const BEHIND_TOLD: Duration = Duration::from_secs(10);
 
 impl Telling {
     pub fn begin(asked: &Arguments, look: Look) -> Result<Telling, Failure> {
@@ -30,13 +35,21 @@ impl Telling {
         let file = asked.report.as_ref().map(create).transpose()?;
         let is_quiet = asked.quiet;
         let bar = bar(is_quiet, "", None);
-        Ok(Telling { is_quiet, is_json: asked.json, bar, file, look, caught_up_s: 0.0 })
+        Ok(Telling { is_quiet, is_json: asked.json, bar, file, look, caught_up_s: 0.0, told_at: Instant::now() })
     }
 
     pub fn hear(&mut self, lived: FleetLived) -> Result<(), Failure> {
         match lived {
             FleetLived::CatchesUp { behind_s, waiting } => {
                 self.caught_up_s = self.caught_up_s.max(behind_s);
+                if self.bar.is_hidden() && !self.is_quiet && self.told_at.elapsed() >= BEHIND_TOLD {
+                    self.told_at = Instant::now();
+                    tell(format_args!(
+                        "not begun: {} behind, {} on their way",
+                        seconds(behind_s),
+                        counted(waiting as u64)
+                    ));
+                }
                 if !self.bar.is_hidden() {
                     self.bar.set_message(format!("{behind_s:.0} s behind the clock, {waiting} on their way"));
                     self.bar.tick();
