@@ -252,26 +252,41 @@ impl Home {
     /// Takes in what has happened, to be told when its time has come.
     fn say(&mut self, index: u32, events: &Events, clocks: Clocks, held: &mut BinaryHeap<Reverse<Held>>) {
         let now = self.run.now();
-        let Home { rows, presence, skew, start, is_there, last_due, order, .. } = self;
-        let mut hold = |at: Micros, told: &dyn Fn(i64) -> Told| {
-            let due = clocks.of(*start, at, *skew).max(*last_due);
-            *last_due = due;
-            held.push(Reverse(Held { due, home: index, order: *order, told: Kept(told(due)) }));
-            *order += 1;
-        };
-        let mut come_and_go = |until: Micros, hold: &mut dyn FnMut(Micros, &dyn Fn(i64) -> Told)| {
-            while let Some((at, comes)) = presence.as_mut().and_then(|presence| presence.change(until)) {
-                *is_there = comes;
-                hold(at, &|_| if comes { Told::Comes(index) } else { Told::Goes(index) });
-            }
-            *is_there
-        };
-        rows.of(&events.firings, now, |seq, at, sensor, value| {
-            if come_and_go(at, &mut hold) {
-                hold(at, &|due| Told::Row(FleetRow { seq, at, due, home: index, sensor, value }));
-            }
+        let mut said = Vec::new();
+        self.rows.of(&events.firings, now, |seq, at, sensor, value| {
+            said.push(FleetRow { seq, at, due: 0, home: index, sensor, value });
         });
-        come_and_go(now - 1, &mut hold);
+        for row in said {
+            self.come_and_go(row.at, index, clocks, held);
+            if self.is_there {
+                self.hold(row.at, Told::Row(row), (index, clocks), held);
+            }
+        }
+        self.come_and_go(now - 1, index, clocks, held);
+    }
+
+    /// Comes and goes up to an instant.
+    fn come_and_go(&mut self, until: Micros, index: u32, clocks: Clocks, held: &mut BinaryHeap<Reverse<Held>>) {
+        while let Some((at, comes)) = self.presence.as_mut().and_then(|presence| presence.change(until)) {
+            self.is_there = comes;
+            let told = if comes { Told::Comes(index) } else { Told::Goes(index) };
+            self.hold(at, told, (index, clocks), held);
+        }
+    }
+
+    fn hold(
+        &mut self,
+        at: Micros,
+        mut told: Told,
+        (home, clocks): (u32, Clocks),
+        held: &mut BinaryHeap<Reverse<Held>>,
+    ) {
+        let due = clocks.of(self.start, at, self.skew).max(self.last_due);
+        if let Told::Row(row) = &mut told {
+            row.due = due;
+        }
+        held.push(Reverse(Held { due, home, order: self.order, told: Kept(told) }));
+        (self.last_due, self.order) = (due, self.order + 1);
     }
 }
 
