@@ -1,23 +1,21 @@
 //! Many homes that tell one place, over one connection or into one file: what a fleet is, and what takes what it says.
 
 mod lateness;
+mod open;
 mod teller;
 
-use crate::elsewhere::{self, not_built_in};
 use crate::error::LogError;
 use crate::mapping::{Columns, Shown};
 use crate::messages::Messages;
 use crate::run_info::RunInfo;
 use crate::sink::How;
-use crate::sink::fleet_jsonl::FleetJsonl;
 use crate::table::Table;
-use crate::url::Url;
 use homebody_core::event::{Firing, Value};
 use homebody_core::ids::SensorId;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
-use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
 use homebody_core::time::Micros;
 pub use lateness::Lateness;
+pub use open::sink;
 use std::sync::Arc;
 pub use teller::{Now, Since, Teller};
 
@@ -185,31 +183,3 @@ pub trait FleetSink: Send {
 
 /// How much a place is told at once where it does not say otherwise (ours).
 const MOST_AT_ONCE: usize = 1000;
-
-/// What takes the rows of a fleet at a place. Nothing is touched before it is begun.
-///
-/// # Errors
-///
-/// [`LogError::NoPlace`] for a kind of place that no fleet can write, which says those that it can; [`LogError::NotBuiltIn`] for
-/// one that this build does not have.
-pub fn sink(url: &Url) -> Result<Box<dyn FleetSink>, LogError> {
-    let scheme = url.scheme();
-    if scheme == Scheme::Jsonl {
-        return Ok(Box::new(FleetJsonl::new(url)));
-    }
-    match elsewhere::of(scheme) {
-        Some(elsewhere) => elsewhere.fleet.map(|open| open(url)).ok_or_else(|| no_fleet(url)),
-        None if WRITABLE.contains(&scheme) => Err(not_built_in(url)),
-        None => Err(no_fleet(url)),
-    }
-}
-
-/// The kinds of places that a fleet can write, in builds that have them.
-const WRITABLE: [Scheme; 4] = [Scheme::Jsonl, Scheme::Postgresql, Scheme::Mqtt, Scheme::Mqtts];
-
-fn no_fleet(url: &Url) -> LogError {
-    let rows = SCHEMES.iter().filter(|row| WRITABLE.contains(&row.scheme));
-    let can: Vec<String> = rows.map(|row| format!("{}:{}", row.name, row.at)).collect();
-    let what = format!("{url} has no room for many homes");
-    LogError::NoPlace(NoPlace { what, hint: format!("a fleet writes {}, and jsonl:-", can.join(", ")) })
-}

@@ -68,7 +68,7 @@ fn what_no_fleet_can_do_is_refused_before_anything_begins() {
         ("--homes 3", "--out"),
         ("--homes 3 --out jsonl:- --json", "standard output"),
         ("--homes 3 --out jsonl:- --storm often", "every 5min for 30s"),
-        ("--homes 3 --out jsonl:- --churn much", "stay 30min away 5min"),
+        ("--homes 3 --out jsonl:- --churn much", "stay 30min gone 5min"),
         ("--homes 2 --first 99999 --out jsonl:-", "from 1 to 99999"),
         ("--homes 2 --without gout --out jsonl:-", "gout"),
     ] {

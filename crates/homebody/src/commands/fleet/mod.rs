@@ -13,12 +13,12 @@ use homebody_core::problem::Problems;
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::fleet::{Churn, FleetOf, FleetRun, FleetSetup, MOST_HOMES, Storms};
 use homebody_kit::{Error, OpenScenario, Url};
+use homebody_log::fresh::FreshFile;
 use homebody_log::places::can_be_written;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use told::Telling;
+use told::{Telling, bar};
 
 /// Lives thousands of homes on the world's clock from one process, to see what a back end bears.
 ///
@@ -29,7 +29,7 @@ use told::Telling;
   homebody fleet scenarios/tigerplace --homes 1000 --out 'mqtt://localhost/load?discovery=off' --for 10min
   homebody fleet scenarios/tigerplace --homes 500 --out postgresql://ann@localhost/homes --report report.jsonl
   homebody fleet scenarios/studio scenarios/tigerplace --homes 50 --out jsonl:- --storm 'every 5min for 30s' | consumer
-  homebody fleet scenarios/tigerplace --homes 200 --out jsonl:fleet.jsonl --skew 2s --churn 'stay 30min away 5min' --list homes.csv
+  homebody fleet scenarios/tigerplace --homes 200 --out jsonl:fleet.jsonl --skew 2s --churn 'stay 30min gone 5min' --list homes.csv
 
 {EXIT_CODES},
 129, 130 or 143 it was ended by SIGHUP, SIGINT or SIGTERM."))]
@@ -70,7 +70,7 @@ pub struct Arguments {
     /// The clock of each home is off by up to so much, either way
     #[arg(long, value_name = "TIME", value_parser = span)]
     skew: Option<Micros>,
-    /// Homes come and go; these are averages: 'stay 30min away 5min'
+    /// Homes come and go; these are averages: 'stay 30min gone 5min'
     #[arg(long, value_name = "HOW", value_parser = churn)]
     churn: Option<Churn>,
     /// What becomes of the fleet while a place is away: it ends with an error, or waits for the place, for a day at most
@@ -125,7 +125,7 @@ fn storms(text: &str) -> Result<Storms, String> {
 
 /// How homes come and go, as people write it.
 fn churn(text: &str) -> Result<Churn, String> {
-    let [stays, away] = two_spans(text, ["stay", "away"]).ok_or("write 'stay 30min away 5min'")?;
+    let [stays, away] = two_spans(text, ["stay", "gone"]).ok_or("write 'stay 30min gone 5min'")?;
     let (stays, away) = (stays?, away?);
     match stays.min(away) >= SECOND {
         true => Ok(Churn { stays, away }),
@@ -166,8 +166,9 @@ impl Arguments {
         if let Some(list) = &self.list {
             write_file(list, told::list(&fleet).as_bytes(), self.force)?;
         }
+        let report = self.report.as_ref().map(|path| FreshFile::create(path, self.force)).transpose()?;
         let look = self.watched.begin_fleet(&names.join(", "))?;
-        let mut telling = Telling::begin(&self, look)?;
+        let mut telling = Telling::begin(self.quiet, self.json, report, look);
         run.retry_for = if self.on_sink_down == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO };
         run.lasts = self.lasts.map(duration);
         run.every = duration(self.every);
@@ -231,15 +232,6 @@ impl Arguments {
     }
 }
 
-/// What shows how far something is, where somebody looks.
-fn bar(is_quiet: bool, what: &str, length: Option<u64>) -> ProgressBar {
-    let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-    let template =
-        if length.is_some() { format!("{{bar:40}} {{pos}} of {{len}} {what}") } else { "{spinner} {msg}".into() };
-    let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::with_draw_target(length, target).with_style(style)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -248,11 +240,11 @@ mod tests {
     fn storms_and_churn_are_read_as_people_write_them() {
         let five_minutes = 300 * SECOND;
         assert_eq!(storms("every 5min for 30s"), Ok(Storms::new(five_minutes, 30 * SECOND).unwrap()));
-        assert_eq!(churn("stay 5m away 1h"), Ok(Churn { stays: five_minutes, away: 3600 * SECOND }));
+        assert_eq!(churn("stay 5m gone 1h"), Ok(Churn { stays: five_minutes, away: 3600 * SECOND }));
         for wrong in ["", "5min", "every 5min", "every 30s for 5min", "for 30s every 5min", "every 5 min for 30 s"] {
             assert!(storms(wrong).is_err(), "{wrong}");
         }
-        for wrong in ["10%", "stay 5min", "stay 5min away 0s", "stay 0.1s away 5s"] {
+        for wrong in ["10%", "stay 5min", "stay 5min gone 0s", "stay 0.1s gone 5s"] {
             assert!(churn(wrong).is_err(), "{wrong}");
         }
         assert!(speed("2").is_ok() && speed("max").is_err() && speed("0").is_err() && speed("NaN").is_err());

@@ -1,13 +1,11 @@
 //! What people and programs are told of a fleet: a line every few seconds, a file of reports, numbers for Prometheus.
 
-use super::{Arguments, bar};
 use crate::failure::Failure;
 use crate::print::{print_json, tell, tell_with};
 use homebody_kit::fleet::{FleetLived, FleetOf, FleetReport};
 use homebody_log::fresh::FreshFile;
-use indicatif::ProgressBar;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fmt::Write;
-use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -30,12 +28,10 @@ pub struct Telling {
 const BEHIND_TOLD: Duration = Duration::from_secs(10);
 
 impl Telling {
-    pub fn begin(asked: &Arguments, look: Look) -> Result<Telling, Failure> {
-        let create = |path: &std::path::PathBuf| FreshFile::create(Path::new(path), asked.force);
-        let file = asked.report.as_ref().map(create).transpose()?;
-        let is_quiet = asked.quiet;
+    /// `file` is where reports are kept.
+    pub fn begin(is_quiet: bool, is_json: bool, file: Option<FreshFile>, look: Look) -> Telling {
         let bar = bar(is_quiet, "", None);
-        Ok(Telling { is_quiet, is_json: asked.json, bar, file, look, caught_up_s: 0.0, told_at: Instant::now() })
+        Telling { is_quiet, is_json, bar, file, look, caught_up_s: 0.0, told_at: Instant::now() }
     }
 
     pub fn hear(&mut self, lived: FleetLived) -> Result<(), Failure> {
@@ -107,6 +103,15 @@ impl Telling {
         }
         Ok(())
     }
+}
+
+/// What shows how far something is, where somebody looks.
+pub fn bar(is_quiet: bool, what: &str, length: Option<u64>) -> ProgressBar {
+    let target = if is_quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+    let template =
+        if length.is_some() { format!("{{bar:40}} {{pos}} of {{len}} {what}") } else { "{spinner} {msg}".into() };
+    let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::with_draw_target(length, target).with_style(style)
 }
 
 /// What is said every few seconds.
