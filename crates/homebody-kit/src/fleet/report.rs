@@ -109,12 +109,13 @@ mod tests {
     #[cfg(target_os = "linux")]
     fn the_system_says_what_the_program_takes() {
         let memory = memory_mb().unwrap();
-        let more: Vec<u8> = vec![1; 200_000_000];
+        // Other tests of this program take and give back some memory meanwhile.
+        let more: Vec<u8> = vec![1; 500_000_000];
         let after = memory_mb().unwrap();
-        assert!(more[199_999_999] == 1 && (150.0..400.0).contains(&(after - memory)), "{memory} and then {after}");
-        let before = processor_s().unwrap();
-        let begun = std::time::Instant::now();
-        while begun.elapsed().as_millis() < 300 {}
-        assert!(processor_s().unwrap() - before > 0.05);
+        assert!(more[499_999_999] == 1 && after - memory > 250.0, "{memory} and then {after}");
+        let (before, begun) = (processor_s().unwrap(), std::time::Instant::now());
+        while processor_s().unwrap() < before + 0.05 {
+            assert!(begun.elapsed().as_secs() < 30, "what works takes time");
+        }
     }
 }
