@@ -198,19 +198,16 @@ impl Living {
 
     /// What is to be told by now, at most so much of it.
     pub fn due(&mut self, now: i64, most: usize, into: &mut Vec<Told>) {
-        let begin = self.clocks.begin;
-        if self.storms.is_some_and(|storms| storms.is_away(now - begin)) {
-            return;
-        }
+        let (begin, storms) = (self.clocks.begin, self.storms);
+        // What was due before an outage is told in it, if nobody has come to that before.
+        let told_at = |due: i64| storms.map_or(due, |storms| begin + storms.told_at(due - begin));
         while into.len() < most
             && let Some(Reverse(held)) = self.held.peek()
-            && held.due <= now
+            && told_at(held.due) <= now
         {
             let Kept(mut told) = held.told;
             match &mut told {
-                Told::Row(row) => {
-                    row.due = self.storms.map_or(row.due, |storms| begin + storms.told_at(row.due - begin));
-                }
+                Told::Row(row) => row.due = told_at(row.due),
                 Told::Comes(_) => (self.there, self.came) = (self.there + 1, self.came + 1),
                 Told::Goes(_) => (self.there, self.went) = (self.there - 1, self.went + 1),
             }
