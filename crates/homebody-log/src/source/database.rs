@@ -17,6 +17,8 @@ use std::time::Duration;
 /// The database in a file.
 pub(super) fn connect(path: &Path) -> rusqlite::Result<Connection> {
     let open = |flags: OpenFlags| {
+        // One thread at a time has a connection.
+        let flags = flags | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let connection = match is_closed_with_wal(path) {
             // Read as others are, it would get two more files beside it.
             true => Connection::open_with_flags(unchanging(path), flags | OpenFlags::SQLITE_OPEN_URI)?,
