@@ -39,6 +39,7 @@ pub mod drivers;
 pub mod world;
 pub mod link;
 pub mod run;
+pub mod outside;
 pub mod scene;
 pub mod recording;
 pub mod snapshots;

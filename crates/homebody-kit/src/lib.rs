@@ -38,6 +38,7 @@ mod own_driver;
 mod stretch;
 mod meters;
 mod run;
+pub mod outside;
 pub mod destination;
 pub mod elsewhere;
 mod broker;

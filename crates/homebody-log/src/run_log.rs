@@ -163,6 +163,17 @@ impl RunLog {
         logs.chain(self.truth.iter().map(TruthLog::meter)).collect()
     }
 
+    /// Whether the run, gone on with, is beyond all that its places had of it: from then on it may be lived otherwise.
+    pub fn is_beyond_what_was_there(&self) -> bool {
+        self.logger.as_ref().is_none_or(Logger::is_beyond_what_was_there)
+            && self.truth.as_ref().is_none_or(TruthLog::is_beyond_what_was_there)
+    }
+
+    /// Writes the recording anew, of a run to which something was done from outside: before anything of what comes of it is stored.
+    pub fn note(&self, recording: &Recording) -> Result<(), LogError> {
+        self.record.as_deref().map_or(Ok(()), |path| write_over(path, recording))
+    }
+
     /// Hands on what has happened in the run since the last time.
     pub fn store(&mut self, run: &Run, events: &Events) -> Result<(), LogError> {
         self.store_settled(run.settled(), events)

@@ -52,6 +52,8 @@ struct Shared {
     answers: AtomicU64,
     /// How often it has made sure of its rows because it was asked to.
     settled: AtomicU64,
+    /// How many of the rows to come the destination has already.
+    there: AtomicU64,
     durable: Mutex<Watermark>,
 }
 
@@ -123,6 +125,11 @@ impl Writer {
     /// How far everything is durable.
     pub fn durable(&self) -> Watermark {
         self.shared.durable.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Whether all that the destination had of the run when it was begun has been lived again.
+    pub fn is_beyond_what_was_there(&self) -> bool {
+        self.shared.there.load(Ordering::Acquire) == 0
     }
 
     /// Hands over rows; the thread's error, if it has ended by one.
@@ -268,6 +275,7 @@ impl Work {
         let Work { sink, policy, shared, meter, .. } = &mut self;
         let there = policy.with_retries(meter, || sink.begin(&begin))?;
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
+        shared.there.store(there.0.iter().sum(), Ordering::Release);
         self.there = there.0;
         // Nobody waits any more for one that has begun too late: then it is dropped as it is.
         match begun.send(()) {
@@ -315,6 +323,7 @@ impl Work {
             if !rest.is_empty() {
                 policy.with_retries(meter, || sink.write(&rest))?;
             }
+            shared.there.store(there.iter().sum(), Ordering::Release);
         } else {
             policy.with_retries(meter, || sink.write(batch))?;
         }

@@ -25,7 +25,7 @@ mod zigbee;
 
 pub use address::{Address, Discovery, Style};
 pub use clean::{Cleaned, clean};
-pub use order::{Order, TakesOrders};
+pub use order::{Kind, Order, Reply, TakesOrders};
 pub use sink::{MqttSink, policy};
 
 use homebody_core::scenario::scheme::Scheme;

@@ -92,8 +92,8 @@ pub struct Light {
     /// The room's lamp: index into the home's things.
     lamp: ThingId,
     lamp_on: bool,
-    /// Who turned the lamp since it last measured.
-    by: Option<ResidentId>,
+    /// Whether the lamp was turned since it last measured, and by whom: by nobody who is there where it was from outside.
+    by: Option<Option<ResidentId>>,
     daylight_lux: f64,
     lamp_lux: f64,
     change: f64,
@@ -148,7 +148,7 @@ impl DeviceModel for Light {
         if self.said_lux.is_none_or(|before| (now - before).abs() > (self.change * before).max(STEP_LUX)) {
             self.said_lux = Some(libm::round(now));
             let why = if by.is_some() { Trigger::Use(self.lamp) } else { Trigger::Reading };
-            outbox.say(reading(libm::round(now)), by, at, why);
+            outbox.say(reading(libm::round(now)), by.flatten(), at, why);
         }
         self.measures = self.rounds.after(at);
     }

@@ -8,7 +8,7 @@ use homebody_core::time::SECOND;
 use homebody_log::{Destination, How, Log, LogError, Logger, Policy, RunInfo, SensorInfo, Url};
 use homebody_mqtt::{MqttSink, policy};
 use std::fs;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Write};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -103,6 +103,17 @@ impl Broker {
         let port = self.port.to_string();
         let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-t", topic, "-m", payload];
         assert!(Command::new("mosquitto_pub").args(args).args(more).status().unwrap().success());
+    }
+}
+
+impl Broker {
+    /// Says each line, as fast as it goes.
+    pub fn say_lines(&self, topic: &str, lines: &str) {
+        let port = self.port.to_string();
+        let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-l", "-t", topic];
+        let mut child = Command::new("mosquitto_pub").args(args).stdin(Stdio::piped()).spawn().unwrap();
+        child.stdin.take().unwrap().write_all(lines.as_bytes()).unwrap();
+        assert!(child.wait().unwrap().success());
     }
 }
 
