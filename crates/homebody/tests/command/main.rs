@@ -27,6 +27,8 @@ mod figures;
 mod labels;
 mod lives;
 mod live_homes;
+#[cfg(feature = "mqtt")]
+mod commanded;
 mod truths;
 mod walked_back;
 mod calibrated;
