@@ -82,8 +82,14 @@ impl Writer {
         let (messages, incoming) = sync_channel(policy.batches_waiting);
         let (begun, begins) = sync_channel(1);
         let shared = Arc::new(Shared::default());
-        let work =
-            Work { sink, policy: policy.clone(), shared: shared.clone(), meter: meter.clone(), there: Vec::new() };
+        let work = Work {
+            place: place.clone(),
+            sink,
+            policy: policy.clone(),
+            shared: shared.clone(),
+            meter: meter.clone(),
+            there: Vec::new(),
+        };
         let beginning = beginning.clone();
         let thread = thread::Builder::new().spawn(move || work.live(&beginning, &begun, incoming));
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
@@ -248,6 +254,8 @@ impl Patience {
 
 /// What the thread works with.
 struct Work {
+    /// What errors call it.
+    place: String,
     sink: Box<dyn Sink>,
     policy: Policy,
     shared: Arc<Shared>,
@@ -303,7 +311,8 @@ impl Work {
                 }
                 Ok(Message::Finish(end)) => {
                     let Work { sink, policy, meter, .. } = &mut self;
-                    return policy.with_retries(meter, || sink.finish(end));
+                    policy.with_retries(meter, || sink.finish(end))?;
+                    return self.has_no_more();
                 }
                 Err(RecvTimeoutError::Timeout) => {
                     self.settle()?;
@@ -315,9 +324,21 @@ impl Work {
         }
     }
 
+    /// An error where the destination has rows behind the last of the run: most look themselves and have refused to end, but those of which
+    /// only a note says what they have cannot.
+    fn has_no_more(&self) -> Result<(), LogError> {
+        match self.there.iter().sum::<u64>() {
+            0 => Ok(()),
+            rows => {
+                let what = format!("it has been given {rows} rows more than the run has made by now");
+                Err(LogError::Changed { place: self.place.clone(), what })
+            }
+        }
+    }
+
     /// Writes a batch, but for what is there already.
     fn take(&mut self, batch: &Batch) -> Result<(), LogError> {
-        let Work { sink, policy, shared, meter, there } = self;
+        let Work { sink, policy, shared, meter, there, .. } = self;
         if there.iter().any(|&rows| rows > 0) {
             let rest = batch.beyond(there);
             if !rest.is_empty() {

@@ -19,7 +19,6 @@ mod order;
 mod place;
 mod sink;
 mod speech;
-mod state_file;
 mod trouble;
 mod zigbee;
 

@@ -220,7 +220,7 @@ mod tests {
                         .map(|(value, provenance)| (due, value, provenance.resident.map(|resident| resident.0))),
                 );
             }
-            light.on_event(at, &Change::Use { resident: ResidentId(4), thing: ThingId(3), on }, &mut outbox);
+            light.on_event(at, &Change::Use { resident: Some(ResidentId(4)), thing: ThingId(3), on }, &mut outbox);
         }
         let at_night = [(0, 0, None), (HOUR + 7, 150_000, Some(4)), (2 * HOUR, 0, Some(4))];
         assert_eq!(messages[..3], at_night.map(|(at, lux, by)| (at, Value::Reading(lux), by)));

@@ -31,6 +31,7 @@ const TABLES: [&str; 16] = [
     "room",
     "activity",
     "act",
+    "outside",
     "need",
     "condition",
     "lost",

@@ -21,6 +21,10 @@ use tempfile::TempDir;
 /// What a test waits for comes within this time, on however slow a machine (ours).
 pub const SOON: Duration = Duration::from_secs(60);
 
+/// The lines of one that remembers who listens, also when it is begun again, and leaves out nothing for them.
+pub const REMEMBERS: &str = "allow_anonymous true\npersistence true\npersistence_location FOLDER/\nautosave_interval 0\n\
+                             max_inflight_messages 0\nmax_queued_messages 0\nqueue_qos0_messages true\n";
+
 /// A broker that ends with the test.
 pub struct Broker {
     pub folder: TempDir,
@@ -66,6 +70,14 @@ impl Broker {
     pub fn kill(&mut self) {
         if let Some(mut child) = self.child.take() {
             child.kill().unwrap();
+            child.wait().unwrap();
+        }
+    }
+
+    /// Stops it in order.
+    pub fn stop(&mut self) {
+        if let Some(mut child) = self.child.take() {
+            assert!(Command::new("kill").arg(child.id().to_string()).status().unwrap().success());
             child.wait().unwrap();
         }
     }
@@ -216,6 +228,19 @@ impl Listener {
         Listener { child, heard, rows }
     }
 
+    /// Listens to all below a topic of one that [`REMEMBERS`], across its deaths. It acknowledges nothing: mosquitto's program throws
+    /// away what it has not read when it cannot say that it has.
+    pub fn lasting(broker: &Broker, topic: &str) -> Listener {
+        let listener = Listener::of(broker.port, topic, &["-c", "-i", "listener", "-q", "0"]);
+        let probe = topic.trim_end_matches('#').to_owned() + "probe";
+        wait_for("the listener", || {
+            broker.say(&probe, "there", &[]);
+            (listener.count() > 0).then_some(())
+        });
+        broker.save();
+        listener
+    }
+
     pub fn heard(&self) -> Vec<Heard> {
         self.heard.lock().unwrap().clone()
     }
@@ -257,15 +282,9 @@ pub fn wait_for<T>(what: &str, look: impl Fn() -> Option<T>) -> T {
 
 /// A home with a sensor of each kind, and a motion sensor that says OFF.
 pub fn run() -> RunInfo {
-    let sensor = |name: &str, kind: &str, unit: Option<&str>, values: &[&str]| SensorInfo {
-        name: name.into(),
-        id: name.into(),
-        is_motion: kind.ends_with("motion"),
-        kind: kind.into(),
-        unit: unit.map(Into::into),
-        values: values.iter().map(ToString::to_string).collect(),
-        room: Some("living room".into()),
-        at_m: [1.0, 1.0],
+    let sensor = |name: &str, kind: &str, unit: Option<&str>, values: &[&str]| {
+        let (unit, room) = (unit.map(Into::into), Some("living room".into()));
+        SensorInfo { unit, room, ..SensorInfo::of_kind(name, kind, values) }
     };
     let sensors = vec![
         sensor("hall motion", "motion", None, &["ON"]),
