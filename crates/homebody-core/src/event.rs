@@ -1,8 +1,8 @@
 //! What comes out of the world: firings, and apart from them the truth.
 
+use crate::deed::Deed;
 use crate::geometry::Point;
 use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
-use crate::outside::Deed;
 use crate::scenario::path::Posture;
 use crate::time::Micros;
 use std::fmt;

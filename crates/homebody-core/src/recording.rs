@@ -1,18 +1,16 @@
 //! A recording: the scenario with its live input, the seed, the length, and a sign by which a replay can
 //! be told to be the same. That is all a run depends on, so it is enough to live it again, byte for byte.
 
+use crate::deed::FromOutside;
 use crate::event::{Firing, Value};
-use crate::outside::FromOutside;
 use crate::problem::Problems;
 use crate::run::{DriverProvider, Run};
 use crate::scenario::load::Scenario;
-use crate::time::{DAY, Micros};
+pub use crate::time::LONGEST;
+use crate::time::Micros;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-
-/// No run is longer: a hundred years.
-pub const LONGEST: Micros = 36_525 * DAY;
 
 /// A run that can be lived again.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

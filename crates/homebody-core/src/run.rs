@@ -1,5 +1,6 @@
 //! A run: residents with their drivers in a world, and the one loop of the program.
 
+use crate::deed::{Deed, FromOutside};
 use crate::drivers::absent::Absent;
 use crate::drivers::error::{DriverError, DriverFault, MOST_ANSWERS, WALL_M};
 use crate::drivers::input::Input;
@@ -12,7 +13,7 @@ use crate::home::sun::Sun;
 use crate::home::{Build, Home};
 use crate::ids::{ResidentId, RoomId, ThingId};
 use crate::link::{self, Link};
-use crate::outside::{Deed, FromOutside, Known};
+use crate::outside::{Known, Refusal};
 use crate::scenario::link::Span;
 use crate::scenario::load::{self, Scenario};
 use crate::scene::{Presence, Scene};
@@ -368,13 +369,49 @@ impl Run {
         Ok(())
     }
 
+    /// Whether this can be done from outside now.
+    ///
+    /// # Errors
+    ///
+    /// Why not: the home has no such thing, sensor or resident; it is so already; nobody can fall who is out or whose driver knows
+    /// no falls.
+    pub fn can_be_done(&self, deed: &Deed) -> Result<(), Refusal> {
+        match self.known(self.now(), deed)? {
+            Known::Use { thing, on } if self.will_be_on(thing) == on => {
+                let what = if on { "open, or on," } else { "closed, or off," };
+                Err(Refusal::new(format!("it is {what} already"), "nothing is to be done"))
+            }
+            Known::Fall { resident, lies } => self.can_fall(resident, lies),
+            _ => Ok(()),
+        }
+    }
+
+    fn known(&self, at: Micros, deed: &Deed) -> Result<Known, Refusal> {
+        let sensors: Vec<&str> = self.sensors().iter().map(|sensor| sensor.name.as_str()).collect();
+        let names = self.names();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        Known::of(deed, at, &self.home().plan, &sensors, &names)
+    }
+
+    fn can_fall(&self, resident: ResidentId, lies: Micros) -> Result<(), Refusal> {
+        let around = self.surroundings(resident);
+        if around.body().is_none() {
+            return Err(Refusal::new("they are not at home", "wait until they have come back"));
+        }
+        // Whether a driver can is known once it has.
+        match self.driver(resident).is_some_and(|driver| driver.copy().falls(&around, lies)) {
+            true => Ok(()),
+            false => Err(Refusal::new("they cannot fall", "only who lives by a routine falls")),
+        }
+    }
+
     /// What a resident sees now.
-    pub(crate) fn surroundings(&self, resident: ResidentId) -> Surroundings<'_> {
+    fn surroundings(&self, resident: ResidentId) -> Surroundings<'_> {
         Surroundings::new(self.now(), resident, &self.home().plan, &self.occupants, &self.on)
     }
 
     /// Whether a thing is on once all is done that is said from outside.
-    pub(crate) fn will_be_on(&self, thing: ThingId) -> bool {
+    fn will_be_on(&self, thing: ThingId) -> bool {
         let name = &self.home().plan.things[thing.index()].name;
         let said = self.outside.iter().rev().find_map(|one| match &one.deed {
             Deed::Use { thing, on } if thing == name => Some(*on),

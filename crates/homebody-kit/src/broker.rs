@@ -130,7 +130,7 @@ mod built {
         }
 
         fn wish(order: serde_json::Value) -> Wish {
-            match meant(serde_json::from_value(order).unwrap(), true) {
+            match meant(serde_json::from_value(order).expect("it is an order"), true) {
                 Ok(Meant::Deed(wish)) => wish,
                 _ => panic!("no deed"),
             }

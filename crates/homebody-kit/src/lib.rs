@@ -32,17 +32,18 @@ mod scenario;
 /// models may come out otherwise.
 pub const VERSION: &str = env!("HOMEBODY_VERSION");
 
+pub mod outside;
 pub mod pace;
 mod cancel;
 mod own_driver;
 mod stretch;
 mod meters;
 mod run;
-pub mod outside;
 pub mod destination;
 pub mod elsewhere;
 mod broker;
 mod beside;
+mod touched;
 mod store;
 mod recorded;
 mod live_home;

@@ -208,6 +208,9 @@ const FRAME: Duration = Duration::from_millis(16);
 /// A run on the world's clock that is behind by more than this hurries (ours).
 const BEHIND: Micros = SECOND;
 
+/// So much is done to a run between two looks at the clock (ours): what more is asked for waits.
+const AT_ONCE: usize = 100;
+
 /// Keeps a run at its pace: waits, and does what is said meanwhile.
 pub(crate) struct Paced {
     pace: Pace,
@@ -230,6 +233,11 @@ impl Paced {
     #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "brokers say it"))]
     pub fn hear(&mut self, commands: Receiver<Command>) {
         self.from_afar.push(commands);
+    }
+
+    /// What was asked to be done to the run by now.
+    pub fn asked(&self) -> Vec<Asked> {
+        self.outside.iter().flat_map(|asked| asked.try_iter()).take(AT_ONCE).collect()
     }
 
     /// Whether it has to catch up with the world's clock.

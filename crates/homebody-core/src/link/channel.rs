@@ -2,9 +2,9 @@
 
 use super::clock::Clock;
 use super::message::{Chance, Draws, IDS};
+use crate::deed::Failure;
 use crate::event::{Loss, Value};
 use crate::ids::SensorId;
-use crate::outside::Failure;
 use crate::random::{Range, Stream};
 use crate::scenario::link::{FaultFile, LinkFile, Span, of_days};
 use crate::time::Micros;

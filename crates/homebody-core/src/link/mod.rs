@@ -18,10 +18,10 @@ pub(crate) mod radio;
 mod sources;
 mod channel;
 
+use crate::deed::Failure;
 use crate::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use crate::ids::SensorId;
 use crate::numbers::Numbers;
-use crate::outside::Failure;
 use crate::random::Stream;
 use crate::scenario::home::{MotionFile, SensorFile};
 use crate::scenario::link::{FaultFile, LinkFile, MovedFile, Span, of_days};

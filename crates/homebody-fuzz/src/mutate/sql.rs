@@ -21,7 +21,7 @@ const PRAGMAS: [&str; 9] = [
 ];
 
 /// Names that readers look for.
-const TABLES: [&str; 16] = [
+const TABLES: [&str; 17] = [
     "firing",
     "run",
     "sensor",
