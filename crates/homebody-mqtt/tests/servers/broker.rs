@@ -75,6 +75,7 @@ impl Broker {
     }
 
     /// Stops it in order.
+    #[allow(dead_code, reason = "one of the two programs of tests stops it")]
     pub fn stop(&mut self) {
         if let Some(mut child) = self.child.take() {
             assert!(Command::new("kill").arg(child.id().to_string()).status().unwrap().success());
