@@ -76,10 +76,24 @@ fn zigbee2mqtt_takes_what_we_tell_it() {
     let Some(broker) = Broker::start() else { return };
     let file = broker.folder.path().join("kept.jsonl");
     let line = |heard: &Heard| json!({ "topic": heard.topic, "payload": heard.payload }).to_string() + "\n";
-    fs::write(&file, kept(&broker).iter().map(line).collect::<String>()).unwrap();
-    let script = repository().join("checks/zigbee2mqtt/check.mjs");
-    let output = Command::new("node").arg(script).arg(modules).arg(&file).arg(BASE).output().unwrap();
-    let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    let kept: String = kept(&broker).iter().map(line).collect();
+    let judged = |kept: &str| {
+        fs::write(&file, kept).unwrap();
+        let script = repository().join("checks/zigbee2mqtt/check.mjs");
+        let output = Command::new("node").arg(script).arg(&modules).arg(&file).arg(BASE).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        (output.status.success(), said)
+    };
+    let (agrees, said) = judged(&kept);
     println!("{said}");
-    assert!(output.status.success(), "{said}");
+    assert!(agrees, "{said}");
+    // The control: other words, kinds and keys are found.
+    for (ours, others) in [
+        (r#"\"contact\":true"#, r#"\"contact\":\"CLOSE\""#),
+        (r#"\"unit\":\"lx\""#, r#"\"unit\":\"lux\""#),
+        (r#"\"interview_state\":\"SUCCESSFUL\""#, r#"\"interview_state\":\"DONE\""#),
+    ] {
+        assert!(kept.contains(ours), "{ours}");
+        assert!(!judged(&kept.replace(ours, others)).0, "{others} is taken");
+    }
 }
