@@ -154,6 +154,34 @@ fn a_run_that_was_stopped_is_gone_on_with_to_the_same_bytes() {
     assert!(bytes(&folder) == bytes(&temporary.path().join("again")), "another log, or another truth");
 }
 
+/// A run that was stopped is gone on with, touched, and dies: what was noted is done again, and the stop before is known still.
+#[test]
+fn a_run_that_was_stopped_and_touched_and_died_is_gone_on_with() {
+    let temporary = TempDir::new().unwrap();
+    let (stopped, _) = live(&temporary.path().join("runs"), 1.5, &a_few_wishes(), Some(22));
+    let folder = folder(&stopped);
+    let (ask, asked) = channel();
+    let (tell, told) = channel();
+    let mut left = Some(on("bedroom door", false));
+    let says = |Progress { lived, .. }: Progress| {
+        if lived > 26 * HOUR
+            && let Some(wish) = left.take()
+        {
+            let tell = tell.clone();
+            ask.send(Asked { wish, answer: Box::new(move |outcome| tell.send(outcome).unwrap()) }).unwrap();
+        }
+        assert!(lived < 30 * HOUR, "it dies here");
+    };
+    let unfinished = Unfinished::open(&folder).unwrap().outside(asked);
+    let died = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| unfinished.go_on(says).map(|_| ())));
+    assert!(died.is_err() && all(&told).iter().all(Result::is_ok), "it has done it, and died");
+    let whole = Unfinished::open(&folder).unwrap().go_on(|_| ()).unwrap();
+    assert!(!whole.is_stopped() && whole.recording.outside.len() == 8, "{:?}", whole.recording.outside);
+    let lived_again = again(&folder.join("recording.json"), &temporary.path().join("again"));
+    assert_eq!(lived_again.agrees, Some(true));
+    assert!(bytes(&folder) == bytes(&temporary.path().join("again")), "another log, or another truth");
+}
+
 #[test]
 fn who_falls_lies_where_they_are_and_gets_up() {
     let temporary = TempDir::new().unwrap();

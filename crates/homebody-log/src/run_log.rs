@@ -192,7 +192,12 @@ impl RunLog {
 
     /// Writes the recording anew, of a run to which something was done from outside: before anything of what comes of it is stored.
     pub fn note(&self, recording: &Recording) -> Result<(), LogError> {
-        self.record.as_deref().map_or(Ok(()), |path| write_over(path, recording))
+        let Some(path) = self.record.as_deref() else { return Ok(()) };
+        match left_by(path).filter(Recording::is_complete) {
+            // Until the run ends, its truth is that of a run that was stopped, and whoever goes on with it has to know.
+            Some(stopped) => write_over(path, &Recording { outside: recording.outside.clone(), ..stopped }),
+            None => write_over(path, recording),
+        }
     }
 
     /// Hands on what has happened in the run since the last time.
@@ -309,8 +314,12 @@ fn beside(place: &Path) -> PathBuf {
 
 /// Whether the run that left these places was stopped, and not killed.
 fn was_stopped(places: &Places) -> bool {
-    let text = places.recording.as_ref().and_then(|path| plain::read_text(path, LARGEST_RECORDING_BYTES).ok());
-    text.and_then(|text| serde_json::from_str::<Recording>(&text).ok()).is_some_and(|recording| recording.is_complete())
+    places.recording.as_deref().and_then(left_by).is_some_and(|recording| recording.is_complete())
+}
+
+/// The recording that is in a file.
+fn left_by(path: &Path) -> Option<Recording> {
+    serde_json::from_str(&plain::read_text(path, LARGEST_RECORDING_BYTES).ok()?).ok()
 }
 
 /// Writes the recording of a run that goes on over what was written of it before, in one piece.
