@@ -8,7 +8,7 @@ use crate::deed::{Deed, Failure, FromOutside};
 use crate::home::plan::Plan;
 use crate::ids::{ResidentId, SensorId, ThingId};
 use crate::numbers::Numbers;
-use crate::problem::{Problem, Problems, readable};
+use crate::problem::{MOST_PER_FILE, Problem, Problems, readable};
 use crate::scenario::load::Scenario;
 use crate::scenario::nearest::nearest;
 use crate::time::{DAY, LONGEST, Micros, SECOND, micros};
@@ -34,6 +34,9 @@ const LONGEST_LIE: Micros = DAY;
 /// The least and the most between what a stuck sensor repeats.
 const REPEATS: std::ops::RangeInclusive<Micros> = SECOND / 10..=DAY;
 
+/// So many names are shown to who names none of them (ours).
+const SHOWN: usize = 12;
+
 /// Why something cannot be done.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
@@ -52,7 +55,10 @@ impl Refusal {
     fn unknown<'n>(what: &str, name: &str, known: impl Iterator<Item = &'n str> + Clone) -> Refusal {
         let hint = match nearest(name, known.clone()) {
             Some(near) => format!("did you mean {near:?}?"),
-            None => format!("there are {}", known.map(|known| format!("{known:?}")).collect::<Vec<_>>().join(", ")),
+            None => {
+                let some: Vec<String> = known.take(SHOWN).map(|known| format!("{known:?}")).collect();
+                format!("there are such as {}", some.join(", "))
+            }
         };
         Refusal::new(format!("there is no {what} {name:?}"), hint)
     }
@@ -119,6 +125,10 @@ pub fn check(done: &[FromOutside], scenario: &Scenario, residents: &[String], fi
         problems.push(Problem::of_file(file, format!("more than {MOST_DEEDS} things are done from outside"), None));
     }
     for (number, FromOutside { at_us, deed }) in done.iter().take(MOST_DEEDS).enumerate() {
+        // One that is wrong throughout costs no more than anybody reads.
+        if problems.len() > MOST_PER_FILE {
+            break;
+        }
         let mut wrong = |refusal: Refusal| {
             let what = format!("what is done from outside, number {}: {}", number + 1, refusal.why);
             problems.push(Problem::of_file(file, what, Some(refusal.hint)));
