@@ -32,6 +32,7 @@ mod scenario;
 /// models may come out otherwise.
 pub const VERSION: &str = env!("HOMEBODY_VERSION");
 
+pub mod outside;
 pub mod pace;
 mod cancel;
 mod own_driver;
@@ -42,6 +43,7 @@ pub mod destination;
 pub mod elsewhere;
 mod broker;
 mod beside;
+mod touched;
 mod store;
 mod recorded;
 mod live_home;

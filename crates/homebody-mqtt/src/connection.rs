@@ -4,11 +4,13 @@
 use crate::address::Address;
 use crate::flight::{Flight, Link, Sent, Wish};
 use crate::greeting::{greeting, is_of_another};
-use crate::order::{Order, TakesOrders, answer};
+use crate::order::{Order, Reply, TakesOrders, heard};
 use crate::place::Place;
 use crate::speech::Message;
 use crate::trouble::Trouble;
+use homebody_core::scenario::logger::TimeFormat;
 use homebody_log::RunInfo;
+use homebody_log::clock::Clock;
 use rumqttc::{
     AsyncClient, ClientError, ConnectionError, Event, EventLoop, LastWill, MqttOptions, Outgoing, Packet, PubAckReason,
     Publish, PublishOptions, QoS, RetainForwardRule, SubscribeFilterInput, TlsConfiguration, Transport, ValidatedTopic,
@@ -216,19 +218,28 @@ impl Connection {
     }
 
     fn ordered(&mut self, publish: &Publish) {
-        let answer = answer(&publish.payload, publish.retain, &self.run, self.orders.as_mut());
-        let running = match answer.obeyed {
-            Some(Order::Pause {}) => Some("OFF"),
-            Some(Order::Resume {}) => Some("ON"),
+        let (asked, order) = heard(&publish.payload, publish.retain, &self.run);
+        let running = match order {
+            Ok(Order::Pause {}) => Some("OFF"),
+            Ok(Order::Resume {}) => Some("ON"),
             _ => None,
         };
-        let topic = self.place.topic("command/result").into();
-        let result = Message { topic, payload: answer.payload.into(), retain: false, then: None };
         let running = running.map(|running| Message::kept(self.place.topic("running"), running));
-        self.flight.change(|state| {
-            state.say(result);
-            running.into_iter().for_each(|running| state.say(running));
+        let topic: Arc<str> = self.place.topic("command/result").into();
+        let (flight, run) = (self.flight.clone(), self.run.clone());
+        let reply = Reply::new(move |outcome| {
+            let mut clock = Clock::new(&run.calendar, TimeFormat::LocalOffset);
+            let payload = asked.answer(&outcome, &mut clock).into();
+            flight.change(|state| {
+                state.answer(Message { topic, payload, retain: false, then: None });
+                running.into_iter().filter(|_| outcome.is_ok()).for_each(|running| state.say(running));
+            });
         });
+        match (order, &mut self.orders) {
+            (Err(why), _) => reply.refused(why, ""),
+            (Ok(_), None) => reply.refused("this run takes no orders", ""),
+            (Ok(order), Some(takes)) => takes(order, reply),
+        }
     }
 }
 

@@ -19,13 +19,12 @@ mod order;
 mod place;
 mod sink;
 mod speech;
-mod state_file;
 mod trouble;
 mod zigbee;
 
 pub use address::{Address, Discovery, Style};
 pub use clean::{Cleaned, clean};
-pub use order::{Order, TakesOrders};
+pub use order::{Kind, Order, Reply, TakesOrders};
 pub use sink::{MqttSink, policy};
 
 use homebody_core::scenario::scheme::Scheme;

@@ -165,14 +165,20 @@ pub fn truth_beside(log: &Path) -> Option<Url> {
 
 /// Whether files of the truth's tables are named after a path.
 fn has_tables(path: &Path) -> bool {
-    path.file_name().is_some() && tables().iter().all(|table| table_file(path, &table.name).is_file())
+    // Truths from before there was one of them have no table of what was done from outside.
+    let all = tables();
+    let mut known = all.iter().enumerate().filter(|(index, _)| *index != Truth::Outside as usize);
+    path.file_name().is_some() && known.all(|(_, table)| table_file(path, &table.name).is_file())
 }
 
-/// What the file of a table is named after: `truth.csv` of `truth.room.csv`.
+/// What the file of a table is named after: `truth.csv` of `truth.room.csv`, `truth.csv.gz` of `truth.room.csv.gz`.
 fn whole_of(file: &Path) -> Option<PathBuf> {
-    let ending = file.extension()?.to_str()?;
-    let stem = file.file_stem()?.to_str()?;
+    let name = file.file_name()?.to_str()?;
+    let is_packed = |ending: &str| ["gz", "zst"].contains(&ending);
+    let (plain, packing) = name.rsplit_once('.').filter(|(_, ending)| is_packed(ending)).unwrap_or((name, ""));
+    let (stem, ending) = plain.rsplit_once('.')?;
     let (name, table) = stem.rsplit_once('.')?;
     let is_known = tables().iter().any(|known| known.name == table);
-    is_known.then(|| file.with_file_name(format!("{name}.{ending}")))
+    let dot = if packing.is_empty() { "" } else { "." };
+    is_known.then(|| file.with_file_name(format!("{name}.{ending}{dot}{packing}")))
 }

@@ -8,7 +8,7 @@ use homebody_core::time::SECOND;
 use homebody_log::{Destination, How, Log, LogError, Logger, Policy, RunInfo, SensorInfo, Url};
 use homebody_mqtt::{MqttSink, policy};
 use std::fs;
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, Write};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -20,6 +20,10 @@ use tempfile::TempDir;
 
 /// What a test waits for comes within this time, on however slow a machine (ours).
 pub const SOON: Duration = Duration::from_secs(60);
+
+/// The lines of one that remembers who listens, also when it is begun again, and leaves out nothing for them.
+pub const REMEMBERS: &str = "allow_anonymous true\npersistence true\npersistence_location FOLDER/\nautosave_interval 0\n\
+                             max_inflight_messages 0\nmax_queued_messages 0\nqueue_qos0_messages true\n";
 
 /// A broker that ends with the test.
 pub struct Broker {
@@ -70,6 +74,15 @@ impl Broker {
         }
     }
 
+    /// Stops it in order.
+    #[allow(dead_code, reason = "one of the two programs of tests stops it")]
+    pub fn stop(&mut self) {
+        if let Some(mut child) = self.child.take() {
+            assert!(Command::new("kill").arg(child.id().to_string()).status().unwrap().success());
+            child.wait().unwrap();
+        }
+    }
+
     /// Has it store who listens, so that it knows when it is begun again.
     pub fn save(&self) {
         let id = self.child.as_ref().unwrap().id().to_string();
@@ -103,6 +116,17 @@ impl Broker {
         let port = self.port.to_string();
         let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-t", topic, "-m", payload];
         assert!(Command::new("mosquitto_pub").args(args).args(more).status().unwrap().success());
+    }
+}
+
+impl Broker {
+    /// Says each line, as fast as it goes.
+    pub fn say_lines(&self, topic: &str, lines: &str) {
+        let port = self.port.to_string();
+        let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-l", "-t", topic];
+        let mut child = Command::new("mosquitto_pub").args(args).stdin(Stdio::piped()).spawn().unwrap();
+        child.stdin.take().unwrap().write_all(lines.as_bytes()).unwrap();
+        assert!(child.wait().unwrap().success());
     }
 }
 
@@ -205,6 +229,19 @@ impl Listener {
         Listener { child, heard, rows }
     }
 
+    /// Listens to all below a topic of one that [`REMEMBERS`], across its deaths. It acknowledges nothing: mosquitto's program throws
+    /// away what it has not read when it cannot say that it has.
+    pub fn lasting(broker: &Broker, topic: &str) -> Listener {
+        let listener = Listener::of(broker.port, topic, &["-c", "-i", "listener", "-q", "0"]);
+        let probe = topic.trim_end_matches('#').to_owned() + "probe";
+        wait_for("the listener", || {
+            broker.say(&probe, "there", &[]);
+            (listener.count() > 0).then_some(())
+        });
+        broker.save();
+        listener
+    }
+
     pub fn heard(&self) -> Vec<Heard> {
         self.heard.lock().unwrap().clone()
     }
@@ -246,15 +283,9 @@ pub fn wait_for<T>(what: &str, look: impl Fn() -> Option<T>) -> T {
 
 /// A home with a sensor of each kind, and a motion sensor that says OFF.
 pub fn run() -> RunInfo {
-    let sensor = |name: &str, kind: &str, unit: Option<&str>, values: &[&str]| SensorInfo {
-        name: name.into(),
-        id: name.into(),
-        is_motion: kind.ends_with("motion"),
-        kind: kind.into(),
-        unit: unit.map(Into::into),
-        values: values.iter().map(ToString::to_string).collect(),
-        room: Some("living room".into()),
-        at_m: [1.0, 1.0],
+    let sensor = |name: &str, kind: &str, unit: Option<&str>, values: &[&str]| {
+        let (unit, room) = (unit.map(Into::into), Some("living room".into()));
+        SensorInfo { unit, room, ..SensorInfo::of_kind(name, kind, values) }
     };
     let sensors = vec![
         sensor("hall motion", "motion", None, &["ON"]),

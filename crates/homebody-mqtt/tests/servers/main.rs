@@ -9,3 +9,4 @@ mod looks;
 mod ordered;
 mod refused;
 mod tidied;
+mod zigbee2mqtt;
