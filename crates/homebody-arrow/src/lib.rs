@@ -21,4 +21,7 @@ pub const ELSEWHERE: Elsewhere = Elsewhere {
     open: sink::open,
     policy: Policy::default,
     forms: &source::FORMS,
+    tables: Some(source::read_tables),
+    truth_of: None,
+    examine: source::examine,
 };

@@ -20,6 +20,9 @@ mod runs;
 mod sink;
 
 mod source;
+mod tables;
+
+mod examine;
 
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
@@ -33,4 +36,7 @@ pub const POSTGRESQL: Elsewhere = Elsewhere {
     open: |url| Box::new(Postgres::new(url)),
     policy: Policy::default,
     forms: &[FORM],
+    tables: Some(tables::read),
+    truth_of: Some(tables::truth_of),
+    examine: examine::examine,
 };

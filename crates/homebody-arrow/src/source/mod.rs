@@ -2,13 +2,17 @@
 
 mod batches;
 mod cells;
+mod examine;
 mod files;
 mod guard;
 mod ipc;
 mod rows;
+mod tables;
 
 pub(crate) use batches::Batches;
 use homebody_log::source::{Form, Shows, Start};
+pub(crate) use examine::examine;
+pub(crate) use tables::read_tables;
 
 /// The forms of this crate.
 pub(crate) const FORMS: [Form; 2] = [

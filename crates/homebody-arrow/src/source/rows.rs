@@ -50,10 +50,10 @@ fn spans(schema: &Schema) -> Option<[usize; 3]> {
 }
 
 /// Takes so many rows of some columns.
-type Take<'t> = dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError> + 't;
+pub(super) type Take<'t> = dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError> + 't;
 
 /// Reads columns, and gives each batch with them in this order.
-fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &mut Take<'_>) -> Result<(), LogError> {
+pub(super) fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &mut Take<'_>) -> Result<(), LogError> {
     let mut sorted = columns.to_vec();
     sorted.sort_unstable();
     sorted.dedup();

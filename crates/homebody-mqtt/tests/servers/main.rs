@@ -6,6 +6,7 @@ mod arrives;
 mod broker;
 mod home_assistant;
 mod looks;
+mod mosquitto;
 mod ordered;
 mod refused;
 mod tidied;
