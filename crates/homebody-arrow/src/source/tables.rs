@@ -29,7 +29,11 @@ pub(crate) fn read_tables(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) 
         return Err(LogError::NoTruth { place: url.to_string(), why: gone.join(", ") });
     }
     for (index, (table, place)) in wanted.iter().zip(&places).enumerate() {
-        for file in files(place)? {
+        let files = files(place).map_err(|error| match error {
+            LogError::NoLog { why, .. } => LogError::NoTruth { place: url.to_string(), why },
+            error => error,
+        })?;
+        for file in files {
             read_file(&file, table, &mut |values| take(index, values))?;
         }
     }

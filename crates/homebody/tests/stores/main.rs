@@ -13,5 +13,6 @@ mod mosquitto;
 #[path = "../../../homebody-postgres/tests/stage/server.rs"]
 mod server;
 
+mod digests;
 mod doctor;
 mod labels;
