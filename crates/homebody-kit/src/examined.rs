@@ -162,7 +162,9 @@ impl Examining {
             let is_local = url.file().is_some() || url.is_data_set();
             let found = self.place(url, Some(&scenario.logger))?;
             let rows = found.iter().find_map(|check| check.rows);
-            checks.extend(found.into_iter().map(|check| Check { says: format!("{}: {}", short(url), check.says), ..check }));
+            checks.extend(
+                found.into_iter().map(|check| Check { says: format!("{}: {}", short(url), check.says), ..check }),
+            );
             if let (Some(told), Some(rows), true) = (run.rows, rows, is_local)
                 && told != rows
             {
@@ -183,13 +185,17 @@ impl Examining {
             return Ok(vec![Check::wrong("truth", "there is no truth in it", hint)]);
         };
         // Of files of text there is a table each, and none of them is a log.
-        if !matches!(url.scheme(), Scheme::Sqlite | Scheme::Parquet) || url.scheme() == Scheme::Parquet && !url.is_data_set() {
+        if !matches!(url.scheme(), Scheme::Sqlite | Scheme::Parquet)
+            || url.scheme() == Scheme::Parquet && !url.is_data_set()
+        {
             return Ok(vec![Check::ok("truth", format!("{}: each table has its file", short(&url)))]);
         }
         let found = self.place(&url, Some(&scenario.logger))?;
         let firings = found.iter().find_map(|check| check.rows);
-        let mut checks: Vec<Check> =
-            found.into_iter().map(|check| Check { says: format!("{}: {}", short(&url), check.says), ..check }).collect();
+        let mut checks: Vec<Check> = found
+            .into_iter()
+            .map(|check| Check { says: format!("{}: {}", short(&url), check.says), ..check })
+            .collect();
         if let Some(firings) = firings.filter(|firings| run.is_complete() && *firings != run.firings) {
             let says = format!("{}: it has {firings} firings, and the recording says {}", short(&url), run.firings);
             checks.push(Check::wrong("truth", says, "homebody replay RECORDING --truth FILE writes it anew"));
@@ -260,7 +266,9 @@ fn notes(folder: &Path, run: &Recording) -> Vec<Check> {
         let note = text.and_then(|text| serde_json::from_str::<Note>(&text).map_err(|error| error.to_string()));
         match note {
             Err(why) => Check::wrong("confirmed", format!("{name} is no note: {why}"), hint),
-            Ok(note) if note.run != run.run_id() => Check::wrong("confirmed", format!("{name} is of another run"), hint),
+            Ok(note) if note.run != run.run_id() => {
+                Check::wrong("confirmed", format!("{name} is of another run"), hint)
+            }
             Ok(note) => match (note.rows.first(), run.rows) {
                 (Some(&noted), Some(rows)) if noted > rows => {
                     let says = format!("{name}: {noted} rows are confirmed, and the run has {rows}");
@@ -291,8 +299,13 @@ fn left(folder: &Path) -> Vec<Check> {
 
 /// The files in a folder, by their names.
 fn files(folder: &Path) -> impl Iterator<Item = PathBuf> {
-    let mut all: Vec<PathBuf> =
-        fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path()).filter(|path| path.is_file()).collect();
+    let mut all: Vec<PathBuf> = fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(|path| path.is_file())
+        .collect();
     all.sort();
     all.into_iter()
 }

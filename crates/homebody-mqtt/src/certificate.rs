@@ -25,7 +25,10 @@ pub(crate) fn last_day(host: &str, port: u16) -> Result<Timestamp, String> {
     let mut addresses = (host, port).to_socket_addrs().map_err(|error| told(&error))?;
     let address = addresses.next().ok_or("the host is not known")?;
     let mut stream = TcpStream::connect_timeout(&address, WITHIN).map_err(|error| told(&error))?;
-    stream.set_read_timeout(Some(WITHIN)).and_then(|()| stream.set_write_timeout(Some(WITHIN))).map_err(|error| told(&error))?;
+    stream
+        .set_read_timeout(Some(WITHIN))
+        .and_then(|()| stream.set_write_timeout(Some(WITHIN)))
+        .map_err(|error| told(&error))?;
     let provider = Arc::new(ring::default_provider());
     let config = ClientConfig::builder_with_provider(provider.clone()).with_safe_default_protocol_versions();
     let config = config.map_err(|error| told(&error))?;

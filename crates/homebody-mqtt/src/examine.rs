@@ -70,7 +70,11 @@ fn certificate(address: &Address, checks: &mut Vec<Check>) {
             let days = last.duration_since(now).as_hours().div_euclid(24);
             let on = last.strftime("%Y-%m-%d");
             checks.push(match days {
-                ..0 => Check::wrong("certificate", format!("it has ended on {on}"), "renew it, and have the broker read it anew"),
+                ..0 => Check::wrong(
+                    "certificate",
+                    format!("it has ended on {on}"),
+                    "renew it, and have the broker read it anew",
+                ),
                 0..SOON_DAYS => {
                     let says = format!("it ends on {on}, in {}", counted(days as usize, "day", "days"));
                     Check::warning("certificate", says, "renew it before that day, and have the broker read it anew")
@@ -133,7 +137,11 @@ fn told(address: &Address, kept: Kept, heard: Option<Heard>, checks: &mut Vec<Ch
     let below = &address.prefix;
     for filter in &kept.refused {
         let says = format!("this user may not listen to {filter}");
-        checks.push(Check::wrong("listening", says, "look at the broker's list of rights: commands and marks of homes are there"));
+        checks.push(Check::wrong(
+            "listening",
+            says,
+            "look at the broker's list of rights: commands and marks of homes are there",
+        ));
     }
     checks.push(match heard {
         Some(Heard { refused: Some(reason), .. }) => {
@@ -145,7 +153,9 @@ fn told(address: &Address, kept: Kept, heard: Option<Heard>, checks: &mut Vec<Ch
             Check::wrong("speaking", says, "let this user read there, too, in the broker's list of rights")
         }
         Some(_) => Check::ok("speaking", format!("what was said below {below}/ came back")),
-        None => Check::ok("speaking", format!("not tried: with --write something is said below {below}/ that nobody keeps")),
+        None => {
+            Check::ok("speaking", format!("not tried: with --write something is said below {below}/ that nobody keeps"))
+        }
     });
     let found = ours(address, kept.found);
     checks.push(match (&found.homes[..], found.topics.len()) {

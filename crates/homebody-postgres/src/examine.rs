@@ -89,10 +89,15 @@ fn about_server(connection: &Connection, server: &Server, checks: &mut Vec<Check
         OLDEST.. => Check::ok("server", says),
         _ => Check::warning("server", says, "this program is tried with PostgreSQL 12 and newer: take a newer one"),
     });
-    let is_near = matches!(&server.host, Host::Name(name) if ["localhost", "127.0.0.1", "::1"].contains(&name.as_str()));
+    let is_near =
+        matches!(&server.host, Host::Name(name) if ["localhost", "127.0.0.1", "::1"].contains(&name.as_str()));
     if tls.is_none() && matches!(server.host, Host::Name(_)) && !is_near {
         let says = "rows and the password's proof go over the network in the open";
-        checks.push(Check::warning("encryption", says, "write ?sslmode=verify-full, with sslrootcert=FILE or sslrootcert=system"));
+        checks.push(Check::warning(
+            "encryption",
+            says,
+            "write ?sslmode=verify-full, with sslrootcert=FILE or sslrootcert=system",
+        ));
     }
     if row.get::<_, bool>(4) {
         let hint = "name the server that this one stands by for";
@@ -152,7 +157,8 @@ fn schema_of(
     if there.iter().any(|name| name == RUNS) {
         runs(connection, schema, tables, &there, run_column, checks)?;
     } else if let Some(log) = tables.iter().find(|table| table.is_numbered && there.contains(&table.name)) {
-        let says = format!("there is no table {RUNS:?} beside {:?}, so that nobody knows how far a run has come", log.name);
+        let says =
+            format!("there is no table {RUNS:?} beside {:?}, so that nobody knows how far a run has come", log.name);
         checks.push(Check::warning("runs", says, "it was made by another program; it is read all the same"));
     }
     Ok(())
@@ -174,7 +180,11 @@ fn runs(
         known.push(run);
         if !row.get::<_, bool>(3) {
             let says = format!("run {run} has not come to its end");
-            checks.push(Check::warning("runs", says, "homebody run --resume FOLDER goes on with it, where nobody lives it now"));
+            checks.push(Check::warning(
+                "runs",
+                says,
+                "homebody run --resume FOLDER goes on with it, where nobody lives it now",
+            ));
         }
         let mut is_well = true;
         for (name, told) in names.iter().zip(&rows).filter(|(name, _)| there.contains(name)) {
@@ -182,13 +192,21 @@ fn runs(
             if counted_rows != *told {
                 is_well = false;
                 let says = format!("run {run}: {name:?} has {counted_rows} rows, and {RUNS:?} says {told}");
-                checks.push(Check::wrong("runs", says, "rows were added or removed by hand: live the run anew with --force"));
+                checks.push(Check::wrong(
+                    "runs",
+                    says,
+                    "rows were added or removed by hand: live the run anew with --force",
+                ));
             }
         }
         let gone = names.iter().filter(|name| !there.contains(name) && tables.iter().any(|table| table.name == **name));
         for name in gone {
             is_well = false;
-            checks.push(Check::wrong("runs", format!("run {run}: its table {name:?} is gone"), "live the run anew with --force"));
+            checks.push(Check::wrong(
+                "runs",
+                format!("run {run}: its table {name:?} is gone"),
+                "live the run anew with --force",
+            ));
         }
         if is_well {
             let all: i64 = rows.iter().sum();
@@ -234,7 +252,11 @@ fn numbers(
         checks.push(found_of(&format!("run {id}"), rows, (missing, first_missing), (rows - distinct, None)));
         if !known.contains(&id) {
             let says = format!("of run {id} there are rows, and {RUNS:?} does not know it");
-            checks.push(Check::wrong("runs", says, "another program wrote them, or the run was removed by hand: remove its rows, too"));
+            checks.push(Check::wrong(
+                "runs",
+                says,
+                "another program wrote them, or the run was removed by hand: remove its rows, too",
+            ));
         }
     }
     Ok(())

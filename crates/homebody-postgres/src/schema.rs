@@ -64,8 +64,12 @@ impl Schema {
             (None, false) => usual(connection, server)?,
         };
         names_fit(server, &name, begin)?;
-        let wanted: Vec<Wanted> =
-            begin.tables.iter().map(|table| Wanted::of(table, begin.time, begin.run_column)).chain([Wanted::runs()]).collect();
+        let wanted: Vec<Wanted> = begin
+            .tables
+            .iter()
+            .map(|table| Wanted::of(table, begin.time, begin.run_column))
+            .chain([Wanted::runs()])
+            .collect();
         let found = Found::look(connection, &name, &wanted)?;
         let problems = found.problems(&name, &wanted, begin.how);
         if !problems.is_empty() {

@@ -266,8 +266,7 @@ impl Found {
         let told = if self.clock == Time::Text { format!("{time}::text") } else { time.clone() };
         let [sensor, value] = [&self.sensor, &self.value].map(|name| format!("{}::text", ident(name)));
         let label = self.label.as_deref().map_or_else(|| "NULL::text".into(), |name| format!("{}::text", ident(name)));
-        let mut sql =
-            format!("SELECT {told}, {sensor}, {value}, {label} FROM {}", quoted(&self.schema, &self.table));
+        let mut sql = format!("SELECT {told}, {sensor}, {value}, {label} FROM {}", quoted(&self.schema, &self.table));
         let mut parameter = None;
         if let (Some(run), Some(column)) = (run, self.run.as_deref().map(ident)) {
             let (is_it, asked) = self.is_run(&column, run);
@@ -286,9 +285,7 @@ impl Found {
         let [sensor, value] = [1, 2].map(|column| row.try_get::<_, Option<&str>>(column));
         let (sensor, value) = (sensor?.unwrap_or_default(), value?.unwrap_or_default());
         let is_row = match self.clock {
-            Time::Text => {
-                reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?
-            }
+            Time::Text => reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?,
             clock => match row.try_get::<_, Option<At>>(0)? {
                 None => {
                     reading.skip(line, "there is no time".into());

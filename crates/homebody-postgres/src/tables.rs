@@ -116,13 +116,13 @@ impl Found {
             return Ok(None);
         };
         let gone = table.columns.iter().filter(|column| !there.iter().any(|(name, _)| *name == column.name));
-        let gone: Vec<String> =
-            gone.map(|column| format!("no column {:?} of {:?}", column.name, table.name)).collect();
+        let gone: Vec<String> = gone.map(|column| format!("no column {:?} of {:?}", column.name, table.name)).collect();
         if !gone.is_empty() {
             missing.extend(gone);
             return Ok(None);
         }
-        let is = |column: &Column| there.iter().find(|(name, _)| *name == column.name).map_or("", |(_, is)| is.as_str());
+        let is =
+            |column: &Column| there.iter().find(|(name, _)| *name == column.name).map_or("", |(_, is)| is.as_str());
         let cells: Vec<Cell> = table.columns.iter().map(|column| cell(column.kind, is(column))).collect();
         let told = |(column, cell): (&Column, &Cell)| match cell {
             Cell::Utc | Cell::Local => ident(&column.name),

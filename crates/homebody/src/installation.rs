@@ -36,13 +36,11 @@ pub fn examine(folder: &Path) -> Vec<Check> {
 }
 
 fn features() -> Check {
-    let is_absent = |feature: &&str| {
-        !match *feature {
-            "postgresql" => cfg!(feature = "postgresql"),
-            "parquet" => cfg!(feature = "parquet"),
-            "mqtt" => cfg!(feature = "mqtt"),
-            _ => false,
-        }
+    let is_absent = |feature: &&str| !match *feature {
+        "postgresql" => cfg!(feature = "postgresql"),
+        "parquet" => cfg!(feature = "parquet"),
+        "mqtt" => cfg!(feature = "mqtt"),
+        _ => false,
     };
     let mut features: Vec<&str> = SCHEMES.iter().filter_map(|row| row.feature).collect();
     features.dedup();

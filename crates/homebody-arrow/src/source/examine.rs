@@ -59,7 +59,11 @@ fn left(run: &str, on_the_way: &[PathBuf], checks: &mut Vec<Check>) {
     let Some(first) = on_the_way.first() else { return };
     let what = counted(on_the_way.len(), "file is", "files are");
     let says = format!("{run}: {what} not whole yet, such as {}", first.display());
-    checks.push(Check::warning("files", says, "where nobody lives this run now, homebody run --resume FOLDER goes on with it"));
+    checks.push(Check::warning(
+        "files",
+        says,
+        "where nobody lives this run now, homebody run --resume FOLDER goes on with it",
+    ));
 }
 
 /// The files of one table of one run.
@@ -78,7 +82,8 @@ fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
         }
     }
     let rows: u64 = in_order.values().map(|found| found.rows).sum();
-    let told = format!("{name}: {} in {}", counted(rows as usize, "row", "rows"), counted(files.len(), "file", "files"));
+    let told =
+        format!("{name}: {} in {}", counted(rows as usize, "row", "rows"), counted(files.len(), "file", "files"));
     if is_whole && !files.is_empty() {
         checks.push(Check::ok("files", format!("{told}, and each is whole")));
     } else if files.is_empty() {
@@ -89,7 +94,11 @@ fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
     for ((told, file), found) in &in_order {
         if let Some(told) = told.filter(|told| *told != before && is_whole) {
             let says = format!("{name}: {before} rows come before {}, and it says {told}", file.display());
-            checks.push(Check::wrong("files", says, "a file was removed, changed or copied from elsewhere: live the run anew"));
+            checks.push(Check::wrong(
+                "files",
+                says,
+                "a file was removed, changed or copied from elsewhere: live the run anew",
+            ));
             return;
         }
         before += found.rows;

@@ -10,8 +10,8 @@ mod rows;
 mod tables;
 
 pub(crate) use batches::Batches;
-use homebody_log::source::{Form, Shows, Start};
 pub(crate) use examine::examine;
+use homebody_log::source::{Form, Shows, Start};
 pub(crate) use tables::read_tables;
 
 /// The forms of this crate.

@@ -16,8 +16,8 @@ use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::{SCHEMES, Scheme, Stands};
 pub use numbers::{Numbers, found_of};
-pub use sqlite::sqlite_version;
 use serde::Serialize;
+pub use sqlite::sqlite_version;
 
 /// How it stands with what was looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]

@@ -21,8 +21,14 @@ impl Numbers {
         let ahead = number.saturating_sub(self.next);
         match ahead {
             0 => {}
-            1.. => self.gap = Some((self.gap.map_or(self.next, |gap| gap.0), self.gap.map_or(0, |gap| gap.1) + ahead as u64)),
-            _ => self.again = Some((self.again.map_or(number, |again| again.0), self.again.map_or(0, |again| again.1) + 1)),
+            1.. => {
+                self.gap =
+                    Some((self.gap.map_or(self.next, |gap| gap.0), self.gap.map_or(0, |gap| gap.1) + ahead as u64))
+            }
+            _ => {
+                self.again =
+                    Some((self.again.map_or(number, |again| again.0), self.again.map_or(0, |again| again.1) + 1))
+            }
         }
         self.next = self.next.max(number.saturating_add(1));
     }
@@ -41,7 +47,8 @@ impl Numbers {
 
 /// What there is to say of the rows of a run: how many there are, how many are missing and are there again, and the first of these.
 pub fn found_of(run: &str, rows: i64, gap: (i64, Option<i64>), again: (i64, Option<i64>)) -> Check {
-    const HINT: &str = "homebody run --resume FOLDER compares what is there with the run lived again; or write the log anew";
+    const HINT: &str =
+        "homebody run --resume FOLDER compares what is there with the run lived again; or write the log anew";
     let count = rows.max(0) as u64;
     let rows = counted(count as usize, "row", "rows");
     let first = |first: Option<i64>| first.map_or_else(String::new, |first| format!(", the first is {first}"));
@@ -50,7 +57,11 @@ pub fn found_of(run: &str, rows: i64, gap: (i64, Option<i64>), again: (i64, Opti
         wrong.push(format!("{} missing{}", counted(gap.0 as usize, "number is", "numbers are"), first(gap.1)));
     }
     if again.0 > 0 {
-        let what = counted(again.0 as usize, "row has a number that was there before", "rows have numbers that were there before");
+        let what = counted(
+            again.0 as usize,
+            "row has a number that was there before",
+            "rows have numbers that were there before",
+        );
         wrong.push(format!("{what}{}", first(again.1)));
     }
     let check = match wrong.is_empty() {

@@ -21,7 +21,9 @@ const MOST_TOLD: usize = 5;
 /// It has not.
 pub fn sqlite_version() -> Result<String, LogError> {
     let tried = Connection::open_in_memory().and_then(|connection| {
-        connection.execute_batch("CREATE TABLE firing (seq INTEGER PRIMARY KEY, value TEXT); INSERT INTO firing VALUES (0, 'ON')")?;
+        connection.execute_batch(
+            "CREATE TABLE firing (seq INTEGER PRIMARY KEY, value TEXT); INSERT INTO firing VALUES (0, 'ON')",
+        )?;
         connection.query_row("SELECT sqlite_version() FROM firing WHERE value = 'ON'", [], |row| row.get(0))
     });
     tried.map_err(|error| LogError::database(Path::new(""), error))
@@ -112,7 +114,11 @@ fn look(
     let truth = truth_tables();
     let is_truth = !has(&log.name) && truth.iter().any(|table| has(&table.name));
     if !has(&log.name) && !is_truth {
-        let says = format!("there is no table {:?}: it has {}", log.name, if tables.is_empty() { "none".into() } else { tables.join(", ") });
+        let says = format!(
+            "there is no table {:?}: it has {}",
+            log.name,
+            if tables.is_empty() { "none".into() } else { tables.join(", ") }
+        );
         checks.push(Check::wrong(
             "tables",
             says,
@@ -127,7 +133,8 @@ fn look(
     }
     if is_as_wanted {
         let what = if is_truth { "a truth" } else { "a log" };
-        checks.push(Check::ok("tables", format!("they are those of {what}, with the columns and keys that are wanted")));
+        checks
+            .push(Check::ok("tables", format!("they are those of {what}, with the columns and keys that are wanted")));
         match is_truth {
             true => firings(connection, run_column, checks)?,
             false => rows(connection, log, run_column, checks)?,
@@ -143,7 +150,9 @@ fn integrity(connection: &Connection, checks: &mut Vec<Check>) -> rusqlite::Resu
         connection.prepare(&sql).and_then(|mut ask| ask.query_map([], |row| row.get(0))?.collect());
     let told = match told {
         Ok(told) => told,
-        Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::DatabaseCorrupt) => vec![error.to_string()],
+        Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::DatabaseCorrupt) => {
+            vec![error.to_string()]
+        }
         Err(error) => return Err(error),
     };
     let is_whole = told == ["ok"];
@@ -175,7 +184,10 @@ fn schema(connection: &Connection, table: &Table, run_column: &str, checks: &mut
         let key: Vec<&str> = found.iter().filter(|(_, key)| *key > 0).map(|(name, _)| name.as_str()).collect();
         let has_key = [run_column, &table.columns[0].name].iter().all(|name| key.contains(name)) && key.len() == 2;
         if table.is_numbered && wrong.is_empty() && !has_key {
-            wrong.push(format!("the table {:?} has no key ({run_column}, {}), so that a row could be in it twice", table.name, table.columns[0].name));
+            wrong.push(format!(
+                "the table {:?} has no key ({run_column}, {}), so that a row could be in it twice",
+                table.name, table.columns[0].name
+            ));
         }
     }
     let is_well = wrong.is_empty();
@@ -216,14 +228,20 @@ fn rows(connection: &Connection, table: &Table, run_column: &str, checks: &mut V
     let empty: i64 = connection.query_row(&sql, [], |row| row.get(0))?;
     if empty > 0 {
         let says = format!("{} no time or no sensor", counted(empty as usize, "row has", "rows have"));
-        checks.push(Check::wrong("rows", says, "no run of ours writes such a row: look at what else writes into this file"));
+        checks.push(Check::wrong(
+            "rows",
+            says,
+            "no run of ours writes such a row: look at what else writes into this file",
+        ));
     }
     Ok(())
 }
 
 /// The firings of a truth, which are numbered, too.
 fn firings(connection: &Connection, run_column: &str, checks: &mut Vec<Check>) -> rusqlite::Result<()> {
-    let sql = format!("SELECT \"{run_column}\", count(*), count(DISTINCT firing), coalesce(max(firing), -1) FROM cause GROUP BY 1");
+    let sql = format!(
+        "SELECT \"{run_column}\", count(*), count(DISTINCT firing), coalesce(max(firing), -1) FROM cause GROUP BY 1"
+    );
     type OfRun = (i64, i64, i64, i64);
     let of = |row: &rusqlite::Row| Ok((row.get(0)?, row.get(1)?, row.get(2)?, row.get(3)?));
     let found: Vec<OfRun> = connection.prepare(&sql)?.query_map([], of)?.collect::<rusqlite::Result<_>>()?;
@@ -260,7 +278,11 @@ fn runs(connection: &Connection, path: &Path, is_there: bool, checks: &mut Vec<C
         });
     }
     if runs.is_empty() {
-        checks.push(Check::warning("runs", "none is told of", "a run that was killed as it began is gone on with by --resume"));
+        checks.push(Check::warning(
+            "runs",
+            "none is told of",
+            "a run that was killed as it began is gone on with by --resume",
+        ));
     }
     Ok(())
 }

@@ -36,7 +36,8 @@ pub(super) fn examine(place: &Source, asked: &Asked) -> Result<Vec<Check>, LogEr
     let scheme = [Scheme::Csv, Scheme::Jsonl].into_iter().find(|scheme| scheme.row().name == place.form().name);
     let numbers = scheme.and_then(|scheme| numbered(&Url::new(scheme, place.path()), asked));
     checks.push(Check { rows: Some(log.rows).filter(|_| numbers.is_none()), ..check });
-    checks.extend(log.remarks.iter().map(|remark| Check::warning("file", remark.clone(), "look at what it was made by")));
+    checks
+        .extend(log.remarks.iter().map(|remark| Check::warning("file", remark.clone(), "look at what it was made by")));
     checks.extend(numbers);
     Ok(checks)
 }

@@ -198,8 +198,7 @@ const IN_FILES: [(Scheme, &str); 4] =
 
 /// The truth of which each table has a file that is named after a path.
 fn in_tables(path: &Path) -> Option<Url> {
-    let are_there =
-        path.file_name().is_some() && tables().iter().all(|table| table_file(path, &table.name).is_file());
+    let are_there = path.file_name().is_some() && tables().iter().all(|table| table_file(path, &table.name).is_file());
     let ending = path.extension().map_or("csv".into(), |ending| ending.to_string_lossy());
     let scheme = IN_FILES.iter().find(|(_, usual)| *usual == ending).map_or(Scheme::Csv, |(scheme, _)| *scheme);
     are_there.then(|| Url::new(scheme, path))

@@ -1,5 +1,6 @@
 //! A mosquitto of a test's own, who listens to it, and a home whose log goes there.
 
+pub use crate::mosquitto::{Broker, SOON, free_port, is_installed};
 use homebody_core::event::{Band, Firing, Value};
 use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;
@@ -7,7 +8,6 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::SECOND;
 use homebody_log::{Destination, How, Log, LogError, Logger, Policy, RunInfo, SensorInfo, Url};
 use homebody_mqtt::{MqttSink, policy};
-pub use crate::mosquitto::{Broker, SOON, free_port, is_installed};
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::net::{TcpListener, TcpStream};

@@ -53,7 +53,8 @@ impl Arguments {
         for place in &self.places {
             examined.push(examining.examine(place)?);
         }
-        let count = |verdict| examined.iter().flat_map(|place| &place.checks).filter(|check| check.verdict == verdict).count();
+        let count =
+            |verdict| examined.iter().flat_map(|place| &place.checks).filter(|check| check.verdict == verdict).count();
         let (wrong, warnings) = (count(Verdict::Wrong), count(Verdict::Warning));
         match self.json {
             true => print_json(&json!({ "places": examined, "wrong": wrong, "warnings": warnings }))?,
@@ -77,7 +78,8 @@ fn text(examined: &Examined) -> String {
             Verdict::Warning => "warning",
             Verdict::Wrong => "wrong",
         };
-        let hint = check.hint.as_ref().map_or_else(String::new, |hint| format!("           {:width$}  hint: {hint}\n", ""));
+        let hint =
+            check.hint.as_ref().map_or_else(String::new, |hint| format!("           {:width$}  hint: {hint}\n", ""));
         format!("  {verdict:7}  {:width$}  {}\n{hint}", check.about, check.says)
     };
     format!("{}\n{}", examined.place, examined.checks.iter().map(line).collect::<String>())

@@ -61,7 +61,11 @@ fn scenario(folder: &Folder, number: usize) -> String {
         folder.write(&file, json.to_string());
     };
     change("logger.json", &|logger| {
-        let messages = [logger["messages"].clone(), json!({ "on_off": { "hold_s": 5 } }), json!({ "occupancy": { "timeout_s": 90 } })];
+        let messages = [
+            logger["messages"].clone(),
+            json!({ "on_off": { "hold_s": 5 } }),
+            json!({ "occupancy": { "timeout_s": 90 } }),
+        ];
         let messages = messages[(round + number) % 3 * usize::from(round > 0)].clone();
         *logger = json!({ "time": "utc", "messages": if messages.is_null() { json!("fire_only") } else { messages } });
     });
@@ -86,8 +90,16 @@ fn one_digest_whatever_it_goes_to_how_fast_and_whoever_looks() {
         let folder = Folder::new();
         let name = scenario(&folder, number);
         let place = |text: &str| text.parse::<Url>().unwrap().within(&folder.path(""));
-        let mut places: Vec<Url> =
-            ["sqlite:log.db", "csv:log.csv", "jsonl:log.jsonl", "parquet:log.parquet", "parquet:lives", "arrow:log.arrow"].map(place).to_vec();
+        let mut places: Vec<Url> = [
+            "sqlite:log.db",
+            "csv:log.csv",
+            "jsonl:log.jsonl",
+            "parquet:log.parquet",
+            "parquet:lives",
+            "arrow:log.arrow",
+        ]
+        .map(place)
+        .to_vec();
         if let Some((server, _)) = &servers {
             let database = server.database(&format!("digest{number}"));
             places.push(server.url("postgres", &database, "").parse().unwrap());
@@ -166,19 +178,22 @@ fn told(folder: &Folder, name: &str, broker: &Broker) -> Vec<Row> {
 
 /// A day that is lived in the page, as fast as it goes, with the log of its folder.
 fn looked_at(folder: &Folder, name: &str) -> Vec<Row> {
-    use tungstenite::client::IntoClientRequest;
     use tungstenite::Message;
-    let served = folder.command(&format!("serve {name} --no-open")).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
+    use tungstenite::client::IntoClientRequest;
+    let served =
+        folder.command(&format!("serve {name} --no-open")).stdout(Stdio::piped()).stderr(Stdio::null()).spawn();
     let mut served = served.unwrap();
     let mut said = String::new();
     BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();
     let (address, token) = said.trim().strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
-    let mut request = format!("ws://{address}/api/socket").into_client_request().unwrap();
+    let mut request = format!("ws://{address}/api/live").into_client_request().unwrap();
     request.headers_mut().insert("origin", format!("http://{address}").parse().unwrap());
     let stream = std::net::TcpStream::connect(address).unwrap();
     stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
     let (mut page, _) = tungstenite::client(request, stream).unwrap();
-    for say in [&*format!(r#"{{"say":"hello","token":"{token}"}}"#), r#"{"say":"speed","times":null}"#, r#"{"say":"play"}"#] {
+    for say in
+        [&*format!(r#"{{"say":"hello","token":"{token}"}}"#), r#"{"say":"speed","times":null}"#, r#"{"say":"play"}"#]
+    {
         page.send(Message::Text(say.into())).unwrap();
     }
     // A run that is over has its rows in its folder, which a note says.
@@ -201,7 +216,18 @@ fn looked_at(folder: &Folder, name: &str) -> Vec<Row> {
 fn cohort(folder: &Folder, name: &str) -> usize {
     let live = |first: &str| {
         let mut command = Command::new("taskset");
-        command.args(["-c", first, env!("CARGO_BIN_EXE_homebody"), "run", name, "--quiet", "--residents", "3", "--for", "3h"]);
+        command.args([
+            "-c",
+            first,
+            env!("CARGO_BIN_EXE_homebody"),
+            "run",
+            name,
+            "--quiet",
+            "--residents",
+            "3",
+            "--for",
+            "3h",
+        ]);
         let done = command.current_dir(folder.path("")).output().unwrap();
         assert!(done.status.success(), "{name}: {}", String::from_utf8_lossy(&done.stderr));
         let cohort = fs::read_dir(folder.path("runs")).unwrap().next().unwrap().unwrap().path();

@@ -63,7 +63,9 @@ fn an_installation_is_looked_at() {
 #[test]
 fn what_is_wrong_with_files_is_found() {
     let folder = flat();
-    folder.run("run flat --for 10m --quiet --out sqlite:log.db --out csv:log.csv --out jsonl:log.jsonl --truth truth.db").ok();
+    folder
+        .run("run flat --for 10m --quiet --out sqlite:log.db --out csv:log.csv --out jsonl:log.jsonl --truth truth.db")
+        .ok();
     for place in ["sqlite:log.db", "log.db", "sqlite:truth.db", "csv:log.csv", "log.jsonl"] {
         is_whole(&folder, place);
     }
@@ -128,14 +130,16 @@ fn what_is_wrong_with_columns_is_found() {
         folder.write(&hurt, &bytes[..bytes.len() - 20]);
         tells(&folder, &hurt, "wrong", "damaged or cut short");
     }
-    let part = folder.files().into_iter().find(|file| file.starts_with("lives/") && file.ends_with(".parquet")).unwrap();
+    let part =
+        folder.files().into_iter().find(|file| file.starts_with("lives/") && file.ends_with(".parquet")).unwrap();
     let hidden = part.replace("part-0", ".part-1").replace(".parquet", ".parquet.77.part");
     folder.write(&hidden, "half");
     tells(&folder, "lives", "warning", "1 file is not whole yet");
     fs::remove_file(folder.path(&hidden)).unwrap();
     // A day that is of another place in the run.
     folder.run("run flat --for 5m --seed 3 --quiet --out parquet:other").ok();
-    let other = folder.files().into_iter().find(|file| file.starts_with("other/") && file.ends_with(".parquet")).unwrap();
+    let other =
+        folder.files().into_iter().find(|file| file.starts_with("other/") && file.ends_with(".parquet")).unwrap();
     fs::copy(folder.path(&other), folder.path(&part.replace("part-0", "part-1"))).unwrap();
     tells(&folder, "lives", "wrong", "rows come before");
 }
@@ -187,7 +191,11 @@ fn what_is_wrong_with_a_database_on_a_server_is_found() {
     };
     hurts("DELETE FROM firing WHERE seq = 5", "wrong", "1 number is missing, the first is 5");
     hurts("DELETE FROM firing WHERE seq = 5", "wrong", "\"homebody_run\" says");
-    hurts("ALTER TABLE firing DROP CONSTRAINT firing_pkey; INSERT INTO firing SELECT * FROM firing WHERE seq < 4", "wrong", "has no key");
+    hurts(
+        "ALTER TABLE firing DROP CONSTRAINT firing_pkey; INSERT INTO firing SELECT * FROM firing WHERE seq < 4",
+        "wrong",
+        "has no key",
+    );
     hurts(
         "ALTER TABLE firing DROP CONSTRAINT firing_pkey; INSERT INTO firing SELECT * FROM firing WHERE seq < 4",
         "wrong",

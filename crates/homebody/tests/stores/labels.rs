@@ -51,7 +51,8 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
     same(&truth);
     same(&url);
     folder.run(&format!("run flat --for 20m --seed 2 --quiet --force --out csv:other.csv --truth {url}")).ok();
-    let said = folder.run(&format!("label log.csv {truth} --to csv:x.csv")).fails(1, "has the truth of several runs").err;
+    let said =
+        folder.run(&format!("label log.csv {truth} --to csv:x.csv")).fails(1, "has the truth of several runs").err;
     assert!(said.contains(&format!("?run={id}")) || said.contains(&id), "{said}");
     same(&format!("{truth}&run={id}"));
     folder.run(&format!("label log.csv {truth}&run=7 --to csv:x.csv")).fails(1, "has no truth of the run 7");
