@@ -2,7 +2,7 @@
 //!
 //! A program that has them says so once, before all else, by [`install`]; from then on they are opened and read as all others are.
 
-use crate::examine::Examine;
+use crate::check::Examine;
 use crate::policy::Policy;
 use crate::sink::{Begin, Sink, Watermark};
 use crate::source::{Form, ReadTables};

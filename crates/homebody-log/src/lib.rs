@@ -30,6 +30,8 @@ pub mod run_info;
 pub mod policy;
 pub mod meter;
 pub mod sink;
+mod check;
+mod numbered;
 pub mod elsewhere;
 
 pub mod clock;

@@ -138,7 +138,7 @@ fn told(address: &Address, kept: Kept, heard: Option<Heard>, checks: &mut Vec<Ch
     for filter in &kept.refused {
         let says = format!("this user may not listen to {filter}");
         checks.push(Check::wrong(
-            "listening",
+            "hearing",
             says,
             "look at the broker's list of rights: commands and marks of homes are there",
         ));

@@ -27,7 +27,7 @@ mod zigbee;
 
 pub use address::{Address, Discovery, Style};
 pub use clean::{Cleaned, clean};
-pub use order::{Order, TakesOrders};
+pub use order::{Order, TakesOrders, order_of};
 pub use sink::{MqttSink, policy};
 
 use homebody_core::scenario::scheme::Scheme;

@@ -99,6 +99,15 @@ pub(crate) fn answer(payload: &[u8], is_kept: bool, run: &RunInfo, takes: Option
     Answer { payload: answer.to_string(), obeyed: done.ok() }
 }
 
+/// The order that a message is.
+///
+/// # Errors
+///
+/// Why it is none, in words for whoever has sent it.
+pub fn order_of(payload: &[u8]) -> Result<Order, String> {
+    understood(payload).2.map_err(readable)
+}
+
 /// The order's id, its word, and the order.
 fn understood(payload: &[u8]) -> (Option<Value>, Option<Value>, Result<Order, String>) {
     if payload.len() > LONGEST_BYTES {

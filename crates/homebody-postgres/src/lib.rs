@@ -30,6 +30,15 @@ use homebody_log::elsewhere::Elsewhere;
 pub use sink::Postgres;
 pub use source::FORM;
 
+/// Whether a URL says which database is meant, without a look at whether it is there.
+///
+/// # Errors
+///
+/// All that is wrong with it, in words without a password.
+pub fn understood(url: &str) -> Result<(), homebody_log::LogError> {
+    server::Server::parse(url).map(drop)
+}
+
 /// PostgreSQL as a kind of place.
 pub const POSTGRESQL: Elsewhere = Elsewhere {
     schemes: &[Scheme::Postgresql],

@@ -1,9 +1,11 @@
 //! A database file of SQLite: whether it is whole, who writes it, whether its tables are those of a log or of a truth, and whether the
 //! rows of each run are there once.
 
-use super::{Asked, Check, found_of, log_table, truth_tables};
+use super::wanted::{log_table, truth_tables};
+use crate::check::{Asked, Check};
 use crate::error::{LogError, place_of};
 use crate::lock::is_held;
+use crate::numbered::found_of;
 use crate::source::connect_only;
 use crate::table::Table;
 use crate::url::Url;

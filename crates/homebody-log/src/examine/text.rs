@@ -1,7 +1,8 @@
 //! A log in a file of text: whether every line is a row of it, and where rows are numbered, whether each number is there once.
 
-use super::{Asked, Check, Numbers};
+use crate::check::{Asked, Check};
 use crate::error::LogError;
+use crate::numbered::Numbers;
 use crate::source::{self, Source, Value, read_numbers};
 use crate::table::{Column, ColumnKind, Table};
 use crate::url::Url;

@@ -1,6 +1,6 @@
 //! The numbers of a run's rows: from 0, each once.
 
-use super::Check;
+use crate::check::Check;
 use homebody_core::problem::counted;
 
 /// Numbers that come in the order in which rows are there.
@@ -73,8 +73,8 @@ pub fn found_of(run: &str, rows: i64, gap: (i64, Option<i64>), again: (i64, Opti
 
 #[cfg(test)]
 mod tests {
-    use super::super::Verdict;
     use super::*;
+    use crate::check::Verdict;
 
     fn check(numbers: &[i64]) -> Check {
         let mut all = Numbers::default();
