@@ -39,7 +39,7 @@ fn lived(ending: &str) -> Option<Files> {
     let texts: BTreeMap<String, String> =
         corpus::flat().into_iter().filter_map(|(name, bytes)| Some((name, String::from_utf8(bytes).ok()?))).collect();
     let folder = tempfile::tempdir().ok()?;
-    let scenario = Source::of_texts(texts, "scenario.json".into()).open().ok()?;
+    let scenario = Source::of_texts(texts, "scenario.json").open().ok()?;
     let at = |name: &str, ending: &str| format!("{ending}:{}", folder.path().join(name).display()).parse::<Url>().ok();
     let destinations = Destinations {
         log: vec![at(LOG, "csv")?],

@@ -1,6 +1,5 @@
 //! A mosquitto of a test's own, who listens to it, and a home whose log goes there.
 
-pub use crate::mosquitto::{Broker, SOON, free_port, is_installed};
 use homebody_core::event::{Band, Firing, Value};
 use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;
@@ -8,16 +7,17 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::SECOND;
 use homebody_log::{Destination, How, Log, LogError, Logger, Policy, RunInfo, SensorInfo, Url};
 use homebody_mqtt::{MqttSink, policy};
-use std::fs;
 use std::io::{BufRead, BufReader};
-use std::net::{TcpListener, TcpStream};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
-use tempfile::TempDir;
+
+#[path = "mosquitto.rs"]
+mod mosquitto;
+pub use mosquitto::{Broker, SOON, free_port, is_installed};
 
 impl Broker {
     /// All that it keeps.

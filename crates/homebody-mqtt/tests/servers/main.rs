@@ -6,7 +6,6 @@ mod arrives;
 mod broker;
 mod home_assistant;
 mod looks;
-mod mosquitto;
 mod ordered;
 mod refused;
 mod tidied;

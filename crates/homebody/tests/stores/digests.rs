@@ -153,14 +153,16 @@ fn control(base: &[Row]) {
 /// Some minutes as a broker is told them, in the style of plain JSON.
 fn told(folder: &Folder, name: &str, broker: &Broker) -> Vec<Row> {
     let port = broker.port.to_string();
-    let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-t", "told/#", "-F", "%p"];
-    let mut listener = Command::new("mosquitto_sub").args(args).stdout(Stdio::piped()).spawn().unwrap();
-    std::thread::sleep(Duration::from_millis(300));
+    let listen = |more: &[&str]| {
+        let args = ["-h", "127.0.0.1", "-p", &port, "-i", name, "-c", "-q", "1", "-t", "told/#", "-F", "%p"];
+        let heard = Command::new("mosquitto_sub").args(args).args(more).stderr(Stdio::null()).output().unwrap();
+        String::from_utf8(heard.stdout).unwrap()
+    };
+    // Whoever has asked once gets all that is said while they are away.
+    listen(&["-E"]);
     let url = broker.url("told?allow-fast=true&style=plain");
     folder.run(&format!("run {name} --quiet --force --for 20m --out {url} --out csv:beside.csv")).ok();
-    std::thread::sleep(Duration::from_millis(300));
-    listener.kill().unwrap();
-    let heard = String::from_utf8(listener.wait_with_output().unwrap().stdout).unwrap();
+    let heard = listen(&["-W", "3"]);
     let mut rows = std::collections::BTreeMap::new();
     for line in heard.lines() {
         let Ok(message) = serde_json::from_str::<Value>(line) else { continue };
