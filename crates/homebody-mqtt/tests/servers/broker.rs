@@ -17,6 +17,7 @@ use std::time::{Duration, Instant};
 
 #[path = "mosquitto.rs"]
 mod mosquitto;
+#[allow(unused_imports, reason = "a benchmark uses a part of it")]
 pub use mosquitto::{Broker, SOON, free_port, is_installed};
 
 impl Broker {

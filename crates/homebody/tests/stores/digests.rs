@@ -122,7 +122,7 @@ fn one_digest_whatever_it_goes_to_how_fast_and_whoever_looks() {
             compared += 1;
         }
         if let Some((_, broker)) = &servers {
-            begins(&told(&folder, &name, broker), "as a broker is told it");
+            begins(&told(&folder, &name, broker, &format!("told{number}")), "as a broker is told it");
             compared += 1;
         }
         let looked_at = looked_at(&folder, &name);
@@ -150,17 +150,18 @@ fn control(base: &[Row]) {
     assert_ne!(digest(&other), digest(base));
 }
 
-/// Some minutes as a broker is told them, in the style of plain JSON.
-fn told(folder: &Folder, name: &str, broker: &Broker) -> Vec<Row> {
+/// Some minutes as a broker is told them, in the style of plain JSON; below a prefix of their own, of which it keeps nothing yet.
+fn told(folder: &Folder, name: &str, broker: &Broker, prefix: &str) -> Vec<Row> {
     let port = broker.port.to_string();
     let listen = |more: &[&str]| {
-        let args = ["-h", "127.0.0.1", "-p", &port, "-i", name, "-c", "-q", "1", "-t", "told/#", "-F", "%p"];
+        let args =
+            ["-h", "127.0.0.1", "-p", &port, "-i", prefix, "-c", "-q", "1", "-t", &format!("{prefix}/#"), "-F", "%p"];
         let heard = Command::new("mosquitto_sub").args(args).args(more).stderr(Stdio::null()).output().unwrap();
         String::from_utf8(heard.stdout).unwrap()
     };
     // Whoever has asked once gets all that is said while they are away.
     listen(&["-E"]);
-    let url = broker.url("told?allow-fast=true&style=plain");
+    let url = broker.url(&format!("{prefix}?allow-fast=true&style=plain"));
     folder.run(&format!("run {name} --quiet --force --for 20m --out {url} --out csv:beside.csv")).ok();
     let heard = listen(&["-W", "3"]);
     let mut rows = std::collections::BTreeMap::new();
