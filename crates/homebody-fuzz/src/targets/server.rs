@@ -62,7 +62,7 @@ fn part(line: &str, dice: &mut Dice) -> String {
     match dice.below(4) {
         0 => letters.insert(at, *dice.one(&marks)),
         1 if at < letters.len() => letters[at] = *dice.one(&marks),
-        2 => {
+        2 if !line.is_empty() => {
             let parts: Vec<&str> = line.split_inclusive(marks).collect();
             let other = texts::other(parts[dice.below(parts.len())], dice);
             let replaced = dice.below(parts.len());

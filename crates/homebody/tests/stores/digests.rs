@@ -30,7 +30,8 @@ fn scenarios() -> usize {
 fn rows(place: &Url) -> Vec<Row> {
     homebody_kit::elsewhere::install_all();
     let log = read(&Source::from(place), &LoggerFile::default()).unwrap_or_else(|error| panic!("{place}: {error}"));
-    assert_eq!((log.skipped, log.clock), (0, Clock::Utc), "{place}");
+    // Where nobody has moved in so short a time, nothing tells the clock.
+    assert!(log.skipped == 0 && (log.clock == Clock::Utc || log.rows == 0), "{place}");
     log.events.iter().map(|event| (event.at, log.sensor(event).to_owned(), log.value(event).to_owned())).collect()
 }
 
