@@ -10,6 +10,8 @@ mod fault;
 mod layout;
 mod sink;
 mod source;
+#[cfg(feature = "cloud")]
+mod store;
 
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;

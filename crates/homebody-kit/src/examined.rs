@@ -229,7 +229,7 @@ fn replayed(folder: &Path) -> Check {
         let (told, firings) = (recorded.recording().sha256.clone(), recorded.recording().firings);
         let (mut run, mut digest) = (recorded.start(), RunDigest::default());
         while let Some(batch) = run.next_batch()? {
-            digest.add(&batch.firings);
+            digest.add(batch.firings);
         }
         Ok((digest.firings(), digest.hex()) == (firings, told))
     });

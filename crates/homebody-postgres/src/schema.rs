@@ -117,6 +117,9 @@ fn in_table(schema: &str, table: &Table, run_column: &str) -> InTable {
     }
 }
 
+/// What is wrong, and what to do.
+pub(crate) type Problem = (String, String);
+
 /// What there is to say of the tables in a schema before anything is written: which of them are there, and all that is wrong, with what
 /// to do.
 pub(crate) fn look(
@@ -125,7 +128,7 @@ pub(crate) fn look(
     tables: &[Table],
     time: TimeFormat,
     run_column: &str,
-) -> Result<(Vec<String>, Vec<(String, String)>), LogError> {
+) -> Result<(Vec<String>, Vec<Problem>), LogError> {
     let wanted: Vec<Wanted> =
         tables.iter().map(|table| Wanted::of(table, time, run_column)).chain([Wanted::runs()]).collect();
     let found = Found::look(connection, schema, &wanted)?;

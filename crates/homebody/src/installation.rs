@@ -36,15 +36,14 @@ pub fn examine(folder: &Path) -> Vec<Check> {
 }
 
 fn features() -> Check {
-    let is_absent = |feature: &&str| !match *feature {
-        "postgresql" => cfg!(feature = "postgresql"),
-        "parquet" => cfg!(feature = "parquet"),
-        "mqtt" => cfg!(feature = "mqtt"),
-        _ => false,
-    };
+    let built = [
+        ("postgresql", cfg!(feature = "postgresql")),
+        ("parquet", cfg!(feature = "parquet")),
+        ("mqtt", cfg!(feature = "mqtt")),
+    ];
     let mut features: Vec<&str> = SCHEMES.iter().filter_map(|row| row.feature).collect();
     features.dedup();
-    let absent: Vec<&str> = features.iter().copied().filter(|feature| is_absent(&feature)).collect();
+    let absent: Vec<&str> = features.iter().copied().filter(|feature| !built.contains(&(feature, true))).collect();
     match absent.is_empty() {
         true => Check::ok("features", format!("built with {}", features.join(", "))),
         false => Check::warning(

@@ -2,8 +2,8 @@
 
 use super::batches::Opened;
 use super::files::{about, all_files, runs_in};
+use super::here;
 use super::rows::each_batch;
-use crate::fault::no_store;
 use crate::layout::ROWS_BEFORE;
 use arrow_array::cast::AsArray;
 use arrow_array::types::Int64Type;
@@ -16,10 +16,12 @@ use std::path::{Path, PathBuf};
 /// Looks at a file or a data set.
 pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
     let (log, _) = log_table(asked.mapping)?;
-    let path = url.path();
-    if url.is_in_store() {
-        return Err(no_store(path));
-    }
+    let (_kept, path) = match here(url.path()) {
+        Ok(here) => here,
+        Err(error @ (LogError::NoPlace(_) | LogError::CannotHold { .. })) => return Err(error),
+        Err(error) => return Ok(vec![Check::of_error("store", &error)]),
+    };
+    let path = path.as_path();
     if !path.exists() {
         return Ok(vec![Check::of_error("files", &LogError::Missing { place: path.display().to_string() })]);
     }
@@ -87,7 +89,7 @@ fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
     if is_whole && !files.is_empty() {
         checks.push(Check::ok("files", format!("{told}, and each is whole")));
     } else if files.is_empty() {
-        checks.push(Check::warning("files", format!("{told}"), "a run that has just begun has none yet"));
+        checks.push(Check::warning("files", told, "a run that has just begun has none yet"));
     }
     let mut numbers = Numbers::default();
     let mut before = 0;

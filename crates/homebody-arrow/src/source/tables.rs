@@ -3,8 +3,8 @@
 use super::batches::Opened;
 use super::cells::{Texts, Time, Times};
 use super::files::files;
+use super::here;
 use super::rows::each_batch;
-use crate::fault::no_store;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int64Type};
 use arrow_array::{Array, ArrayRef, Float64Array, Int64Array};
@@ -18,19 +18,19 @@ use std::path::{Path, PathBuf};
 
 /// Reads tables of a truth.
 pub(crate) fn read_tables(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) -> Result<(), LogError> {
-    if url.is_in_store() {
-        return Err(no_store(url.path()));
-    }
+    let (_kept, folder) = here(url.path())?;
+    let named = url;
+    let url = &Url::new(url.scheme(), folder);
     let places: Vec<PathBuf> = wanted.iter().map(|table| place(url, table)).collect();
     let gone = places.iter().filter(|place| !place.exists());
     let what = if url.is_data_set() { "folder" } else { "file" };
     let gone: Vec<String> = gone.map(|place| format!("no {what} {}", place.display())).collect();
     if !gone.is_empty() {
-        return Err(LogError::NoTruth { place: url.to_string(), why: gone.join(", ") });
+        return Err(LogError::NoTruth { place: named.to_string(), why: gone.join(", ") });
     }
     for (index, (table, place)) in wanted.iter().zip(&places).enumerate() {
         let files = files(place).map_err(|error| match error {
-            LogError::NoLog { why, .. } => LogError::NoTruth { place: url.to_string(), why },
+            LogError::NoLog { why, .. } => LogError::NoTruth { place: named.to_string(), why },
             error => error,
         })?;
         for file in files {
