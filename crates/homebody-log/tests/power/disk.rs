@@ -118,11 +118,7 @@ impl Disk {
     fn write(&mut self, of: usize, event: &Event, is_there: &mut dyn FnMut(usize) -> bool) {
         let file = &mut self.files[of];
         match event {
-            Event::Truncate { bytes, .. } => {
-                if is_there(0) {
-                    file.resize(*bytes as usize, 0);
-                }
-            }
+            Event::Truncate { bytes, .. } if is_there(0) => file.resize(*bytes as usize, 0),
             Event::Write { at, bytes, .. } => {
                 let mut begin = 0;
                 while begin < bytes.len() {

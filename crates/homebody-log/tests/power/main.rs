@@ -179,7 +179,8 @@ fn wherever_power_is_lost_what_was_confirmed_is_there_once() {
     for cut in [events.len() / 3, events.len() / 2, events.len() - 9] {
         assert_eq!(wrong_after(&folder, &events[..cut], Luck::Some(cut as u64), true), None);
         let url = format!("sqlite:{}", folder.path().join("left/log.db").display()).parse::<Url>().unwrap();
-        let logger = stage::open_of(&[url.clone()], &LoggerFile::default(), &stage::sensors(), How::GoOn).unwrap();
+        let logger =
+            stage::open_of(std::slice::from_ref(&url), &LoggerFile::default(), &stage::sensors(), How::GoOn).unwrap();
         stage::store(logger, &firings, 500).unwrap();
         assert_eq!(read(&url, &LoggerFile::default()).unwrap().rows, all_rows() as u64);
     }
