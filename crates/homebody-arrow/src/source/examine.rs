@@ -2,7 +2,7 @@
 
 use super::batches::Opened;
 use super::files::{about, all_files, runs_in};
-use super::here;
+use super::here::here;
 use super::rows::each_batch;
 use crate::layout::ROWS_BEFORE;
 use arrow_array::cast::AsArray;

@@ -3,7 +3,7 @@
 use super::batches::Opened;
 use super::cells::{Texts, Time, Times};
 use super::files::files;
-use super::{here, of_place};
+use super::here::{here, of_place};
 use crate::fault::broken;
 use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::Schema;

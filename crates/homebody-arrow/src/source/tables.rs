@@ -3,7 +3,7 @@
 use super::batches::Opened;
 use super::cells::{Texts, Time, Times};
 use super::files::files;
-use super::here;
+use super::here::here;
 use super::rows::each_batch;
 use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int64Type};
