@@ -17,7 +17,7 @@ use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
 use homebody_log::source::Clock;
 use homebody_log::truth::tables;
 use homebody_log::word::one_word;
-use homebody_log::{Life, Log, LogError, RunClock, Source, Url, lives, read, stream, survey, truth_beside};
+use homebody_log::{Life, Log, LogError, RunClock, Source, Url, lives, read, stream, survey, truth_of};
 use homebody_walk::Mesh;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
@@ -347,9 +347,9 @@ impl NamedLog {
         logs_of(folder, self.scenario.as_ref()).any(|url| url.file() == Some(file))
     }
 
-    /// The truth that lies beside it.
+    /// The truth that lies beside it, or that its server has of its run.
     pub fn truth(&self) -> Option<Url> {
-        truth_beside(self.place.path())
+        truth_of(&self.place)
     }
 
     /// Reads instants of its run from the truth beside it. Where the run is not known, they are as they are told.

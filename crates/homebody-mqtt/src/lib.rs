@@ -8,10 +8,12 @@
 //! with the same run and number. What a broker has acknowledged and then forgets, because it dies with its memory, is lost.
 
 mod address;
+mod certificate;
 mod clean;
 mod connection;
 mod discovery;
 mod entities;
+mod examine;
 mod flight;
 mod greeting;
 mod names;
@@ -24,7 +26,7 @@ mod zigbee;
 
 pub use address::{Address, Discovery, Style};
 pub use clean::{Cleaned, clean};
-pub use order::{Kind, Order, Reply, TakesOrders};
+pub use order::{Kind, Order, Reply, TakesOrders, order_of};
 pub use sink::{MqttSink, policy};
 
 use homebody_core::scenario::scheme::Scheme;
@@ -35,5 +37,13 @@ use homebody_log::sink::Sink;
 /// The kinds of places of this crate, for a program that installs them.
 pub fn elsewhere() -> Elsewhere {
     let open = |url: &Url| -> Box<dyn Sink> { Box::new(MqttSink::new(url)) };
-    Elsewhere { schemes: &[Scheme::Mqtt, Scheme::Mqtts], open, policy, forms: &[] }
+    Elsewhere {
+        schemes: &[Scheme::Mqtt, Scheme::Mqtts],
+        open,
+        policy,
+        forms: &[],
+        tables: None,
+        truth_of: None,
+        examine: examine::examine,
+    }
 }

@@ -180,6 +180,15 @@ pub(crate) fn heard(payload: &[u8], is_kept: bool, run: &RunInfo) -> (Asked, Res
     (Asked { id, what }, order.and_then(|order| known(&order, run).map(|()| order)))
 }
 
+/// The order that a message is.
+///
+/// # Errors
+///
+/// Why it is none, in words for whoever has sent it.
+pub fn order_of(payload: &[u8]) -> Result<Order, String> {
+    understood(payload).2.map_err(readable)
+}
+
 /// The order's id, its word, and the order.
 fn understood(payload: &[u8]) -> (Option<Value>, Option<Value>, Result<Order, String>) {
     if payload.len() > LONGEST_BYTES {

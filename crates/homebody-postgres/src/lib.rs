@@ -20,6 +20,9 @@ mod runs;
 mod sink;
 
 mod source;
+mod tables;
+
+mod examine;
 
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
@@ -27,10 +30,22 @@ use homebody_log::elsewhere::Elsewhere;
 pub use sink::Postgres;
 pub use source::FORM;
 
+/// Whether a URL says which database is meant, without a look at whether it is there.
+///
+/// # Errors
+///
+/// All that is wrong with it, in words without a password.
+pub fn understood(url: &str) -> Result<(), homebody_log::LogError> {
+    server::Server::parse(url).map(drop)
+}
+
 /// PostgreSQL as a kind of place.
 pub const POSTGRESQL: Elsewhere = Elsewhere {
     schemes: &[Scheme::Postgresql],
     open: |url| Box::new(Postgres::new(url)),
     policy: Policy::default,
     forms: &[FORM],
+    tables: Some(tables::read),
+    truth_of: Some(tables::truth_of),
+    examine: examine::examine,
 };
