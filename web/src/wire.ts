@@ -299,7 +299,7 @@ export type ChartView = { measure: string, title: string, unit: CareUnit,
  */
 little: number, is_guess: boolean, days: Array<PointView>, };
 
-export type CareUnit = "hours" | "clock" | "times" | "of_usual";
+export type CareUnit = "hours" | "clock" | "times" | "of_usual" | "metres_a_second";
 
 export type PointView = { day: string, value: number | null, 
 /**

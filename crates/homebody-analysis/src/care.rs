@@ -86,6 +86,8 @@ pub enum Unit {
     Times,
     /// Multiples of what is usual.
     OfUsual,
+    /// Metres a second.
+    MetresASecond,
 }
 
 /// A day of a chart.
@@ -115,7 +117,7 @@ pub const LAST_DAYS: usize = 14;
 /// A day is told as unusual that is so many standard deviations from the mean (ours), and what is less than these apart is
 /// usual all the same (ours).
 const UNUSUAL_SD: f64 = 2.0;
-const ASKED: [Asked; 8] = [
+const ASKED: [Asked; 10] = [
     Asked { measure: "sleep", title: "Sleep", unit: Unit::Hours, least_sd: 0.5, said: "Slept {}" },
     Asked { measure: "bedtime", title: "To bed", unit: Unit::Clock, least_sd: 0.4, said: "Went to bed at {}" },
     Asked { measure: "rising", title: "Up", unit: Unit::Clock, least_sd: 0.4, said: "Got up at {}" },
@@ -142,6 +144,20 @@ const ASKED: [Asked; 8] = [
         least_sd: 0.04,
         said: "Walked at {} of the pace of all days",
     },
+    Asked {
+        measure: "walking_speed",
+        title: "Walking speed",
+        unit: Unit::MetresASecond,
+        least_sd: 0.03,
+        said: "Walked at {}",
+    },
+    Asked {
+        measure: "company",
+        title: "Visitors",
+        unit: Unit::Hours,
+        least_sd: 0.5,
+        said: "Visitors were there for {}",
+    },
 ];
 
 /// How somebody is, by the measures of their days; `subject` is what sentences call them.
@@ -149,7 +165,9 @@ pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
     let last = measures.days.iter().rposition(counts);
     let mut charts = Vec::new();
     let mut days: Vec<DayTold> = measures.days.iter().map(nothing_told).collect();
-    for asked in &ASKED {
+    // The pace beside the usual is for homes of which nobody knows how far it is from sensor to sensor.
+    let has_speed = measures.days.iter().any(|day| day.value("walking_speed").is_some());
+    for asked in ASKED.iter().filter(|asked| !(has_speed && asked.unit == Unit::OfUsual)) {
         let chart = chart(asked, measures);
         if !chart.is_guess {
             let values: Vec<Option<f64>> = chart.days.iter().map(|day| day.value).collect();
@@ -201,7 +219,7 @@ fn of_day(asked: &Asked, value: f64, usual: Option<(f64, f64)>) -> Today {
         return Today { measure: asked.measure, words: told, is_more: None };
     };
     let is_more = ((value - mean).abs() > UNUSUAL_SD * sd).then_some(value > mean);
-    if asked.unit == Unit::OfUsual {
+    if matches!(asked.unit, Unit::OfUsual | Unit::MetresASecond) {
         let by = (value / mean - 1.0).abs() * 100.0;
         let words = match is_more {
             None => "Walked at the usual pace".to_owned(),
@@ -233,6 +251,7 @@ fn said(unit: Unit, value: f64) -> String {
         Unit::Times if value.fract() == 0.0 => format!("{value:.0} times"),
         Unit::Times => format!("{value:.1} times"),
         Unit::OfUsual => format!("{:.0} %", value * 100.0),
+        Unit::MetresASecond => format!("{value:.2} m/s"),
     }
 }
 

@@ -50,11 +50,12 @@ pub(crate) fn broken(path: &Path, what: &str, why: impl ToString) -> LogError {
     LogError::NoLog { place: path.display().to_string(), why: readable(why) }
 }
 
-/// What becomes of the URL of an object store.
+/// What becomes of the URL of an object store in a build that knows none.
+#[cfg_attr(feature = "cloud", expect(dead_code, reason = "stores are known"))]
 pub(crate) fn no_store(url: &Path) -> LogError {
     LogError::CannotHold {
         place: format!("parquet:{}", url.display()),
         what: "a log: this program has no object store".into(),
-        hint: "take a folder, parquet:lives, and copy it",
+        hint: "build it with --features cloud; or take a folder, parquet:lives, and copy it",
     }
 }

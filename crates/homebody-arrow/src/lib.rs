@@ -10,6 +10,8 @@ mod fault;
 mod layout;
 mod sink;
 mod source;
+#[cfg(feature = "cloud")]
+mod store;
 
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
@@ -22,4 +24,7 @@ pub const ELSEWHERE: Elsewhere = Elsewhere {
     fleet: None,
     policy: Policy::default,
     forms: &source::FORMS,
+    tables: Some(source::read_tables),
+    truth_of: None,
+    examine: source::examine,
 };

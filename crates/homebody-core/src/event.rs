@@ -1,5 +1,6 @@
 //! What comes out of the world: firings, and apart from them the truth.
 
+use crate::deed::Deed;
 use crate::geometry::Point;
 use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
 use crate::scenario::path::Posture;
@@ -191,10 +192,10 @@ pub enum Fact {
         /// Its label, such as `sleeping`; `None` where nothing in particular is done.
         name: Option<String>,
     },
-    /// A resident used a thing.
+    /// A thing was used.
     Use {
-        /// Who used it.
-        resident: ResidentId,
+        /// Who used it; `None` where it was nobody who lives there or visits.
+        resident: Option<ResidentId>,
         /// When, in microseconds since the run's start.
         at: Micros,
         /// The thing, and how it is afterwards.
@@ -221,6 +222,13 @@ pub enum Fact {
         name: String,
         /// 1 is a moderate case, 0 none.
         severity: f64,
+    },
+    /// Something was done from outside. Of who falls, no room holds that was told for an instant after this.
+    Outside {
+        /// When, in microseconds since the run's start.
+        at: Micros,
+        /// What.
+        deed: Deed,
     },
 }
 

@@ -2,7 +2,7 @@
 
 use crate::numbers::Number;
 use crate::sensors::{bed, light, power, stove_temperature, temperature};
-use crate::{home, link, world};
+use crate::{home, link, outside, world};
 
 /// All of them: of sensors and what they see, and of the link.
 pub fn numbers() -> Vec<Number> {
@@ -17,6 +17,7 @@ pub fn numbers() -> Vec<Number> {
         temperature::NUMBERS,
         link::NUMBERS,
         link::radio::NUMBERS,
+        outside::NUMBERS,
     ];
     modules.concat().into_iter().cloned().collect()
 }

@@ -1,17 +1,16 @@
 //! A recording: the scenario with its live input, the seed, the length, and a sign by which a replay can
 //! be told to be the same. That is all a run depends on, so it is enough to live it again, byte for byte.
 
+use crate::deed::FromOutside;
 use crate::event::{Firing, Value};
 use crate::problem::Problems;
 use crate::run::{DriverProvider, Run};
 use crate::scenario::load::Scenario;
-use crate::time::{DAY, Micros};
+pub use crate::time::LONGEST;
+use crate::time::Micros;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-
-/// No run is longer: a hundred years.
-pub const LONGEST: Micros = 36_525 * DAY;
 
 /// A run that can be lived again.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -42,6 +41,9 @@ pub struct Recording {
     /// How long it was to be, where it was stopped before, in microseconds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stopped_of_us: Option<Micros>,
+    /// What was done to it from outside, in order of time.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub outside: Vec<FromOutside>,
     /// How many rows each place of its log has got; None until the run is complete, and where nobody has counted them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rows: Option<u64>,
@@ -70,6 +72,7 @@ impl Recording {
             home: None,
             run_id: None,
             stopped_of_us: None,
+            outside: Vec::new(),
             rows: None,
             firings: 0,
             sha256: String::new(),
@@ -124,9 +127,11 @@ impl Recording {
         Scenario::load(&self.files, &self.entry)
     }
 
-    /// The recorded run from its start.
+    /// The recorded run from its start, with what was done to it from outside.
     pub fn run(&self, scenario: &Scenario, drivers_of: &dyn DriverProvider) -> Run {
-        Run::new(scenario, drivers_of, self.seed, self.length_us)
+        let mut run = Run::new(scenario, drivers_of, self.seed, self.length_us);
+        run.from_outside(self.outside.iter().cloned());
+        run
     }
 }
 

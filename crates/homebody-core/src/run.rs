@@ -1,5 +1,6 @@
 //! A run: residents with their drivers in a world, and the one loop of the program.
 
+use crate::deed::{Deed, FromOutside};
 use crate::drivers::absent::Absent;
 use crate::drivers::error::{DriverError, DriverFault, MOST_ANSWERS, WALL_M};
 use crate::drivers::input::Input;
@@ -12,14 +13,17 @@ use crate::home::sun::Sun;
 use crate::home::{Build, Home};
 use crate::ids::{ResidentId, RoomId, ThingId};
 use crate::link::{self, Link};
+use crate::outside::{Known, Refusal};
+use crate::scenario::link::Span;
 use crate::scenario::load::{self, Scenario};
 use crate::scene::{Presence, Scene};
 use crate::sensor_set::SensorSet;
 use crate::sensors::Sensor;
 use crate::stride::Stride;
-use crate::time::{Micros, SECOND};
+use crate::time::{Micros, NEVER, SECOND};
 use crate::world::World;
 use std::borrow::Cow;
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// A scenario being lived. A clone continues exactly as the original.
@@ -33,11 +37,15 @@ pub struct Run {
     told: Vec<Told>,
     /// By thing of the plan: who has turned it on, or opened it.
     users: Vec<Vec<ResidentId>>,
-    /// By thing of the plan: whether it is on, or open.
+    /// By thing of the plan: whether it is on, or open, and whether that was done from outside.
     on: Vec<bool>,
+    by_outside: Vec<bool>,
     /// Nothing where all that sensors say reaches the logger at once.
     link: Option<Box<Link>>,
     length: Micros,
+    seed: u64,
+    /// What is still to be done from outside, in order of time.
+    outside: VecDeque<FromOutside>,
     /// Why it goes no further.
     failure: Option<DriverError>,
 }
@@ -135,7 +143,8 @@ impl Run {
     /// A run of any drivers in a baked home.
     pub fn of(home: Arc<Home>, builds: Vec<Build>, drivers: Vec<Box<dyn Driver>>, seed: u64, length: Micros) -> Run {
         let users = vec![Vec::new(); home.plan.things.len()];
-        let on = home.plan.things.iter().map(|thing| thing.on).collect();
+        let on: Vec<bool> = home.plan.things.iter().map(|thing| thing.on).collect();
+        let by_outside = vec![false; on.len()];
         let world = World::new(home, drivers.len(), seed);
         let names = (1..=drivers.len()).map(|number| format!("resident {number}")).collect();
         Run {
@@ -146,8 +155,11 @@ impl Run {
             drivers,
             users,
             on,
+            by_outside,
             link: None,
             length,
+            seed,
+            outside: VecDeque::new(),
             failure: None,
         }
     }
@@ -222,6 +234,13 @@ impl Run {
         }
     }
 
+    /// From now on this is done to the run from outside as well, each at its instant; what is past is done now.
+    pub fn from_outside(&mut self, done: impl IntoIterator<Item = FromOutside>) {
+        self.outside.extend(done);
+        // Of one instant, in the order in which it was said.
+        self.outside.make_contiguous().sort_by_key(|one| one.at_us);
+    }
+
     /// Lives until `until` or the end of the run, whichever is first, and adds to `events` what happens
     /// before then. In how many steps a run is advanced changes nothing.
     ///
@@ -244,6 +263,9 @@ impl Run {
         let mut link = self.link.take();
         let mut said = Events::default();
         while self.now() < until && self.failure.is_none() && events.len() < most {
+            while self.outside.front().is_some_and(|first| first.at_us <= self.now()) {
+                self.do_from_outside(&mut link, events);
+            }
             self.failure = self.begin_due(events).err();
             if self.failure.is_some() {
                 break;
@@ -300,7 +322,8 @@ impl Run {
     /// Lets the world go on until somebody's move is over, or `until`.
     fn go_on(&mut self, until: Micros, events: &mut Events) {
         let next = self.occupants.iter().map(|occupant| occupant.segment.end).min();
-        self.world.advance(until.min(next.unwrap_or(until)), events);
+        let done = self.outside.front().map_or(until, |first| first.at_us);
+        self.world.advance(until.min(next.unwrap_or(until)).min(done), events);
     }
 
     /// Lives the run from its beginning and returns what each resident does, for those who want to live it in another
@@ -310,7 +333,7 @@ impl Run {
     ///
     /// As [`Run::advance`].
     pub fn moves(&self) -> Result<Vec<Vec<MotionSegment>>, DriverError> {
-        let mut run = Run { link: None, ..self.clone() };
+        let mut run = Run { link: None, outside: VecDeque::new(), ..self.clone() };
         let mut moves = vec![Vec::new(); run.drivers.len()];
         let mut events = Events::default();
         while run.now() < run.length {
@@ -367,6 +390,107 @@ impl Run {
         Ok(())
     }
 
+    /// Whether this can be done from outside now.
+    ///
+    /// # Errors
+    ///
+    /// Why not: the home has no such thing, sensor or resident; it is so already; nobody can fall who is out or whose driver knows
+    /// no falls.
+    pub fn can_be_done(&self, deed: &Deed) -> Result<(), Refusal> {
+        match self.known(self.now(), deed)? {
+            Known::Use { thing, on } if self.will_be_on(thing) == on => {
+                let what = if on { "open, or on," } else { "closed, or off," };
+                Err(Refusal::new(format!("it is {what} already"), "nothing is to be done"))
+            }
+            Known::Fall { resident, lies } => self.can_fall(resident, lies),
+            _ => Ok(()),
+        }
+    }
+
+    fn known(&self, at: Micros, deed: &Deed) -> Result<Known, Refusal> {
+        let sensors: Vec<&str> = self.sensors().iter().map(|sensor| sensor.name.as_str()).collect();
+        let names = self.names();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        Known::of(deed, at, &self.home().plan, &sensors, &names)
+    }
+
+    fn can_fall(&self, resident: ResidentId, lies: Micros) -> Result<(), Refusal> {
+        let around = self.surroundings(resident);
+        if around.body().is_none() {
+            return Err(Refusal::new("they are not at home", "wait until they have come back"));
+        }
+        // Whether a driver can is known once it has.
+        match self.driver(resident).is_some_and(|driver| driver.copy().falls(&around, lies)) {
+            true => Ok(()),
+            false => Err(Refusal::new("they cannot fall", "only who lives by a routine falls")),
+        }
+    }
+
+    /// What a resident sees now.
+    fn surroundings(&self, resident: ResidentId) -> Surroundings<'_> {
+        Surroundings::new(self.now(), resident, &self.home().plan, &self.occupants, &self.on)
+    }
+
+    /// Whether a thing is on once all is done that is said from outside.
+    fn will_be_on(&self, thing: ThingId) -> bool {
+        let name = &self.home().plan.things[thing.index()].name;
+        let said = self.outside.iter().rev().find_map(|one| match &one.deed {
+            Deed::Use { thing, on } if thing == name => Some(*on),
+            _ => None,
+        });
+        said.unwrap_or(self.on[thing.index()])
+    }
+
+    /// Does the next of what is done from outside. What names what is not there was refused before.
+    fn do_from_outside(&mut self, link: &mut Option<Box<Link>>, events: &mut Events) {
+        let Some(FromOutside { deed, .. }) = self.outside.pop_front() else { return };
+        let now = self.now();
+        let Ok(known) = self.known(now, &deed) else { return };
+        events.facts.push(Fact::Outside { at: now, deed });
+        match known {
+            Known::Use { thing, on } => {
+                // Nobody who lives there has it in use.
+                self.users[thing.index()].clear();
+                self.by_outside[thing.index()] = true;
+                if self.on[thing.index()] != on {
+                    let act = ThingUse { thing, on };
+                    self.on[thing.index()] = on;
+                    events.facts.push(Fact::Use { resident: None, at: now, act });
+                    self.world.act(None, act);
+                }
+            }
+            Known::Fail { sensor, failure, until } => {
+                let link = link.get_or_insert_with(|| Box::new(self.perfect_link()));
+                let name = &self.world.home().sensors[sensor.index()].name;
+                let until = until.unwrap_or(NEVER);
+                link.fails(sensor, failure, Span { begin: now, end: until }, name, self.seed);
+            }
+            Known::Fall { resident, lies } => self.fall(resident, lies, events),
+        }
+    }
+
+    /// A link on which nothing goes wrong, for a run that had none until now.
+    fn perfect_link(&self) -> Link {
+        let home = self.world.home();
+        let sensors = home.sensors.iter().map(|sensor| (sensor.name.as_str(), sensor.senses_motion()));
+        Link::perfect(sensors, &home.numbers, self.seed, self.world.said())
+    }
+
+    /// Somebody falls where they are: what their body was doing ends now.
+    fn fall(&mut self, resident: ResidentId, lies: Micros, events: &mut Events) {
+        let now = self.now();
+        let cut = self.occupants[resident.index()].segment.until(now);
+        let here = cut.to();
+        self.occupants[resident.index()].segment = cut;
+        let around = Surroundings::new(now, resident, &self.world.home().plan, &self.occupants, &self.on);
+        self.drivers[resident.index()].falls(&around, lies);
+        // They are not going to come through the rooms that were still before them.
+        if let Some(here) = here {
+            let room = self.home().plan.room_at(here);
+            self.tell_rooms(resident, vec![(now, room)], events);
+        }
+    }
+
     /// A resident uses a thing. What several have turned on goes off with the last of them; what somebody else has left on,
     /// anybody turns off.
     fn act(&mut self, resident: ResidentId, act: ThingUse, now: Micros, events: &mut Events) {
@@ -382,10 +506,13 @@ impl Run {
             users.clear();
         }
         let changes = if act.on { !was_on } else { users.is_empty() };
-        if changes {
+        // What somebody outside has done already is not done again.
+        let is_done = self.by_outside[act.thing.index()] && self.on[act.thing.index()] == act.on;
+        if changes && !is_done {
+            self.by_outside[act.thing.index()] = false;
             self.on[act.thing.index()] = act.on;
-            events.facts.push(Fact::Use { resident, at: now, act });
-            self.world.act(resident, act);
+            events.facts.push(Fact::Use { resident: Some(resident), at: now, act });
+            self.world.act(Some(resident), act);
         }
     }
 

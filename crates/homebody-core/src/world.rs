@@ -182,10 +182,15 @@ impl World {
         self.tell(&Change::Body { resident, begin, end, doing, posture });
     }
 
-    /// A resident uses a thing, now.
-    pub fn act(&mut self, resident: ResidentId, act: ThingUse) {
+    /// A thing is used, now; by a resident unless it is from outside.
+    pub fn act(&mut self, resident: Option<ResidentId>, act: ThingUse) {
         let ThingUse { thing, on } = act;
         self.tell(&Change::Use { resident, thing, on });
+    }
+
+    /// How many messages have left the sensors.
+    pub fn said(&self) -> u64 {
+        self.seq
     }
 
     /// From now on a resident's heart and lungs are like this.

@@ -80,7 +80,7 @@ fn said(
             match what {
                 Happens::Act(name, on) => {
                     let thing = ThingId::of(world.home().plan.thing(name).unwrap());
-                    world.act(ResidentId::of(*who), ThingUse { thing, on: *on });
+                    world.act(Some(ResidentId::of(*who)), ThingUse { thing, on: *on });
                 }
                 Feels(pulse, respiration) => {
                     world.feel(ResidentId::of(*who), Vitals { pulse: *pulse, respiration: *respiration });

@@ -57,7 +57,7 @@ impl Case {
                 let (now, later) = (at(doings, now), at(doings, now + 1));
                 for &(_, done) in &doings[now..later] {
                     match done {
-                        Done::Use(act) => self.world.act(ResidentId::of(resident), act),
+                        Done::Use(act) => self.world.act(Some(ResidentId::of(resident)), act),
                         Done::Vitals(vitals) => self.world.feel(ResidentId::of(resident), vitals),
                     }
                 }

@@ -172,7 +172,7 @@ impl LoggedLife {
     fn heard_of(&self, log: &Log) -> Result<Measures, NotMeasured> {
         let asked = Asked { recorded: Some(self.recorded.clone()), ..Asked::default() };
         let known = Known { rooms: &self.rooms, ways: self.ways.as_ref() };
-        Ok(Measures::heard_at_home("", log, &known, &asked)?)
+        Ok(Measures::heard("", log, &known, &asked)?)
     }
 }
 

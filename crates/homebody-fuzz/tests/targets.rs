@@ -72,6 +72,8 @@ each! {
     columns: "columns",
     sources: "source",
     truths: "truth",
+    tables_of_truths: "tables",
+    servers: "server",
     plans: "plan",
     texts: "text",
     messages_of_the_page: "wire",

@@ -18,9 +18,10 @@ pub struct Tidied {
 #[cfg(feature = "mqtt")]
 mod built {
     use super::*;
+    use crate::outside::{Asked, Failure, Wish};
     use crate::pace::{Command, Speed};
     use homebody_core::time::micros;
-    use homebody_mqtt::{Address, MqttSink, Order, TakesOrders, clean, policy};
+    use homebody_mqtt::{Address, Kind, MqttSink, Order, Reply, TakesOrders, clean, policy};
     use std::sync::mpsc::{Receiver, sync_channel};
 
     /// So many orders wait to be done (ours).
@@ -43,65 +44,128 @@ mod built {
             }
             paced.keep_to_life();
         }
-        let (takes, commands) = orders(is_live);
+        let (takes, commands, asked) = orders(is_live);
         paced.hear(commands);
+        paced.outside.push(asked);
         let sink = if is_live { MqttSink::live(url) } else { MqttSink::new(url) };
         Ok(Some(Destination::own(url.to_string(), sink.with_orders(takes), policy())))
     }
 
-    /// Who takes orders for a run, and where they come out as what a run can be told.
-    fn orders(is_live: bool) -> (TakesOrders, Receiver<Command>) {
+    /// Who takes orders for a run, and where they come out as what a run can be told, and as what is to be done to it.
+    fn orders(is_live: bool) -> (TakesOrders, Receiver<Command>, Receiver<Asked>) {
         let (say, commands) = sync_channel(MOST_WAITING);
-        let takes = move |order: &Order| {
-            let command = match *order {
-                Order::Pause {} => Command::Pause,
-                Order::Resume {} => Command::Resume,
-                Order::Step { seconds } => Command::Step(micros(seconds)),
-                Order::Speed { times } if is_live && times > 1.0 => {
-                    return Err("this broker is told at the pace of life: times is at most 1".into());
+        let (ask, asked) = sync_channel(MOST_WAITING);
+        let takes = move |order: Order, reply: Reply| match meant(order, is_live) {
+            Err((why, hint)) => reply.refused(why, hint),
+            Ok(Meant::Pace(command)) => match say.try_send(command) {
+                Ok(()) => reply.done(),
+                Err(_) => reply.refused(BUSY.0, BUSY.1),
+            },
+            Ok(Meant::Deed(wish)) => {
+                // What has no room is told so, and what nobody hears any more, that the run is over.
+                let answer = Box::new(move |outcome: Result<_, homebody_core::outside::Refusal>| match outcome {
+                    Ok(at) => reply.done_at(at),
+                    Err(refusal) => reply.refused(refusal.why, refusal.hint),
+                });
+                if let Err(std::sync::mpsc::TrySendError::Full(Asked { answer, .. })) =
+                    ask.try_send(Asked { wish, answer })
+                {
+                    answer(Err(homebody_core::outside::Refusal::new(BUSY.0, BUSY.1)));
                 }
-                Order::Speed { times } => Command::Speed(Speed::times(times).ok_or("no run goes at this speed")?),
-                Order::Stop {} => Command::Stop,
-                Order::Open { .. } | Order::Close { .. } | Order::On { .. } | Order::Off { .. } => {
-                    return Err("what is used in this run is decided by who lives there".into());
-                }
-                Order::Fault { .. } => return Err("the faults of this run are those of its link file".into()),
-                Order::Fall { .. } => return Err("what happens to who lives there is in their routine".into()),
-            };
-            say.try_send(command).map_err(|_| "the run has not done yet what it was told before".into())
+            }
         };
-        (Box::new(takes), commands)
+        (Box::new(takes), commands, asked)
+    }
+
+    const BUSY: (&str, &str) = ("the run has not done yet what it was told before", "say it again a little later");
+
+    /// What an order means to a run.
+    enum Meant {
+        Pace(Command),
+        Deed(Wish),
+    }
+
+    fn meant(order: Order, is_live: bool) -> Result<Meant, (&'static str, &'static str)> {
+        let minutes = |minutes: f64| micros(minutes * 60.0);
+        Ok(Meant::Deed(match order {
+            Order::Pause {} => return Ok(Meant::Pace(Command::Pause)),
+            Order::Resume {} => return Ok(Meant::Pace(Command::Resume)),
+            Order::Step { seconds } => return Ok(Meant::Pace(Command::Step(micros(seconds)))),
+            Order::Stop {} => return Ok(Meant::Pace(Command::Stop)),
+            Order::Speed { times } if is_live && times > 1.0 => {
+                return Err((
+                    "this broker is told at the pace of life",
+                    "times is at most 1; ?allow-fast=true of the place lets a run go faster",
+                ));
+            }
+            Order::Speed { times } => {
+                let speed = Speed::times(times).ok_or(("no run goes at this speed", "times is from 0.1 to 1000"))?;
+                return Ok(Meant::Pace(Command::Speed(speed)));
+            }
+            Order::Open { thing } | Order::On { thing } => Wish::Use { thing, on: true },
+            Order::Close { thing } | Order::Off { thing } => Wish::Use { thing, on: false },
+            Order::Fault { sensor, kind, minutes: lasts, fading_minutes, every_s, loss } => {
+                let failure = match kind {
+                    Kind::Dead => Failure::Battery { fades_us: 0 },
+                    Kind::Battery => Failure::Battery { fades_us: fading_minutes.map_or(0, minutes) },
+                    Kind::Stuck => Failure::Stuck { every_us: every_s.map(micros) },
+                    Kind::FallsOff => Failure::FallsOff,
+                    Kind::BadLink => Failure::BadLink { lost_ppm: (loss.unwrap_or(1.0) * 1e6).round() as u32 },
+                };
+                Wish::Fail { sensor, failure, lasts: lasts.map(minutes) }
+            }
+            Order::Fall { resident, minutes: lies } => Wish::Fall { resident, lies: lies.map(minutes) },
+        }))
     }
 
     #[cfg(test)]
     mod tests {
         use super::*;
 
+        fn command(order: Order, is_live: bool) -> Option<Command> {
+            match meant(order, is_live) {
+                Ok(Meant::Pace(command)) => Some(command),
+                _ => None,
+            }
+        }
+
+        fn wish(order: serde_json::Value) -> Wish {
+            match meant(serde_json::from_value(order).expect("it is an order"), true) {
+                Ok(Meant::Deed(wish)) => wish,
+                _ => panic!("no deed"),
+            }
+        }
+
         #[test]
-        fn a_run_is_told_what_it_can_do_and_the_rest_is_refused() {
-            let (mut takes, commands) = orders(true);
-            for order in [Order::Pause {}, Order::Resume {}, Order::Step { seconds: 1.5 }, Order::Speed { times: 0.5 }]
-            {
-                assert_eq!(takes(&order), Ok(()));
-            }
-            assert_eq!(takes(&Order::Stop {}), Ok(()));
-            let said: Vec<Command> = commands.try_iter().collect();
-            let step = Command::Step(1_500_000);
-            assert_eq!(said, [Command::Pause, Command::Resume, step, Command::Speed(Speed::Times(0.5)), Command::Stop]);
-            let (thing, sensor, resident) = ("stove".to_owned(), "bed".to_owned(), "margaret".to_owned());
-            for order in [
-                Order::Open { thing },
-                Order::Fault { sensor, kind: "dead".into() },
-                Order::Fall { resident },
-                Order::Speed { times: 2.0 },
+        fn a_run_is_told_what_orders_mean() {
+            assert_eq!(command(Order::Step { seconds: 1.5 }, true), Some(Command::Step(1_500_000)));
+            assert_eq!(command(Order::Speed { times: 0.5 }, true), Some(Command::Speed(Speed::Times(0.5))));
+            assert_eq!(command(Order::Speed { times: 2.0 }, true), None);
+            assert_eq!(command(Order::Speed { times: 2.0 }, false), Some(Command::Speed(Speed::Times(2.0))));
+            let door = |on| Wish::Use { thing: "door".into(), on };
+            assert_eq!(wish(serde_json::json!({ "do": "open", "thing": "door" })), door(true));
+            assert_eq!(wish(serde_json::json!({ "do": "off", "thing": "door" })), door(false));
+            let fails = |failure, lasts| Wish::Fail { sensor: "bed".into(), failure, lasts };
+            for (order, failure, lasts) in [
+                (serde_json::json!({ "kind": "dead" }), Failure::Battery { fades_us: 0 }, None),
+                (
+                    serde_json::json!({ "kind": "battery", "fading_minutes": 2, "minutes": 3 }),
+                    Failure::Battery { fades_us: 120_000_000 },
+                    Some(180_000_000),
+                ),
+                (
+                    serde_json::json!({ "kind": "stuck", "every_s": 7 }),
+                    Failure::Stuck { every_us: Some(7_000_000) },
+                    None,
+                ),
+                (serde_json::json!({ "kind": "bad_link", "loss": 0.25 }), Failure::BadLink { lost_ppm: 250_000 }, None),
             ] {
-                assert!(takes(&order).is_err(), "{order:?}");
+                let mut whole = order.clone();
+                (whole["do"], whole["sensor"]) = ("fault".into(), "bed".into());
+                assert_eq!(wish(whole), fails(failure, lasts), "{order}");
             }
-            assert_eq!(commands.try_iter().count(), 0);
-            let (mut takes, commands) = orders(false);
-            assert!(takes(&Order::Speed { times: 2.0 }).is_ok());
-            drop(commands);
-            assert!(takes(&Order::Speed { times: 2.0 }).is_err(), "nobody is there to be told");
+            let fall = wish(serde_json::json!({ "do": "fall", "resident": "margaret", "minutes": 0.5 }));
+            assert_eq!(fall, Wish::Fall { resident: "margaret".into(), lies: Some(30_000_000) });
         }
     }
 }

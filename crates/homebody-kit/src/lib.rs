@@ -32,6 +32,7 @@ mod scenario;
 /// models may come out otherwise.
 pub const VERSION: &str = env!("HOMEBODY_VERSION");
 
+pub mod outside;
 pub mod pace;
 mod cancel;
 mod own_driver;
@@ -42,6 +43,7 @@ pub mod destination;
 pub mod elsewhere;
 mod broker;
 mod beside;
+mod touched;
 mod store;
 mod recorded;
 mod live_home;
@@ -56,6 +58,7 @@ mod log_with_run;
 mod translation;
 mod following;
 mod health;
+mod examined;
 
 /// A log that was walked back, as a folder.
 pub mod walked;
@@ -69,9 +72,11 @@ pub use cohort::{Cohort, CohortSetup, LivedCohort, Member, UnfinishedCohort};
 pub use cohort_list::{CohortList, ListedMember};
 pub use destination::{Destination, Policy, Sink};
 pub use error::{BoxError, Error};
+pub use examined::{Examined, Examining};
 pub use following::{Following, Learnt, Presence};
 pub use health::{Found, Health, health};
 pub use homebody_infer::{Ailment, Ill, Kind, Spell};
+pub use homebody_log::examine::{Check, Verdict};
 pub use homebody_log::places::LIST;
 pub use homebody_log::{Url, WhenDown};
 pub use homebody_routine::living::account::Difference;

@@ -82,6 +82,7 @@ impl LiveHome {
         let pace = Pace::on_wall(self.run.scenario.calendar.timestamp(0));
         self.run.keep_pace(pace, cancel);
         self.run.meters = meters.clone();
+        self.places.is_followed = true;
         let own = beside::destinations(out, when, Some(&self.folder), &mut self.run.paced)?;
         self.run.store_into(&self.places, own, self.how, progress)
     }

@@ -3,8 +3,9 @@
 
 use crate::error::Error;
 use homebody_analysis::dates::{date_of, dates, on_wall, put_on_wall};
+use homebody_analysis::density::{Asked, NoMap};
 use homebody_analysis::look::HomeSensor;
-use homebody_analysis::measures::Ways;
+use homebody_analysis::measures::{Known, Measures, Ways};
 use homebody_analysis::signs::{Kind, Says, says};
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
@@ -16,7 +17,7 @@ use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
 use homebody_log::source::Clock;
 use homebody_log::truth::tables;
 use homebody_log::word::one_word;
-use homebody_log::{Life, Log, LogError, RunClock, Source, Url, lives, read, stream, survey, truth_beside};
+use homebody_log::{Life, Log, LogError, RunClock, Source, Url, lives, read, stream, survey, truth_of};
 use homebody_walk::Mesh;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
@@ -140,7 +141,7 @@ impl LogWithRun {
     }
 
     /// How far it is from sensor to sensor along the ways of its home, where that is known. It is some tenths of a second of work.
-    pub fn ways(&self) -> Option<Ways> {
+    fn ways(&self) -> Option<Ways> {
         let scenario = self.home.as_ref()?;
         let radius_m = scenario.residents.first()?.file.radius_m;
         let mesh = Mesh::with_numbers(scenario.home.plan(), radius_m, scenario.home.numbers());
@@ -149,6 +150,17 @@ impl LogWithRun {
             vec![id.to_owned(), one_word(id)]
         };
         Some(Ways::of(&scenario.home, &|from, to| mesh.path(from, to), &called))
+    }
+
+    /// Measures of its days, with all that its home tells.
+    ///
+    /// # Errors
+    ///
+    /// If no sensor tells of motion, or the days are too many.
+    pub fn measures(&self) -> Result<Measures, NoMap> {
+        let asked = Asked { recorded: self.recorded.clone(), ..Asked::default() };
+        let ways = self.ways();
+        Measures::heard(&self.name, &self.log, &Known { rooms: &self.rooms, ways: ways.as_ref() }, &asked)
     }
 
     /// When guests were in the home, as the truth tells it; `None` where it is not known who lives there.
@@ -335,9 +347,9 @@ impl NamedLog {
         logs_of(folder, self.scenario.as_ref()).any(|url| url.file() == Some(file))
     }
 
-    /// The truth that lies beside it.
+    /// The truth that lies beside it, or that its server has of its run.
     pub fn truth(&self) -> Option<Url> {
-        truth_beside(self.place.path())
+        truth_of(&self.place)
     }
 
     /// Reads instants of its run from the truth beside it. Where the run is not known, they are as they are told.

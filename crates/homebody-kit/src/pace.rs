@@ -2,6 +2,7 @@
 //! it, so the log has the same bytes at any pace.
 
 use crate::cancel::Cancel;
+use crate::outside::Asked;
 use homebody_core::problem::readable;
 use homebody_core::time::{Micros, SECOND, micros};
 use jiff::Timestamp;
@@ -207,6 +208,9 @@ const FRAME: Duration = Duration::from_millis(16);
 /// A run on the world's clock that is behind by more than this hurries (ours).
 const BEHIND: Micros = SECOND;
 
+/// So much is done to a run between two looks at the clock (ours): what more is asked for waits.
+const AT_ONCE: usize = 100;
+
 /// Keeps a run at its pace: waits, and does what is said meanwhile.
 pub(crate) struct Paced {
     pace: Pace,
@@ -216,17 +220,29 @@ pub(crate) struct Paced {
     from_afar: Vec<Receiver<Command>>,
     /// Whether it goes no faster than life, whatever it is told.
     keeps_to_life: bool,
+    /// What is asked to be done to the run.
+    pub(crate) outside: Vec<Receiver<Asked>>,
 }
 
 impl Paced {
     pub fn new(pace: Pace, cancel: Cancel, commands: Option<Receiver<Command>>) -> Paced {
-        Paced { pace, cancel, commands, from_afar: Vec::new(), keeps_to_life: false }
+        Paced { pace, cancel, commands, from_afar: Vec::new(), keeps_to_life: false, outside: Vec::new() }
     }
 
     /// Does what is said there, too.
     #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "brokers say it"))]
     pub fn hear(&mut self, commands: Receiver<Command>) {
         self.from_afar.push(commands);
+    }
+
+    /// What was asked to be done to the run by now.
+    pub fn asked(&self) -> Vec<Asked> {
+        self.outside.iter().flat_map(|asked| asked.try_iter()).take(AT_ONCE).collect()
+    }
+
+    /// Whether it has to catch up with the world's clock.
+    pub fn is_behind(&self, now: Micros) -> bool {
+        self.pace.on_wall.is_some() && self.pace.due().saturating_sub(now) > BEHIND
     }
 
     /// Whether it goes no faster than life by now.
@@ -245,8 +261,7 @@ impl Paced {
     pub fn next(&mut self, now: Micros) -> Option<Micros> {
         while !self.cancel.is_cancelled() {
             let until = self.pace.due();
-            let hurries =
-                self.pace.speed == Speed::Max || until.saturating_sub(now) > BEHIND && self.pace.on_wall.is_some();
+            let hurries = self.pace.speed == Speed::Max || self.is_behind(now);
             let wait = if until > now && hurries { Duration::ZERO } else { FRAME };
             match self.heard(wait, now) {
                 Some(Command::Stop) => break,

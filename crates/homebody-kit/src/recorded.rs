@@ -5,6 +5,7 @@ use crate::beside;
 use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::meters::Meters;
+use crate::outside::Asked;
 use crate::pace::{Command, Pace, Paced};
 use crate::run::{LiveRun, Progress};
 use crate::store::Lived;
@@ -124,6 +125,12 @@ impl Unfinished {
     /// At which pace it is lived, what is said to it meanwhile, and who may end it.
     pub fn paced(mut self, pace: Pace, commands: Option<Receiver<Command>>, cancel: &Cancel) -> Unfinished {
         self.run.paced = Paced::new(pace, cancel.clone(), commands);
+        self
+    }
+
+    /// What is asked for through this channel is done to the run: see [`outside`](crate::outside).
+    pub fn outside(mut self, asked: Receiver<Asked>) -> Unfinished {
+        self.run.paced.outside.push(asked);
         self
     }
 

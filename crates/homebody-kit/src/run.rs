@@ -4,6 +4,7 @@ use crate::VERSION;
 use crate::cancel::Cancel;
 use crate::error::{BoxError, Error};
 use crate::meters::Meters;
+use crate::outside::Asked;
 use crate::own_driver::{MakeDriver, Provider};
 use crate::pace::{Command, Pace, Paced};
 use crate::scenario::OpenScenario;
@@ -45,6 +46,7 @@ pub struct RunSetup {
     drivers: BTreeMap<String, MakeDriver>,
     pace: Pace,
     commands: Option<Receiver<Command>>,
+    outside: Option<Receiver<Asked>>,
     cancel: Cancel,
 }
 
@@ -97,6 +99,7 @@ impl RunSetup {
             drivers: BTreeMap::new(),
             pace: Pace::default(),
             commands: None,
+            outside: None,
             cancel: Cancel::new(),
         }
     }
@@ -166,6 +169,12 @@ impl RunSetup {
         self
     }
 
+    /// What is asked for through this channel is done to the run while it is stored: see [`outside`](crate::outside).
+    pub fn outside(mut self, asked: Receiver<Asked>) -> RunSetup {
+        self.outside = Some(asked);
+        self
+    }
+
     /// The run ends early once this handle says so.
     pub fn cancel(mut self, cancel: &Cancel) -> RunSetup {
         self.cancel = cancel.clone();
@@ -197,9 +206,11 @@ impl RunSetup {
         let run = Run::new(scenario, &provider, seed, length);
         let mut pace = self.pace;
         pace.count_from(0);
+        let mut paced = Paced::new(pace, self.cancel, self.commands);
+        paced.outside.extend(self.outside);
         Ok(LiveRun {
             has_own_driver: !own.is_empty(),
-            paced: Paced::new(pace, self.cancel, self.commands),
+            paced,
             ..LiveRun::of(scenario.clone(), run, recording, opened.paths())
         })
     }

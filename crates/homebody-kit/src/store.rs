@@ -205,10 +205,11 @@ impl LiveRun {
     ) -> Result<Lived, Error> {
         let started = Instant::now();
         let version = VERSION.into();
-        let recording = Recording { version, ..self.recording.clone() };
+        let mut recording = Recording { version, ..self.recording.clone() };
         let mut log = RunLog::open_with(places, own, &self.scenario, &self.run, &recording, how)?;
         self.meters.begin(self.scenario.calendar.timestamp(0), log.meters());
         let ended = loop {
+            self.hear_outside(&log, &mut recording)?;
             let lived_on = self.live_on();
             // What happened before a driver went wrong is stored, too.
             log.store(&self.run, &self.events)?;

@@ -48,7 +48,7 @@ impl Truth {
     /// When somebody turned a thing on or off.
     fn uses(&self, who: u32, thing: &str, on: bool) -> Vec<Micros> {
         let uses = self.facts.iter().filter_map(|fact| match fact {
-            Fact::Use { resident: ResidentId(id), at, act }
+            Fact::Use { resident: Some(ResidentId(id)), at, act }
                 if *id == who && act.on == on && self.things[act.thing.index()] == thing =>
             {
                 Some(*at)

@@ -26,6 +26,11 @@ impl Destination {
         Destination { place: url.to_string(), sink: sink::open(url), policy, meter: Arc::default() }
     }
 
+    /// The same for a home that nobody knows when it ends: a text file has its name from its first line on.
+    pub fn followed(url: &Url) -> Destination {
+        Destination { sink: sink::open_as(url, true), ..Destination::of(url) }
+    }
+
     /// A caller's own.
     pub fn own(place: impl Into<String>, sink: impl Sink + 'static, policy: Policy) -> Destination {
         Destination { place: place.into(), sink: Box::new(sink), policy, meter: Arc::default() }

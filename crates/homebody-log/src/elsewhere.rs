@@ -2,10 +2,11 @@
 //!
 //! A program that has them says so once, before all else, by [`install`]; from then on they are opened and read as all others are.
 
+use crate::check::Examine;
 use crate::fleet::FleetSink;
 use crate::policy::Policy;
 use crate::sink::{Begin, Sink, Watermark};
-use crate::source::Form;
+use crate::source::{Form, ReadTables};
 use crate::table::Batch;
 use crate::{LogError, Url};
 use homebody_core::scenario::scheme::Scheme;
@@ -28,6 +29,12 @@ pub struct Elsewhere {
     pub policy: fn() -> Policy,
     /// The forms in which it reads logs.
     pub forms: &'static [Form],
+    /// What reads the tables of a truth there; None where no place of this kind keeps one.
+    pub tables: Option<ReadTables>,
+    /// The truth that such a place has of the run whose log is at the other; None where it has none, or cannot say.
+    pub truth_of: Option<fn(&Url) -> Option<Url>>,
+    /// What says what is wrong with such a place.
+    pub examine: Examine,
 }
 
 static INSTALLED: OnceLock<Vec<Elsewhere>> = OnceLock::new();

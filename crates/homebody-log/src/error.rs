@@ -195,7 +195,7 @@ pub enum LogError {
     },
     /// What is to be read is no truth of a run.
     #[error(
-        "{place} has no truth: {why}\n  hint: name the database that the log's run has left, or csv:FILE where its tables are texts"
+        "{place} has no truth: {why}\n  hint: name the database that the log's run has left, or csv:FILE, parquet:FILE and so on where each table is a file"
     )]
     NoTruth {
         /// The place.

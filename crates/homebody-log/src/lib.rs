@@ -30,6 +30,8 @@ pub mod run_info;
 pub mod policy;
 pub mod meter;
 pub mod sink;
+mod check;
+mod numbered;
 pub mod elsewhere;
 
 pub mod clock;
@@ -55,6 +57,7 @@ pub mod rows;
 pub mod preview;
 
 pub mod source;
+pub mod examine;
 mod spans;
 pub mod transfer;
 pub mod convert;
@@ -80,7 +83,7 @@ pub use sensor_info::SensorInfo;
 pub use sink::{Begin, How, Sink, Watermark};
 pub use source::{
     Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, SensorMap, Source, activities, ids, lives,
-    read, stream, survey, truth_at, truth_beside,
+    read, stream, survey, truth_at, truth_beside, truth_of,
 };
 pub use spool::WhenDown;
 pub use transfer::Transfer;

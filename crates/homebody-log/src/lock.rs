@@ -80,6 +80,13 @@ impl Drop for FileLock {
     }
 }
 
+/// Whether a program has a file that it writes: `None` where there is no lock file, and false where that is one that a killed program has
+/// left. Nothing is changed.
+pub fn is_held(path: &Path) -> Option<bool> {
+    let file = File::open(lock_of(path)).ok()?;
+    Some(matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
+}
+
 /// The lock file of a file.
 fn lock_of(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();

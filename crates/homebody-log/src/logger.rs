@@ -238,6 +238,11 @@ impl Logger {
         self.writers.iter().map(Writer::meter)
     }
 
+    /// Whether all that its places had of the run has been lived again.
+    pub(crate) fn is_beyond_what_was_there(&self) -> bool {
+        self.writers.iter().all(Writer::is_beyond_what_was_there)
+    }
+
     /// How many rows were made.
     pub(crate) fn rows(&self) -> u64 {
         self.stored.rows + self.batch.len() as u64

@@ -32,6 +32,9 @@ pub struct Places {
     pub recording: Option<PathBuf>,
     /// The table of the sensors, in a run's folder.
     pub sensors: Option<PathBuf>,
+    /// Whether texts of its log have their names before they are whole, so that they can be followed: of a home that goes on until it is
+    /// stopped, and then again.
+    pub is_followed: bool,
     /// The folders made for the run, outer ones first.
     made: Vec<PathBuf>,
 }
@@ -45,7 +48,7 @@ impl Places {
         sources: &[PathBuf],
         force: bool,
     ) -> Result<Places, LogError> {
-        let places = Places { log, truth, recording, sensors: None, made: Vec::new() };
+        let places = Places { log, truth, recording, sensors: None, is_followed: false, made: Vec::new() };
         let files = places.files();
         can_be_written(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>(), sources, force)?;
         Ok(places)
@@ -83,7 +86,7 @@ impl Places {
     }
 
     fn nowhere() -> Places {
-        Places { log: Vec::new(), truth: None, recording: None, sensors: None, made: Vec::new() }
+        Places { log: Vec::new(), truth: None, recording: None, sensors: None, is_followed: false, made: Vec::new() }
     }
 
     /// A new folder for a cohort of a scenario, with nothing in it.
@@ -238,6 +241,7 @@ fn files_of_run(folder: &Path, recording: Option<&Recording>) -> Vec<PathBuf> {
         truth: Some(Url::new(Scheme::Csv, folder.join(TRUTH).with_extension("csv"))),
         recording: Some(folder.join(RECORDING)),
         sensors: Some(folder.join(SENSORS)),
+        is_followed: false,
         made: Vec::new(),
     };
     places.files().into_iter().chain([folder.join(TRUTH)]).collect()

@@ -52,7 +52,8 @@ pub fn try_place(url: &Url) -> Result<(), LogError> {
 }
 
 fn database(path: &Path, table: &str, most: usize) -> rusqlite::Result<Preview> {
-    let connection = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
+    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+    let connection = Connection::open_with_flags(path, flags)?;
     // The table's name is one of those that may reach SQL.
     let mut select = connection.prepare(&format!("SELECT * FROM \"{table}\" LIMIT {most}"))?;
     let columns: Vec<String> = select.column_names().map(str::to_owned).collect();

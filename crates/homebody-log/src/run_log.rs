@@ -21,6 +21,7 @@ use homebody_core::event::{Events, Fact};
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::Micros;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -51,10 +52,25 @@ pub struct RunLog {
     _lock: (Option<FolderLock>, Option<FileLock>),
 }
 
-/// A file that takes the place of another when it is complete.
+/// Files that take the places of others when all are complete: each, and the one that it replaces.
 struct Anew {
-    beside: PathBuf,
-    place: PathBuf,
+    files: Vec<(PathBuf, PathBuf)>,
+}
+
+impl Anew {
+    fn take_their_places(&self) -> Result<(), LogError> {
+        self.files.iter().try_for_each(|(beside, place)| {
+            std::fs::rename(beside, place).map_err(|error| LogError::file(place, error))
+        })
+    }
+
+    fn remove(&self) {
+        self.files.iter().for_each(|(beside, _)| {
+            remove_database(beside);
+            // Of a text, what is not whole has another name.
+            let _ = remove_parts(beside);
+        });
+    }
 }
 
 impl RunLog {
@@ -101,21 +117,26 @@ impl RunLog {
             }
         }
         let (mut truth_url, mut truth_how, mut anew) = (places.truth.clone(), how, None);
-        if let Some(place) =
-            places.truth.as_ref().and_then(Url::file).filter(|_| how == How::GoOn && was_stopped(places))
-        {
-            can_be_replaced(place, &info)?;
-            let beside = beside(place);
-            // A program that died on its way has left one.
-            remove_database(&beside);
-            (truth_url, truth_how) = (places.truth.as_ref().map(|url| url.at(beside.clone())), How::New);
-            anew = Some(Anew { beside, place: place.to_owned() });
+        let stopped = places.truth.as_ref().filter(|_| how == How::GoOn && was_stopped(places));
+        if let Some((url, place)) = stopped.and_then(|url| Some((url, url.file()?))) {
+            if url.scheme() == Scheme::Sqlite {
+                can_be_replaced(place, &info)?;
+            }
+            let beside = url.at(beside(place));
+            let files = beside.files(&tables()).into_iter().zip(url.files(&tables())).collect();
+            let begun = Anew { files };
+            // A program that died on its way has left some.
+            begun.remove();
+            (truth_url, truth_how, anew) = (Some(beside), How::New, Some(begun));
         }
         if let (Some(path), false) = (&places.recording, how == How::GoOn) {
             // Before all else: whatever becomes of the run from now on, it can be gone on with.
             write_recording(path, recording, how)?;
         }
         let mut all = destinations(&places.log, how)?;
+        if places.is_followed {
+            all = places.log.iter().map(Destination::followed).collect();
+        }
         all.extend(own);
         let opened = Logger::open(all, &scenario.logger, &info, how).and_then(|logger| {
             let truth = truth_url.as_ref();
@@ -161,6 +182,22 @@ impl RunLog {
     pub fn meters(&self) -> Vec<(String, Arc<Meter>)> {
         let logs = self.logger.iter().flat_map(Logger::meters);
         logs.chain(self.truth.iter().map(TruthLog::meter)).collect()
+    }
+
+    /// Whether the run, gone on with, is beyond all that its places had of it: from then on it may be lived otherwise.
+    pub fn is_beyond_what_was_there(&self) -> bool {
+        self.logger.as_ref().is_none_or(Logger::is_beyond_what_was_there)
+            && self.truth.as_ref().is_none_or(TruthLog::is_beyond_what_was_there)
+    }
+
+    /// Writes the recording anew, of a run to which something was done from outside: before anything of what comes of it is stored.
+    pub fn note(&self, recording: &Recording) -> Result<(), LogError> {
+        let Some(path) = self.record.as_deref() else { return Ok(()) };
+        match left_by(path).filter(Recording::is_complete) {
+            // Until the run ends, its truth is that of a run that was stopped, and whoever goes on with it has to know.
+            Some(stopped) => write_over(path, &Recording { outside: recording.outside.clone(), ..stopped }),
+            None => write_over(path, recording),
+        }
     }
 
     /// Hands on what has happened in the run since the last time.
@@ -230,8 +267,8 @@ impl RunLog {
             truth.store(&under_way, &RowsOfFirings::default())?;
             truth.finish(now).map_err(early)?;
         }
-        if let Some(Anew { beside, place }) = self.anew.take() {
-            std::fs::rename(&beside, &place).map_err(|error| LogError::file(&place, error))?;
+        if let Some(anew) = self.anew.take() {
+            anew.take_their_places()?;
         }
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
         let stopped_of_us = (now < length).then_some(length);
@@ -256,7 +293,7 @@ impl Drop for RunLog {
         // They decide first what stays of the logs.
         (self.logger, self.truth) = (None, None);
         if let Some(anew) = self.anew.take() {
-            remove_database(&anew.beside);
+            anew.remove();
         }
         let Some(GivenUp { beside, logs }) = self.given_up.take() else { return };
         // A folder of a data set that is not empty has days of it.
@@ -268,17 +305,21 @@ impl Drop for RunLog {
     }
 }
 
-/// Where a database is written that is to replace another.
+/// Where a truth is written that is to replace another: its ending stays, by which texts are packed and tables have their files.
 fn beside(place: &Path) -> PathBuf {
-    let mut name = place.file_name().unwrap_or_default().to_owned();
-    name.push(".anew");
+    let mut name = std::ffi::OsString::from("anew.");
+    name.push(place.file_name().unwrap_or_default());
     place.with_file_name(name)
 }
 
 /// Whether the run that left these places was stopped, and not killed.
 fn was_stopped(places: &Places) -> bool {
-    let text = places.recording.as_ref().and_then(|path| plain::read_text(path, LARGEST_RECORDING_BYTES).ok());
-    text.and_then(|text| serde_json::from_str::<Recording>(&text).ok()).is_some_and(|recording| recording.is_complete())
+    places.recording.as_deref().and_then(left_by).is_some_and(|recording| recording.is_complete())
+}
+
+/// The recording that is in a file.
+fn left_by(path: &Path) -> Option<Recording> {
+    serde_json::from_str(&plain::read_text(path, LARGEST_RECORDING_BYTES).ok()?).ok()
 }
 
 /// Writes the recording of a run that goes on over what was written of it before, in one piece.

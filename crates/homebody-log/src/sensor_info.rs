@@ -23,6 +23,12 @@ pub struct SensorInfo {
 }
 
 impl SensorInfo {
+    /// A sensor of a kind, as `home.json` writes it, which says these besides readings; where it is is not known.
+    pub fn of_kind(name: &str, kind: &str, values: &[&str]) -> SensorInfo {
+        let values = values.iter().map(ToString::to_string).collect();
+        SensorInfo { is_motion: kind.ends_with("motion"), kind: kind.to_owned(), values, ..SensorInfo::named(name) }
+    }
+
     /// A sensor of which no more is known than what a log calls it.
     pub(crate) fn named(id: &str) -> SensorInfo {
         SensorInfo {

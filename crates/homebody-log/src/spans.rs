@@ -7,7 +7,7 @@ use homebody_core::time::Micros;
 use std::collections::VecDeque;
 
 /// The table of activities, which has them whole. In CSV it is a file beside the log, in the form of pyadlml.
-pub(crate) const SPANS: &str = "activity";
+pub const SPANS: &str = "activity";
 
 /// Its columns.
 pub const SPAN_COLUMNS: [&str; 3] = ["start_time", "end_time", LABEL];

@@ -85,6 +85,14 @@ impl Url {
 
 /// The file of one table of several, which have the name of `path` between them.
 pub fn table_file(path: &Path, table: &str) -> PathBuf {
+    // How a text is packed stands last: `truth.csv.gz` has `truth.room.csv.gz`.
+    if let Some(packing @ ("gz" | "zst")) = path.extension().and_then(|ending| ending.to_str())
+        && let Some(text) = path.file_stem().filter(|stem| Path::new(stem).extension().is_some())
+    {
+        let mut named = table_file(&path.with_file_name(text), table).into_os_string();
+        named.push(format!(".{packing}"));
+        return named.into();
+    }
     let ending = path.extension().map_or("csv".into(), |ending| ending.to_string_lossy().into_owned());
     path.with_extension(format!("{table}.{ending}"))
 }
@@ -141,6 +149,9 @@ mod tests {
     fn tables_have_files_of_their_own() {
         assert_eq!(table_file(Path::new("a/truth.csv"), "room"), Path::new("a/truth.room.csv"));
         assert_eq!(table_file(Path::new("truth"), "room"), Path::new("truth.room.csv"));
+        assert_eq!(table_file(Path::new("a/truth.csv.gz"), "room"), Path::new("a/truth.room.csv.gz"));
+        assert_eq!(table_file(Path::new("truth.jsonl.zst"), "room"), Path::new("truth.room.jsonl.zst"));
+        assert_eq!(table_file(Path::new("truth.gz"), "room"), Path::new("truth.room.gz"));
     }
 
     #[test]

@@ -52,6 +52,8 @@ struct Shared {
     answers: AtomicU64,
     /// How often it has made sure of its rows because it was asked to.
     settled: AtomicU64,
+    /// How many of the rows to come the destination has already.
+    there: AtomicU64,
     durable: Mutex<Watermark>,
 }
 
@@ -80,8 +82,14 @@ impl Writer {
         let (messages, incoming) = sync_channel(policy.batches_waiting);
         let (begun, begins) = sync_channel(1);
         let shared = Arc::new(Shared::default());
-        let work =
-            Work { sink, policy: policy.clone(), shared: shared.clone(), meter: meter.clone(), there: Vec::new() };
+        let work = Work {
+            place: place.clone(),
+            sink,
+            policy: policy.clone(),
+            shared: shared.clone(),
+            meter: meter.clone(),
+            there: Vec::new(),
+        };
         let beginning = beginning.clone();
         let thread = thread::Builder::new().spawn(move || work.live(&beginning, &begun, incoming));
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
@@ -123,6 +131,11 @@ impl Writer {
     /// How far everything is durable.
     pub fn durable(&self) -> Watermark {
         self.shared.durable.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    /// Whether all that the destination had of the run when it was begun has been lived again.
+    pub fn is_beyond_what_was_there(&self) -> bool {
+        self.shared.there.load(Ordering::Acquire) == 0
     }
 
     /// Hands over rows; the thread's error, if it has ended by one.
@@ -241,6 +254,8 @@ impl Patience {
 
 /// What the thread works with.
 struct Work {
+    /// What errors call it.
+    place: String,
     sink: Box<dyn Sink>,
     policy: Policy,
     shared: Arc<Shared>,
@@ -268,6 +283,7 @@ impl Work {
         let Work { sink, policy, shared, meter, .. } = &mut self;
         let there = policy.with_retries(meter, || sink.begin(&begin))?;
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
+        shared.there.store(there.0.iter().sum(), Ordering::Release);
         self.there = there.0;
         // Nobody waits any more for one that has begun too late: then it is dropped as it is.
         match begun.send(()) {
@@ -295,7 +311,8 @@ impl Work {
                 }
                 Ok(Message::Finish(end)) => {
                     let Work { sink, policy, meter, .. } = &mut self;
-                    return policy.with_retries(meter, || sink.finish(end));
+                    policy.with_retries(meter, || sink.finish(end))?;
+                    return self.has_no_more();
                 }
                 Err(RecvTimeoutError::Timeout) => {
                     self.settle()?;
@@ -307,14 +324,27 @@ impl Work {
         }
     }
 
+    /// An error where the destination has rows behind the last of the run: most look themselves and have refused to end, but those of which
+    /// only a note says what they have cannot.
+    fn has_no_more(&self) -> Result<(), LogError> {
+        match self.there.iter().sum::<u64>() {
+            0 => Ok(()),
+            rows => {
+                let what = format!("it has been given {rows} rows more than the run has made by now");
+                Err(LogError::Changed { place: self.place.clone(), what })
+            }
+        }
+    }
+
     /// Writes a batch, but for what is there already.
     fn take(&mut self, batch: &Batch) -> Result<(), LogError> {
-        let Work { sink, policy, shared, meter, there } = self;
+        let Work { sink, policy, shared, meter, there, .. } = self;
         if there.iter().any(|&rows| rows > 0) {
             let rest = batch.beyond(there);
             if !rest.is_empty() {
                 policy.with_retries(meter, || sink.write(&rest))?;
             }
+            shared.there.store(there.iter().sum(), Ordering::Release);
         } else {
             policy.with_retries(meter, || sink.write(batch))?;
         }

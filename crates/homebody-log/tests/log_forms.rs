@@ -69,7 +69,8 @@ and nothing else does; a run ends when nobody reads them any more.
 | `jsonl:FILE` | has its name from the first row on, so that `tail -f` follows it | what was written, perhaps with half a line at its end |
 | `jsonl:-`, `csv:-`, `casas:-` | a row is there within a tenth of a second | what was read |
 | `sqlite:FILE` | may be read while it grows | all rows up to the last second or so |
-| `csv:FILE`, `casas:FILE`, all that is packed | has its name once it is whole | nothing under its name |
+| `csv:FILE`, `casas:FILE` of `homebody live` | as `jsonl:FILE` | as `jsonl:FILE` |
+| `csv:FILE`, `casas:FILE` of other runs, all that is packed | has its name once it is whole | nothing under its name |
 | `parquet:FOLDER` | has each day once it is over | whole days |
 | `parquet:FILE.parquet`, `arrow:FILE` | has its name once it is whole | nothing under its name |
 

@@ -223,3 +223,40 @@ fn where_there_is_no_thread_it_is_said() {
     let told = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success() && told.contains("1 passed"), "{told}{}", String::from_utf8_lossy(&output.stderr));
 }
+
+/// A destination that says that it has so many rows of the run already, as a note of what was confirmed does.
+struct Ahead(u64);
+
+impl Sink for Ahead {
+    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
+        Ok(Watermark(vec![self.0]))
+    }
+
+    fn write(&mut self, _: &Batch) -> Result<(), LogError> {
+        Ok(())
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        Ok(Watermark(vec![self.0]))
+    }
+
+    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_destination_that_has_more_of_a_run_than_it_made_is_told_of() {
+    let stored = |rows: u64, policy: Policy| {
+        let to = Destination::own("a broker", Ahead(rows), policy);
+        let logger = Logger::open(vec![to], &LoggerFile::default(), &Arc::new(stage::run()), How::GoOn).unwrap();
+        stage::store(logger, &stage::firings(1000), 100)
+    };
+    let error = stored(1007, Policy::default()).unwrap_err();
+    assert!(matches!(&error, LogError::Changed { place, .. } if place == "a broker"), "{error}");
+    assert!(error.to_string().contains("7 rows more"), "{error}");
+    let failed = stored(1007, Policy::optional()).unwrap().failed;
+    assert!(failed.len() == 1 && failed[0].0 == "a broker", "{failed:?}");
+    // The control: one that has all of it, or less, is fine.
+    assert!(stored(1000, Policy::default()).is_ok() && stored(10, Policy::default()).is_ok());
+}

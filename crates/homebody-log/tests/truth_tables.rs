@@ -24,7 +24,8 @@ of the program. Instants are written as the log has them, by `time` in `logger.j
 
 How much there is depends on the scenario. Movement, rooms and causes are always told. Activities come of a routine or of a
 path, acts of a routine or of held keys, needs and conditions of a routine alone. `off` has rows only where the log's messages are `on_off` or
-`occupancy`; `lost`, and the causes `duplicate` and `false`, only where the scenario has a link file (`docs/link.md`).
+`occupancy`; `lost`, and the causes `duplicate` and `false`, only where the scenario has a link file (`docs/link.md`), or a sensor has failed from
+outside. `outside` has rows only where somebody has given orders while the run was lived (`docs/mqtt.md`); an act of theirs has no resident.
 
 ## Log and truth together
 

@@ -73,8 +73,6 @@ pub struct Address {
     pub ca: Option<PathBuf>,
     /// The file with the password.
     pub password_file: Option<PathBuf>,
-    /// The file that keeps how far the broker has acknowledged a run.
-    pub state: Option<PathBuf>,
 }
 
 impl Address {
@@ -154,7 +152,6 @@ impl Address {
             public: false,
             ca: None,
             password_file: None,
-            state: None,
         };
         let mut discovery = None;
         for said in query.split('&').filter(|said| !said.is_empty()) {
@@ -169,7 +166,6 @@ impl Address {
                 "public" => wrong.truth(&mut address.public, key, value),
                 "ca" => address.ca = wrong.file(key, value),
                 "password-file" => address.password_file = wrong.file(key, value),
-                "state" => address.state = wrong.file(key, value),
                 key => wrong.unknown(key),
             }
         }
@@ -181,8 +177,8 @@ impl Address {
 }
 
 /// What may stand behind the question mark.
-const KEYS: [&str; 9] =
-    ["style", "discovery", "discovery-prefix", "off-delay", "allow-fast", "public", "ca", "password-file", "state"];
+const KEYS: [&str; 8] =
+    ["style", "discovery", "discovery-prefix", "off-delay", "allow-fast", "public", "ca", "password-file"];
 
 impl FromStr for Style {
     type Err = &'static str;
@@ -414,7 +410,7 @@ mod tests {
         assert_eq!((usual.port, usual.prefix.as_str(), usual.style), (1883, "homebody", Style::HomeAssistant));
         assert_eq!((usual.discovery, usual.off_delay_s, usual.allow_fast), (Discovery::Device, 10, false));
         let text = "mqtts://ann%40home@[::1]:99/care/north?style=zigbee2mqtt&discovery=entity&off-delay=90&allow-fast=true\
-                    &ca=my%20ca.pem&password-file=secret&discovery-prefix=ha&state=acknowledged.json";
+                    &ca=my%20ca.pem&password-file=secret&discovery-prefix=ha";
         let all = read(text).unwrap();
         assert_eq!((all.tls, all.host.as_str(), all.port, all.user.as_deref()), (true, "::1", 99, Some("ann@home")));
         assert_eq!(

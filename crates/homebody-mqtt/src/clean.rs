@@ -6,7 +6,7 @@ use crate::greeting::PROGRAM;
 use crate::names::end_of_ids;
 use crate::trouble::Trouble;
 use homebody_log::{LogError, Url};
-use rumqttc::{AsyncClient, Event, EventLoop, Outgoing, Packet, PublishOptions, QoS};
+use rumqttc::{AsyncClient, Event, EventLoop, Outgoing, Packet, PublishOptions, QoS, SubscribeReasonCode};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -47,7 +47,7 @@ pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
         .block_on(async {
             let (client, mut events) = AsyncClient::builder(options).capacity(10).build();
             let kept = kept(&address, &client, &mut events).await?;
-            let cleaned = ours(&address, kept);
+            let cleaned = ours(&address, kept.found);
             if !only_look {
                 remove(&client, &mut events, &cleaned.topics).await?;
             }
@@ -58,22 +58,35 @@ pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
         .map_err(failed)
 }
 
-/// What the broker keeps where something of ours may be: topics, and what they say.
-async fn kept(
-    address: &Address,
-    client: &AsyncClient,
-    events: &mut EventLoop,
-) -> Result<Vec<(String, Vec<u8>)>, Trouble> {
+/// What a broker keeps.
+#[derive(Default)]
+pub(crate) struct Kept {
+    /// Topics, and what they say.
+    pub found: Vec<(String, Vec<u8>)>,
+    /// What we may not listen to.
+    pub refused: Vec<String>,
+}
+
+/// What the broker keeps where something of ours may be.
+pub(crate) async fn kept(address: &Address, client: &AsyncClient, events: &mut EventLoop) -> Result<Kept, Trouble> {
     let Address { prefix, discovery_prefix, .. } = address;
-    for filter in [format!("{prefix}/#"), format!("{discovery_prefix}/+/+/config")] {
-        client.subscribe(filter, QoS::AtLeastOnce).await.map_err(lost)?;
+    let filters = [format!("{prefix}/#"), format!("{discovery_prefix}/+/+/config")];
+    for filter in &filters {
+        client.subscribe(filter.clone(), QoS::AtLeastOnce).await.map_err(lost)?;
     }
-    let (mut found, mut quiet) = (Vec::new(), None);
+    let Kept { mut found, mut refused } = Kept::default();
+    let mut quiet = None;
     let end = Instant::now() + LONGEST;
     let mut answered = 0;
     while let Ok(event) = timeout_at(quiet.unwrap_or(end), events.poll()).await {
         match event.map_err(|error| Trouble::of(&error))? {
-            Event::Incoming(Packet::SubAck(_)) => answered += 1,
+            Event::Incoming(Packet::SubAck(ack)) => {
+                // Answers come in the order in which we have asked.
+                if !ack.return_codes.iter().all(|code| matches!(code, SubscribeReasonCode::Success(_))) {
+                    refused.extend(filters.get(answered).cloned());
+                }
+                answered += 1;
+            }
             Event::Incoming(Packet::Publish(publish)) if publish.retain => {
                 found.push((String::from_utf8_lossy(&publish.topic).into_owned(), publish.payload.to_vec()));
             }
@@ -81,11 +94,11 @@ async fn kept(
         }
         quiet = (answered == 2).then(|| Instant::now() + QUIET).map(|at| at.min(end));
     }
-    Ok(found)
+    Ok(Kept { found, refused })
 }
 
 /// Which of them are of homes of ours: those below a topic whose `run` has our mark, and what names one in discovery.
-fn ours(address: &Address, kept: Vec<(String, Vec<u8>)>) -> Cleaned {
+pub(crate) fn ours(address: &Address, kept: Vec<(String, Vec<u8>)>) -> Cleaned {
     let below = format!("{}/", address.prefix);
     let homes: BTreeSet<String> = kept
         .iter()

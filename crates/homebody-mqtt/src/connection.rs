@@ -51,7 +51,7 @@ pub(crate) trait Speaker: Send {
     fn topics(&self) -> Vec<String>;
 
     /// Somebody has said something there.
-    fn told(&mut self, publish: &Publish, flight: &Flight) -> Result<(), Trouble>;
+    fn told(&mut self, publish: &Publish, flight: &Arc<Flight>) -> Result<(), Trouble>;
 
     /// Below which topic they speak.
     fn base(&self) -> &str;

@@ -198,16 +198,8 @@ pub(crate) mod tests {
 
     /// A sensor of a kind, in the kitchen.
     pub(crate) fn sensor(name: &str, kind: &str, unit: Option<&str>, values: &[&str]) -> SensorInfo {
-        SensorInfo {
-            name: name.into(),
-            id: name.into(),
-            is_motion: kind.ends_with("motion"),
-            kind: kind.into(),
-            unit: unit.map(Into::into),
-            values: values.iter().map(ToString::to_string).collect(),
-            room: Some("kitchen".into()),
-            at_m: [1.0, 2.0],
-        }
+        let (unit, room) = (unit.map(Into::into), Some("kitchen".into()));
+        SensorInfo { unit, room, ..SensorInfo::of_kind(name, kind, values) }
     }
 
     #[test]

@@ -13,7 +13,6 @@ use crate::sink::{PATIENCE, not_public};
 use crate::speech::{Message, Speech};
 use crate::trouble::Trouble;
 use homebody_core::event::Value as Said;
-use homebody_core::scenario::scheme::NoPlace;
 use homebody_log::fleet::{Fleet, FleetRow, FleetSink, Told};
 use homebody_log::{How, LogError, Url};
 use rumqttc::Publish;
@@ -75,11 +74,6 @@ impl MqttFleet {
 impl FleetSink for MqttFleet {
     fn check(&self, is_fast: bool) -> Result<(), LogError> {
         let address = Address::of(&self.url)?;
-        if address.state.is_some() {
-            let (what, hint) =
-                (format!("{} is told by a fleet", address.place()), "leave ?state out: it is of one home");
-            return Err(LogError::NoPlace(NoPlace { what, hint: hint.into() }));
-        }
         if is_fast { address.may_go_fast() } else { Ok(()) }
     }
 
@@ -275,7 +269,7 @@ impl Speaker for FleetSpeaker {
         vec![format!("{}/run", self.base)]
     }
 
-    fn told(&mut self, publish: &Publish, _: &Flight) -> Result<(), Trouble> {
+    fn told(&mut self, publish: &Publish, _: &Arc<Flight>) -> Result<(), Trouble> {
         match is_of_another(&publish.payload, &self.instance) {
             true => Err(Trouble::another()),
             false => Ok(()),

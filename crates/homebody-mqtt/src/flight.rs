@@ -5,6 +5,7 @@
 
 use crate::speech::Message;
 use crate::trouble::Trouble;
+use serde_json::json;
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -15,6 +16,9 @@ pub(crate) const MOST_IN_FLIGHT: usize = 1000;
 
 /// So many messages go to the connection at once (ours).
 const HANDFUL: usize = 64;
+
+/// So many answers wait to be sent, at most (ours).
+const MOST_ASIDES: usize = 1000;
 
 /// What the two threads share.
 #[derive(Default)]
@@ -78,6 +82,8 @@ pub(crate) struct State {
     greeting_left: usize,
     /// What goes before rows and is not waited for.
     asides: VecDeque<Message>,
+    /// Answers that had no room among them: where they go, and how many.
+    unanswered: Option<(Arc<str>, u64)>,
     /// What each topic that is kept was told last, in the order of first messages.
     told: Vec<Told>,
     by_topic: HashMap<Arc<str>, usize>,
@@ -162,6 +168,14 @@ impl State {
         self.asides.push_back(message);
     }
 
+    /// Takes the answer to an order. Where more come than the broker takes, one answer stands for many.
+    pub fn answer(&mut self, message: Message) {
+        match self.asides.len() < MOST_ASIDES {
+            true => self.say(message),
+            false => self.unanswered.get_or_insert((message.topic, 0)).1 += 1,
+        }
+    }
+
     /// Whether there is room for another.
     pub fn has_room(&self) -> bool {
         self.waiting.len() < MOST_IN_FLIGHT
@@ -174,7 +188,7 @@ impl State {
 
     /// Whether all is acknowledged.
     pub fn is_empty(&self) -> bool {
-        self.waiting.is_empty() && self.asides.is_empty()
+        self.waiting.is_empty() && self.asides.is_empty() && self.unanswered.is_none()
     }
 
     /// How many were acknowledged, without gaps.
@@ -201,6 +215,11 @@ impl State {
     /// The next messages to be sent.
     pub fn handful(&mut self, into: &mut Vec<(Sent, Message)>) {
         into.extend(self.greeting.drain(..).map(|message| (Sent::Greeting, message)));
+        if let Some((topic, many)) = self.unanswered.take() {
+            let why = format!("{many} orders came faster than they could be answered one by one");
+            let payload = json!({ "id": null, "do": null, "ok": false, "why": why }).to_string().into();
+            self.say(Message { topic, payload, retain: false, then: None });
+        }
         into.extend(self.asides.drain(..).map(|message| (Sent::Aside, message)));
         while into.len() < HANDFUL
             && let Some((message, _)) = self.waiting.get((self.next - self.first) as usize)

@@ -8,10 +8,12 @@
 //! with the same run and number. What a broker has acknowledged and then forgets, because it dies with its memory, is lost.
 
 mod address;
+mod certificate;
 mod clean;
 mod connection;
 mod discovery;
 mod entities;
+mod examine;
 mod fleet;
 mod flight;
 mod greeting;
@@ -21,14 +23,13 @@ mod place;
 mod sink;
 mod speaker;
 mod speech;
-mod state_file;
 mod trouble;
 mod zigbee;
 
 pub use address::{Address, Discovery, Style};
 pub use clean::{Cleaned, clean};
 pub use fleet::MqttFleet;
-pub use order::{Order, TakesOrders};
+pub use order::{Kind, Order, Reply, TakesOrders, order_of};
 pub use sink::{MqttSink, policy};
 
 use homebody_core::scenario::scheme::Scheme;
@@ -40,5 +41,14 @@ use homebody_log::sink::Sink;
 pub fn elsewhere() -> Elsewhere {
     let open = |url: &Url| -> Box<dyn Sink> { Box::new(MqttSink::new(url)) };
     let fleet: OpenFleet = |url| Box::new(MqttFleet::new(url));
-    Elsewhere { schemes: &[Scheme::Mqtt, Scheme::Mqtts], open, fleet: Some(fleet), policy, forms: &[] }
+    Elsewhere {
+        schemes: &[Scheme::Mqtt, Scheme::Mqtts],
+        open,
+        fleet: Some(fleet),
+        policy,
+        forms: &[],
+        tables: None,
+        truth_of: None,
+        examine: examine::examine,
+    }
 }

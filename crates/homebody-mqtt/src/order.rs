@@ -5,7 +5,9 @@
 
 use homebody_core::problem::readable;
 use homebody_core::scenario::nearest::nearest;
+use homebody_core::time::Micros;
 use homebody_log::RunInfo;
+use homebody_log::clock::Clock;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -56,47 +58,135 @@ pub enum Order {
     Fault {
         /// Its name.
         sensor: String,
-        /// Which fault, as a link file calls it.
-        kind: String,
+        /// Which fault, as a link file calls it; `dead` is an empty battery.
+        kind: Kind,
+        /// How long it has it; to the end of the run without this.
+        minutes: Option<f64>,
+        /// Of a battery: how long it fades before it is empty.
+        fading_minutes: Option<f64>,
+        /// Of one that is stuck: how often it says again what it said last.
+        every_s: Option<f64>,
+        /// Of a bad link: which share of its messages is lost; all without this.
+        loss: Option<f64>,
     },
     /// A resident falls now.
     Fall {
         /// Their name.
         resident: String,
+        /// How long they lie on the floor.
+        minutes: Option<f64>,
     },
 }
 
-/// Who obeys orders, or says why not. It is called on the connection's own thread, so it must not wait.
-pub type TakesOrders = Box<dyn FnMut(&Order) -> Result<(), String> + Send>;
-
-/// What becomes of an order.
-pub(crate) struct Answer {
-    /// For the topic of results.
-    pub payload: String,
-    /// The order, if it was obeyed.
-    pub obeyed: Option<Order>,
+/// Which fault a sensor has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// Its battery is empty.
+    Dead,
+    /// Its battery fades.
+    Battery,
+    /// It hears nothing any more.
+    Stuck,
+    /// It has come off its place.
+    FallsOff,
+    /// Its messages are lost on the way.
+    BadLink,
 }
 
-/// Hears an order, has it obeyed, and says what has become of it.
-pub(crate) fn answer(payload: &[u8], is_kept: bool, run: &RunInfo, takes: Option<&mut TakesOrders>) -> Answer {
-    let (id, what, order) = match is_kept {
-        true => (
-            None,
-            None,
-            Err("a message that the broker keeps is no order: it would be obeyed at every beginning".into()),
-        ),
-        false => understood(payload),
-    };
-    let done = order.and_then(|order| {
-        known(&order, run)?;
-        let takes = takes.ok_or("this run takes no orders")?;
-        takes(&order).map(|()| order)
-    });
-    let mut answer = json!({ "id": id, "do": what, "ok": done.is_ok() });
-    if let Err(why) = &done {
-        answer["why"] = readable(why.clone()).into();
+/// Who obeys orders, or says why not. It is called on the connection's own thread, so it must not wait: the answer may come later,
+/// from any thread.
+pub type TakesOrders = Box<dyn FnMut(Order, Reply) + Send>;
+
+/// Where what becomes of an order is said, once. Who drops it unsaid has ended.
+pub struct Reply(Option<Box<dyn FnOnce(Outcome) + Send>>);
+
+/// What has become of an order.
+pub(crate) type Outcome = Result<Option<Micros>, (String, String)>;
+
+impl Reply {
+    pub(crate) fn new(tell: impl FnOnce(Outcome) + Send + 'static) -> Reply {
+        Reply(Some(Box::new(tell)))
     }
-    Answer { payload: answer.to_string(), obeyed: done.ok() }
+
+    /// It was obeyed.
+    pub fn done(self) {
+        self.tell(Ok(None));
+    }
+
+    /// It was obeyed when the run had come to this instant.
+    pub fn done_at(self, at: Micros) {
+        self.tell(Ok(Some(at)));
+    }
+
+    /// It was not, for a reason; a hint says what to do instead, and may be empty.
+    pub fn refused(self, why: impl Into<String>, hint: impl Into<String>) {
+        self.tell(Err((why.into(), hint.into())));
+    }
+
+    fn tell(mut self, outcome: Outcome) {
+        if let Some(tell) = self.0.take() {
+            tell(outcome);
+        }
+    }
+}
+
+impl Drop for Reply {
+    fn drop(&mut self) {
+        if let Some(tell) = self.0.take() {
+            tell(Err(("the run ended before it was done".into(), String::new())));
+        }
+    }
+}
+
+impl std::fmt::Debug for Reply {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        f.write_str("Reply")
+    }
+}
+
+/// What is told of an order besides what has become of it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Asked {
+    id: Option<Value>,
+    what: Option<Value>,
+}
+
+impl Asked {
+    /// The answer to it, as JSON; an instant is said by the clock of the run.
+    pub fn answer(self, outcome: &Outcome, clock: &mut Clock) -> String {
+        let mut answer = json!({ "id": self.id, "do": self.what, "ok": outcome.is_ok() });
+        match outcome {
+            Ok(Some(at)) => answer["sim_time"] = clock.text(*at).into(),
+            Ok(None) => {}
+            Err((why, hint)) => {
+                answer["why"] = readable(why.clone()).into();
+                if !hint.is_empty() {
+                    answer["hint"] = readable(hint.clone()).into();
+                }
+            }
+        }
+        answer.to_string()
+    }
+}
+
+/// Hears an order: what it is, or why it is none that can be obeyed.
+pub(crate) fn heard(payload: &[u8], is_kept: bool, run: &RunInfo) -> (Asked, Result<Order, String>) {
+    if is_kept {
+        let why = "a message that the broker keeps is no order: it would be obeyed at every beginning";
+        return (Asked { id: None, what: None }, Err(why.into()));
+    }
+    let (id, what, order) = understood(payload);
+    (Asked { id, what }, order.and_then(|order| known(&order, run).map(|()| order)))
+}
+
+/// The order that a message is.
+///
+/// # Errors
+///
+/// Why it is none, in words for whoever has sent it.
+pub fn order_of(payload: &[u8]) -> Result<Order, String> {
+    understood(payload).2.map_err(readable)
 }
 
 /// The order's id, its word, and the order.
@@ -116,11 +206,39 @@ fn understood(payload: &[u8]) -> (Option<Value>, Option<Value>, Result<Order, St
     (id, what, order)
 }
 
+/// A hundred years, in minutes: no run is longer.
+const LONGEST_MIN: f64 = 52_594_920.0;
+
 /// Numbers that can be meant.
 fn possible(order: Order) -> Result<Order, String> {
     match order {
         Order::Step { seconds } if !(seconds > 0.0 && seconds < 1e9) => Err("seconds is no number above 0".into()),
         Order::Speed { times } if !(0.1..=1000.0).contains(&times) => Err("times is no number from 0.1 to 1000".into()),
+        Order::Fall { minutes: Some(minutes), .. } if !(0.02..=1440.0).contains(&minutes) => {
+            Err("minutes is no number from 0.02 to 1440".into())
+        }
+        Order::Fault { kind, minutes, fading_minutes, every_s, loss, .. } => {
+            let wrong = [
+                (
+                    minutes.is_some_and(|minutes| !(minutes > 0.0 && minutes <= LONGEST_MIN)),
+                    "minutes is no number above 0",
+                ),
+                (
+                    fading_minutes
+                        .is_some_and(|minutes| kind != Kind::Battery || !(0.0..=LONGEST_MIN).contains(&minutes)),
+                    "fading_minutes is a number from 0 on, and of a battery",
+                ),
+                (
+                    every_s.is_some_and(|every| kind != Kind::Stuck || !(0.1..=86_400.0).contains(&every)),
+                    "every_s is a number from 0.1 to 86400, and of a sensor that is stuck",
+                ),
+                (
+                    loss.is_some_and(|loss| kind != Kind::BadLink || !(0.0..=1.0).contains(&loss)),
+                    "loss is a number from 0 to 1, and of a bad_link",
+                ),
+            ];
+            wrong.iter().find(|(is_wrong, _)| *is_wrong).map_or(Ok(order), |(_, why)| Err((*why).into()))
+        }
         order => Ok(order),
     }
 }
@@ -139,7 +257,7 @@ fn known(order: &Order, run: &RunInfo) -> Result<(), String> {
             among("thing", thing, &run.things)
         }
         Order::Fault { sensor, .. } => among("sensor", sensor, &run.sensor_names()),
-        Order::Fall { resident } => among("resident", resident, &run.residents),
+        Order::Fall { resident, .. } => among("resident", resident, &run.residents),
         _ => Ok(()),
     }
 }

@@ -8,11 +8,10 @@ use crate::order::TakesOrders;
 use crate::place::Place;
 use crate::speaker::HomeSpeaker;
 use crate::speech::Speech;
-use crate::state_file::StateFile;
 use crate::trouble::Trouble;
 use homebody_core::time::Micros;
 use homebody_log::table::{Batch, Cell, thousandths};
-use homebody_log::{Begin, How, LogError, Policy, Sink, Url, Watermark};
+use homebody_log::{Begin, LogError, Policy, Sink, Url, Watermark};
 use std::net::{IpAddr, ToSocketAddrs};
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
@@ -49,11 +48,8 @@ struct Open {
     thread: Option<JoinHandle<()>>,
     speech: Speech,
     farewell: Arc<Place>,
-    /// Rows that were acknowledged before this connection.
-    before: u64,
     /// The number of the next row.
     next: u64,
-    state: StateFile,
     number: String,
 }
 
@@ -95,8 +91,6 @@ impl Sink for MqttSink {
             });
         }
         not_public(&address)?;
-        let state = StateFile::new(address.state.as_deref(), begin.run.id);
-        let before = if begin.how == How::GoOn { state.rows() } else { 0 };
         let place = Arc::new(Place::of(&address, begin.run));
         let instance = instance();
         let (topic, [_, offline]) = place.status();
@@ -121,14 +115,12 @@ impl Sink for MqttSink {
             thread: Some(thread),
             speech,
             farewell: place,
-            before,
-            next: before,
-            state,
+            next: 0,
             number: String::new(),
         };
         open.wait(|shared| matches!(shared.link, Link::Up))?;
         self.open = Some(open);
-        Ok(Watermark(vec![before]))
+        Ok(Watermark::none())
     }
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
@@ -166,9 +158,7 @@ impl Sink for MqttSink {
     fn settle(&mut self) -> Result<Watermark, LogError> {
         let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
         open.wait(|shared| shared.is_empty())?;
-        let rows = open.before + open.flight.lock().acknowledged();
-        open.state.write(rows)?;
-        Ok(Watermark(vec![rows]))
+        Ok(Watermark(vec![open.flight.lock().acknowledged()]))
     }
 
     fn finish(&mut self, _end: Micros) -> Result<(), LogError> {

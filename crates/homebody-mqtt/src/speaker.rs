@@ -4,11 +4,13 @@ use crate::address::Address;
 use crate::connection::Speaker;
 use crate::flight::Flight;
 use crate::greeting::{greeting, is_of_another};
-use crate::order::{Order, TakesOrders, answer};
+use crate::order::{Order, Reply, TakesOrders, heard};
 use crate::place::Place;
 use crate::speech::Message;
 use crate::trouble::Trouble;
+use homebody_core::scenario::logger::TimeFormat;
 use homebody_log::RunInfo;
+use homebody_log::clock::Clock;
 use rumqttc::Publish;
 use std::sync::Arc;
 
@@ -35,7 +37,7 @@ impl Speaker for HomeSpeaker {
         &self.place.base
     }
 
-    fn told(&mut self, publish: &Publish, flight: &Flight) -> Result<(), Trouble> {
+    fn told(&mut self, publish: &Publish, flight: &Arc<Flight>) -> Result<(), Trouble> {
         let (status, [online, _]) = self.place.status();
         if publish.topic == self.place.command() {
             self.ordered(publish, flight);
@@ -58,19 +60,28 @@ impl HomeSpeaker {
         format!("{}/status", self.address.discovery_prefix)
     }
 
-    fn ordered(&mut self, publish: &Publish, flight: &Flight) {
-        let answer = answer(&publish.payload, publish.retain, &self.run, self.orders.as_mut());
-        let running = match answer.obeyed {
-            Some(Order::Pause {}) => Some("OFF"),
-            Some(Order::Resume {}) => Some("ON"),
+    fn ordered(&mut self, publish: &Publish, flight: &Arc<Flight>) {
+        let (asked, order) = heard(&publish.payload, publish.retain, &self.run);
+        let running = match order {
+            Ok(Order::Pause {}) => Some("OFF"),
+            Ok(Order::Resume {}) => Some("ON"),
             _ => None,
         };
-        let topic = self.place.topic("command/result").into();
-        let result = Message { topic, payload: answer.payload.into(), retain: false, then: None };
         let running = running.map(|running| Message::kept(self.place.topic("running"), running));
-        flight.change(|state| {
-            state.say(result);
-            running.into_iter().for_each(|running| state.say(running));
+        let topic: Arc<str> = self.place.topic("command/result").into();
+        let (flight, run) = (flight.clone(), self.run.clone());
+        let reply = Reply::new(move |outcome| {
+            let mut clock = Clock::new(&run.calendar, TimeFormat::LocalOffset);
+            let payload = asked.answer(&outcome, &mut clock).into();
+            flight.change(|state| {
+                state.answer(Message { topic, payload, retain: false, then: None });
+                running.into_iter().filter(|_| outcome.is_ok()).for_each(|running| state.say(running));
+            });
         });
+        match (order, &mut self.orders) {
+            (Err(why), _) => reply.refused(why, ""),
+            (Ok(_), None) => reply.refused("this run takes no orders", ""),
+            (Ok(order), Some(takes)) => takes(order, reply),
+        }
     }
 }

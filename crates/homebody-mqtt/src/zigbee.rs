@@ -6,9 +6,13 @@
 use crate::entities::{Entity, Says, Word};
 use crate::place::{Place, Placed};
 use crate::speech::Message;
+use homebody_core::names::capitalised;
 use homebody_log::RunInfo;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
+
+/// Who makes all devices.
+const MAKER: &str = "Homebody";
 
 /// What the bridge says once a connection is there.
 pub(crate) fn messages(place: &Place, run: &RunInfo) -> Vec<Message> {
@@ -17,6 +21,7 @@ pub(crate) fn messages(place: &Place, run: &RunInfo) -> Vec<Message> {
     let mut messages = vec![
         Message::kept(place.topic("bridge/info"), info(place, run).to_string()),
         Message::kept(place.topic("bridge/devices"), Value::Array(devices).to_string()),
+        Message::kept(place.topic("bridge/groups"), "[]"),
     ];
     messages.extend(availability(place, "online"));
     messages
@@ -55,6 +60,7 @@ fn coordinator(place: &Place) -> Value {
         "definition": null,
         "endpoints": {},
         "interview_completed": true,
+        "interview_state": "SUCCESSFUL",
         "interviewing": false,
     })
 }
@@ -70,9 +76,13 @@ fn device(place: &Place, sensor: &Placed) -> Value {
         "disabled": false,
         "friendly_name": sensor.level,
         "description": sensor.name,
+        "manufacturer": MAKER,
+        "model_id": sensor.kind,
         "definition": {
+            "source": "native",
+            "version": "0.0.0",
             "model": format!("simulated {}", sensor.kind.replace('_', " ")),
-            "vendor": "Homebody",
+            "vendor": MAKER,
             "description": format!("Simulated {} sensor", sensor.kind.replace('_', " ")),
             "exposes": exposes,
             "options": [],
@@ -81,6 +91,7 @@ fn device(place: &Place, sensor: &Placed) -> Value {
         "power_source": "Battery",
         "endpoints": {},
         "interview_completed": true,
+        "interview_state": "SUCCESSFUL",
         "interviewing": false,
     })
 }
@@ -92,19 +103,26 @@ fn exposed(entity: &Entity) -> Value {
         Word::Text(text) => text.into(),
     };
     let name = entity.property;
+    let mut told = json!({ "name": name, "label": label(name), "property": name, "access": 1 });
     match &entity.says {
-        Says::Binary { zigbee: [on, off], .. } => json!({
-            "type": "binary", "name": name, "property": name, "access": 1, "value_on": value(*on), "value_off": value(*off),
-        }),
-        Says::Number { unit: Some(unit) } => {
-            json!({ "type": "numeric", "name": name, "property": name, "access": 1, "unit": unit })
+        Says::Binary { zigbee: [on, off], .. } => {
+            (told["type"], told["value_on"], told["value_off"]) = ("binary".into(), value(*on), value(*off));
         }
-        Says::Number { unit: None } => json!({ "type": "numeric", "name": name, "property": name, "access": 1 }),
-        Says::Choice(words) => {
-            json!({ "type": "enum", "name": name, "property": name, "access": 1, "values": words })
+        Says::Number { unit } => {
+            told["type"] = "numeric".into();
+            if let Some(unit) = unit {
+                told["unit"] = json!(unit);
+            }
         }
-        Says::Text => json!({ "type": "text", "name": name, "property": name, "access": 1 }),
+        Says::Choice(words) => (told["type"], told["values"]) = ("enum".into(), json!(words)),
+        Says::Text => told["type"] = "text".into(),
     }
+    told
+}
+
+/// A property as people read it: `water_flow` is `Water flow`.
+fn label(property: &str) -> String {
+    capitalised(&property.replace('_', " "))
 }
 
 /// An address as radios have one, the same for the same name.

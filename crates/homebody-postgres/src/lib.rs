@@ -23,6 +23,9 @@ mod fleet_runs;
 mod fleet;
 
 mod source;
+mod tables;
+
+mod examine;
 
 pub use fleet::PostgresFleet;
 use homebody_core::scenario::scheme::Scheme;
@@ -31,6 +34,15 @@ use homebody_log::elsewhere::Elsewhere;
 pub use sink::Postgres;
 pub use source::FORM;
 
+/// Whether a URL says which database is meant, without a look at whether it is there.
+///
+/// # Errors
+///
+/// All that is wrong with it, in words without a password.
+pub fn understood(url: &str) -> Result<(), homebody_log::LogError> {
+    server::Server::parse(url).map(drop)
+}
+
 /// PostgreSQL as a kind of place.
 pub const POSTGRESQL: Elsewhere = Elsewhere {
     schemes: &[Scheme::Postgresql],
@@ -38,4 +50,7 @@ pub const POSTGRESQL: Elsewhere = Elsewhere {
     fleet: Some(|url| Box::new(PostgresFleet::new(url))),
     policy: Policy::default,
     forms: &[FORM],
+    tables: Some(tables::read),
+    truth_of: Some(tables::truth_of),
+    examine: examine::examine,
 };

@@ -14,7 +14,7 @@ use tokio_postgres::Row;
 pub(crate) const RUNS: &str = "homebody_run";
 
 /// Where a truth goes if its URL does not say.
-const TRUTH_SCHEMA: &str = "truth";
+pub(crate) const TRUTH_SCHEMA: &str = "truth";
 
 /// What programs that make tables at the same time take turns by: `homebody`, as a number.
 const TURN: i64 = i64::from_be_bytes(*b"homebody");
@@ -64,8 +64,12 @@ impl Schema {
             (None, false) => usual(connection, server)?,
         };
         names_fit(server, &name, begin)?;
-        let wanted: Vec<Wanted> =
-            begin.tables.iter().map(|table| Wanted::of(table, begin)).chain([Wanted::runs()]).collect();
+        let wanted: Vec<Wanted> = begin
+            .tables
+            .iter()
+            .map(|table| Wanted::of(table, begin.time, begin.run_column))
+            .chain([Wanted::runs()])
+            .collect();
         let found = Found::look(connection, &name, &wanted)?;
         let problems = found.problems(&name, &wanted, begin.how);
         if !problems.is_empty() {
@@ -113,6 +117,25 @@ fn in_table(schema: &str, table: &Table, run_column: &str) -> InTable {
     }
 }
 
+/// What is wrong, and what to do.
+pub(crate) type Problem = (String, String);
+
+/// What there is to say of the tables in a schema before anything is written: which of them are there, and all that is wrong, with what
+/// to do.
+pub(crate) fn look(
+    connection: &Connection,
+    schema: &str,
+    tables: &[Table],
+    time: TimeFormat,
+    run_column: &str,
+) -> Result<(Vec<String>, Vec<Problem>), LogError> {
+    let wanted: Vec<Wanted> =
+        tables.iter().map(|table| Wanted::of(table, time, run_column)).chain([Wanted::runs()]).collect();
+    let found = Found::look(connection, schema, &wanted)?;
+    let problems = found.problems(schema, &wanted, How::New);
+    Ok((found.tables.into_keys().collect(), problems))
+}
+
 /// Refuses names that could be SQL, whoever they come from.
 fn names_fit(server: &Server, schema: &str, begin: &Begin) -> Result<(), LogError> {
     let refused = |what, name: &str| Err(LogError::Name { what, name: name.to_owned() });
@@ -145,9 +168,9 @@ struct Wanted {
 }
 
 impl Wanted {
-    fn of(table: &Table, begin: &Begin) -> Wanted {
-        let typed = |column: &Column| (column.name.clone(), column_type(column.kind, begin.time));
-        let run = begin.run_column.to_owned();
+    fn of(table: &Table, time: TimeFormat, run_column: &str) -> Wanted {
+        let typed = |column: &Column| (column.name.clone(), column_type(column.kind, time));
+        let run = run_column.to_owned();
         let columns = std::iter::once((run.clone(), "bigint")).chain(table.columns.iter().map(typed)).collect();
         let key = if table.is_numbered { vec![run, table.columns[0].name.clone()] } else { Vec::new() };
         Wanted { name: table.name.clone(), columns, key, is_runs: false }

@@ -294,17 +294,38 @@ impl Problems {
         if self.what.is_empty() {
             return Ok(());
         }
-        let lines: Vec<String> =
-            self.what.into_iter().map(|what| readable(format!("{}: {what}", self.place))).collect();
+        let place = brief(&self.place);
+        let line = |what: String| readable(format!("{place}: {}", brief(&what)));
+        let lines: Vec<String> = self.what.into_iter().take(MOST_TOLD).map(line).collect();
         let mut hints = self.hints;
+        hints.truncate(MOST_TOLD);
         hints.dedup();
         Err(NoPlace { what: lines.join("\n"), hint: readable(hints.join("; ")) }.into())
+    }
+}
+
+/// So much is told of what is wrong with a URL, in problems and in characters of each (ours).
+const MOST_TOLD: usize = 20;
+const LONGEST_TOLD: usize = 300;
+
+/// The beginning of a text that somebody may have made as long as they like.
+fn brief(text: &str) -> String {
+    match text.char_indices().nth(LONGEST_TOLD) {
+        Some((end, _)) => format!("{}...", &text[..end]),
+        None => text.to_owned(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_url_is_so_long_that_what_is_wrong_with_it_is_not_read() {
+        let long = format!("postgresql://ann@host/homes?{}", "what=1&".repeat(100_000));
+        let told = parse(&long).unwrap_err().to_string();
+        assert!(told.len() < 20_000 && told.contains("there is no parameter \"what\""), "{} bytes", told.len());
+    }
 
     fn parse(url: &str) -> Result<Server, LogError> {
         Server::parse_with(url, &|name| (name == "USER").then(|| "margaret".into()))

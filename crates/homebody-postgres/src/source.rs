@@ -10,7 +10,7 @@ use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::nearest::nearest;
 use homebody_log::LogError;
-use homebody_log::source::{Form, Instant, Reading, Shows};
+use homebody_log::source::{Form, Instant, Reading, SPAN_COLUMNS, SPANS, Shows};
 use std::path::Path;
 use tokio_postgres::Row;
 use tokio_postgres::types::ToSql;
@@ -24,10 +24,10 @@ pub const FORM: Form = Form {
 };
 
 /// Rows that are asked for at once (ours).
-const ROWS_AT_ONCE: i32 = 8192;
+pub(crate) const ROWS_AT_ONCE: i32 = 8192;
 
 /// What rows are read in: at one instant of the table, however long who takes them needs.
-const BEGIN: &str = "BEGIN READ ONLY; SET LOCAL idle_in_transaction_session_timeout = 0";
+pub(crate) const BEGIN: &str = "BEGIN READ ONLY; SET LOCAL idle_in_transaction_session_timeout = 0";
 
 /// So many runs, tables or columns are named in an error (ours).
 const MOST_NAMED: usize = 20;
@@ -37,9 +37,10 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
     let connection = Connection::open(&server)?;
     let table = Found::find(&connection, &server, file)?;
     let run = table.run(&connection, &server)?;
+    connection.wait(connection.client.batch_execute(BEGIN))?;
+    reading.has_spans = spans(&connection, &server, &table, run.as_deref(), reading)?;
     let (sql, parameter) = table.rows(run.as_deref());
     let parameters: Vec<&(dyn ToSql + Sync)> = parameter.iter().map(|run| run as &(dyn ToSql + Sync)).collect();
-    connection.wait(connection.client.batch_execute(BEGIN))?;
     connection.wait(connection.client.execute(&format!("DECLARE rows NO SCROLL CURSOR FOR {sql}"), &parameters))?;
     let next = connection.wait(connection.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
     let mut line = 0;
@@ -58,6 +59,79 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
     }
 }
 
+/// Takes the activities of the table that we write beside a log; whether there is one.
+fn spans(
+    connection: &Connection,
+    server: &Server,
+    log: &Found,
+    run: Option<&str>,
+    reading: &mut Reading<'_>,
+) -> Result<bool, LogError> {
+    let columns = columns_of(connection, &log.schema, SPANS)?;
+    let [begin, end, activity] = SPAN_COLUMNS;
+    let types: Vec<&str> = [begin, end, activity]
+        .iter()
+        .filter_map(|wanted| columns.iter().find(|(name, _)| name == wanted).map(|(_, is)| is.as_str()))
+        .collect();
+    let [begins, ends, _] = types[..] else { return Ok(false) };
+    let clocks = [begins, ends].map(clock_of);
+    let told = |name: &str, clock: Time| if clock == Time::Text { format!("{name}::text") } else { name.to_owned() };
+    let mut sql = format!(
+        "SELECT {}, {}, {activity}::text FROM {}",
+        told(begin, clocks[0]),
+        told(end, clocks[1]),
+        quoted(&log.schema, SPANS)
+    );
+    // The first column is the run's id, as that of the log.
+    if let Some(run) = run.filter(|_| log.run.as_ref().is_some_and(|column| columns[0].0 == *column)) {
+        let known = if log.has_numbers { run.parse::<i64>().ok() } else { None };
+        let Some(run) = known else { return Ok(false) };
+        sql += &format!(" WHERE {} = {run}", ident(&columns[0].0));
+    }
+    sql += &format!(" ORDER BY {begin}, {end}");
+    let failed = |error: tokio_postgres::Error| told_of(server, &error);
+    connection.wait(connection.client.batch_execute(&format!("DECLARE spans NO SCROLL CURSOR FOR {sql}")))?;
+    let next = connection.wait(connection.client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM spans")))?;
+    let mut line = 0;
+    loop {
+        let rows = connection.wait(connection.client.query(&next, &[]))?;
+        for row in &rows {
+            line += 1;
+            let mut at = |place: usize| -> Result<Option<Instant>, tokio_postgres::Error> {
+                Ok(match clocks[place] {
+                    Time::Text => row.try_get::<_, Option<&str>>(place)?.and_then(|text| reading.instant(text)),
+                    Time::Utc => row.try_get::<_, Option<At>>(place)?.map(|At(at)| Instant::Utc(at)),
+                    Time::Local => row.try_get::<_, Option<At>>(place)?.map(|At(at)| Instant::Local(at)),
+                })
+            };
+            let (begin, end) = (at(0).map_err(failed)?, at(1).map_err(failed)?);
+            match begin.zip(end) {
+                Some((begin, end)) => {
+                    let name = row.try_get::<_, Option<&str>>(2).map_err(failed)?.unwrap_or_default();
+                    reading.span(line, begin, end, name);
+                }
+                None => reading.skip(line, format!("in the table {SPANS}: an end is no date and time")),
+            }
+        }
+        if rows.len() < ROWS_AT_ONCE as usize {
+            return connection.wait(connection.client.batch_execute("CLOSE spans")).map(|()| true);
+        }
+    }
+}
+
+fn told_of(server: &Server, error: &tokio_postgres::Error) -> LogError {
+    told(server, error, None)
+}
+
+/// What a column of this type says of instants.
+fn clock_of(is: &str) -> Time {
+    match is {
+        "timestamp with time zone" => Time::Utc,
+        "timestamp without time zone" => Time::Local,
+        _ => Time::Text,
+    }
+}
+
 /// A table of rows, and what its columns are.
 struct Found {
     schema: String,
@@ -70,6 +144,8 @@ struct Found {
     /// Whether runs are numbers.
     has_numbers: bool,
     seq: Option<String>,
+    /// What somebody did, where rows tell it.
+    label: Option<String>,
 }
 
 /// What a column of instants says.
@@ -104,20 +180,15 @@ impl From<LogError> for Failed {
 impl Found {
     /// The table by the names of a mapping, or all that is missing.
     fn find(connection: &Connection, server: &Server, file: &LoggerFile) -> Result<Found, LogError> {
-        const COLUMNS: &str = "SELECT a.attname::text, format_type(a.atttypid, NULL) FROM pg_attribute a \
-             JOIN pg_class c ON c.oid = a.attrelid JOIN pg_namespace n ON n.oid = c.relnamespace \
-             WHERE n.nspname = $1 AND c.relname = $2 AND c.relkind IN ('r', 'p', 'v', 'm', 'f') \
-             AND a.attnum > 0 AND NOT a.attisdropped ORDER BY a.attnum";
         let schema = match &server.schema {
             Some(schema) => schema.clone(),
             None => usual(connection, server)?,
         };
         let table = file.table.clone().unwrap_or_else(|| "firing".into());
-        let columns = connection.wait(connection.client.query(COLUMNS, &[&schema, &table]))?;
+        let columns = columns_of(connection, &schema, &table)?;
         if columns.is_empty() {
             return Err(no_table(connection, server, &schema, &table)?);
         }
-        let columns: Vec<(String, String)> = columns.iter().map(|row| (row.get(0), row.get(1))).collect();
         let has = |name: &String| columns.iter().any(|(column, _)| column == name).then(|| name.clone());
         let names = &file.columns;
         let missing: Vec<&String> =
@@ -131,11 +202,7 @@ impl Found {
             return Err(wrong(server, what, &hint));
         }
         let is = |wanted: &String| columns.iter().find(|(name, _)| name == wanted).map_or("", |(_, is)| is.as_str());
-        let clock = match is(&names.time) {
-            "timestamp with time zone" => Time::Utc,
-            "timestamp without time zone" => Time::Local,
-            _ => Time::Text,
-        };
+        let clock = clock_of(is(&names.time));
         Ok(Found {
             time: names.time.clone(),
             clock,
@@ -144,6 +211,7 @@ impl Found {
             run: has(&names.run),
             has_numbers: ["bigint", "integer", "smallint"].contains(&is(&names.run)),
             seq: has(&names.seq),
+            label: has(&SPANS.to_owned()),
             schema,
             table,
         })
@@ -197,7 +265,8 @@ impl Found {
         let time = ident(&self.time);
         let told = if self.clock == Time::Text { format!("{time}::text") } else { time.clone() };
         let [sensor, value] = [&self.sensor, &self.value].map(|name| format!("{}::text", ident(name)));
-        let mut sql = format!("SELECT {told}, {sensor}, {value} FROM {}", quoted(&self.schema, &self.table));
+        let label = self.label.as_deref().map_or_else(|| "NULL::text".into(), |name| format!("{}::text", ident(name)));
+        let mut sql = format!("SELECT {told}, {sensor}, {value}, {label} FROM {}", quoted(&self.schema, &self.table));
         let mut parameter = None;
         if let (Some(run), Some(column)) = (run, self.run.as_deref().map(ident)) {
             let (is_it, asked) = self.is_run(&column, run);
@@ -215,20 +284,38 @@ impl Found {
     fn take(&self, line: u64, row: &Row, reading: &mut Reading) -> Result<(), Failed> {
         let [sensor, value] = [1, 2].map(|column| row.try_get::<_, Option<&str>>(column));
         let (sensor, value) = (sensor?.unwrap_or_default(), value?.unwrap_or_default());
-        match self.clock {
-            Time::Text => {
-                reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?;
-            }
+        let is_row = match self.clock {
+            Time::Text => reading.row(line, row.try_get::<_, Option<&str>>(0)?.unwrap_or_default(), sensor, value)?,
             clock => match row.try_get::<_, Option<At>>(0)? {
-                None => reading.skip(line, "there is no time".into()),
+                None => {
+                    reading.skip(line, "there is no time".into());
+                    false
+                }
                 Some(At(at)) => {
                     let instant = if clock == Time::Utc { Instant::Utc(at) } else { Instant::Local(at) };
-                    reading.event(line, instant, sensor, value)?;
+                    reading.event(line, instant, sensor, value)?
                 }
             },
+        };
+        if is_row && self.label.is_some() {
+            reading.label(row.try_get::<_, Option<&str>>(3)?.filter(|label| !label.is_empty()));
         }
         Ok(())
     }
+}
+
+/// The columns of a table and their types, in their order; none where there is no such table.
+pub(crate) fn columns_of(
+    connection: &Connection,
+    schema: &str,
+    table: &str,
+) -> Result<Vec<(String, String)>, LogError> {
+    const COLUMNS: &str = "SELECT a.attname::text, format_type(a.atttypid, NULL) FROM pg_attribute a \
+         JOIN pg_class c ON c.oid = a.attrelid JOIN pg_namespace n ON n.oid = c.relnamespace \
+         WHERE n.nspname = $1 AND c.relname = $2 AND c.relkind IN ('r', 'p', 'v', 'm', 'f') \
+         AND a.attnum > 0 AND NOT a.attisdropped ORDER BY a.attnum";
+    let columns = connection.wait(connection.client.query(COLUMNS, &[&schema, &table]))?;
+    Ok(columns.iter().map(|row| (row.get(0), row.get(1))).collect())
 }
 
 /// What to say where there is no such table.
@@ -249,7 +336,7 @@ fn no_table(connection: &Connection, server: &Server, schema: &str, table: &str)
 }
 
 /// The first of some names.
-fn listed(names: &[&str]) -> String {
+pub(crate) fn listed(names: &[&str]) -> String {
     let more = if names.len() > MOST_NAMED { " and more" } else { "" };
     names.iter().take(MOST_NAMED).copied().collect::<Vec<_>>().join(", ") + more
 }

@@ -21,6 +21,7 @@ use homebody_core::home::{Build, Home};
 use homebody_core::ids::ResidentId;
 use homebody_core::models;
 use homebody_core::numbers::Number;
+use homebody_core::outside;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::Recording;
 use homebody_core::run::{DriverProvider, Guest, Run};
@@ -203,7 +204,12 @@ impl Household {
     pub fn recorded(recording: &Recording) -> Result<(Scenario, Household), Problems> {
         let (scenario, household) = Household::load(&recording.files, &recording.entry, &recording.without)?;
         let household = if recording.one_of_many { household.one_of_many() } else { household };
-        Ok((scenario, household))
+        let residents = scenario.residents.iter().map(|resident| resident.file.name.clone());
+        let all: Vec<String> = residents.chain(household.guests().into_iter().map(|guest| guest.name)).collect();
+        match outside::check(&recording.outside, &scenario, &all, "recording.json") {
+            problems if problems.0.is_empty() => Ok((scenario, household)),
+            problems => Err(problems),
+        }
     }
 
     /// The same household as one of a cohort: everybody differs from what is written as people differ, each seed in its

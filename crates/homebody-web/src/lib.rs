@@ -47,4 +47,5 @@ mod socket;
 mod metrics;
 
 pub use metrics::serve_metrics;
+pub use page::has_page;
 pub use server::{Address, Options, ServeError, serve};

@@ -6,6 +6,11 @@ use include_dir::{Dir, include_dir};
 
 static PAGE: Dir = include_dir!("$HOMEBODY_PAGE");
 
+/// Whether the page was built into this program; without it there is a page that says why.
+pub fn has_page() -> bool {
+    PAGE.get_dir("assets").is_some()
+}
+
 /// Answers with a file of the page; `/` is its beginning. Names are looked up in a list, so no path leads elsewhere.
 pub async fn file(uri: Uri) -> Response {
     let name = match uri.path() {

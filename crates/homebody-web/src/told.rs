@@ -9,7 +9,6 @@ use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::care::care;
 use homebody_analysis::density::{Asked, density};
 use homebody_analysis::look::{HomeSensor, Looker};
-use homebody_analysis::measures::Measures;
 use homebody_analysis::realism::{NotComparable, Told, realism};
 use homebody_core::names::capitalised;
 use homebody_core::scenario::load::Scenario;
@@ -86,9 +85,7 @@ impl Logs {
             return Err(Refusal::Damaged(format!("{run} has {rows} rows; the page takes {MOST_ROWS} at most.")));
         }
         scenario.iter().for_each(|scenario| _ = read.place_in(scenario));
-        let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
-        let measures = Measures::heard(run, &read.log, &read.rooms, &asked)
-            .map_err(|why| Refusal::Damaged(shortened(&why.to_string())))?;
+        let measures = read.measures().map_err(|why| Refusal::Damaged(shortened(&why.to_string())))?;
         let rules = Rules::read(USUAL).map_err(|problems| Refusal::Damaged(shortened(&problems.join("; "))))?;
         let residents = scenario.iter().flat_map(|scenario| &scenario.residents);
         let residents: Vec<&str> = residents.map(|resident| resident.file.name.as_str()).collect();

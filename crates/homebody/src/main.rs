@@ -5,6 +5,7 @@ mod commands;
 mod failure;
 mod from_log;
 mod inhabited;
+mod installation;
 mod length;
 mod pace;
 mod print;

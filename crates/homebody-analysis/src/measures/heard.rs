@@ -54,7 +54,7 @@ impl Timeline {
         let away: Vec<Span> = map.absences.iter().map(|Absence { begin, end, .. }| (*begin, *end)).collect();
         let last = signs.last().map_or(end, |sign| sign.at).min(end);
         let stays = stays(&agreed(&signs), &away, last);
-        let doors = opened(log, kinds, &map.entrance.sensors);
+        let door = used_door(log, kinds, &map.entrance.sensors);
         let mut timeline = Timeline {
             first: map.from,
             begin,
@@ -62,7 +62,7 @@ impl Timeline {
             away: (!map.entrance.sensors.is_empty()).then_some(away),
             passages: passages(&signs),
             walks: known.ways.and_then(|ways| walks(&signs, &log.sensors, ways)),
-            company: company(&signs, &log.sensors, known.ways, &doors).filter(|_| rooms.rooms.len() > 1),
+            company: company(&signs, &door),
             cells: Some(map.cells.clone()),
             stays,
             rooms,
@@ -146,16 +146,16 @@ impl Timeline {
     }
 }
 
-/// When contacts among the sensors of the entrance say that a door is opened, in order of time.
-fn opened(log: &Log, kinds: &[Kind], entrance: &[String]) -> Vec<Micros> {
+/// When contacts among the sensors of the entrance say that a door is opened or closed, in order of time.
+fn used_door(log: &Log, kinds: &[Kind], entrance: &[String]) -> Vec<Micros> {
     let is_door: Vec<bool> = (log.sensors.iter().zip(kinds))
         .map(|(sensor, kind)| *kind == Kind::Contact && entrance.contains(sensor))
         .collect();
-    let opens: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Opens).collect();
-    let told = log.events.iter().filter(|event| is_door[event.sensor as usize] && opens[event.value as usize]);
-    let mut opened: Vec<Micros> = told.map(|event| event.at).collect();
-    opened.sort_unstable();
-    opened
+    let is_used: Vec<bool> = log.values.iter().map(|value| matches!(says(value), Says::Opens | Says::Closes)).collect();
+    let told = log.events.iter().filter(|event| is_door[event.sensor as usize] && is_used[event.value as usize]);
+    let mut used: Vec<Micros> = told.map(|event| event.at).collect();
+    used.sort_unstable();
+    used
 }
 
 /// Words that tell of beds and showers.

@@ -77,10 +77,10 @@ measures! {
     walking_speed_fast ("m/s", "Fast walks")
         "The speed that a tenth of these walks exceed", "Hagler et al. 2010, the distribution of walking speeds";
     company ("h", "Company")
-        "Hours of the day with somebody besides the resident, as a guess: from the first to the last of several times that sensors in two rooms speak sooner after each other than a walk takes, or from opening to opening of the front door around one",
-        "Petersen et al. 2012, visitors by motion sensors; the rule is ours";
+        "Hours of the day with somebody besides the resident, as a guess: from use to use of the front door's contact, of 10 min to 5 h, with somebody at home before and after, and 1.3 times the usual signs or more between",
+        "Petersen et al. 2012, visitors by sensors; the rule is ours";
     visits ("times", "Visitors")
-        "How often such a time began on the day, as a guess", "Petersen et al. 2012, visitors by motion sensors; the rule is ours";
+        "How often such a time began on the day, as a guess", "Petersen et al. 2012, visitors by sensors; the rule is ours";
     pacing ("times", "Pacing")
         "Ways back and forth between two rooms, three times and more, with no stay over a minute",
         "Martino-Saltzman et al. 1991; three times are ours";

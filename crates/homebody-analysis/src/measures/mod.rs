@@ -28,7 +28,6 @@ use crate::density::{Asked, Chosen, NoMap};
 use crate::signs::kinds;
 use homebody_log::{Life, Log};
 use of_day::Common;
-use std::collections::BTreeMap;
 
 pub use held::{Day, Measures, Silent};
 pub use kinds::{MEASURES, Measure};
@@ -40,29 +39,24 @@ pub use timeline::{Passage, Span, Stay, Timeline, Walk};
 pub use ways::Ways;
 
 impl Measures {
-    /// Of a log. `known` says which of its sensors are in which rooms, where a home tells it.
+    /// Of a log, with what its home tells.
     ///
     /// # Errors
     ///
     /// [`NoMap`] where no sensor tells of motion, or the days are too many.
-    pub fn heard(name: &str, log: &Log, known: &BTreeMap<String, String>, asked: &Asked) -> Result<Measures, NoMap> {
-        Measures::heard_at_home(name, log, &Known { rooms: known, ways: None }, asked)
-    }
-
-    /// The same with all that a home tells.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Measures::heard`].
-    pub fn heard_at_home(name: &str, log: &Log, known: &Known, asked: &Asked) -> Result<Measures, NoMap> {
+    pub fn heard(name: &str, log: &Log, known: &Known, asked: &Asked) -> Result<Measures, NoMap> {
         let kinds = kinds(log);
         let (timeline, map) = Timeline::heard(log, &kinds, known, asked)?;
         let mut remarks = Vec::new();
-        let unplaced = timeline.rooms.of_sensors.iter().filter(|room| room.is_none()).count();
+        // A door out is in no room.
+        let of_sensors = log.sensors.iter().zip(&timeline.rooms.of_sensors);
+        let unplaced =
+            of_sensors.filter(|(sensor, room)| room.is_none() && !map.entrance.sensors.contains(sensor)).count();
         if timeline.rooms.rooms.is_empty() {
             remarks.push("No sensor's name tells its room, so nothing of rooms, bed, meals and showers is known; --home tells which room each is in".to_owned());
         } else if unplaced > 0 {
-            remarks.push(format!("{unplaced} of {} sensors are in no room that is known", log.sensors.len()));
+            let are = if unplaced == 1 { "is" } else { "are" };
+            remarks.push(format!("{unplaced} of {} sensors {are} in no room that is known", log.sensors.len()));
         }
         for (purpose, room, lacking) in [
             (Purpose::Bedroom, "bedroom", "nights"),
@@ -94,7 +88,7 @@ impl Measures {
         }
         if timeline.company.is_some() {
             guesses.extend(["company", "visits"]);
-            remarks.push("Visitors are a guess by sensors that speak sooner after each other than somebody walks: who sits with the resident in one room is not found".to_owned());
+            remarks.push("Visitors are a guess by uses of the door with somebody at home before and after, and by how lively it is between them".to_owned());
         }
         let mut measures = Measures { guesses, ..Measures::of(name, &timeline, remarks) };
         let away = timeline.away.clone().unwrap_or_default();

@@ -30,7 +30,8 @@ pub(super) fn silences(log: &Log, kinds: &[Kind], away: &[Span], last: Micros) -
     let mut longest: Vec<Micros> = vec![0; log.sensors.len()];
     let mut found = Vec::new();
     let mut ends = |sensor: usize, at: Micros, before: Option<Micros>| {
-        let Some(since) = before.filter(|since| at > *since) else { return };
+        // What is no longer than another silence before it changes nothing.
+        let Some(since) = before.filter(|since| at - since > longest[sensor]) else { return };
         let away = (within_h(away, (since, at)) * DAY as f64 / 24.0) as Micros;
         let quiet = at - since - away;
         let least = SILENT.max(longest[sensor] * SILENT_TIMES);

@@ -4,6 +4,7 @@ use super::*;
 use crate::alerts::{Alerts, Rules, SENSOR, USUAL, alerts};
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::{Event, Log};
+use std::collections::BTreeMap;
 
 const MINUTE: Micros = 60 * SECOND;
 const SENSORS: [&str; 5] =
@@ -50,7 +51,8 @@ fn log_of(days: Micros, otherwise: &dyn Fn(Micros, Micros, u32) -> bool) -> Log 
 }
 
 fn measured(log: &Log) -> (Measures, Alerts) {
-    let measures = Measures::heard("log", log, &BTreeMap::new(), &Asked::default()).unwrap();
+    let measures =
+        Measures::heard("log", log, &Known { rooms: &BTreeMap::new(), ways: None }, &Asked::default()).unwrap();
     let told = alerts(&measures, &Rules::read(USUAL).unwrap());
     (measures, told)
 }

@@ -23,14 +23,8 @@ pub struct Ways {
     ways: Vec<Vec<Option<Way>>>,
 }
 
-/// A way from one sensor to another.
-#[derive(Clone, Debug)]
-struct Way {
-    /// From leaving the view of the first to coming into that of the other, in metres; 0 where both see one place on it.
-    between_m: f64,
-    /// Where somebody comes into the view of which sensor, in metres from the beginning.
-    comes_m: Vec<(usize, f64)>,
-}
+/// A way from one sensor to another: where somebody comes into the view of which sensor, in metres from the beginning.
+type Way = Vec<(usize, f64)>;
 
 impl Ways {
     /// Of a home. `path` finds the corners of a way, without its beginning; `called` says what a sensor is called in logs
@@ -54,7 +48,7 @@ impl Ways {
         let way = |from: usize, to: usize| {
             let (begin, end) = (middles[from]?, middles[to]?);
             let corners = path(begin, end).filter(|corners| !corners.is_empty())?;
-            Some(Way::along(begin, &corners, (from, to), seen.sensors.len(), &|sensor, p| seen.field.sees(sensor, p)))
+            Some(along(begin, &corners, seen.sensors.len(), &|sensor, p| seen.field.sees(sensor, p)))
         };
         let count = seen.sensors.len();
         let ways = (0..count).map(|from| (0..count).map(|to| way(from, to)).collect()).collect();
@@ -71,54 +65,35 @@ impl Ways {
         self.numbers.get(name).copied()
     }
 
-    /// How many metres lie at least between where one sees somebody and where another does.
-    pub fn between_m(&self, from: usize, to: usize) -> Option<f64> {
-        // Ways there and back may differ where one turns.
-        let one_way = |from: usize, to: usize| self.ways[from][to].as_ref().map(|way| way.between_m);
-        Some(one_way(from, to)?.min(one_way(to, from)?))
-    }
-
     /// How many metres one walks from coming into the view of `from` to coming into that of `to`, on the way from `before`.
     pub fn walked_m(&self, before: usize, from: usize, to: usize) -> Option<f64> {
         let way = self.ways[before][to].as_ref()?;
-        let comes = |sensor: usize| way.comes_m.iter().find(|(other, _)| *other == sensor).map(|(_, at)| *at);
+        let comes = |sensor: usize| way.iter().find(|(other, _)| *other == sensor).map(|(_, at)| *at);
         Some(comes(to)? - comes(from)?)
     }
 }
 
-impl Way {
-    fn along(
-        begin: Point,
-        corners: &[Point],
-        (from, to): (usize, usize),
-        sensors: usize,
-        sees: &dyn Fn(usize, Point) -> bool,
-    ) -> Way {
-        let mut comes_m = Vec::new();
-        let mut was_seen: Vec<bool> = (0..sensors).map(|sensor| sees(sensor, begin)).collect();
-        let (mut gone, mut left, mut at) = (0.0, 0.0, begin);
-        for &corner in corners {
-            let length = at.distance(corner);
-            let steps = (length / STEP_M).ceil().max(1.0) as usize;
-            for step in 1..=steps {
-                let part = step as f64 / steps as f64;
-                let p = at + (corner - at) * part;
-                for (sensor, was_seen) in was_seen.iter_mut().enumerate() {
-                    let is_seen = sees(sensor, p);
-                    if is_seen && !*was_seen {
-                        comes_m.push((sensor, gone + length * part));
-                    }
-                    *was_seen = is_seen;
+fn along(begin: Point, corners: &[Point], sensors: usize, sees: &dyn Fn(usize, Point) -> bool) -> Way {
+    let mut comes_m = Vec::new();
+    let mut was_seen: Vec<bool> = (0..sensors).map(|sensor| sees(sensor, begin)).collect();
+    let (mut gone, mut at) = (0.0, begin);
+    for &corner in corners {
+        let length = at.distance(corner);
+        let steps = (length / STEP_M).ceil().max(1.0) as usize;
+        for step in 1..=steps {
+            let part = step as f64 / steps as f64;
+            let p = at + (corner - at) * part;
+            for (sensor, was_seen) in was_seen.iter_mut().enumerate() {
+                let is_seen = sees(sensor, p);
+                if is_seen && !*was_seen {
+                    comes_m.push((sensor, gone + length * part));
                 }
-                if was_seen[from] {
-                    left = gone + length * part;
-                }
+                *was_seen = is_seen;
             }
-            (gone, at) = (gone + length, corner);
         }
-        let comes = comes_m.iter().find(|(sensor, _)| *sensor == to).map_or(0.0, |(_, at)| *at);
-        Way { between_m: f64::max(comes - left, 0.0), comes_m }
+        (gone, at) = (gone + length, corner);
     }
+    comes_m
 }
 
 #[cfg(test)]
@@ -144,8 +119,6 @@ mod tests {
         let ways = row();
         assert_eq!((ways.number("a"), ways.number("Mc"), ways.number("d")), (Some(0), Some(2), None));
         let is = |metres: Option<f64>, about: f64| metres.is_some_and(|metres| (metres - about).abs() < 0.15);
-        assert!(is(ways.between_m(0, 1), 2.1), "{:?}", ways.between_m(0, 1));
-        assert!(is(ways.between_m(2, 0), 5.1), "{:?}", ways.between_m(2, 0));
         // A body of 0.2 m is seen before its middle is over an area. From coming into the view of the second to coming into that of the third.
         assert!(is(ways.walked_m(0, 1, 2), 3.0), "{:?}", ways.walked_m(0, 1, 2));
         assert_eq!(ways.walked_m(1, 0, 2), None, "the first is not on that way");

@@ -7,7 +7,6 @@
 
 use super::days::{Days, parquet_files};
 use crate::encoded::{Format, Layout};
-use crate::fault::no_store;
 use homebody_core::time::Micros;
 use homebody_log::clock::Clock;
 use homebody_log::lock::FileLock;
@@ -56,8 +55,9 @@ impl DataSet {
 
 impl Sink for DataSet {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        #[cfg(not(feature = "cloud"))]
         if self.folder.to_string_lossy().contains("://") {
-            return Err(no_store(&self.folder));
+            return Err(crate::fault::no_store(&self.folder));
         }
         let mut tables = Vec::new();
         let mut replaced = Vec::new();

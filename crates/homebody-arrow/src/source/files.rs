@@ -30,13 +30,45 @@ pub(super) fn files(path: &Path) -> Result<Vec<PathBuf>, LogError> {
     // Ours say how many rows come before; with others the names say their order.
     let mut in_order = Vec::new();
     for file in &found {
-        let about = Opened::open(file)?.about;
-        let about = about.and_then(|text| serde_json::from_str::<Value>(&text).ok());
-        let Some(rows) = about.and_then(|about| about.get(ROWS_BEFORE)?.as_u64()) else { return Ok(found) };
+        let Some(rows) = about(&Opened::open(file)?, ROWS_BEFORE) else { return Ok(found) };
         in_order.push((rows, file.clone()));
     }
     in_order.sort();
     Ok(in_order.into_iter().map(|(_, file)| file).collect())
+}
+
+/// A number that a file tells of itself.
+pub(super) fn about(opened: &Opened, key: &str) -> Option<u64> {
+    let about: Value = serde_json::from_str(opened.about.as_ref()?).ok()?;
+    about.get(key)?.as_u64()
+}
+
+/// The folders of the runs of a data set with their names; without any, it is the whole.
+pub(super) fn runs_in(folder: &Path) -> Vec<(String, PathBuf)> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_FILES);
+    let named = entries.map(|entry| (entry.file_name().to_string_lossy().into_owned(), entry.path()));
+    let mut runs: Vec<(String, PathBuf)> =
+        named.filter(|(name, path)| name.starts_with("run=") && path.is_dir()).collect();
+    runs.sort();
+    if runs.is_empty() {
+        let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        runs.push((name, folder.to_owned()));
+    }
+    runs.into_iter().map(|(name, path)| (name.replace('=', " "), path)).collect()
+}
+
+/// The files of one run, and those that have no name yet.
+pub(super) fn all_files(folder: &Path) -> Result<(Vec<PathBuf>, Vec<PathBuf>), LogError> {
+    let mut found = Vec::new();
+    collect(folder, 0, &mut found)?;
+    found.sort();
+    let inner = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    let folders = inner.filter(|path| path.is_dir()).chain([folder.to_owned()]);
+    let hidden = folders.flat_map(|folder| fs::read_dir(folder).into_iter().flatten().flatten()).filter(|entry| {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        name.starts_with('.') && name.contains(".parquet")
+    });
+    Ok((found, hidden.map(|entry| entry.path()).collect()))
 }
 
 fn collect(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) -> Result<(), LogError> {

@@ -2,13 +2,18 @@
 
 mod batches;
 mod cells;
+mod examine;
 mod files;
 mod guard;
+mod here;
 mod ipc;
 mod rows;
+mod tables;
 
 pub(crate) use batches::Batches;
+pub(crate) use examine::examine;
 use homebody_log::source::{Form, Shows, Start};
+pub(crate) use tables::read_tables;
 
 /// The forms of this crate.
 pub(crate) const FORMS: [Form; 2] = [

@@ -3,7 +3,8 @@
 use super::batches::Opened;
 use super::cells::{Texts, Time, Times};
 use super::files::files;
-use crate::fault::{broken, no_store};
+use super::here::{here, of_place};
+use crate::fault::broken;
 use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::Schema;
 use homebody_core::problem::readable;
@@ -17,11 +18,9 @@ const LONGEST_TOLD: usize = 200;
 
 /// Reads a file, or a folder of files, row by row.
 pub(super) fn read(path: &Path, mapping: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    if path.to_string_lossy().contains("://") {
-        return Err(no_store(path));
-    }
+    let (_kept, folder) = here(path)?;
     let mut line = 0;
-    for file in files(path)? {
+    for file in files(&folder).map_err(|error| of_place(path, error))? {
         let opened = Opened::open(&file)?;
         if let Some(columns) = spans(&opened.schema) {
             read_spans(&file, opened, &columns, &mut line, reading)?;
@@ -50,10 +49,10 @@ fn spans(schema: &Schema) -> Option<[usize; 3]> {
 }
 
 /// Takes so many rows of some columns.
-type Take<'t> = dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError> + 't;
+pub(super) type Take<'t> = dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError> + 't;
 
 /// Reads columns, and gives each batch with them in this order.
-fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &mut Take<'_>) -> Result<(), LogError> {
+pub(super) fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &mut Take<'_>) -> Result<(), LogError> {
     let mut sorted = columns.to_vec();
     sorted.sort_unstable();
     sorted.dedup();

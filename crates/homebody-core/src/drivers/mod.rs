@@ -61,6 +61,13 @@ pub trait Driver: fmt::Debug + Send + Sync {
         false
     }
 
+    /// The body, which is at home, has fallen where it is, for a reason outside of it: what it was doing ended now. From now on it
+    /// lies on the floor for so long, and gets up then; the driver says so when it is asked next, at this instant. False if its
+    /// bodies do not fall; then nothing has changed.
+    fn falls(&mut self, _around: &Surroundings, _lies: Micros) -> bool {
+        false
+    }
+
     /// From `at` on the input is this. Only for a driver whose input is open.
     fn input(&mut self, _at: Micros, _input: Input) {}
 }

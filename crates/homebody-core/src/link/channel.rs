@@ -2,6 +2,7 @@
 
 use super::clock::Clock;
 use super::message::{Chance, Draws, IDS};
+use crate::deed::Failure;
 use crate::event::{Loss, Value};
 use crate::ids::SensorId;
 use crate::random::{Range, Stream};
@@ -76,6 +77,17 @@ impl Channel {
             moves: Vec::new(),
             stream: Stream::named(seed, &format!("sensor/{sensor}/link")),
         }
+    }
+
+    /// Its device or its way fails for a time.
+    pub fn fails(&mut self, failure: Failure, span: Span) {
+        let fault = match failure {
+            Failure::Battery { fades_us } => Fault::Battery { fades: fades_us },
+            Failure::Stuck { .. } => Fault::Stuck,
+            Failure::FallsOff => Fault::FallsOff,
+            Failure::BadLink { lost_ppm } => Fault::BadLink { loss: f64::from(lost_ppm) / 1e6 },
+        };
+        self.faults.push((span, fault));
     }
 
     /// From an instant on the sensor is another of the home's.

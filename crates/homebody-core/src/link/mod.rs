@@ -18,9 +18,11 @@ pub(crate) mod radio;
 mod sources;
 mod channel;
 
+use crate::deed::Failure;
 use crate::event::{Events, Fact, Firing, Loss, Provenance, Trigger, Value};
 use crate::ids::SensorId;
 use crate::numbers::Numbers;
+use crate::random::Stream;
 use crate::scenario::home::{MotionFile, SensorFile};
 use crate::scenario::link::{FaultFile, LinkFile, MovedFile, Span, of_days};
 use crate::time::{Micros, NEVER};
@@ -133,6 +135,44 @@ impl Link {
             seq: 0,
             channels,
             places,
+        }
+    }
+
+    /// A link of sensors of these names, with whether each looks for movement, on which nothing goes wrong by itself. So many
+    /// messages have been told before.
+    pub(crate) fn perfect<'n>(
+        sensors: impl Iterator<Item = (&'n str, bool)>,
+        numbers: &Numbers,
+        seed: u64,
+        told: u64,
+    ) -> Link {
+        let file = LinkFile::default();
+        let sensors: Vec<(&str, bool)> = sensors.collect();
+        Link {
+            channels: sensors.iter().map(|&(name, looks)| Channel::new(&file, name, looks, seed)).collect(),
+            places: Vec::new(),
+            sources: Sources::new(&file, &[], 0, seed),
+            radio: None,
+            clocks: Clocks { clocks: Vec::new(), longest: 0 },
+            outages: Vec::new(),
+            damaged_ids: numbers.of(&DAMAGED_IDS),
+            under_way: BinaryHeap::new(),
+            order: 0,
+            seq: told,
+        }
+    }
+
+    /// A sensor of this name fails for a time, whatever the link's file says.
+    pub(crate) fn fails(&mut self, sensor: SensorId, failure: Failure, span: Span, name: &str, seed: u64) {
+        let Some(channel) = self.channels.get_mut(sensor.index()) else { return };
+        channel.fails(failure, span);
+        if let Failure::Stuck { every_us: Some(every) } = failure {
+            self.sources.repeat(
+                sensor,
+                every,
+                span,
+                Stream::named(seed, &format!("sensor/{name}/outside/{}", span.begin)),
+            );
         }
     }
 

@@ -92,6 +92,13 @@ impl Sources {
         sources
     }
 
+    /// From the beginning of a span to its end a sensor repeats itself.
+    pub fn repeat(&mut self, sensor: SensorId, every: Micros, span: Span, stream: Stream) {
+        let kind = Kind::Repeat { every };
+        self.sources.push(Source { sensor, kind, until: span.end, next: span.begin, stream });
+        self.find_next();
+    }
+
     /// When the next of them speaks.
     pub fn next(&self) -> Micros {
         self.next.0

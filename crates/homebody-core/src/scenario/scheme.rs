@@ -177,8 +177,18 @@ impl SchemeRow {
 
 /// A place as it may be repeated to people: what stands as a password in it is left out.
 pub fn without_password(place: &str) -> Cow<'_, str> {
-    let Some((before, rest)) = place.split_once("//") else { return place.into() };
-    let (main, query) = rest.split_once('?').map_or((rest, None), |(main, query)| (main, Some(query)));
+    // A stroke is easily forgotten: what a server is named by begins behind the colon all the same.
+    let is_server = |name: &&str| SchemeRow::named(name).is_some_and(|row| row.stands == Stands::Server);
+    let scheme = place.split_once(':').map(|(name, _)| name).filter(is_server);
+    let Some(begin) = place.find("//").map(|at| at + 2).or(scheme.map(|name| name.len() + 1)) else {
+        return place.into();
+    };
+    let (before, rest) = place.split_at(begin);
+    // A password may hold a question mark, where somebody has not written it as %3F: behind a real one there are names and values.
+    let user_ends = rest.rfind('@').unwrap_or(0);
+    let is_real = |at: &usize| *at > user_ends || rest[*at..user_ends].contains('=');
+    let question = rest.match_indices('?').map(|(at, _)| at).find(is_real);
+    let (main, query) = question.map_or((rest, None), |at| (&rest[..at], Some(&rest[at + 1..])));
     // What belongs to a user may hold a stroke, where somebody has not written it as %2F.
     let (user, host) = main.rsplit_once('@').map_or((None, main), |(user, host)| (Some(user), host));
     let name = user.map(|user| user.split_once(':').map_or(user, |(name, _)| name));
@@ -190,7 +200,7 @@ pub fn without_password(place: &str) -> Cow<'_, str> {
     }
     let name = name.map_or(String::new(), |name| format!("{name}@"));
     let open = open.filter(|open| !open.is_empty()).map_or(String::new(), |open| format!("?{}", open.join("&")));
-    format!("{before}//{name}{host}{open}").into()
+    format!("{before}{name}{host}{open}").into()
 }
 
 impl Scheme {
@@ -312,12 +322,20 @@ mod tests {
             "postgresql://ann@host/homes?password=s3cr3t-canary&schema=a",
             "postgresq://ann:s3cr3t-canary@host/homes",
             "mqtt://ann:s3cr3t/canary@host/home",
+            "postgresql://ann:s3cr3t?canary@host/homes?schema=a",
+            "mqtt:/ann:s3cr3t-canary@host/home",
+            "postgresql:ann:s3cr3t-canary@host/homes",
             "redis://ann:s3cr3t-canary@host",
         ] {
             let told = Scheme::split(place).unwrap_err().to_string();
             assert!(told.contains("ann@host") && !told.contains("s3cr3t") && !told.contains("canary"), "{told}");
         }
-        for place in ["postgresql://ann@host:5432/homes?passfile=secret", "postgres://host", "mqtt://[::1]:1883/home"] {
+        for place in [
+            "postgresql://ann@host:5432/homes?passfile=secret",
+            "postgres://host",
+            "mqtt://[::1]:1883/home",
+            "postgresql://host:5432/homes?user=ann@home",
+        ] {
             assert!(Scheme::split(place).is_ok(), "{place}");
             assert_eq!(without_password(place), place);
         }

@@ -76,7 +76,7 @@ impl DeviceModel for Contact {
             && on != self.open
         {
             self.open = on;
-            outbox.say(if on { Value::Open } else { Value::Close }, Some(resident), at, Trigger::Use(thing));
+            outbox.say(if on { Value::Open } else { Value::Close }, resident, at, Trigger::Use(thing));
         }
     }
 }
@@ -91,7 +91,11 @@ mod tests {
         let mut contact = Contact { thing: ThingId(3), open: false };
         let mut outbox = Outbox::default();
         for (at, thing, on) in [(1, 3, false), (2, 3, true), (3, 4, true), (4, 3, true), (5, 3, false)] {
-            contact.on_event(at, &Change::Use { resident: ResidentId(0), thing: ThingId(thing), on }, &mut outbox);
+            contact.on_event(
+                at,
+                &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(thing), on },
+                &mut outbox,
+            );
         }
         let values: Vec<Value> = outbox.0.iter().map(|(value, _)| *value).collect();
         assert_eq!(values, [Value::Open, Value::Close]);

@@ -70,21 +70,14 @@ pub struct Flow {
     /// When it ceases by itself.
     ceases: Micros,
     /// Who flushed last, and when.
-    by: ResidentId,
+    by: Option<ResidentId>,
     since: Micros,
 }
 
 impl Flow {
     /// A sensor in the pipe to the thing of this site.
     pub fn new(file: &FlowFile, site: &Site) -> Flow {
-        Flow {
-            thing: site.thing,
-            runs: file.runs_s.map(micros),
-            flows: false,
-            ceases: NEVER,
-            by: ResidentId(0),
-            since: 0,
-        }
+        Flow { thing: site.thing, runs: file.runs_s.map(micros), flows: false, ceases: NEVER, by: None, since: 0 }
     }
 }
 
@@ -98,7 +91,7 @@ impl DeviceModel for Flow {
         self.on_timer(at, outbox);
         if on != self.flows {
             self.flows = on;
-            outbox.say(if on { Value::On } else { Value::Off }, Some(resident), at, Trigger::Use(thing));
+            outbox.say(if on { Value::On } else { Value::Off }, resident, at, Trigger::Use(thing));
         }
         if let Some(runs) = self.runs {
             (self.ceases, self.by, self.since) = (at + runs, resident, at);
@@ -112,7 +105,7 @@ impl DeviceModel for Flow {
     fn on_timer(&mut self, at: Micros, outbox: &mut Outbox) {
         if self.ceases <= at {
             (self.flows, self.ceases) = (false, NEVER);
-            outbox.say(Value::Off, Some(self.by), self.since, Trigger::Use(self.thing));
+            outbox.say(Value::Off, self.by, self.since, Trigger::Use(self.thing));
         }
     }
 }
@@ -132,7 +125,7 @@ mod tests {
                 flow.on_timer(due, &mut outbox);
                 messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
             }
-            flow.on_event(at, &Change::Use { resident: ResidentId(0), thing: ThingId(7), on }, &mut outbox);
+            flow.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(7), on }, &mut outbox);
             messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
         }
         messages

@@ -92,8 +92,8 @@ pub struct Light {
     /// The room's lamp: index into the home's things.
     lamp: ThingId,
     lamp_on: bool,
-    /// Who turned the lamp since it last measured.
-    by: Option<ResidentId>,
+    /// Whether the lamp was turned since it last measured, and by whom: by nobody who is there where it was from outside.
+    by: Option<Option<ResidentId>>,
     daylight_lux: f64,
     lamp_lux: f64,
     change: f64,
@@ -148,7 +148,7 @@ impl DeviceModel for Light {
         if self.said_lux.is_none_or(|before| (now - before).abs() > (self.change * before).max(STEP_LUX)) {
             self.said_lux = Some(libm::round(now));
             let why = if by.is_some() { Trigger::Use(self.lamp) } else { Trigger::Reading };
-            outbox.say(reading(libm::round(now)), by, at, why);
+            outbox.say(reading(libm::round(now)), by.flatten(), at, why);
         }
         self.measures = self.rounds.after(at);
     }
@@ -220,7 +220,7 @@ mod tests {
                         .map(|(value, provenance)| (due, value, provenance.resident.map(|resident| resident.0))),
                 );
             }
-            light.on_event(at, &Change::Use { resident: ResidentId(4), thing: ThingId(3), on }, &mut outbox);
+            light.on_event(at, &Change::Use { resident: Some(ResidentId(4)), thing: ThingId(3), on }, &mut outbox);
         }
         let at_night = [(0, 0, None), (HOUR + 7, 150_000, Some(4)), (2 * HOUR, 0, Some(4))];
         assert_eq!(messages[..3], at_night.map(|(at, lux, by)| (at, Value::Reading(lux), by)));

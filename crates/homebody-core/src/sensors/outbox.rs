@@ -19,10 +19,10 @@ use crate::time::{Micros, NEVER};
 /// What a device is told.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Change {
-    /// A resident used a thing: index into the home's things.
+    /// A thing was used: index into the home's things.
     Use {
-        /// Who used it.
-        resident: ResidentId,
+        /// Who used it; `None` from outside.
+        resident: Option<ResidentId>,
         /// What was used.
         thing: ThingId,
         /// How it is afterwards: on or open, or off or closed.

@@ -141,7 +141,7 @@ impl DeviceModel for Power {
         }
         // A reading that is due as it is turned off was still one of it on.
         self.on_timer(at, outbox);
-        (self.on, self.by) = (on, Some(resident));
+        (self.on, self.by) = (on, resident);
         outbox.say(if on { Value::On } else { Value::Off }, self.by, at, Trigger::Use(thing));
         self.measure(at, outbox);
     }
@@ -180,7 +180,7 @@ mod tests {
     }
 
     fn act(on: bool) -> Change {
-        Change::Use { resident: ResidentId(0), thing: ThingId(1), on }
+        Change::Use { resident: Some(ResidentId(0)), thing: ThingId(1), on }
     }
 
     #[test]

@@ -177,7 +177,7 @@ impl DeviceModel for StoveTemperature {
         }
         self.on_timer(at, outbox);
         let start_c = self.temperature_c(at);
-        (self.on, self.since, self.by, self.start_c) = (on, at, Some(resident), start_c);
+        (self.on, self.since, self.by, self.start_c) = (on, at, resident, start_c);
         self.crossing = self.next_crossing();
         self.measures = self.next_measurement(at);
     }
@@ -270,7 +270,7 @@ mod tests {
                 assert!(stove.timer() > due);
                 messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
             }
-            stove.on_event(at, &Change::Use { resident: ResidentId(0), thing: ThingId(2), on }, &mut outbox);
+            stove.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(2), on }, &mut outbox);
             messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
         }
         messages
@@ -299,7 +299,7 @@ mod tests {
         let mut told_first = stove(serde_json::json!({}));
         let mut due_first = told_first.clone();
         let (mut a, mut b) = (Outbox::default(), Outbox::default());
-        let act = |on| Change::Use { resident: ResidentId(0), thing: ThingId(2), on };
+        let act = |on| Change::Use { resident: Some(ResidentId(0)), thing: ThingId(2), on };
         told_first.on_event(0, &act(true), &mut a);
         due_first.on_event(0, &act(true), &mut b);
         due_first.on_timer(crossing, &mut b);

@@ -21,7 +21,7 @@ const PRAGMAS: [&str; 9] = [
 ];
 
 /// Names that readers look for.
-const TABLES: [&str; 16] = [
+const TABLES: [&str; 17] = [
     "firing",
     "run",
     "sensor",
@@ -31,6 +31,7 @@ const TABLES: [&str; 16] = [
     "room",
     "activity",
     "act",
+    "outside",
     "need",
     "condition",
     "lost",

@@ -13,7 +13,9 @@ mod recording;
 mod routine;
 mod scenario;
 mod script;
+mod server;
 mod source;
+mod tables;
 mod text;
 mod told;
 mod trial;
@@ -23,7 +25,7 @@ mod wire;
 use crate::target::Target;
 
 /// All targets.
-pub const TARGETS: [Target; 15] = [
+pub const TARGETS: [Target; 17] = [
     scenario::TARGET,
     home::TARGET,
     routine::TARGET,
@@ -36,6 +38,8 @@ pub const TARGETS: [Target; 15] = [
     columns::TARGET,
     source::TARGET,
     truth::TARGET,
+    tables::TARGET,
+    server::TARGET,
     plan::TARGET,
     text::TARGET,
     wire::TARGET,

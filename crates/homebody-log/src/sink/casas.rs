@@ -18,6 +18,7 @@ use homebody_core::time::Micros;
 /// A text file of a row a line.
 pub(crate) struct Casas {
     at: At,
+    is_followed: bool,
     open: Option<Open>,
 }
 
@@ -36,8 +37,9 @@ struct Open {
 }
 
 impl Casas {
-    pub fn new(at: At) -> Casas {
-        Casas { at, open: None }
+    /// One that `is_followed` has its name from its first line on.
+    pub fn new(at: At, is_followed: bool) -> Casas {
+        Casas { at, is_followed, open: None }
     }
 }
 
@@ -56,7 +58,7 @@ impl Sink for Casas {
         let change = table.column(CHANGE);
         let columns = PARTS.into_iter().chain(table.column(LABEL)).chain(change).collect();
         self.open = Some(Open {
-            file: Text::begin(&self.at, begin.how, false)?,
+            file: Text::begin(&self.at, begin.how, self.is_followed)?,
             clock: Clock::new(&begin.run.calendar, TimeFormat::Local),
             texts: Vec::new(),
             columns,

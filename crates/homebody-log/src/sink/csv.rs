@@ -14,6 +14,7 @@ use homebody_core::time::Micros;
 /// Text files of a row a line, one for each table.
 pub(crate) struct Csv {
     at: At,
+    is_followed: bool,
     open: Option<Open>,
 }
 
@@ -29,8 +30,9 @@ struct Open {
 }
 
 impl Csv {
-    pub fn new(at: At) -> Csv {
-        Csv { at, open: None }
+    /// One that `is_followed` has its name from its first line on.
+    pub fn new(at: At, is_followed: bool) -> Csv {
+        Csv { at, is_followed, open: None }
     }
 }
 
@@ -38,7 +40,7 @@ impl Sink for Csv {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let mut files = Vec::new();
         for (table, at) in begin.tables.iter().zip(self.at.of_tables(Scheme::Csv, begin.tables)?) {
-            let mut file = Text::begin(&at, begin.how, false)?;
+            let mut file = Text::begin(&at, begin.how, self.is_followed)?;
             let header: Vec<String> = table.columns.iter().map(|column| quoted(&column.name)).collect();
             file.line(format!("{}\n", header.join(",")).as_bytes())?;
             files.push(file);

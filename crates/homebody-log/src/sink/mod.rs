@@ -16,7 +16,7 @@ use crate::table::{Batch, Table};
 pub use database::log_beside;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
-pub use open::open;
+pub use open::{open, open_as};
 
 /// A destination of rows: a file, a database, a broker, or whatever a caller brings.
 ///

@@ -95,7 +95,7 @@ impl Rows {
 impl<'t> Causes<'t> {
     pub fn of(truth: &'t RecordedTruth, clock: &RunClock) -> Result<Causes<'t>, LogError> {
         let (firings, offs) = (Rows::of(FIRINGS), Rows::of(OFFS));
-        let clock = Reader { instants: Instants::default(), turns: Turns::new(truth, clock)? };
+        let clock = Reader { instants: Instants::default(), turns: Turns::new(truth, &truth.clock(clock))? };
         Ok(Causes { truth, clock, firings, offs })
     }
 

@@ -16,25 +16,35 @@ use std::time::Duration;
 
 /// The database in a file.
 pub(super) fn connect(path: &Path) -> rusqlite::Result<Connection> {
-    let open = |flags: OpenFlags| {
-        let connection = match is_closed_with_wal(path) {
-            // Read as others are, it would get two more files beside it.
-            true => Connection::open_with_flags(unchanging(path), flags | OpenFlags::SQLITE_OPEN_URI)?,
-            false => Connection::open_with_flags(path, flags)?,
-        };
-        connection.busy_timeout(Duration::from_secs(2))?;
-        connection.set_limit(Limit::SQLITE_LIMIT_LENGTH, LONGEST_ROW_BYTES as i32)?;
-        connection.execute_batch("PRAGMA trusted_schema = OFF")?;
-        Ok(connection)
-    };
-    let connection = open(OpenFlags::SQLITE_OPEN_READ_ONLY)?;
-    match connection.query_row("SELECT count(*) FROM sqlite_schema", [], |_| Ok(())) {
+    match connect_only(path) {
         // A run that was killed has left a transaction half written: it has to be undone before anything is read.
         Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::ReadOnly) => {
-            open(OpenFlags::SQLITE_OPEN_READ_WRITE)
+            open(path, OpenFlags::SQLITE_OPEN_READ_WRITE)
         }
-        _ => Ok(connection),
+        Err(_) => open(path, OpenFlags::SQLITE_OPEN_READ_ONLY),
+        connected => connected,
     }
+}
+
+/// The same where nothing may be changed: what a killed run has half written is an error.
+pub(crate) fn connect_only(path: &Path) -> rusqlite::Result<Connection> {
+    let connection = open(path, OpenFlags::SQLITE_OPEN_READ_ONLY)?;
+    connection.query_row("SELECT count(*) FROM sqlite_schema", [], |_| Ok(()))?;
+    Ok(connection)
+}
+
+fn open(path: &Path, flags: OpenFlags) -> rusqlite::Result<Connection> {
+    // One thread at a time has a connection.
+    let flags = flags | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+    let connection = match is_closed_with_wal(path) {
+        // Read as others are, it would get two more files beside it.
+        true => Connection::open_with_flags(unchanging(path), flags | OpenFlags::SQLITE_OPEN_URI)?,
+        false => Connection::open_with_flags(path, flags)?,
+    };
+    connection.busy_timeout(Duration::from_secs(2))?;
+    connection.set_limit(Limit::SQLITE_LIMIT_LENGTH, LONGEST_ROW_BYTES as i32)?;
+    connection.execute_batch("PRAGMA trusted_schema = OFF")?;
+    Ok(connection)
 }
 
 /// Whether a database has a log for writing ahead, by its header, and nobody has it open: that log is not there.

@@ -42,8 +42,9 @@ pub fn lives(truth: &Url, clock: &RunClock) -> Result<Vec<Life>, LogError> {
 
 /// The same of a truth that is open.
 pub(crate) fn lives_of(truth: &RecordedTruth, clock: &RunClock) -> Result<Vec<Life>, LogError> {
-    let turns = Turns::new(truth, clock)?;
-    read(truth, clock, &turns).map_err(|error| truth.error(error))
+    let clock = truth.clock(clock);
+    let turns = Turns::new(truth, &clock)?;
+    read(truth, &clock, &turns).map_err(|error| truth.error(error))
 }
 
 fn read(truth: &RecordedTruth, clock: &RunClock, turns: &Turns) -> rusqlite::Result<Vec<Life>> {

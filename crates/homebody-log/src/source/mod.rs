@@ -35,17 +35,19 @@ mod run_clock;
 mod sensors;
 mod sqlite;
 mod start;
+mod tables;
+mod tables_of_text;
 mod turns;
 mod xes;
 
 use crate::error::{LogError, place_of};
 pub use crate::skipped::Skipped;
-pub use crate::spans::SPAN_COLUMNS;
+pub use crate::spans::{SPAN_COLUMNS, SPANS};
 use crate::word::one_word;
 pub use activities::Activity;
 pub(crate) use causes::{Cause, Causes};
 pub use columns::Places;
-pub(crate) use database::text;
+pub(crate) use database::{connect_only, text};
 pub use form::{Form, Shows};
 pub use forms::{FORMS, Source, forms};
 pub(crate) use forms::{activities_of, activities_of_set};
@@ -57,10 +59,12 @@ pub use log::{Clock, Event, Log};
 pub use movements::{Movement, MovementKind, Movements};
 pub use reading::Reading;
 pub(crate) use recorded_truth::{LABEL_TABLES, RecordedTruth};
-pub use recorded_truth::{truth_at, truth_beside};
+pub use recorded_truth::{truth_at, truth_beside, truth_of};
 pub use run_clock::RunClock;
 pub use sensors::SensorMap;
 pub use start::Start;
+pub use tables::{ReadTables, TakeRow, Value};
+pub(crate) use tables_of_text::read_numbers;
 
 /// Reads a log into memory; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they
 /// are neither ours nor to be guessed.

@@ -73,6 +73,7 @@ impl Movements {
         let truth = RecordedTruth::open(truth, &[Truth::Movement])?;
         let sql = "SELECT coalesce(max(rowid), 0) FROM movement";
         let rows = truth.connection.query_row(sql, [], |row| row.get(0)).map_err(|error| truth.error(error))?;
+        let clock = truth.clock(&clock);
         Ok(Movements {
             truth,
             clock,

@@ -35,7 +35,7 @@ pub struct Reading<'t> {
     /// Lines and clocks of the rows that have come, until the first are handed over.
     first: Option<Vec<(u64, Clock)>>,
     /// Whether activities are told whole elsewhere, so that labels on rows only say it again.
-    pub(super) has_spans: bool,
+    pub has_spans: bool,
     /// The instant of the last row.
     last: Micros,
     /// The file beside the log that is being read, if that is not the log itself.

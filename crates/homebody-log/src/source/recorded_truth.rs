@@ -1,18 +1,25 @@
-//! A run's truth, opened to be read: a database; or, of comma-separated values, a file for each table, which are put into a
-//! database that is gone as soon as they have been read.
+//! A run's truth, opened to be read: a database of SQLite; or, of any other kind of place, a database without a name into which its
+//! tables are put, and which is gone as soon as they have been read.
 
 use super::database::{connect, tables as tables_of};
+use super::forms::Source;
+use super::instant::Instant;
+use super::log::Clock;
 use super::reading::open;
-use super::records::Records;
-use crate::error::{LogError, place_of};
+use super::run_clock::RunClock;
+use super::tables::{ReadTables, Value};
+use super::tables_of_text::{read_csv, read_jsonl};
+use crate::elsewhere;
+use crate::error::LogError;
 use crate::places::TRUTH;
-use crate::spreadsheet::unescaped;
-use crate::table::{Column, ColumnKind, Table};
+use crate::table::Table;
 use crate::truth::{Truth, tables};
 use crate::url::{Url, table_file};
 use homebody_core::scenario::scheme::{Scheme, without_password};
-use rusqlite::types::Value;
-use rusqlite::{Connection, params_from_iter};
+use jiff::Timestamp;
+use rusqlite::types::{ToSqlOutput, ValueRef};
+use rusqlite::{Connection, Statement, ToSql, params_from_iter};
+use std::cell::Cell;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -23,40 +30,49 @@ pub(crate) const LABEL_TABLES: [Truth; 5] = [Truth::Cause, Truth::Off, Truth::Mo
 pub(crate) struct RecordedTruth {
     place: PathBuf,
     pub connection: Connection,
+    /// By which clock a place tells instants that has a type for them; None where they are as the run's mapping wants them.
+    told_by: Option<Clock>,
 }
 
 impl RecordedTruth {
     /// Opens those tables of a truth that are to be read.
     pub fn open(url: &Url, wanted: &[Truth]) -> Result<RecordedTruth, LogError> {
-        let path = url.file().unwrap_or(Path::new(""));
         let all = tables();
         let wanted: Vec<&Table> = wanted.iter().map(|&table| &all[table as usize]).collect();
-        let no_truth = |why| LogError::NoTruth { place: url.to_string(), why };
-        let (connection, missing) = match url.scheme() {
-            Scheme::Sqlite => {
-                open(path)?;
-                let found = connect(path).and_then(|connection| Ok((missing(&connection, &wanted)?, connection)));
-                let (missing, connection) = found.map_err(|error| match error.sqlite_error_code() {
-                    Some(rusqlite::ErrorCode::NotADatabase) => no_truth("it is no database".into()),
-                    _ => LogError::database(path, error),
-                })?;
-                (connection, missing)
+        let no_truth = |why: &str| LogError::NoTruth { place: url.to_string(), why: why.into() };
+        let scheme = url.scheme();
+        let read = match scheme {
+            Scheme::Sqlite => return RecordedTruth::in_place(url, &wanted),
+            Scheme::Csv => read_csv,
+            Scheme::Jsonl => read_jsonl,
+            Scheme::Casas => return Err(no_truth("the form of CASAS cannot hold one")),
+            _ => {
+                let elsewhere = elsewhere::of(scheme).ok_or_else(|| elsewhere::not_built_in(url))?;
+                elsewhere.tables.ok_or_else(|| no_truth("such a place keeps none"))?
             }
-            Scheme::Csv => {
-                let files: Vec<(&Table, PathBuf)> =
-                    wanted.iter().map(|&table| (table, table_file(path, &table.name))).collect();
-                let missing = files.iter().filter(|(_, file)| !file.is_file());
-                let missing: Vec<String> = missing.map(|(_, file)| format!("no file {}", place_of(file))).collect();
-                (if missing.is_empty() { gathered(&files)? } else { temporary(path)? }, missing)
-            }
-            Scheme::Casas => return Err(no_truth("the form of CASAS cannot hold one".into())),
-            _ => return Err(no_truth("a truth is read from sqlite: and csv: only".into())),
         };
-        if missing.is_empty() {
-            Ok(RecordedTruth { place: path.into(), connection })
-        } else {
-            Err(no_truth(missing.join(", ")))
+        gathered(url, &wanted, read)
+    }
+
+    /// One in a database of SQLite stays where it is.
+    fn in_place(url: &Url, wanted: &[&Table]) -> Result<RecordedTruth, LogError> {
+        let path = url.path();
+        let no_truth = |why| LogError::NoTruth { place: url.to_string(), why };
+        open(path)?;
+        let found = connect(path).and_then(|connection| Ok((missing(&connection, wanted)?, connection)));
+        let (missing, connection) = found.map_err(|error| match error.sqlite_error_code() {
+            Some(rusqlite::ErrorCode::NotADatabase) => no_truth("it is no database".into()),
+            _ => LogError::database(path, error),
+        })?;
+        match missing.is_empty() {
+            true => Ok(RecordedTruth { place: path.into(), connection, told_by: None }),
+            false => Err(no_truth(missing.join(", "))),
         }
+    }
+
+    /// The clock of its run for the instants of this place: `clock` is that of the run's files.
+    pub fn clock(&self, clock: &RunClock) -> RunClock {
+        self.told_by.map_or_else(|| clock.clone(), |by| clock.clone().told_by(by))
     }
 
     /// What an error of its database means.
@@ -83,96 +99,131 @@ fn missing(connection: &Connection, wanted: &[&Table]) -> rusqlite::Result<Vec<S
     Ok(missing)
 }
 
-/// A temporary database without a name. SQLite puts it on disk where it becomes large.
-fn temporary(path: &Path) -> Result<Connection, LogError> {
-    Connection::open("").map_err(|error| LogError::database(path, error))
-}
-
-/// A database of the rows of files.
-fn gathered(files: &[(&Table, PathBuf)]) -> Result<Connection, LogError> {
-    let connection = temporary(Path::new(""))?;
-    for (table, path) in files {
-        gather(&connection, table, path)?;
+/// A database of the rows that a place gives. SQLite puts it on disk where it becomes large.
+fn gathered(url: &Url, wanted: &[&Table], read: ReadTables) -> Result<RecordedTruth, LogError> {
+    let database = |error| LogError::database(url.path(), error);
+    let connection = Connection::open("").map_err(database)?;
+    let mut made = "BEGIN".to_owned();
+    for table in wanted {
+        let columns: Vec<String> = table.columns.iter().map(|column| format!("{:?}", column.name)).collect();
+        made += &format!("; CREATE TABLE {:?} ({})", table.name, columns.join(", "));
     }
-    Ok(connection)
-}
-
-fn gather(connection: &Connection, table: &Table, path: &Path) -> Result<(), LogError> {
-    let database = |error| LogError::database(path, error);
-    let no_truth = |why: String| LogError::NoTruth { place: place_of(path), why };
-    let columns: Vec<String> = table.columns.iter().map(|column| format!("{:?}", column.name)).collect();
-    let columns = columns.join(", ");
-    connection.execute_batch(&format!("CREATE TABLE {:?} ({columns}); BEGIN", table.name)).map_err(database)?;
-    let places = vec!["?"; table.columns.len()].join(", ");
-    let sql = format!("INSERT INTO {:?} VALUES ({places})", table.name);
-    let mut insert = connection.prepare(&sql).map_err(database)?;
-    let mut records = Records::open(path)?;
-    let header: Vec<String> = records.next(&mut |_| false)?.map(|(_, names)| names.texts()).unwrap_or_default();
-    let mut cells = Vec::new();
-    for column in &table.columns {
-        let place = header.iter().position(|name| *name == column.name);
-        cells.push((column, place.ok_or_else(|| no_truth(format!("no column {:?}", column.name)))?));
+    connection.execute_batch(&made).map_err(database)?;
+    let told_by = Cell::new(None);
+    {
+        let insert = |table: &&Table| {
+            let places = vec!["?"; table.columns.len()].join(", ");
+            connection.prepare(&format!("INSERT INTO {:?} VALUES ({places})", table.name))
+        };
+        let mut inserts: Vec<Statement> =
+            wanted.iter().map(insert).collect::<rusqlite::Result<_>>().map_err(database)?;
+        read(url, wanted, &mut |table, values| {
+            for value in values {
+                match value {
+                    Value::Instant(Instant::Utc(_)) => told_by.set(Some(Clock::Utc)),
+                    Value::Instant(Instant::Local(_)) => told_by.set(Some(Clock::Local)),
+                    _ => {}
+                }
+            }
+            inserts[table].execute(params_from_iter(values)).map_err(database).map(|_| ())
+        })?;
     }
-    while let Some((line, row)) = records.next(&mut |_| false)? {
-        let read = |&(column, place): &(&Column, usize)| cell(column.kind, row.get(place)?);
-        let values: Option<Vec<Value>> = cells.iter().map(read).collect();
-        let values = values.filter(|_| !row.is_broken);
-        let values = values.ok_or_else(|| no_truth(format!("line {line} is none of the table {:?}", table.name)))?;
-        insert.execute(params_from_iter(values)).map_err(database)?;
+    connection.execute_batch("COMMIT").map_err(database)?;
+    Ok(RecordedTruth { place: url.path().into(), connection, told_by: told_by.get() })
+}
+
+impl ToSql for Value<'_> {
+    fn to_sql(&self) -> rusqlite::Result<ToSqlOutput<'_>> {
+        Ok(match *self {
+            Value::Null => ToSqlOutput::Borrowed(ValueRef::Null),
+            Value::Integer(number) => number.into(),
+            Value::Real(number) => number.into(),
+            Value::Text(text) => ToSqlOutput::Borrowed(ValueRef::Text(text.as_bytes())),
+            // As the truth of a run has them: what is on the wall has a blank in it, and is compared as text.
+            Value::Instant(Instant::Utc(at)) => (civil(at, "%Y-%m-%dT%H:%M:%S.%6f")? + "Z").into(),
+            Value::Instant(Instant::Local(at)) => civil(at, "%Y-%m-%d %H:%M:%S.%6f")?.into(),
+        })
     }
-    connection.execute_batch("COMMIT").map_err(database)
 }
 
-/// A cell as a database has it; None where it is no cell of such a column.
-fn cell(kind: ColumnKind, said: &[u8]) -> Option<Value> {
-    let text = String::from_utf8_lossy(said);
-    Some(match kind {
-        _ if text.is_empty() => Value::Null,
-        ColumnKind::Integer => Value::Integer(text.parse().ok()?),
-        ColumnKind::Real => Value::Real(text.parse().ok()?),
-        ColumnKind::Instant => Value::Text(text.into_owned()),
-        ColumnKind::Text => Value::Text(unescaped(&text).to_owned()),
-    })
+fn civil(at: i64, format: &str) -> rusqlite::Result<String> {
+    let wrong = |error: jiff::Error| rusqlite::Error::ToSqlConversionFailure(error.into());
+    Ok(Timestamp::from_microsecond(at).map_err(wrong)?.strftime(format).to_string())
 }
 
-/// The truth that somebody names: as `sqlite:FILE` or `csv:FILE`, by the folder of its run, or by its path alone, be it that of a
-/// database, of one of the files of its tables, or what these have been named after.
+/// The truth that somebody names: as `sqlite:FILE`, `csv:FILE`, `postgresql://...` and so on, by the folder of its run, or by its path
+/// alone, be it that of a database, of one of the files of its tables, or what these have been named after.
 pub fn truth_at(text: &str) -> Url {
     let path = Path::new(text);
     if path.is_dir() {
+        if is_set(path) {
+            return Url::new(Scheme::Parquet, path);
+        }
         let inside = path.join(TRUTH);
         return truth_beside(&inside).unwrap_or(Url::new(Scheme::Sqlite, inside));
     }
     if !path.exists() {
         let path = &*PathBuf::from(&*without_password(text));
-        let named = text.parse().ok().or_else(|| has_tables(path).then(|| Url::new(Scheme::Csv, path)));
+        let named = text.parse().ok().or_else(|| in_tables(path));
         return named.unwrap_or(Url::new(Scheme::Sqlite, path));
     }
-    let whole = whole_of(path).filter(|whole| has_tables(whole));
-    whole.map_or(Url::new(Scheme::Sqlite, path), |whole| Url::new(Scheme::Csv, whole))
+    let whole = whole_of(path).and_then(|whole| in_tables(&whole));
+    whole.unwrap_or(Url::new(Scheme::Sqlite, path))
 }
 
-/// The truth that a run has left beside its log: a database, or files of its tables.
+/// The truth of the run whose log this is: beside its file, or where its server has it.
+pub fn truth_of(log: &Source) -> Option<Url> {
+    if !log.is_server() {
+        return truth_beside(log.path());
+    }
+    let url: Url = log.path().to_string_lossy().parse().ok()?;
+    (elsewhere::of(url.scheme())?.truth_of?)(&url)
+}
+
+/// The truth that a run has left beside its log: a database, files of its tables, or a folder of these.
 pub fn truth_beside(log: &Path) -> Option<Url> {
     let database = log.with_file_name(TRUTH);
     // One of a run that was killed as it began it has nothing in it.
     if fs::metadata(&database).is_ok_and(|found| found.is_file() && found.len() > 0) {
         return Some(Url::new(Scheme::Sqlite, database));
     }
-    let texts = database.with_extension("csv");
-    has_tables(&texts).then(|| Url::new(Scheme::Csv, texts))
+    let files = IN_FILES.iter().find_map(|(_, ending)| in_tables(&database.with_extension(ending)));
+    let set = database.with_extension("");
+    files.or_else(|| is_set(&set).then(|| Url::new(Scheme::Parquet, set)))
 }
 
-/// Whether files of the truth's tables are named after a path.
-fn has_tables(path: &Path) -> bool {
-    path.file_name().is_some() && tables().iter().all(|table| table_file(path, &table.name).is_file())
+/// Kinds of places that have a file for each table, and how these end.
+const IN_FILES: [(Scheme, &str); 4] =
+    [(Scheme::Csv, "csv"), (Scheme::Jsonl, "jsonl"), (Scheme::Parquet, "parquet"), (Scheme::Arrow, "arrow")];
+
+/// Whether each table of a truth is there. Truths from before there was one of them have no table of what was done from outside.
+fn has_all(is_there: impl Fn(&str) -> bool) -> bool {
+    let all = tables();
+    let mut known = all.iter().enumerate().filter(|(index, _)| *index != Truth::Outside as usize);
+    known.all(|(_, table)| is_there(&table.name))
 }
 
-/// What the file of a table is named after: `truth.csv` of `truth.room.csv`.
+/// The truth of which each table has a file that is named after a path.
+fn in_tables(path: &Path) -> Option<Url> {
+    let are_there = path.file_name().is_some() && has_all(|table| table_file(path, table).is_file());
+    let ending = path.extension().map_or("csv".into(), |ending| ending.to_string_lossy());
+    let scheme = IN_FILES.iter().find(|(_, usual)| *usual == ending).map_or(Scheme::Csv, |(scheme, _)| *scheme);
+    are_there.then(|| Url::new(scheme, path))
+}
+
+/// Whether a folder is a data set of a truth: one in it for each table.
+fn is_set(folder: &Path) -> bool {
+    has_all(|table| folder.join(table).is_dir())
+}
+
+/// What the file of a table is named after: `truth.csv` of `truth.room.csv`, `truth.csv.gz` of `truth.room.csv.gz`.
 fn whole_of(file: &Path) -> Option<PathBuf> {
-    let ending = file.extension()?.to_str()?;
-    let stem = file.file_stem()?.to_str()?;
+    let name = file.file_name()?.to_str()?;
+    let is_packed = |ending: &str| ["gz", "zst"].contains(&ending);
+    let (plain, packing) = name.rsplit_once('.').filter(|(_, ending)| is_packed(ending)).unwrap_or((name, ""));
+    let (stem, ending) = plain.rsplit_once('.')?;
     let (name, table) = stem.rsplit_once('.')?;
     let is_known = tables().iter().any(|known| known.name == table);
-    is_known.then(|| file.with_file_name(format!("{name}.{ending}")))
+    let dot = if packing.is_empty() { "" } else { "." };
+    is_known.then(|| file.with_file_name(format!("{name}.{ending}{dot}{packing}")))
 }

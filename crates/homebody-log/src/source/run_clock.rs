@@ -46,6 +46,11 @@ impl RunClock {
         RunClock { start: calendar.timestamp(0).as_microsecond(), clock, offsets }
     }
 
+    /// The same for files that tell instants by this clock.
+    pub fn told_by(self, clock: Clock) -> RunClock {
+        RunClock { clock, ..self }
+    }
+
     /// The run's instant that is told as `at`, in microseconds since 1970; `last` is the one before it in the file.
     pub fn instant(&self, at: Micros, last: Micros) -> Micros {
         // Of two, the nearer to what came before: messages overtake each other by less than half an hour.

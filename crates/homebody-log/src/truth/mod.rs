@@ -20,6 +20,7 @@ use crate::sink::{How, Watermark};
 use crate::table::{Batch, Cell, TextId, Texts};
 use crate::url::Url;
 use crate::writer::{BATCH, BATCH_WAITS, Beginning, Writer};
+use homebody_core::deed::Deed;
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, MotionState, Provenance, Trigger};
 use homebody_core::geometry::Point;
@@ -148,6 +149,11 @@ impl TruthLog {
         self.writer.wait_settled()
     }
 
+    /// Whether all that its place had of the run has been lived again.
+    pub(crate) fn is_beyond_what_was_there(&self) -> bool {
+        self.writer.is_beyond_what_was_there()
+    }
+
     /// How many rows were made.
     pub(crate) fn rows(&self) -> u64 {
         self.sent + self.batch.len() as u64
@@ -200,8 +206,8 @@ impl TruthLog {
                 self.batch.push(Truth::Lost as usize, cells);
             }
             Fact::Use { resident, at, act } => {
-                let cells =
-                    [self.who(resident), Cell::Instant(at), self.thing(act.thing), Cell::Integer(act.on.into())];
+                let who = resident.map_or(Cell::Null, |resident| self.who(resident));
+                let cells = [who, Cell::Instant(at), self.thing(act.thing), Cell::Integer(act.on.into())];
                 self.batch.push(Truth::Act as usize, cells);
             }
             Fact::Need { resident, at, need, level } => {
@@ -213,7 +219,25 @@ impl TruthLog {
                 let cells = [self.who(resident), Cell::Instant(at), name, Cell::Real(severity)];
                 self.batch.push(Truth::Condition as usize, cells);
             }
+            Fact::Outside { at, ref deed } => self.take_deed(at, deed),
         }
+    }
+
+    /// What was done from outside. Who falls comes through none of the rooms that were still before them.
+    fn take_deed(&mut self, at: Micros, deed: &Deed) {
+        let (of, until) = match deed {
+            Deed::Use { thing, .. } => (thing, None),
+            Deed::Fail { sensor, until_us, .. } => (sensor, *until_us),
+            Deed::Fall { resident, lies_us } => {
+                let fallen = self.texts.id(resident);
+                self.coming.retain(|&(who, when, _)| when < at || self.residents[who.index()] != fallen);
+                (resident, Some(at + lies_us))
+            }
+        };
+        let of = Cell::Text(self.texts.id(of));
+        let word = Cell::Text(self.texts.id(deed.word()));
+        let until = until.map_or(Cell::Null, Cell::Instant);
+        self.batch.push(Truth::Outside as usize, [Cell::Instant(at), until, word, of]);
     }
 
     fn take_cause(&mut self, seq: u64, provenance: Provenance, events: &Events, joined: &RowsOfFirings) {

@@ -25,6 +25,8 @@ pub enum Truth {
     Lost,
     /// Who lives in the home or visits it.
     Resident,
+    /// What was done from outside.
+    Outside,
 }
 
 /// All tables of the truth, in the order of [`Truth`].
@@ -95,10 +97,10 @@ pub fn tables() -> Vec<Table> {
         ),
         table(
             "act",
-            "a thing that somebody used",
+            "a thing that was used",
             false,
             &[
-                WHO,
+                WHOSE,
                 ("at", Instant, "", "when"),
                 ("thing", Text, "", "what was used"),
                 ("is_on", Integer, "", "1 where it is on or open afterwards, else 0"),
@@ -142,6 +144,22 @@ pub fn tables() -> Vec<Table> {
             false,
             &[WHO, ("person", Text, "", "which person of all runs: the home's name, a stroke and the resident's")],
         ),
+        table(
+            "outside",
+            "what was done from outside while the run was lived, by whoever may give it orders",
+            false,
+            &[
+                ("at", Instant, "", "when"),
+                ("until_at", Instant, "", "until when; empty for ever, and of what is over at once"),
+                (
+                    "what",
+                    Text,
+                    "",
+                    "on or off of a thing; battery, stuck, falls_off or bad_link of a sensor; fall of a resident",
+                ),
+                ("name", Text, "", "of what: the name of the thing, the sensor or the resident"),
+            ],
+        ),
     ]
 }
 
@@ -184,6 +202,7 @@ mod tests {
             (Truth::Condition, "condition"),
             (Truth::Lost, "lost"),
             (Truth::Resident, "resident"),
+            (Truth::Outside, "outside"),
         ] {
             assert_eq!(tables[table as usize].name, name);
         }

@@ -1,9 +1,11 @@
 //! All rows arrive, whatever becomes of the broker, and each has its run and its number.
 
-use crate::broker::{Broker, Listener, firings, live, logger, run, store, wait_for};
-use homebody_log::{How, Watermark};
-use homebody_mqtt::MqttSink;
+use crate::broker::{Broker, Listener, REMEMBERS, firings, live, logger, run, store, wait_for};
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::{Destination, How, Logger, Watermark};
+use homebody_mqtt::{MqttSink, policy};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -31,19 +33,11 @@ fn every_row_is_heard_once_and_in_order() {
 }
 
 /// The broker is one that remembers who listens. What it has acknowledged it has sent on before, as far as who listens takes it, so
-/// it is killed only while somebody listens. Who listens acknowledges nothing: mosquitto's program throws away what it has not read when it
-/// cannot say that it has.
+/// it is killed only while somebody listens.
 #[test]
 fn whatever_kills_the_broker_every_row_arrives() {
-    let lines = "allow_anonymous true\npersistence true\npersistence_location FOLDER/\nautosave_interval 0\n\
-                 max_inflight_messages 0\nmax_queued_messages 0\nqueue_qos0_messages true\n";
-    let Some(mut broker) = Broker::with(lines) else { return };
-    let listener = Listener::of(broker.port, "homebody/#", &["-c", "-i", "listener", "-q", "0"]);
-    wait_for("the listener", || {
-        broker.say("homebody/probe", "there", &[]);
-        (listener.count() > 0).then_some(())
-    });
-    broker.save();
+    let Some(mut broker) = Broker::with(REMEMBERS) else { return };
+    let listener = Listener::lasting(&broker, "homebody/#");
     let mut logger = logger(MqttSink::live(&broker.url("homebody")), How::New).unwrap();
     let all = firings(10_000_000);
     let mut steps = all.chunks(10);
@@ -116,18 +110,27 @@ fn a_row_is_durable_once_it_is_acknowledged_and_not_before() {
     logger.finish().unwrap();
 }
 
+/// What a broker has acknowledged is noted in a folder, if there is one, as that of a run.
 #[test]
 fn a_run_that_is_gone_on_with_sends_what_was_not_acknowledged_or_all_again() {
     let Some(broker) = Broker::start() else { return };
-    let state = broker.folder.path().join("acknowledged.json");
-    for (url, again) in
-        [(broker.url(&format!("kept?state={}", state.display())), 200..300), (broker.url("forgotten"), 0..300)]
-    {
-        live(&url, 200);
+    for (prefix, folder, again) in [("kept", Some(broker.folder.path()), 200..300), ("forgotten", None, 0..300)] {
+        let url = broker.url(prefix);
+        let logger = |how| {
+            let to = Destination::own("mqtt", MqttSink::live(&url), policy());
+            let to = match folder {
+                Some(folder) => to.remembered_in(folder),
+                None => to,
+            };
+            Logger::open(vec![to], &LoggerFile::default(), &Arc::new(run()), how).unwrap()
+        };
+        let mut first = logger(How::New);
+        store(&mut first, &firings(200));
+        first.finish().unwrap();
         let listener = Listener::to(&broker, "#");
-        let mut logger = logger(MqttSink::live(&url), How::GoOn).unwrap();
-        store(&mut logger, &firings(300));
-        logger.finish().unwrap();
+        let mut second = logger(How::GoOn);
+        store(&mut second, &firings(300));
+        second.finish().unwrap();
         wait_for("the end", || {
             listener.heard().iter().any(|heard| !heard.is_kept && heard.payload == "offline").then_some(())
         });

@@ -7,81 +7,24 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::SECOND;
 use homebody_log::{Destination, How, Log, LogError, Logger, Policy, RunInfo, SensorInfo, Url};
 use homebody_mqtt::{MqttSink, policy};
-use std::fs;
-use std::io::{BufRead, BufReader};
-use std::net::{TcpListener, TcpStream};
-use std::path::{Path, PathBuf};
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
-use tempfile::TempDir;
 
-/// What a test waits for comes within this time, on however slow a machine (ours).
-pub const SOON: Duration = Duration::from_secs(60);
+/// The lines of one that remembers who listens, also when it is begun again, and leaves out nothing for them.
+pub const REMEMBERS: &str = "allow_anonymous true\npersistence true\npersistence_location FOLDER/\nautosave_interval 0\n\
+                             max_inflight_messages 0\nmax_queued_messages 0\nqueue_qos0_messages true\n";
 
-/// A broker that ends with the test.
-pub struct Broker {
-    pub folder: TempDir,
-    pub port: u16,
-    child: Option<Child>,
-}
+#[path = "mosquitto.rs"]
+mod mosquitto;
+#[allow(unused_imports, reason = "a benchmark uses a part of it")]
+pub use mosquitto::{Broker, SOON, free_port, is_installed};
 
 impl Broker {
-    /// One that lets anybody in; None where there is no mosquitto, which is told.
-    pub fn start() -> Option<Broker> {
-        // However slow a listener is, nothing is left out for it.
-        Broker::with("allow_anonymous true\nmax_queued_messages 0\n")
-    }
-
-    /// One with these lines in its configuration, in which `FOLDER` is its own.
-    pub fn with(lines: &str) -> Option<Broker> {
-        let folder = tempfile::tempdir().unwrap();
-        let broker = Broker { port: free_port(), folder, child: None };
-        let lines = lines.replace("FOLDER", &broker.folder.path().display().to_string());
-        let config = format!("user root\nlistener {} 127.0.0.1\n{lines}", broker.port);
-        fs::write(broker.folder.path().join("mosquitto.conf"), config).unwrap();
-        is_installed().then(|| broker.again())
-    }
-
-    /// The same one, begun again after it was killed.
-    pub fn again(mut self) -> Broker {
-        self.begin();
-        self
-    }
-
-    pub fn begin(&mut self) {
-        let config = self.folder.path().join("mosquitto.conf");
-        let log = fs::File::create(self.folder.path().join("log")).unwrap();
-        let child = Command::new(program().unwrap()).arg("-c").arg(config).stdout(Stdio::null()).stderr(log).spawn();
-        self.child = Some(child.unwrap());
-        let begun = Instant::now();
-        while TcpStream::connect(("127.0.0.1", self.port)).is_err() {
-            assert!(begun.elapsed() < SOON, "{}", fs::read_to_string(self.folder.path().join("log")).unwrap());
-            thread::sleep(Duration::from_millis(5));
-        }
-    }
-
-    pub fn kill(&mut self) {
-        if let Some(mut child) = self.child.take() {
-            child.kill().unwrap();
-            child.wait().unwrap();
-        }
-    }
-
-    /// Has it store who listens, so that it knows when it is begun again.
-    pub fn save(&self) {
-        let id = self.child.as_ref().unwrap().id().to_string();
-        assert!(Command::new("kill").args(["-USR1", &id]).status().unwrap().success());
-        let database = self.folder.path().join("mosquitto.db");
-        wait_for("the broker's database", || database.exists().then_some(()));
-    }
-
-    pub fn url(&self, rest: &str) -> Url {
-        format!("mqtt://127.0.0.1:{}/{rest}", self.port).parse().unwrap()
-    }
-
     /// All that it keeps.
     pub fn kept(&self) -> Vec<Heard> {
         let listener = Listener::of(self.port, "#", &["--retained-only"]);
@@ -98,40 +41,23 @@ impl Broker {
         }
     }
 
-    /// Says something to whoever listens.
-    pub fn say(&self, topic: &str, payload: &str, more: &[&str]) {
+    /// Has it store who listens, so that it knows when it is begun again.
+    pub fn save(&self) {
+        self.signal("-USR1");
+        let database = self.folder.path().join("mosquitto.db");
+        wait_for("the broker's database", || database.exists().then_some(()));
+    }
+}
+
+impl Broker {
+    /// Says each line, as fast as it goes.
+    pub fn say_lines(&self, topic: &str, lines: &str) {
         let port = self.port.to_string();
-        let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-t", topic, "-m", payload];
-        assert!(Command::new("mosquitto_pub").args(args).args(more).status().unwrap().success());
+        let args = ["-h", "127.0.0.1", "-p", &port, "-q", "1", "-l", "-t", topic];
+        let mut child = Command::new("mosquitto_pub").args(args).stdin(Stdio::piped()).spawn().unwrap();
+        child.stdin.take().unwrap().write_all(lines.as_bytes()).unwrap();
+        assert!(child.wait().unwrap().success());
     }
-}
-
-impl Drop for Broker {
-    fn drop(&mut self) {
-        self.kill();
-    }
-}
-
-/// Where mosquitto is: Debian puts it where not everybody looks.
-fn program() -> Option<PathBuf> {
-    let path = std::env::var_os("PATH").unwrap_or_default();
-    let folders = std::env::split_paths(&path).chain(["/usr/sbin".into(), "/usr/local/sbin".into()]);
-    folders.map(|folder| folder.join("mosquitto")).find(|program| program.exists())
-}
-
-/// Whether there is a mosquitto. If there must be one, it is an error that there is none.
-pub fn is_installed() -> bool {
-    let clients = || Command::new("mosquitto_sub").arg("--help").stdout(Stdio::null()).status().is_ok();
-    let is_there = program().is_some() && clients();
-    if !is_there {
-        println!("skipped: mosquitto and mosquitto-clients are not installed");
-        assert!(std::env::var("HOMEBODY_SERVERS").as_deref() != Ok("required"), "mosquitto is required");
-    }
-    is_there
-}
-
-pub fn free_port() -> u16 {
-    TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port()
 }
 
 /// One message that was heard.
@@ -205,6 +131,19 @@ impl Listener {
         Listener { child, heard, rows }
     }
 
+    /// Listens to all below a topic of one that [`REMEMBERS`], across its deaths. It acknowledges nothing: mosquitto's program throws
+    /// away what it has not read when it cannot say that it has.
+    pub fn lasting(broker: &Broker, topic: &str) -> Listener {
+        let listener = Listener::of(broker.port, topic, &["-c", "-i", "listener", "-q", "0"]);
+        let probe = topic.trim_end_matches('#').to_owned() + "probe";
+        wait_for("the listener", || {
+            broker.say(&probe, "there", &[]);
+            (listener.count() > 0).then_some(())
+        });
+        broker.save();
+        listener
+    }
+
     pub fn heard(&self) -> Vec<Heard> {
         self.heard.lock().unwrap().clone()
     }
@@ -246,15 +185,9 @@ pub fn wait_for<T>(what: &str, look: impl Fn() -> Option<T>) -> T {
 
 /// A home with a sensor of each kind, and a motion sensor that says OFF.
 pub fn run() -> RunInfo {
-    let sensor = |name: &str, kind: &str, unit: Option<&str>, values: &[&str]| SensorInfo {
-        name: name.into(),
-        id: name.into(),
-        is_motion: kind.ends_with("motion"),
-        kind: kind.into(),
-        unit: unit.map(Into::into),
-        values: values.iter().map(ToString::to_string).collect(),
-        room: Some("living room".into()),
-        at_m: [1.0, 1.0],
+    let sensor = |name: &str, kind: &str, unit: Option<&str>, values: &[&str]| {
+        let (unit, room) = (unit.map(Into::into), Some("living room".into()));
+        SensorInfo { unit, room, ..SensorInfo::of_kind(name, kind, values) }
     };
     let sensors = vec![
         sensor("hall motion", "motion", None, &["ON"]),

@@ -10,3 +10,4 @@ mod looks;
 mod ordered;
 mod refused;
 mod tidied;
+mod zigbee2mqtt;

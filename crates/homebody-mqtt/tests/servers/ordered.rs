@@ -1,17 +1,21 @@
 //! A home that is told what to do.
 
-use crate::broker::{Broker, Listener, logger};
+use crate::broker::{Broker, Heard, Listener, firings, logger, store, wait_for};
 use homebody_log::How;
-use homebody_mqtt::{MqttSink, Order, TakesOrders};
+use homebody_mqtt::{MqttSink, Order, Reply, TakesOrders};
 use serde_json::{Value, json};
 use std::sync::mpsc::{Receiver, channel};
 
-/// Obeys all but the opening of things.
+/// Obeys all but the opening of things; what is done to the home is done as it has lived a minute.
 fn obedient() -> (TakesOrders, Receiver<Order>) {
     let (say, orders) = channel();
-    let takes = move |order: &Order| match order {
-        Order::Open { .. } => Err("nobody can open anything in this run".into()),
-        order => say.send(order.clone()).map_err(|error| error.to_string()),
+    let takes = move |order: Order, reply: Reply| {
+        match &order {
+            Order::Open { .. } => return reply.refused("nobody can open anything in this run", "close it"),
+            Order::Fault { .. } | Order::Fall { .. } => reply.done_at(60_000_000),
+            _ => reply.done(),
+        }
+        say.send(order).unwrap();
     };
     (Box::new(takes), orders)
 }
@@ -32,13 +36,20 @@ fn orders_are_obeyed_or_answered_with_why_not() {
     };
     assert_eq!(say(json!({ "do": "pause" })), json!({ "id": 1, "do": "pause", "ok": true }));
     listener.wait("homebody/the_studio/running", "OFF");
-    assert_eq!(say(json!({ "do": "fault", "sensor": "bed", "kind": "dead" }))["ok"], true);
-    assert_eq!(say(json!({ "do": "fall", "resident": "margaret" }))["ok"], true);
+    let dead = say(json!({ "do": "fault", "sensor": "bed", "kind": "dead" }));
+    assert_eq!((&dead["ok"], dead["sim_time"].as_str().map(str::len)), (&json!(true), Some(32)), "{dead}");
+    assert_eq!(say(json!({ "do": "fall", "resident": "margaret", "minutes": 5 }))["ok"], true);
     assert_eq!(say(json!({ "do": "speed", "times": 1 }))["ok"], true);
+    assert_eq!(say(json!({ "do": "open", "thing": "front door" }))["hint"], "close it");
     for (order, why) in [
         (json!({ "do": "open", "thing": "front door" }), "nobody can open anything"),
         (json!({ "do": "open", "thing": "front dor" }), "did you mean \"front door\"?"),
         (json!({ "do": "fall", "resident": "bob" }), "no resident"),
+        (json!({ "do": "fall", "resident": "margaret", "minutes": -1 }), "no number from 0.02"),
+        (json!({ "do": "fault", "sensor": "bed", "kind": "ill" }), "unknown variant"),
+        (json!({ "do": "fault", "sensor": "bed", "kind": "dead", "minutes": 0 }), "no number above 0"),
+        (json!({ "do": "fault", "sensor": "bed", "kind": "dead", "loss": 0.5 }), "of a bad_link"),
+        (json!({ "do": "fault", "sensor": "../#", "kind": "dead" }), "no sensor"),
         (json!({ "do": "speed", "times": 0 }), "no number from 0.1"),
         (json!({ "do": "step" }), "missing field"),
         (json!({ "do": "pause", "now": true }), "unknown field"),
@@ -55,6 +66,47 @@ fn orders_are_obeyed_or_answered_with_why_not() {
     let obeyed: Vec<Order> = orders.try_iter().collect();
     assert_eq!(obeyed.len(), 4);
     assert_eq!((&obeyed[0], &obeyed[3]), (&Order::Pause {}, &Order::Speed { times: 1.0 }));
+}
+
+/// However many orders come at once, each is answered or counted in an answer, rows go on, and names made to get out stay inside.
+#[test]
+fn a_flood_of_orders_is_answered_and_rows_go_on() {
+    const ORDERS: usize = 3000;
+    let Some(broker) = Broker::start() else { return };
+    let (takes, orders) = obedient();
+    let sink = MqttSink::live(&broker.url("homebody")).with_orders(takes);
+    let mut logger = logger(sink, How::New).unwrap();
+    let listener = Listener::to(&broker, "#");
+    let kinds = [
+        json!({ "do": "fall", "resident": "margaret", "id": "x" }).to_string(),
+        json!({ "do": "open", "thing": "../../#/+/$SYS", "id": "homebody/other/command" }).to_string(),
+        "{\"do\":".to_owned(),
+    ];
+    let lines: String = (0..ORDERS).map(|number| format!("{}\n", kinds[number % 3])).collect();
+    broker.say_lines("homebody/the_studio/command", &lines);
+    store(&mut logger, &firings(100));
+    let answered = |heard: &Heard| -> usize {
+        if !heard.topic.ends_with("/result") {
+            return 0;
+        }
+        let (answer, among) = (heard.json(), " orders came faster");
+        let many = answer["why"].as_str().unwrap_or_default().split_once(among).map(|(many, _)| many.parse().unwrap());
+        many.unwrap_or(1)
+    };
+    wait_for("all answers", || {
+        let answers = listener.heard().iter().map(answered).sum::<usize>();
+        assert!(answers <= ORDERS);
+        (answers == ORDERS).then_some(())
+    });
+    logger.finish().unwrap();
+    assert_eq!(orders.try_iter().count(), ORDERS / 3);
+    let heard = wait_for("all rows", || {
+        let heard = listener.heard();
+        (heard.iter().filter(|heard| heard.row().is_some()).count() == 100).then_some(heard)
+    });
+    let outside = |topic: &str| !topic.starts_with("homebody/the_studio/") && !topic.starts_with("homeassistant/");
+    // But for what the listener itself has said.
+    assert!(heard.iter().all(|heard| heard.topic == "probe" || !outside(&heard.topic)), "something got out");
 }
 
 #[test]

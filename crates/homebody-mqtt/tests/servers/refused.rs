@@ -2,7 +2,9 @@
 
 use crate::broker::{Broker, firings, free_port, is_installed, live, logger};
 use homebody_core::event::Firing;
+use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
+use homebody_log::examine::Asked;
 use homebody_log::{How, LogError, Logger, Url};
 use homebody_mqtt::MqttSink;
 use rcgen::{BasicConstraints, CertificateParams, DnType, IsCa, Issuer, KeyPair, date_time_ymd};
@@ -107,6 +109,16 @@ fn tls_trusts_whom_it_is_told_to_and_says_what_is_wrong_with_a_certificate() {
     ] {
         let said = error(&url);
         assert!(said.contains(told), "{url}: {said}");
+    }
+    // Whoever looks is told of the last day, whatever else is wrong.
+    for (url, told) in [
+        (url(&good, Some(&ca("good"))), "good until 2100-01-01"),
+        (url(&old, Some(&ca("old"))), "has ended on 2020-01-01"),
+        (url(&good, None), "nobody that is trusted"),
+    ] {
+        let asked = Asked { mapping: &LoggerFile::default(), may_write: true };
+        let checks = (homebody_mqtt::elsewhere().examine)(&url, &asked).unwrap();
+        assert!(checks.iter().any(|check| check.says.contains(told)), "{url}: {checks:?}");
     }
     // The other way round: TLS to one that has none.
     let plain = Broker::start().unwrap();

@@ -563,6 +563,10 @@ impl Driver for RoutineDriver {
         }
     }
 
+    fn falls(&mut self, around: &Surroundings, lies: Micros) -> bool {
+        self.fall_now(around, lies)
+    }
+
     fn copy(&self) -> Box<dyn Driver> {
         Box::new(self.clone())
     }

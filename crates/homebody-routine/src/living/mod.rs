@@ -34,6 +34,7 @@ mod night;
 pub mod company;
 mod courtesy;
 mod interrupts;
+mod fallen;
 mod ways;
 mod lamps;
 mod sight;

@@ -143,6 +143,7 @@ pub enum CareUnit {
     Clock,
     Times,
     OfUsual,
+    MetresASecond,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
@@ -233,6 +234,7 @@ impl From<Unit> for CareUnit {
             Unit::Clock => CareUnit::Clock,
             Unit::Times => CareUnit::Times,
             Unit::OfUsual => CareUnit::OfUsual,
+            Unit::MetresASecond => CareUnit::MetresASecond,
         }
     }
 }

@@ -10,7 +10,7 @@ use homebody_kit::NamedLog;
 use homebody_log::{How, Labelled, Transfer, Url, label, truth_at};
 
 /// What to do where the truth is not found.
-const NAME_IT: &str = "name the run's truth after the log: its database, or csv:FILE where its tables are texts";
+const NAME_IT: &str = "name the run's truth after the log: its database, or csv:FILE, parquet:FILE and so on";
 
 /// Joins a log with the truth of its run: each row with whose doing it was, in which room they were, what they were doing,
 /// and why the sensor spoke. That is what recognisers are trained on.
@@ -22,8 +22,9 @@ const NAME_IT: &str = "name the run's truth after the log: its database, or csv:
 
 {forms}
 
-The truth is the database that the run has left, or csv:FILE where --truth csv:FILE
-has made a file for each table, such as truth.cause.csv beside truth.csv.
+The truth is what the run has left: its database; csv:FILE, jsonl:FILE, parquet:FILE or
+arrow:FILE where --truth has made a file for each table, such as truth.cause.csv beside
+truth.csv; a data set, parquet:FOLDER; or a database, postgresql://USER@HOST/DATABASE.
 
 Columns: {LOG_COLUMNS}, then
   resident  whose doing it was; empty where it was nobody's
@@ -41,7 +42,7 @@ a run's folder is replaced.
 pub struct Arguments {
     /// The log: the folder of its run, a file, or sqlite:FILE, csv:FILE or casas:FILE
     log: String,
-    /// The truth of the same run: a database, or csv:FILE with a file for each table; the one beside the log without it
+    /// The truth of the same run: a database, or csv:FILE and so on; the one beside the log without it
     truth: Option<String>,
     /// Where to: sqlite:FILE, csv:FILE or casas:FILE
     #[arg(long, value_name = "URL")]

@@ -19,7 +19,7 @@ pub struct Output {
     /// Write the log here: sqlite:FILE, csv:FILE, jsonl:- and so on (homebody convert --help lists all); may be given several times
     #[arg(long, value_name = "URL")]
     pub out: Vec<Url>,
-    /// Write the ground truth into this SQLite file, or to csv:FILE, with a file for each table
+    /// Write the ground truth into this SQLite file, or to csv:FILE and so on, with a file for each table, or to a server
     #[arg(long, value_name = "FILE", value_parser = truth_place)]
     pub truth: Option<Url>,
     #[command(flatten)]

@@ -5,8 +5,7 @@ use super::for_programs::{ForPrograms, row};
 use super::read_log::read_log;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
-use homebody_analysis::density::Asked;
-use homebody_analysis::measures::{Beside, Day, Known, Measures};
+use homebody_analysis::measures::{Beside, Day, Measures};
 use homebody_core::names::capitalised;
 use homebody_kit::LogWithRun;
 use homebody_log::Life;
@@ -145,11 +144,7 @@ impl Measured {
         if let Some(resident) = &self.resident {
             return lived(read, resident);
         }
-        let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
-        let ways = read.ways();
-        let known = Known { rooms: &read.rooms, ways: ways.as_ref() };
-        Measures::heard_at_home(&read.name, &read.log, &known, &asked)
-            .map_err(|why| Failure::usage(format!("{}: {why}", &self.log)))
+        read.measures().map_err(|why| Failure::usage(format!("{}: {why}", &self.log)))
     }
 }
 

@@ -12,6 +12,7 @@ mod convert;
 mod coverage;
 mod day;
 mod density;
+mod doctor;
 mod experiment;
 pub mod fleet;
 mod follow;
@@ -98,6 +99,8 @@ pub enum Command {
     Anonymise(anonymise::Arguments),
     /// Join a log with the truth of its run, for recognisers to be trained on
     Label(label::Arguments),
+    /// Say what is wrong with an installation, a log, a truth, a database, a broker or a run's folder
+    Doctor(doctor::Arguments),
     /// Tidy a broker of MQTT up that homes were told to
     Mqtt(mqtt::Arguments),
     /// Write the JSON Schemas of the scenario files into a folder
@@ -142,6 +145,7 @@ impl Command {
             Command::Convert(arguments) => arguments.run(),
             Command::Anonymise(arguments) => arguments.run(),
             Command::Label(arguments) => arguments.run(),
+            Command::Doctor(arguments) => arguments.run(),
             Command::Mqtt(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::Numbers(arguments) => arguments.run(),

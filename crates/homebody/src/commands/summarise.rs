@@ -5,8 +5,6 @@ use super::for_programs::{ForPrograms, row};
 use super::measure::{Measured, subject};
 use super::read_log::read_log;
 use crate::failure::{EXIT_CODES, Failure};
-use homebody_analysis::density::Asked;
-use homebody_analysis::measures::Measures;
 use homebody_analysis::summaries::{About, Sentence, Summary, of_summaries, summarise};
 use homebody_log::records::Records;
 use serde::Serialize;
@@ -62,9 +60,7 @@ impl Arguments {
             None => None,
             Some(other) => {
                 let read = read_log(other, None)?;
-                let asked = Asked { recorded: read.recorded.clone(), ..Asked::default() };
-                let measures = Measures::heard(&read.name, &read.log, &read.rooms, &asked)
-                    .map_err(|why| Failure::usage(format!("{other}: {why}")))?;
+                let measures = read.measures().map_err(|why| Failure::usage(format!("{other}: {why}")))?;
                 Some(of_summaries(&summary, &summarise(&measures, about)))
             }
         };

@@ -83,6 +83,36 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     folder.run("live studio --out csv:rows.csv").fails(2, "homebody convert");
 }
 
+/// Text logs of a live home have their names while they grow, and after a death go on where they were; those of a run with an end have
+/// none before it.
+#[test]
+fn the_texts_of_a_live_home_can_be_followed() {
+    for (place, log, again) in [("casas:log.txt", "log.txt", "casas:again"), ("csv:log.csv", "log.csv", "csv:again")] {
+        let folder = Folder::new();
+        folder.copy_scenario("studio");
+        folder.edit("studio/logger.json", "casas:log.txt", place);
+        let file = format!("home/{log}");
+        let lines = || std::fs::read_to_string(folder.path(&file)).map_or(0, |text| text.lines().count());
+        let home = Living::begin(&folder, "first", "live studio --folder home --from 2024-11-01");
+        folder.until("it can be followed", |_| lines() > 100);
+        home.end("KILL");
+        let before = folder.read(&file);
+        assert!(!before.is_empty());
+        let home = Living::begin(&folder, "second", "live studio --folder home");
+        folder.until("it has gone on", |_| lines() > before.lines().count() + 100);
+        let now = folder.read(&file);
+        assert!(now.starts_with(&before[..before.rfind('\n').unwrap() + 1]), "what was read stays");
+        assert_eq!(home.end("TERM").0, Some(143));
+        folder.run(&format!("replay home/recording.json --out {again}")).ok();
+        assert!(folder.read(&file) == folder.read("again"), "another log");
+
+        let running = folder.start("run studio --for 1d --speed 1 --quiet");
+        folder.until("it has begun", |folder| folder.files().iter().any(|file| file.contains(&format!("{log}."))));
+        assert!(!folder.path(&format!("runs/studio-1/{log}")).exists(), "nothing is half written");
+        running.kill();
+    }
+}
+
 #[test]
 fn the_numbers_of_a_run_are_served_under_their_own_name_alone() {
     let folder = Folder::new();

@@ -28,6 +28,13 @@ mod labels;
 mod lives;
 mod live_homes;
 mod fleets;
+#[cfg(feature = "postgresql")]
+#[path = "../../../homebody-postgres/tests/stage/server.rs"]
+mod postgres;
+#[cfg(feature = "postgresql")]
+mod put_back;
+#[cfg(feature = "mqtt")]
+mod commanded;
 mod truths;
 mod walked_back;
 mod calibrated;

@@ -1,7 +1,7 @@
 //! What the documents name is there: files, folders and the targets of links.
 
 use super::markdown::Document;
-use super::{expect_none, ignored, paths, repository};
+use super::{expect_none, files, ignored, paths, repository};
 use std::fs;
 
 /// What makes a bare name that of a file.
@@ -34,6 +34,31 @@ fn the_guide_for_contributors_names_only_what_is_there() {
 #[test]
 fn the_changelog_names_only_what_is_there() {
     expect_none(wrong_in("CHANGELOG.md"));
+}
+
+#[test]
+fn the_table_of_promises_names_only_what_is_there() {
+    expect_none(wrong_in("docs/hardening.md"));
+    let all: String = files().into_iter().filter(|file| file.is("rs")).map(|file| file.text).collect();
+    expect_none(tests_not_in(&fs::read_to_string(repository().join("docs/hardening.md")).unwrap(), &all));
+}
+
+#[test]
+fn a_test_that_is_not_there_is_found() {
+    let code = "#[test]\nfn speed_changes_nothing() {}\nmacro! { sources_of_logs: \"source\", }";
+    let document = "`speed_changes_nothing`, `sources_of_logs` and `a_test_of_nobody` in `crates/x.rs`";
+    assert_eq!(tests_not_in(document, code), ["there is no test a_test_of_nobody"]);
+}
+
+/// The tests that a document names and that are not in the code.
+fn tests_not_in(document: &str, code: &str) -> Vec<String> {
+    let is_name = |word: &&str| {
+        word.matches('_').count() >= 2
+            && word.bytes().all(|byte| byte.is_ascii_lowercase() || byte == b'_' || byte.is_ascii_digit())
+    };
+    let named = document.split('`').skip(1).step_by(2).filter(is_name);
+    let is_gone = |name: &&str| !code.contains(&format!("fn {name}(")) && !code.contains(&format!("{name}: \""));
+    named.filter(is_gone).map(|name| format!("there is no test {name}")).collect()
 }
 
 #[test]

@@ -6,7 +6,7 @@ import { dayAndMonth, inFull } from './dates';
 /** Where nothing is known of the room that there is. */
 export const WIDTH = 560;
 export const HEIGHT = 120;
-const LEFT = 46;
+export const LEFT = 58;
 const BOTTOM = 20;
 const TOP = 8;
 /** Dates are so far apart that they can be read. */
@@ -37,6 +37,8 @@ export function said(unit: CareUnit, value: number): string {
       return `${value.toFixed(1)} h`;
     case 'of_usual':
       return `${Math.round(value * 100)} %`;
+    case 'metres_a_second':
+      return `${value.toFixed(2)} m/s`;
     case 'times':
       return Number.isInteger(value) ? String(value) : value.toFixed(1);
   }

@@ -85,6 +85,7 @@ function inWords(unit: CareUnit, by: number, before: number): string {
     case 'hours':
       return `${long(much)} ${by > 0 ? 'more' : 'less'} a day`;
     case 'of_usual':
+    case 'metres_a_second':
       return `${percent()} ${by > 0 ? 'faster' : 'slower'}`;
     case 'times':
       return `${much.toFixed(1)} ${by > 0 ? 'more' : 'fewer'} a day`;

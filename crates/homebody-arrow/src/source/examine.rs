@@ -1,0 +1,137 @@
+//! What is wrong with files of columns: whether each is whole, and whether the rows of each run are there once, in their order.
+
+use super::batches::Opened;
+use super::files::{about, all_files, runs_in};
+use super::here::here;
+use super::rows::each_batch;
+use crate::layout::ROWS_BEFORE;
+use arrow_array::cast::AsArray;
+use arrow_array::types::Int64Type;
+use homebody_core::problem::counted;
+use homebody_log::examine::{Asked, Check, Numbers, log_table, truth_tables};
+use homebody_log::{LogError, Url};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Looks at a file or a data set.
+pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
+    let (log, _) = log_table(asked.mapping)?;
+    let (_kept, path) = match here(url.path()) {
+        Ok(here) => here,
+        Err(error @ (LogError::NoPlace(_) | LogError::CannotHold { .. })) => return Err(error),
+        Err(error) => return Ok(vec![Check::of_error("store", &error)]),
+    };
+    let path = path.as_path();
+    if !path.exists() {
+        return Ok(vec![Check::of_error("files", &LogError::Missing { place: path.display().to_string() })]);
+    }
+    let seq = &log.columns[0].name;
+    let mut checks = Vec::new();
+    if !path.is_dir() {
+        table("this file", &[path.into()], seq, &mut checks);
+        return Ok(checks);
+    }
+    let truth = truth_tables();
+    let is_truth = truth.iter().any(|table| path.join(&table.name).is_dir());
+    let folders: Vec<(String, PathBuf)> = match is_truth {
+        true => truth.iter().map(|table| (format!("{}, ", table.name), path.join(&table.name))).collect(),
+        false => vec![(String::new(), path.to_owned())],
+    };
+    for (name, folder) in folders {
+        if !folder.is_dir() {
+            let hint = "live the run anew, or take the table from where it has been copied";
+            checks.push(Check::wrong("files", format!("there is no folder {}", folder.display()), hint));
+            continue;
+        }
+        for (run, folder) in runs_in(&folder) {
+            match all_files(&folder) {
+                Ok((files, on_the_way)) => {
+                    table(&format!("{name}{run}"), &files, seq, &mut checks);
+                    left(&run, &on_the_way, &mut checks);
+                }
+                Err(error) => checks.push(Check::of_error("files", &error)),
+            }
+        }
+    }
+    Ok(checks)
+}
+
+/// Files that have no name yet: of a run that is lived now, or that was killed.
+fn left(run: &str, on_the_way: &[PathBuf], checks: &mut Vec<Check>) {
+    let Some(first) = on_the_way.first() else { return };
+    let what = counted(on_the_way.len(), "file is", "files are");
+    let says = format!("{run}: {what} not whole yet, such as {}", first.display());
+    checks.push(Check::warning(
+        "files",
+        says,
+        "where nobody lives this run now, homebody run --resume FOLDER goes on with it",
+    ));
+}
+
+/// The files of one table of one run.
+fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
+    let mut in_order = BTreeMap::new();
+    let mut is_whole = true;
+    for file in files {
+        match read(file, seq) {
+            Ok(found) => drop(in_order.insert((found.before, file.clone()), found)),
+            Err(error) => {
+                is_whole = false;
+                let check = Check::of_error("files", &error);
+                let hint = "live the run anew: what is whole stays, and what is not is made again";
+                checks.push(Check { hint: check.hint.clone().or_else(|| Some(hint.into())), ..check });
+            }
+        }
+    }
+    let rows: u64 = in_order.values().map(|found| found.rows).sum();
+    let told =
+        format!("{name}: {} in {}", counted(rows as usize, "row", "rows"), counted(files.len(), "file", "files"));
+    if is_whole && !files.is_empty() {
+        checks.push(Check::ok("files", format!("{told}, and each is whole")));
+    } else if files.is_empty() {
+        checks.push(Check::warning("files", told, "a run that has just begun has none yet"));
+    }
+    let mut numbers = Numbers::default();
+    let mut before = 0;
+    for ((told, file), found) in &in_order {
+        if let Some(told) = told.filter(|told| *told != before && is_whole) {
+            let says = format!("{name}: {before} rows come before {}, and it says {told}", file.display());
+            checks.push(Check::wrong(
+                "files",
+                says,
+                "a file was removed, changed or copied from elsewhere: live the run anew",
+            ));
+            return;
+        }
+        before += found.rows;
+        found.numbers.iter().for_each(|&number| numbers.push(number));
+    }
+    if numbers.rows() > 0 {
+        checks.push(numbers.check(name));
+    }
+}
+
+/// What a file has.
+struct Found {
+    rows: u64,
+    /// How many rows of the table come before it, if it says so.
+    before: Option<u64>,
+    /// The numbers of its rows, where they have any.
+    numbers: Vec<i64>,
+}
+
+fn read(file: &Path, seq: &str) -> Result<Found, LogError> {
+    let opened = Opened::open(file)?;
+    let before = about(&opened, ROWS_BEFORE);
+    let place = opened.schema.fields().iter().position(|field| field.name() == seq);
+    // All columns are read, so that what is damaged shows.
+    let columns: Vec<usize> = (0..opened.schema.fields().len()).collect();
+    let mut found = Found { rows: 0, before, numbers: Vec::new() };
+    each_batch(file, opened, &columns, &mut |rows, arrays| {
+        found.rows += rows as u64;
+        let numbers = place.and_then(|place| arrays[place].as_primitive_opt::<Int64Type>());
+        found.numbers.extend(numbers.into_iter().flat_map(|numbers| numbers.iter().flatten()));
+        Ok(())
+    })?;
+    Ok(found)
+}

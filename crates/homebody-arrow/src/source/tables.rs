@@ -1,0 +1,129 @@
+//! The tables of a truth, read by their names: a file for each, or a folder of a data set.
+
+use super::batches::Opened;
+use super::cells::{Texts, Time, Times};
+use super::files::files;
+use super::here::here;
+use super::rows::each_batch;
+use arrow_array::cast::AsArray;
+use arrow_array::types::{Float64Type, Int64Type};
+use arrow_array::{Array, ArrayRef, Float64Array, Int64Array};
+use arrow_schema::Schema;
+use homebody_log::source::{TakeRow, Value};
+use homebody_log::table::{Column, ColumnKind, Table};
+use homebody_log::url::table_file;
+use homebody_log::{LogError, Url};
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+/// Reads tables of a truth.
+pub(crate) fn read_tables(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) -> Result<(), LogError> {
+    let (_kept, folder) = here(url.path())?;
+    let named = url;
+    let url = &Url::new(url.scheme(), folder);
+    let places: Vec<PathBuf> = wanted.iter().map(|table| place(url, table)).collect();
+    let gone = places.iter().filter(|place| !place.exists());
+    let what = if url.is_data_set() { "folder" } else { "file" };
+    let gone: Vec<String> = gone.map(|place| format!("no {what} {}", place.display())).collect();
+    if !gone.is_empty() {
+        return Err(LogError::NoTruth { place: named.to_string(), why: gone.join(", ") });
+    }
+    for (index, (table, place)) in wanted.iter().zip(&places).enumerate() {
+        let files = files(place).map_err(|error| match error {
+            LogError::NoLog { why, .. } => LogError::NoTruth { place: named.to_string(), why },
+            error => error,
+        })?;
+        for file in files {
+            read_file(&file, table, &mut |values| take(index, values))?;
+        }
+    }
+    Ok(())
+}
+
+/// Where a table is. A run of several is named by its folder, such as `truth/run=5`, though each table has such a folder of its own.
+fn place(url: &Url, table: &Table) -> PathBuf {
+    let path = url.path();
+    let is_run = |name: &&OsStr| name.to_string_lossy().starts_with("run=");
+    match (url.is_data_set(), path.file_name().filter(is_run)) {
+        (false, _) => table_file(path, &table.name),
+        (true, Some(run)) => path.with_file_name(&table.name).join(run),
+        (true, None) => path.join(&table.name),
+    }
+}
+
+fn read_file(
+    path: &Path,
+    table: &Table,
+    take: &mut dyn FnMut(&[Value<'_>]) -> Result<(), LogError>,
+) -> Result<(), LogError> {
+    let opened = Opened::open(path)?;
+    let no_truth = |why: String| LogError::NoTruth { place: path.display().to_string(), why };
+    let columns = places(&opened.schema, table).map_err(no_truth)?;
+    each_batch(path, opened, &columns, &mut |rows, arrays| {
+        let mut columns = Vec::with_capacity(arrays.len());
+        for (array, column) in arrays.iter().zip(&table.columns) {
+            let typed = || no_truth(format!("the column {:?} has another type", column.name));
+            columns.push(Cells::of(array, column.kind).ok_or_else(typed)?);
+        }
+        // What is put together for a row, such as a number that is told as a text.
+        let mut buffers = vec![String::new(); columns.len()];
+        for row in 0..rows {
+            let values: Option<Vec<Value>> =
+                columns.iter().zip(&mut buffers).map(|(cells, buffer)| cells.get(row, buffer)).collect();
+            take(&values.ok_or_else(|| no_truth("an instant is out of range".into()))?)?;
+        }
+        Ok(())
+    })
+}
+
+/// Where the columns of a table are in a file, or all that are missing.
+fn places(schema: &Schema, table: &Table) -> Result<Vec<usize>, String> {
+    let place = |column: &Column| schema.fields().iter().position(|field| *field.name() == column.name);
+    let missing = table.columns.iter().filter(|column| place(column).is_none());
+    let missing: Vec<String> = missing.map(|column| format!("no column {:?}", column.name)).collect();
+    match missing.is_empty() {
+        true => Ok(table.columns.iter().filter_map(place).collect()),
+        false => Err(missing.join(", ")),
+    }
+}
+
+/// The cells of a column, as its kind has them.
+enum Cells<'a> {
+    Instants(&'a ArrayRef, Times<'a>),
+    Integers(&'a Int64Array),
+    Reals(&'a Float64Array),
+    Texts(&'a ArrayRef, Texts<'a>),
+}
+
+impl<'a> Cells<'a> {
+    fn of(array: &'a ArrayRef, kind: ColumnKind) -> Option<Cells<'a>> {
+        Some(match kind {
+            ColumnKind::Instant => Cells::Instants(array, Times::of(array)?),
+            ColumnKind::Integer => Cells::Integers(array.as_primitive_opt::<Int64Type>()?),
+            ColumnKind::Real => Cells::Reals(array.as_primitive_opt::<Float64Type>()?),
+            ColumnKind::Text => Cells::Texts(array, Texts::of(array)?),
+        })
+    }
+
+    /// The cell of a row; None where it is no instant that there is.
+    fn get<'b>(&'b self, row: usize, buffer: &'b mut String) -> Option<Value<'b>> {
+        let is_null = match self {
+            Cells::Instants(array, _) | Cells::Texts(array, _) => array.is_null(row),
+            Cells::Integers(array) => array.is_null(row),
+            Cells::Reals(array) => array.is_null(row),
+        };
+        if is_null {
+            return Some(Value::Null);
+        }
+        Some(match self {
+            Cells::Integers(array) => Value::Integer(array.value(row)),
+            Cells::Reals(array) => Value::Real(array.value(row)),
+            Cells::Texts(_, texts) => Value::Text(texts.get(row, buffer)),
+            Cells::Instants(_, times) => match times.get(row, buffer) {
+                Time::At(at) => Value::Instant(at),
+                Time::Text(text) => Value::Text(text),
+                Time::OutOfRange => return None,
+            },
+        })
+    }
+}

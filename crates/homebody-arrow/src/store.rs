@@ -1,0 +1,166 @@
+//! An object store, such as a bucket of S3: files by their names, below a prefix. Who we are there comes from the environment, as programs of
+//! AWS know it: `AWS_ACCESS_KEY_ID`, `AWS_SECRET_ACCESS_KEY`, `AWS_REGION`, `AWS_ENDPOINT` and so on.
+
+use crate::fault::unwritten;
+use futures_util::TryStreamExt;
+use homebody_core::problem::readable;
+use homebody_core::scenario::scheme::NoPlace;
+use homebody_log::LogError;
+use object_store::aws::AmazonS3Builder;
+use object_store::local::LocalFileSystem;
+use object_store::path::Path as Key;
+use object_store::{BackoffConfig, ClientOptions, Error, ObjectStore, ObjectStoreExt, PutPayload, RetryConfig};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use tempfile::TempDir;
+use tokio::runtime::{Builder, Runtime};
+use url::Url;
+
+/// How long a store may take for one thing, and how long it is asked again (ours).
+const ANSWERS_WITHIN: Duration = Duration::from_secs(30);
+const CONNECTS_WITHIN: Duration = Duration::from_secs(3);
+const AGAIN_FOR: Duration = Duration::from_secs(4);
+
+/// No data set has more files (ours).
+const MOST_FILES: usize = 100_000;
+
+/// A prefix in a store.
+pub(crate) struct Store {
+    place: String,
+    store: Box<dyn ObjectStore>,
+    prefix: Key,
+    runtime: Runtime,
+}
+
+impl Store {
+    /// What a URL means, such as `s3://bucket/lives`. Nothing is asked of the store yet.
+    pub fn open(url: &Path) -> Result<Store, LogError> {
+        let text = url.to_string_lossy();
+        let place = format!("parquet:{text}");
+        let refused = |what: String| {
+            let hint = "write parquet:s3://BUCKET/PREFIX".to_owned();
+            LogError::from(NoPlace { what: readable(format!("{place}: {what}")), hint })
+        };
+        let parsed = Url::parse(&text).map_err(|why| refused(why.to_string()))?;
+        let prefix = Key::from_url_path(parsed.path()).map_err(|why| refused(why.to_string()))?;
+        let store: Box<dyn ObjectStore> = match parsed.scheme() {
+            "s3" => {
+                let options = ClientOptions::new().with_timeout(ANSWERS_WITHIN).with_connect_timeout(CONNECTS_WITHIN);
+                let backoff = BackoffConfig { max_backoff: Duration::from_secs(1), ..BackoffConfig::default() };
+                let retry = RetryConfig { backoff, max_retries: 3, retry_timeout: AGAIN_FOR };
+                let allows_http = ["AWS_ENDPOINT", "AWS_ENDPOINT_URL"]
+                    .iter()
+                    .any(|name| std::env::var(name).is_ok_and(|endpoint| endpoint.starts_with("http://127.0.0.1")));
+                let builder = AmazonS3Builder::from_env().with_url(text).with_client_options(options).with_retry(retry);
+                let builder = if allows_http { builder.with_allow_http(true) } else { builder };
+                Box::new(builder.build().map_err(|why| refused(why.to_string()))?)
+            }
+            "file" => Box::new(LocalFileSystem::new()),
+            other => return Err(refused(format!("{other} is no kind of store that is known"))),
+        };
+        let runtime = Builder::new_current_thread().enable_all().build();
+        let runtime = runtime.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
+        Ok(Store { place, store, prefix, runtime })
+    }
+
+    /// The files of Parquet below a folder of it, by their names from there on.
+    pub fn files(&self, below: &str) -> Result<Vec<String>, LogError> {
+        let folder = self.key(below);
+        let found = self.runtime.block_on(async {
+            let mut listed = self.store.list(Some(&folder));
+            let mut found = Vec::new();
+            while let Some(object) = listed.try_next().await? {
+                if object.location.as_ref().ends_with(".parquet") && found.len() < MOST_FILES {
+                    found.push(object.location);
+                }
+            }
+            Ok(found)
+        });
+        let found: Vec<Key> = found.map_err(|error| self.told(error))?;
+        let whole = self.prefix.as_ref();
+        let name = |key: &Key| key.as_ref().strip_prefix(whole).unwrap_or_default().trim_start_matches('/').to_owned();
+        let mut names: Vec<String> = found.iter().map(name).collect();
+        names.sort();
+        Ok(names)
+    }
+
+    /// Puts a file there, whole or not at all.
+    pub fn put(&self, name: &str, file: &Path) -> Result<(), LogError> {
+        let bytes = fs::read(file).map_err(|error| unwritten(file, error))?;
+        let key = self.key(name);
+        self.runtime.block_on(self.store.put(&key, PutPayload::from(bytes))).map(drop).map_err(|error| self.told(error))
+    }
+
+    /// Brings a file from there.
+    pub fn get(&self, name: &str, to: &Path) -> Result<(), LogError> {
+        let key = self.key(name);
+        let bytes = self.runtime.block_on(async { self.store.get(&key).await?.bytes().await });
+        let bytes = bytes.map_err(|error| self.told(error))?;
+        let made = to.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(to, bytes));
+        made.map_err(|error| unwritten(to, error))
+    }
+
+    /// Removes a file; one that is gone already is gone.
+    pub fn remove(&self, name: &str) -> Result<(), LogError> {
+        let key = self.key(name);
+        match self.runtime.block_on(self.store.delete(&key)) {
+            Err(Error::NotFound { .. }) | Ok(()) => Ok(()),
+            Err(error) => Err(self.told(error)),
+        }
+    }
+
+    fn key(&self, name: &str) -> Key {
+        let parts = self.prefix.as_ref().split('/').chain(name.split('/')).filter(|part| !part.is_empty());
+        parts.map(str::to_owned).fold(Key::default(), |key, part| Key::from(format!("{key}/{part}")))
+    }
+
+    /// What an error of the store means.
+    fn told(&self, error: Error) -> LogError {
+        let text = error.to_string();
+        let (what, hint, passes) = match () {
+            // Of a bucket, the client passes on what the store has answered.
+            _ if matches!(error, Error::NotFound { .. }) || text.contains("NoSuchBucket") => {
+                ("there is no such bucket or file", "correct the URL, or make the bucket", false)
+            }
+            _ if matches!(error, Error::PermissionDenied { .. } | Error::Unauthenticated { .. })
+                || text.contains("AccessDenied") =>
+            {
+                (
+                    "the store does not let us",
+                    "AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY say who we are, or the machine's own role does",
+                    false,
+                )
+            }
+            _ => ("the store does not answer as it should", "AWS_ENDPOINT and AWS_REGION say where it is", true),
+        };
+        // Of a long answer the beginning says enough.
+        let said: String = text.chars().take(LONGEST_TOLD).collect();
+        let told = LogError::Destination {
+            place: self.place.clone(),
+            what: readable(format!("{what}: {said}")),
+            hint: Some(hint.into()),
+            passes: false,
+            source: None,
+        };
+        if passes { told.passing() } else { told }
+    }
+}
+
+/// No more of what a store says is told, in characters (ours).
+const LONGEST_TOLD: usize = 300;
+
+/// What a store has below a URL, brought into a folder of ours that goes when it is dropped.
+pub(crate) fn fetched(url: &Path) -> Result<(TempDir, PathBuf), LogError> {
+    let store = Store::open(url)?;
+    let folder = tempfile::tempdir().map_err(|error| unwritten(Path::new("a folder for temporary files"), error))?;
+    let names = store.files("")?;
+    if names.is_empty() {
+        return Err(LogError::Missing { place: store.place });
+    }
+    for name in &names {
+        store.get(name, &folder.path().join(if name.is_empty() { "log.parquet" } else { name }))?;
+    }
+    let path = folder.path().to_owned();
+    Ok((folder, path))
+}

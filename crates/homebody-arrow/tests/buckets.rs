@@ -1,0 +1,164 @@
+//! Data sets in an object store: what goes there comes back, also where the program died, and nothing is replaced unasked.
+//!
+//! Each is tried with a store in a folder. With a server that speaks S3 it is tried again: moto's, where `moto_server` is on the `PATH` or
+//! `HOMEBODY_MOTO` names it.
+
+#[path = "../../homebody-log/tests/stage/mod.rs"]
+mod stage;
+
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::elsewhere::install;
+use homebody_log::examine::{Asked, Verdict, examine};
+use homebody_log::{How, Log, LogError, Logger, Url, read};
+use stage::Folder;
+use std::io::{Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// So many rows are some weeks.
+const ROWS: u64 = 200_000;
+
+fn told(log: &Log) -> Vec<(i64, String, String)> {
+    log.events.iter().map(|event| (event.at, log.sensor(event).to_owned(), log.value(event).to_owned())).collect()
+}
+
+fn open(url: &Url, how: How) -> Result<Logger, LogError> {
+    stage::open_of(std::slice::from_ref(url), &LoggerFile::default(), &stage::sensors(), how)
+}
+
+/// All that is promised of a store, tried in one below this URL.
+fn tried(base: &str, folder: &Folder) {
+    install(vec![homebody_arrow::ELSEWHERE]);
+    let at = |name: &str| format!("parquet:{base}/{name}").parse::<Url>().unwrap();
+    let beside = folder.url("parquet:beside");
+    let firings = stage::firings(ROWS);
+    stage::store(open(&beside, How::New).unwrap(), &firings, 900).unwrap();
+    let wanted = told(&read(&beside, &LoggerFile::default()).unwrap());
+    assert_eq!(wanted.len() as u64, ROWS);
+    let lives = at("lives");
+    stage::store(open(&lives, How::New).unwrap(), &firings, 900).unwrap();
+    let same =
+        |url: &Url| assert!(told(&read(url, &LoggerFile::default()).unwrap()) == wanted, "{url} tells another log");
+    same(&lives);
+    // A run that is there is refused, and replaced where that is said; fewer days then.
+    assert!(matches!(open(&lives, How::New), Err(LogError::Exists { .. })));
+    stage::store(open(&lives, How::Replace).unwrap(), &firings[..3000], 900).unwrap();
+    assert_eq!(told(&read(&lives, &LoggerFile::default()).unwrap()), wanted[..3000]);
+    // One that died has its whole days there, and is gone on with to the same rows.
+    let died = at("died");
+    let mut logger = open(&died, How::New).unwrap();
+    for step in firings[..150_000].chunks(900) {
+        logger.store(step, step[step.len() - 1].at + 1).unwrap();
+    }
+    logger.settle().unwrap();
+    logger.wait_settled().unwrap();
+    drop(logger);
+    let there = told(&read(&died, &LoggerFile::default()).unwrap());
+    assert!(there.len() > 1000 && there[..] == wanted[..there.len()], "{} rows are there", there.len());
+    stage::store(open(&died, How::GoOn).unwrap(), &firings, 900).unwrap();
+    same(&died);
+    // It is found whole, and what is not there is told.
+    let asked = Asked { mapping: &LoggerFile::default(), may_write: false };
+    let checks = examine(&died, &asked).unwrap();
+    assert!(!checks.is_empty() && checks.iter().all(|check| check.verdict == Verdict::Ok), "{checks:?}");
+    let checks = examine(&at("nowhere"), &asked).unwrap();
+    assert!(checks.iter().any(|check| check.verdict == Verdict::Wrong), "{checks:?}");
+    assert!(read(&at("nowhere"), &LoggerFile::default()).is_err());
+}
+
+#[test]
+fn a_store_in_a_folder_keeps_what_it_gets() {
+    let folder = Folder::new("store");
+    std::fs::create_dir(folder.path().join("bucket")).unwrap();
+    tried(&format!("file://{}", folder.path().join("bucket").display()), &folder);
+    let refused = |url: &str| match open(&url.parse().unwrap(), How::New) {
+        Err(LogError::NoPlace(why)) => why.to_string(),
+        Err(error) => panic!("{url}: {error}"),
+        Ok(_) => panic!("{url} is opened"),
+    };
+    assert!(refused("parquet:gs://bucket/lives").contains("no kind of store"));
+}
+
+/// Where the child finds its store; the parent sets it, and who the child is there.
+const CHILD: &str = "HOMEBODY_TEST_STORE";
+
+/// The child. Run as a test of its own it has nothing to do.
+#[test]
+fn child() {
+    let Ok(what) = std::env::var(CHILD) else { return };
+    install(vec![homebody_arrow::ELSEWHERE]);
+    match what.as_str() {
+        "away" => {
+            let begun = Instant::now();
+            let error = open(&"parquet:s3://bucket/lives".parse().unwrap(), How::New).err().unwrap().to_string();
+            assert!(error.contains("does not answer") && !error.contains("s3cr3t-canary"), "{error}");
+            assert!(begun.elapsed() < Duration::from_secs(10), "{:?}", begun.elapsed());
+        }
+        "nobody" => {
+            let error =
+                open(&"parquet:s3://no-such-bucket/lives".parse().unwrap(), How::New).err().unwrap().to_string();
+            assert!(error.contains("no such bucket"), "{error}");
+        }
+        what => tried(what, &Folder::new("store-s3")),
+    }
+}
+
+fn as_child(what: &str, port: u16) {
+    let mut command = Command::new(std::env::current_exe().unwrap());
+    command.args(["child", "--exact", "--nocapture"]).env(CHILD, what);
+    command.env("AWS_ENDPOINT", format!("http://127.0.0.1:{port}")).env("AWS_REGION", "us-east-1");
+    command.env("AWS_ACCESS_KEY_ID", "ann").env("AWS_SECRET_ACCESS_KEY", "s3cr3t-canary");
+    let done = command.output().unwrap();
+    let said = String::from_utf8_lossy(&done.stdout).into_owned() + &String::from_utf8_lossy(&done.stderr);
+    assert!(done.status.success(), "{what}: {said}");
+    assert!(!said.contains("s3cr3t-canary"), "{said}");
+}
+
+#[test]
+fn a_store_that_is_away_is_told_soon() {
+    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    as_child("away", port);
+}
+
+/// A server that ends with the test.
+struct Server(Child);
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+#[test]
+fn a_server_of_s3_keeps_what_it_gets() {
+    let program = std::env::var("HOMEBODY_MOTO").unwrap_or_else(|_| "moto_server".into());
+    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    let started = Command::new(&program)
+        .args(["-H", "127.0.0.1", "-p", &port.to_string()])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn();
+    let Ok(server) = started else {
+        println!("skipped: there is no {program}, as pip install 'moto[server]' brings it");
+        return;
+    };
+    let _server = Server(server);
+    let begun = Instant::now();
+    let mut stream = loop {
+        match TcpStream::connect(("127.0.0.1", port)) {
+            Ok(stream) => break stream,
+            Err(why) => assert!(begun.elapsed() < Duration::from_secs(60), "{why}"),
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    };
+    let head =
+        format!("PUT /bucket HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nContent-Length: 0\r\nConnection: close\r\n\r\n");
+    stream.write_all(head.as_bytes()).unwrap();
+    let mut answer = String::new();
+    stream.read_to_string(&mut answer).unwrap();
+    assert!(answer.starts_with("HTTP/1.1 200"), "{answer}");
+    as_child("s3://bucket/some/where", port);
+    as_child("nobody", port);
+}

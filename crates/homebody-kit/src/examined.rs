@@ -1,0 +1,311 @@
+//! What is wrong with a place: a log or a truth wherever it is, a broker, the folder of a run or of a cohort.
+
+use crate::VERSION;
+use crate::error::Error;
+use crate::recorded::{Recorded, recording};
+use homebody_core::recording::{Recording, RunDigest};
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::scheme::Scheme;
+use homebody_log::examine::{Asked, Check, Verdict, examine, examine_log, truth_tables};
+use homebody_log::lock::FolderLock;
+use homebody_log::places::{LIST, RECORDING, SENSORS, TRUTH, logs_of};
+use homebody_log::{LogError, Source, Url, truth_beside};
+use homebody_routine::household::Household;
+use serde::{Deserialize, Serialize};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A place that was looked at.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Examined {
+    /// As it was named.
+    pub place: String,
+    /// What was looked at, in the order in which it was.
+    pub checks: Vec<Check>,
+}
+
+/// How places are looked at.
+#[derive(Clone, Debug, Default)]
+pub struct Examining {
+    /// What a log's table and columns are called; None for the names of the run that left it, or ours.
+    pub mapping: Option<LoggerFile>,
+    /// Whether something may be tried that leaves nothing behind.
+    pub may_write: bool,
+    /// Whether a run is lived again and compared, firing by firing.
+    pub replays: bool,
+}
+
+impl Examining {
+    /// Looks at a place: a URL, a file, or the folder of a run, of a cohort or of a data set.
+    ///
+    /// # Errors
+    ///
+    /// Only what is wrong with the words, [`Error::Log`]; all else is a check.
+    pub fn examine(&self, text: &str) -> Result<Examined, Error> {
+        let path = Path::new(text);
+        let checks = match path {
+            _ if path.join(LIST).is_file() => self.cohort(path)?,
+            _ if path.join(RECORDING).is_file() || path.join(SENSORS).is_file() => self.run(path)?,
+            _ if is_truth_set(path) => self.place(&Url::new(Scheme::Parquet, path), None)?,
+            _ if path.exists() => match Source::recognise(path) {
+                Ok(log) => examine_log(&log, &self.asked(&self.mapping(None)))?,
+                Err(error) => vec![Check::of_error("file", &error)],
+            },
+            // A word without a colon is a path.
+            _ if !text.contains(':') => {
+                vec![Check::of_error("file", &LogError::Missing { place: path.display().to_string() })]
+            }
+            _ => self.place(&text.parse::<Url>().map_err(LogError::NoPlace)?, None)?,
+        };
+        let place = homebody_core::scenario::scheme::without_password(text).into_owned();
+        Ok(Examined { place, checks })
+    }
+
+    fn mapping(&self, run: Option<&LoggerFile>) -> LoggerFile {
+        self.mapping.clone().or_else(|| run.cloned()).unwrap_or_default()
+    }
+
+    fn asked<'a>(&self, mapping: &'a LoggerFile) -> Asked<'a> {
+        Asked { mapping, may_write: self.may_write }
+    }
+
+    fn place(&self, url: &Url, run: Option<&LoggerFile>) -> Result<Vec<Check>, Error> {
+        Ok(examine(url, &self.asked(&self.mapping(run)))?)
+    }
+
+    /// The folders of a cohort's members: what is not as it should be, and how many there are.
+    fn cohort(&self, folder: &Path) -> Result<Vec<Check>, Error> {
+        let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+        let mut members: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
+        members.sort();
+        let mut checks = Vec::new();
+        let mut whole = 0;
+        for member in members {
+            let name = member.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let found = self.run(&member)?;
+            let before = checks.len();
+            let told = found.into_iter().filter(|check| check.verdict != Verdict::Ok);
+            checks.extend(told.map(|check| Check { says: format!("{name}: {}", check.says), ..check }));
+            whole += usize::from(checks.len() == before);
+        }
+        let says = format!("{} of its members as they should be", whole);
+        checks.push(Check::ok("members", says));
+        Ok(checks)
+    }
+
+    /// The folder of a run: what it left, held against its recording.
+    fn run(&self, folder: &Path) -> Result<Vec<Check>, Error> {
+        let mut checks = Vec::new();
+        if let Err(error) = FolderLock::take(folder) {
+            let says = error.to_string();
+            let says = says.split('\n').next().unwrap_or_default().to_owned();
+            checks.push(Check::warning("lock", says, "let it come to its end, and look again"));
+        }
+        let run = match recording(&folder.join(RECORDING)) {
+            Ok(run) => run,
+            Err(error) => {
+                checks.push(wrong("recording", &error));
+                return Ok(checks);
+            }
+        };
+        checks.push(self.recorded(folder, &run));
+        let scenario = match Household::recorded(&run) {
+            Ok((scenario, _)) => scenario,
+            Err(problems) => {
+                let says = format!("the scenario in it cannot be lived: {}", problems.render().replace('\n', "; "));
+                checks.push(Check::wrong("recording", says, "the version that made it can: it says which that is"));
+                return Ok(checks);
+            }
+        };
+        checks.extend(self.logs(folder, &run, &scenario)?);
+        checks.extend(self.truth(folder, &run, &scenario)?);
+        if !folder.join(SENSORS).is_file() {
+            let says = format!("there is no {SENSORS}, which says what the sensors are called and where they are");
+            checks.push(Check::wrong("sensors", says, format!("homebody run --resume {} writes it", folder.display())));
+        }
+        checks.extend(notes(folder, &run));
+        checks.extend(left(folder));
+        if self.replays && run.is_complete() {
+            checks.push(replayed(folder));
+        }
+        Ok(checks)
+    }
+
+    /// Whether the run came to its end, and whether this program can go on with it.
+    fn recorded(&self, folder: &Path, run: &Recording) -> Check {
+        let resume = format!("homebody run --resume {} goes on with it", folder.display());
+        let version = &run.version;
+        match () {
+            () if !run.is_complete() => {
+                Check::warning("recording", "the run was killed, or is lived now: it has not come to its end", resume)
+            }
+            () if !run.is_whole() => Check::warning("recording", "the run was stopped before its end", resume),
+            () if version != VERSION => Check::warning(
+                "recording",
+                format!("version {version} of the program made it: it is read, and may be lived otherwise by this one"),
+                "keep that version to replay it",
+            ),
+            () => Check::ok("recording", format!("{} firings, lived to its end by this version", run.firings)),
+        }
+    }
+
+    fn logs(&self, folder: &Path, run: &Recording, scenario: &Scenario) -> Result<Vec<Check>, Error> {
+        let said = scenario.logger.to.len();
+        let logs: Vec<Url> = logs_of(folder, Some(scenario)).collect();
+        let is_there = |url: &&Url| url.path().exists() && (url.file().is_some() || url.is_data_set());
+        // Without a word about it, it is any of the usual ones.
+        let usual = logs.iter().skip(said).find(is_there).into_iter();
+        let logs: Vec<&Url> = if said > 0 { logs.iter().take(said).collect() } else { usual.collect() };
+        let mut checks = Vec::new();
+        for url in &logs {
+            let is_local = url.file().is_some() || url.is_data_set();
+            let found = self.place(url, Some(&scenario.logger))?;
+            let rows = found.iter().find_map(|check| check.rows);
+            checks.extend(
+                found.into_iter().map(|check| Check { says: format!("{}: {}", short(url), check.says), ..check }),
+            );
+            if let (Some(told), Some(rows), true) = (run.rows, rows, is_local)
+                && told != rows
+            {
+                let says = format!("{}: it has {rows} rows, and the recording says {told}", short(url));
+                checks.push(Check::wrong("rows", says, "homebody replay RECORDING --out URL writes the log anew"));
+            }
+        }
+        if logs.is_empty() {
+            let hint = format!("homebody run --resume {} writes it anew", folder.display());
+            checks.push(Check::wrong("log", "there is no log in it", hint));
+        }
+        Ok(checks)
+    }
+
+    fn truth(&self, folder: &Path, run: &Recording, scenario: &Scenario) -> Result<Vec<Check>, Error> {
+        let Some(url) = truth_beside(&folder.join(TRUTH)) else {
+            let hint = format!("homebody run --resume {} writes it anew", folder.display());
+            return Ok(vec![Check::wrong("truth", "there is no truth in it", hint)]);
+        };
+        // Of files of text there is a table each, and none of them is a log.
+        if !matches!(url.scheme(), Scheme::Sqlite | Scheme::Parquet)
+            || url.scheme() == Scheme::Parquet && !url.is_data_set()
+        {
+            return Ok(vec![Check::ok("truth", format!("{}: each table has its file", short(&url)))]);
+        }
+        let found = self.place(&url, Some(&scenario.logger))?;
+        let firings = found.iter().find_map(|check| check.rows);
+        let mut checks: Vec<Check> = found
+            .into_iter()
+            .map(|check| Check { says: format!("{}: {}", short(&url), check.says), ..check })
+            .collect();
+        if let Some(firings) = firings.filter(|firings| run.is_complete() && *firings != run.firings) {
+            let says = format!("{}: it has {firings} firings, and the recording says {}", short(&url), run.firings);
+            checks.push(Check::wrong("truth", says, "homebody replay RECORDING --truth FILE writes it anew"));
+        }
+        Ok(checks)
+    }
+}
+
+/// Whether a folder is a data set of a truth.
+fn is_truth_set(path: &Path) -> bool {
+    path.is_dir() && truth_tables().iter().all(|table| path.join(&table.name).is_dir())
+}
+
+/// The last part of a place's name.
+fn short(url: &Url) -> String {
+    match url.file().is_some() || url.is_data_set() {
+        true => url.path().file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        false => homebody_core::scenario::scheme::without_password(&url.to_string()).into_owned(),
+    }
+}
+
+fn wrong(about: &str, error: &Error) -> Check {
+    let text = error.to_string();
+    let (says, hint) = text.split_once("\n  hint: ").unwrap_or((&text, "live the run anew"));
+    Check::wrong(about, says, hint)
+}
+
+/// Lives a run again, into nowhere.
+fn replayed(folder: &Path) -> Check {
+    let again = Recorded::open(folder.join(RECORDING)).and_then(|recorded| {
+        let (told, firings) = (recorded.recording().sha256.clone(), recorded.recording().firings);
+        let (mut run, mut digest) = (recorded.start(), RunDigest::default());
+        while let Some(batch) = run.next_batch()? {
+            digest.add(batch.firings);
+        }
+        Ok((digest.firings(), digest.hex()) == (firings, told))
+    });
+    match again {
+        Ok(true) => Check::ok("replay", "lived again, every firing is the same"),
+        Ok(false) => Check::wrong(
+            "replay",
+            "lived again, not every firing is the same",
+            "the recording was changed, or another version made it: live the run anew",
+        ),
+        Err(error) => wrong("replay", &error),
+    }
+}
+
+/// What a file says that notes how far a destination has confirmed a run.
+#[derive(Deserialize)]
+struct Note {
+    run: i64,
+    rows: Vec<u64>,
+}
+
+/// How notes of what was confirmed end.
+const NOTES: &str = ".confirmed.json";
+
+/// No note is longer (ours).
+const LONGEST_NOTE_BYTES: u64 = 1 << 20;
+
+/// The notes of what servers have confirmed.
+fn notes(folder: &Path, run: &Recording) -> Vec<Check> {
+    let hint = "remove it: what was confirmed is then given again, with the same numbers";
+    let note = |path: &Path| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let text = homebody_log::plain::read_text(path, LONGEST_NOTE_BYTES).map_err(|error| error.to_string());
+        let note = text.and_then(|text| serde_json::from_str::<Note>(&text).map_err(|error| error.to_string()));
+        match note {
+            Err(why) => Check::wrong("confirmed", format!("{name} is no note: {why}"), hint),
+            Ok(note) if note.run != run.run_id() => {
+                Check::wrong("confirmed", format!("{name} is of another run"), hint)
+            }
+            Ok(note) => match (note.rows.first(), run.rows) {
+                (Some(&noted), Some(rows)) if noted > rows => {
+                    let says = format!("{name}: {noted} rows are confirmed, and the run has {rows}");
+                    Check::wrong("confirmed", says, hint)
+                }
+                (Some(&noted), Some(rows)) if noted < rows && run.is_whole() => Check::warning(
+                    "confirmed",
+                    format!("{name}: of {rows} rows {noted} are confirmed"),
+                    format!("homebody run --resume {} --out URL gives the rest", folder.display()),
+                ),
+                (noted, _) => Check::ok("confirmed", format!("{name}: {} rows", noted.copied().unwrap_or(0))),
+            },
+        }
+    };
+    files(folder).filter(|path| path.to_string_lossy().ends_with(NOTES)).map(|path| note(&path)).collect()
+}
+
+/// What a program that was killed has left half written.
+fn left(folder: &Path) -> Vec<Check> {
+    let is_left = |path: &PathBuf| [".part", ".anew", ".old"].iter().any(|end| path.to_string_lossy().ends_with(end));
+    let left = files(folder).filter(is_left);
+    left.map(|path| {
+        let says = format!("{} was left half written", path.file_name().unwrap_or_default().to_string_lossy());
+        Check::warning("files", says, format!("homebody run --resume {} tidies up", folder.display()))
+    })
+    .collect()
+}
+
+/// The files in a folder, by their names.
+fn files(folder: &Path) -> impl Iterator<Item = PathBuf> {
+    let mut all: Vec<PathBuf> = fs::read_dir(folder)
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(|path| path.is_file())
+        .collect();
+    all.sort();
+    all.into_iter()
+}

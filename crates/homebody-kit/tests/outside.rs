@@ -1,0 +1,247 @@
+//! What is done to a run from outside: it happens, the truth says so, and who lives the run again lives the same.
+
+use homebody_kit::outside::{Asked, Failure, Refusal, Wish};
+use homebody_kit::{Cancel, Destinations, Error, Lived, Progress, Recorded, Unfinished};
+use rusqlite::Connection;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, channel};
+use tempfile::TempDir;
+
+const HOUR: i64 = 3_600_000_000;
+const MINUTE: i64 = 60_000_000;
+
+type Outcome = Result<i64, Refusal>;
+
+fn on(thing: &str, on: bool) -> Wish {
+    Wish::Use { thing: thing.into(), on }
+}
+
+fn fall(minutes: i64) -> Wish {
+    Wish::Fall { resident: "margaret".into(), lies: Some(minutes * MINUTE) }
+}
+
+fn fails(sensor: &str, failure: Failure, lasts: Option<i64>) -> Wish {
+    Wish::Fail { sensor: sensor.into(), failure, lasts }
+}
+
+/// Lives the days into a folder, and asks for each wish once the run has come to its hour. The run is cancelled at an hour, if any.
+fn live(runs: &Path, days: f64, wishes: &[(i64, Wish)], stops_at: Option<i64>) -> (Lived, Vec<Outcome>) {
+    let (ask, asked) = channel();
+    let (tell, told) = channel();
+    let cancel = Cancel::new();
+    let scenario = homebody_kit::template("tigerplace").unwrap();
+    let run = scenario.run().seed(5).days(days).outside(asked).cancel(&cancel).start().unwrap();
+    let mut left = wishes.to_vec();
+    let says = |Progress { lived, .. }: Progress| {
+        for (_, wish) in left.extract_if(.., |(hour, _)| *hour * HOUR <= lived) {
+            let tell = tell.clone();
+            let answer = Box::new(move |outcome: Outcome| tell.send(outcome).unwrap());
+            ask.send(Asked { wish, answer }).unwrap();
+        }
+        if stops_at.is_some_and(|hour| hour * HOUR <= lived) {
+            cancel.cancel();
+        }
+    };
+    let lived = run.store(&Destinations::new_folder_in(runs), says).unwrap();
+    (lived, all(&told))
+}
+
+fn all(told: &Receiver<Outcome>) -> Vec<Outcome> {
+    told.try_iter().collect()
+}
+
+fn folder(lived: &Lived) -> PathBuf {
+    lived.recorded.as_ref().unwrap().parent().unwrap().to_owned()
+}
+
+fn bytes(folder: &Path) -> [Vec<u8>; 2] {
+    ["log.db", "truth.db"].map(|file| fs::read(folder.join(file)).unwrap())
+}
+
+/// Lives a recording again, into files beside those of its folder.
+fn again(recording: &Path, into: &Path) -> Lived {
+    fs::create_dir_all(into).unwrap();
+    let to = Destinations {
+        log: vec![format!("sqlite:{}", into.join("log.db").display()).parse().unwrap()],
+        truth: Some(format!("sqlite:{}", into.join("truth.db").display()).parse().unwrap()),
+        ..Destinations::default()
+    };
+    Recorded::open(recording).unwrap().start().store(&to, |_| ()).unwrap()
+}
+
+fn without_what_was_done(recording: &Path) -> String {
+    let mut read: serde_json::Value = serde_json::from_str(&fs::read_to_string(recording).unwrap()).unwrap();
+    assert!(read.as_object_mut().unwrap().remove("outside").is_some(), "nothing was noted");
+    read.to_string()
+}
+
+fn texts(database: &Path, query: &str) -> Vec<String> {
+    let database = Connection::open(database).unwrap();
+    let mut query = database.prepare(query).unwrap();
+    let rows = query.query_map([], |row| row.get::<_, Option<String>>(0)).unwrap();
+    rows.map(|row| row.unwrap().unwrap_or_default()).collect()
+}
+
+fn count(database: &Path, query: &str) -> i64 {
+    Connection::open(database).unwrap().query_row(query, [], |row| row.get(0)).unwrap()
+}
+
+/// All kinds at once, over a day and a half.
+fn a_few_wishes() -> Vec<(i64, Wish)> {
+    vec![
+        (2, on("front door", true)),
+        (3, on("front door", false)),
+        (4, fall(15)),
+        (6, fails("bedroom motion", Failure::Stuck { every_us: Some(7 * MINUTE) }, Some(3 * HOUR))),
+        (8, fails("living room motion", Failure::Battery { fades_us: 0 }, Some(4 * HOUR))),
+        (20, fall(40)),
+        (21, fails("bed sensor", Failure::BadLink { lost_ppm: 500_000 }, None)),
+        (26, on("stove", true)),
+    ]
+}
+
+#[test]
+fn what_is_done_from_outside_happens_and_replays_to_the_same_bytes() {
+    let temporary = TempDir::new().unwrap();
+    let (lived, told) = live(temporary.path(), 1.5, &a_few_wishes(), None);
+    assert!(told.iter().all(Result::is_ok) && told.len() == 8, "{told:?}");
+    let folder = folder(&lived);
+    let (log, truth) = (folder.join("log.db"), folder.join("truth.db"));
+    assert_eq!(
+        texts(&truth, "SELECT what FROM outside ORDER BY at"),
+        ["on", "off", "fall", "stuck", "battery", "fall", "bad_link", "on"]
+    );
+    // The door and the stove were used by nobody who lives there.
+    let nobodys = "SELECT thing FROM act WHERE resident IS NULL ORDER BY at";
+    assert_eq!(texts(&truth, nobodys), ["front door", "front door", "stove"]);
+    let caused = "SELECT count(*) FROM cause WHERE why = 'act' AND resident IS NULL AND thing = 'stove'";
+    assert!(count(&truth, caused) > 0, "its sensor says so, and that it was nobody's doing");
+    assert!(count(&log, "SELECT count(*) FROM event") > 100);
+    // They fell, and lay there for so long.
+    let fallen = "SELECT count(*) FROM activity WHERE name = 'fallen'";
+    assert_eq!(count(&truth, fallen), 2);
+    let lost = |loss: &str| count(&truth, &format!("SELECT count(*) FROM lost WHERE loss = '{loss}'"));
+    assert!(lost("battery") > 0 && lost("stuck") > 0, "{} {}", lost("battery"), lost("stuck"));
+
+    let lived_again = again(&folder.join("recording.json"), &temporary.path().join("again"));
+    assert_eq!(lived_again.agrees, Some(true));
+    assert!(bytes(&folder) == bytes(&temporary.path().join("again")), "another log, or another truth");
+
+    // The control: without the note of what was done, the life is another.
+    let forgotten = temporary.path().join("forgotten.json");
+    fs::write(&forgotten, without_what_was_done(&folder.join("recording.json"))).unwrap();
+    assert_eq!(again(&forgotten, &temporary.path().join("forgotten")).agrees, Some(false));
+}
+
+#[test]
+fn a_run_that_was_stopped_is_gone_on_with_to_the_same_bytes() {
+    let temporary = TempDir::new().unwrap();
+    let (stopped, told) = live(&temporary.path().join("runs"), 1.5, &a_few_wishes(), Some(22));
+    assert!(stopped.is_stopped() && told.len() == 7, "{told:?}");
+    let folder = folder(&stopped);
+    // The control: what is there is not the beginning of a life to which nothing was done.
+    let recording = folder.join("recording.json");
+    let noted = fs::read_to_string(&recording).unwrap();
+    fs::write(&recording, without_what_was_done(&recording)).unwrap();
+    let refused = Unfinished::open(&folder).unwrap().go_on(|_| ());
+    assert!(matches!(refused, Err(Error::Log(_))), "{:?}", refused.map(|_| ()));
+    fs::write(&recording, noted).unwrap();
+    let whole = Unfinished::open(&folder).unwrap().go_on(|_| ()).unwrap();
+    assert!(!whole.is_stopped());
+    let lived_again = again(&recording, &temporary.path().join("again"));
+    assert_eq!(lived_again.agrees, Some(true));
+    assert!(bytes(&folder) == bytes(&temporary.path().join("again")), "another log, or another truth");
+}
+
+/// A run that was stopped is gone on with, touched, and dies: what was noted is done again, and the stop before is known still.
+#[test]
+fn a_run_that_was_stopped_and_touched_and_died_is_gone_on_with() {
+    let temporary = TempDir::new().unwrap();
+    let (stopped, _) = live(&temporary.path().join("runs"), 1.5, &a_few_wishes(), Some(22));
+    let folder = folder(&stopped);
+    let (ask, asked) = channel();
+    let (tell, told) = channel();
+    let mut left = Some(on("bedroom door", false));
+    let says = |Progress { lived, .. }: Progress| {
+        if lived > 26 * HOUR
+            && let Some(wish) = left.take()
+        {
+            let tell = tell.clone();
+            ask.send(Asked { wish, answer: Box::new(move |outcome| tell.send(outcome).unwrap()) }).unwrap();
+        }
+        assert!(lived < 30 * HOUR, "it dies here");
+    };
+    let unfinished = Unfinished::open(&folder).unwrap().outside(asked);
+    let died = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| unfinished.go_on(says).map(|_| ())));
+    assert!(died.is_err() && all(&told).iter().all(Result::is_ok), "it has done it, and died");
+    let whole = Unfinished::open(&folder).unwrap().go_on(|_| ()).unwrap();
+    assert!(!whole.is_stopped() && whole.recording.outside.len() == 8, "{:?}", whole.recording.outside);
+    let lived_again = again(&folder.join("recording.json"), &temporary.path().join("again"));
+    assert_eq!(lived_again.agrees, Some(true));
+    assert!(bytes(&folder) == bytes(&temporary.path().join("again")), "another log, or another truth");
+}
+
+#[test]
+fn who_falls_lies_where_they_are_and_gets_up() {
+    let temporary = TempDir::new().unwrap();
+    let wishes: Vec<(i64, Wish)> = (1..14 * 24).step_by(5).map(|hour| (hour, fall(hour % 50 + 1))).collect();
+    let (lived, told) = live(temporary.path(), 15.0, &wishes, None);
+    assert_eq!(told.len(), wishes.len());
+    let out = told.iter().filter(|told| told.is_err()).count();
+    assert!(out < told.len() / 2, "{told:?}");
+    assert!(told.iter().flat_map(|told| told.as_ref().err()).all(|refusal| refusal.why.contains("not at home")));
+    let truth = folder(&lived).join("truth.db");
+    let fallen = count(&truth, "SELECT count(*) FROM activity WHERE name = 'fallen'");
+    assert_eq!(fallen as usize, told.len() - out, "each fall is told");
+    // Each lies until the time is over: no movement that is no lying lies between.
+    let lying = "SELECT count(*) FROM outside o WHERE what = 'fall' AND NOT EXISTS (SELECT 1 FROM movement m
+        WHERE m.posture = 'lying' AND m.end_at > o.at AND m.begin_at <= o.until_at)";
+    assert_eq!(count(&truth, lying), 0);
+    let walks_on =
+        "SELECT count(*) FROM movement WHERE kind = 'stride' AND begin_at > (SELECT max(until_at) FROM outside)";
+    assert!(count(&truth, walks_on) > 100, "life goes on");
+    // A body is in the room that the truth says: no stride begins elsewhere than the one before ended.
+    let jumps = "SELECT count(*) FROM (SELECT from_x, from_y, lag(to_x) OVER w AS x, lag(to_y) OVER w AS y FROM movement
+        WINDOW w AS (PARTITION BY resident ORDER BY begin_at)) WHERE abs(from_x - x) > 0.011 OR abs(from_y - y) > 0.011";
+    assert_eq!(count(&truth, jumps), 0);
+}
+
+#[test]
+fn what_cannot_be_done_is_refused_and_changes_nothing() {
+    let temporary = TempDir::new().unwrap();
+    let wrong = [
+        (on("front dor", true), "no thing", "front door"),
+        (on("front door", false), "already", ""),
+        (fails("hall", Failure::FallsOff, None), "no sensor", ""),
+        (fails("bed sensor", Failure::FallsOff, Some(0)), "ends after", ""),
+        (fails("bed sensor", Failure::Stuck { every_us: Some(1) }, None), "no sensor fails like this", "0.1 s"),
+        (Wish::Fall { resident: "bob".into(), lies: None }, "no resident", "margaret"),
+        (Wish::Fall { resident: "margaret".into(), lies: Some(1) }, "so long", ""),
+    ];
+    let wishes: Vec<(i64, Wish)> = wrong.iter().map(|(wish, ..)| (2, wish.clone())).collect();
+    let (lived, told) = live(&temporary.path().join("a"), 0.5, &wishes, None);
+    for ((wish, why, hint), told) in wrong.iter().zip(&told) {
+        let refusal = told.as_ref().expect_err("refused");
+        assert!(refusal.why.contains(why) && refusal.hint.contains(hint), "{wish:?}: {refusal:?}");
+    }
+    let (plain, _) = live(&temporary.path().join("b"), 0.5, &[], None);
+    assert_eq!(bytes(&folder(&lived)), bytes(&folder(&plain)));
+}
+
+#[test]
+fn a_recording_that_says_what_cannot_be_done_is_refused_in_words() {
+    let temporary = TempDir::new().unwrap();
+    let (lived, _) = live(temporary.path(), 0.5, &[(2, on("front door", true))], None);
+    let recording = folder(&lived).join("recording.json");
+    let text = fs::read_to_string(&recording).unwrap();
+    for (from, to, why) in [
+        ("\"thing\": \"front door\"", "\"thing\": \"back door\"", "no thing"),
+        ("\"at_us\": ", "\"at_us\": -", "its instant is in no run"),
+    ] {
+        assert!(text.contains(from), "{text}");
+        fs::write(&recording, text.replacen(from, to, 1)).unwrap();
+        let Err(Error::Problems(problems)) = Recorded::open(&recording) else { panic!("{to} is accepted") };
+        assert!(problems.render().contains(why), "{}", problems.render());
+    }
+}

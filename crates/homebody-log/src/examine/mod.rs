@@ -1,0 +1,50 @@
+//! What is wrong with a place that has a log or a truth: checks, each with what was found and what to do. They only read, unless
+//! it is said otherwise.
+
+mod sqlite;
+mod text;
+mod wanted;
+
+pub use crate::check::{Asked, Check, Examine, Verdict};
+use crate::elsewhere;
+use crate::error::LogError;
+pub use crate::numbered::{Numbers, found_of};
+use crate::source::Source;
+use crate::url::Url;
+use homebody_core::scenario::scheme::{SCHEMES, Scheme, Stands};
+pub use sqlite::sqlite_version;
+pub use wanted::{log_table, truth_tables};
+
+/// All that there is to say of a place.
+///
+/// # Errors
+///
+/// Only what is wrong with the words: [`LogError::NoPlace`], [`LogError::NotBuiltIn`], and names of a mapping that cannot be. All else is
+/// a check.
+pub fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
+    match url.scheme() {
+        Scheme::Sqlite => sqlite::examine(url, asked),
+        Scheme::Csv | Scheme::Jsonl | Scheme::Casas => text::examine(&url.into(), asked),
+        scheme => {
+            let elsewhere = elsewhere::of(scheme).ok_or_else(|| elsewhere::not_built_in(url))?;
+            (elsewhere.examine)(url, asked)
+        }
+    }
+}
+
+/// The same of a log in whatever form, be it one that a run can go to or not.
+///
+/// # Errors
+///
+/// As [`examine`].
+pub fn examine_log(log: &Source, asked: &Asked) -> Result<Vec<Check>, LogError> {
+    let row = SCHEMES.iter().find(|row| row.name == log.form().name && row.stands != Stands::Server);
+    match row {
+        Some(row) => examine(&Url::new(row.scheme, log.path()), asked),
+        None if log.is_server() => {
+            let text = log.path().to_string_lossy().into_owned();
+            examine(&text.parse()?, asked)
+        }
+        None => text::examine(log, asked),
+    }
+}

@@ -1,0 +1,290 @@
+//! A database file of SQLite: whether it is whole, who writes it, whether its tables are those of a log or of a truth, and whether the
+//! rows of each run are there once.
+
+use super::wanted::{log_table, truth_tables};
+use crate::check::{Asked, Check};
+use crate::error::{LogError, place_of};
+use crate::lock::is_held;
+use crate::numbered::found_of;
+use crate::source::connect_only;
+use crate::table::Table;
+use crate::url::Url;
+use homebody_core::problem::counted;
+use rusqlite::Connection;
+use std::path::{Path, PathBuf};
+
+/// So many pages that are wrong are told (ours).
+const MOST_TOLD: usize = 5;
+
+/// The version of SQLite in this program, once it has kept a row and given it back.
+///
+/// # Errors
+///
+/// It has not.
+pub fn sqlite_version() -> Result<String, LogError> {
+    let tried = Connection::open_in_memory().and_then(|connection| {
+        connection.execute_batch(
+            "CREATE TABLE firing (seq INTEGER PRIMARY KEY, value TEXT); INSERT INTO firing VALUES (0, 'ON')",
+        )?;
+        connection.query_row("SELECT sqlite_version() FROM firing WHERE value = 'ON'", [], |row| row.get(0))
+    });
+    tried.map_err(|error| LogError::database(Path::new(""), error))
+}
+
+pub(super) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
+    let (log, run_column) = log_table(asked.mapping)?;
+    let path = url.path();
+    let mut checks = Vec::new();
+    if let Err(error) = crate::plain::open(path) {
+        return Ok(vec![Check::of_error("file", &LogError::reading(path, error))]);
+    }
+    checks.push(written_by(path));
+    checks.extend(left_beside(path));
+    let connection = match connect_only(path) {
+        Ok(connection) => connection,
+        Err(error) => {
+            let is_half_written = error.sqlite_error_code() == Some(rusqlite::ErrorCode::ReadOnly);
+            checks.push(match is_half_written {
+                true => Check::warning(
+                    "file",
+                    "a transaction was half written as a program was killed, so nothing more is looked at: to open it would change it",
+                    "homebody look reads it and undoes what was half written; homebody run --resume FOLDER goes on with the run",
+                ),
+                false => Check::of_error("file", &LogError::database(path, error)),
+            });
+            return Ok(checks);
+        }
+    };
+    let looked = look(&connection, path, &log, &run_column, &mut checks);
+    if let Err(error) = looked {
+        checks.push(Check::of_error("file", &LogError::database(path, error)));
+    }
+    Ok(checks)
+}
+
+/// Whether a program writes the file now.
+fn written_by(path: &Path) -> Check {
+    match is_held(path) {
+        None => Check::ok("lock", "no program is writing it"),
+        Some(true) => Check::warning(
+            "lock",
+            "a program is writing it now, so that what follows may be different in a moment",
+            "let that program come to its end, and look again",
+        ),
+        Some(false) => Check::ok("lock", "a program that was killed has left a lock file, which holds nobody up"),
+    }
+}
+
+/// What a program that was killed, or one that reads, has left beside the file.
+fn left_beside(path: &Path) -> Option<Check> {
+    let size = |ending: &str| {
+        let mut name = path.as_os_str().to_owned();
+        name.push(ending);
+        std::fs::metadata(PathBuf::from(name)).map(|found| found.len()).ok().filter(|bytes| *bytes > 0)
+    };
+    match (size("-wal"), size("-journal")) {
+        (Some(bytes), _) => Some(Check::warning(
+            "journal",
+            format!("a write-ahead log of {bytes} bytes lies beside it, whose rows belong to it"),
+            "copy both files together; homebody run --resume FOLDER brings the rows in and goes on",
+        )),
+        (None, Some(bytes)) => Some(Check::warning(
+            "journal",
+            format!("a journal of {bytes} bytes lies beside it, by which what was half written is undone"),
+            "copy both files together; whoever writes it next undoes what was half written",
+        )),
+        (None, None) => None,
+    }
+}
+
+fn look(
+    connection: &Connection,
+    path: &Path,
+    log: &Table,
+    run_column: &str,
+    checks: &mut Vec<Check>,
+) -> rusqlite::Result<()> {
+    let is_whole = integrity(connection, checks)?;
+    if !is_whole {
+        return Ok(());
+    }
+    let tables: Vec<String> = connection
+        .prepare("SELECT name FROM sqlite_schema WHERE type = 'table'")?
+        .query_map([], |row| row.get(0))?
+        .collect::<rusqlite::Result<_>>()?;
+    let has = |name: &str| tables.iter().any(|table| table == name);
+    let truth = truth_tables();
+    let is_truth = !has(&log.name) && truth.iter().any(|table| has(&table.name));
+    if !has(&log.name) && !is_truth {
+        let says = format!(
+            "there is no table {:?}: it has {}",
+            log.name,
+            if tables.is_empty() { "none".into() } else { tables.join(", ") }
+        );
+        checks.push(Check::wrong(
+            "tables",
+            says,
+            "--mapping FILE gives a logger.json that names the table; a run that was killed as it began is gone on with by homebody run --resume FOLDER",
+        ));
+        return Ok(());
+    }
+    let wanted: Vec<&Table> = if is_truth { truth.iter().collect() } else { vec![log] };
+    let mut is_as_wanted = true;
+    for table in &wanted {
+        is_as_wanted &= schema(connection, table, run_column, checks)?;
+    }
+    if is_as_wanted {
+        let what = if is_truth { "a truth" } else { "a log" };
+        checks
+            .push(Check::ok("tables", format!("they are those of {what}, with the columns and keys that are wanted")));
+        match is_truth {
+            true => firings(connection, run_column, checks)?,
+            false => rows(connection, log, run_column, checks)?,
+        }
+    }
+    runs(connection, path, has("run"), checks)
+}
+
+/// Whether every page is in order.
+fn integrity(connection: &Connection, checks: &mut Vec<Check>) -> rusqlite::Result<bool> {
+    let sql = format!("PRAGMA quick_check({MOST_TOLD})");
+    let told: rusqlite::Result<Vec<String>> =
+        connection.prepare(&sql).and_then(|mut ask| ask.query_map([], |row| row.get(0))?.collect());
+    let told = match told {
+        Ok(told) => told,
+        Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::DatabaseCorrupt) => {
+            vec![error.to_string()]
+        }
+        Err(error) => return Err(error),
+    };
+    let is_whole = told == ["ok"];
+    checks.push(match is_whole {
+        true => Check::ok("integrity", "every page is in order"),
+        false => Check::wrong(
+            "integrity",
+            format!("it is damaged: {}", told.join("; ").replace('\n', " ")),
+            "put back a copy, or live the run anew: homebody replay RECORDING --out sqlite:NEW.db",
+        ),
+    });
+    Ok(is_whole)
+}
+
+/// Whether a table has the columns and the key that are wanted; all that is wrong is told.
+fn schema(connection: &Connection, table: &Table, run_column: &str, checks: &mut Vec<Check>) -> rusqlite::Result<bool> {
+    let found: Vec<(String, i64)> = connection
+        .prepare("SELECT name, pk FROM pragma_table_info(?)")?
+        .query_map([&table.name], |row| Ok((row.get(0)?, row.get(1)?)))?
+        .collect::<rusqlite::Result<_>>()?;
+    let hint = "--mapping FILE gives a logger.json that names the columns; a log of somebody else is read all the same";
+    let mut wrong = Vec::new();
+    if found.is_empty() {
+        wrong.push(format!("there is no table {:?}", table.name));
+    } else {
+        let names = std::iter::once(run_column).chain(table.columns.iter().map(|column| column.name.as_str()));
+        let gone = names.filter(|name| !found.iter().any(|(found, _)| found == name));
+        wrong.extend(gone.map(|name| format!("the table {:?} has no column {name:?}", table.name)));
+        let key: Vec<&str> = found.iter().filter(|(_, key)| *key > 0).map(|(name, _)| name.as_str()).collect();
+        let has_key = [run_column, &table.columns[0].name].iter().all(|name| key.contains(name)) && key.len() == 2;
+        if table.is_numbered && wrong.is_empty() && !has_key {
+            wrong.push(format!(
+                "the table {:?} has no key ({run_column}, {}), so that a row could be in it twice",
+                table.name, table.columns[0].name
+            ));
+        }
+    }
+    let is_well = wrong.is_empty();
+    checks.extend(wrong.into_iter().map(|says| Check::wrong("tables", says, hint)));
+    Ok(is_well)
+}
+
+/// The numbers of the rows of each run, and cells that say nothing where they should.
+fn rows(connection: &Connection, table: &Table, run_column: &str, checks: &mut Vec<Check>) -> rusqlite::Result<()> {
+    let (name, seq) = (&table.name, &table.columns[0].name);
+    let sql = format!(
+        "SELECT \"{run_column}\", count(*), count(DISTINCT \"{seq}\"), min(\"{seq}\"), max(\"{seq}\") FROM \"{name}\" GROUP BY 1 ORDER BY 1"
+    );
+    type OfRun = (i64, i64, i64, i64, i64);
+    let of = |row: &rusqlite::Row| Ok((row.get(0)?, row.get(1)?, row.get(2)?, row.get(3)?, row.get(4)?));
+    let found: Vec<OfRun> = connection.prepare(&sql)?.query_map([], of)?.collect::<rusqlite::Result<_>>()?;
+    if found.is_empty() {
+        checks.push(Check::warning("rows", "there are none", "a run that has just begun has none yet"));
+    }
+    for (run, count, distinct, first, last) in found {
+        let missing = last.saturating_add(1).saturating_sub(distinct).max(0);
+        let first_missing = match (missing, first) {
+            (0, _) => None,
+            (_, 1..) => Some(0),
+            _ => {
+                let sql = format!(
+                    "SELECT \"{seq}\" + 1 FROM \"{name}\" AS one WHERE \"{run_column}\" = ?1 AND NOT EXISTS \
+                     (SELECT 1 FROM \"{name}\" AS other WHERE other.\"{run_column}\" = ?1 AND other.\"{seq}\" = one.\"{seq}\" + 1) \
+                     ORDER BY 1 LIMIT 1"
+                );
+                connection.query_row(&sql, [run], |row| row.get(0))?
+            }
+        };
+        checks.push(found_of(&format!("run {run}"), count, (missing, first_missing), (count - distinct, None)));
+    }
+    let [time, sensor] = [1, 2].map(|column| &table.columns[column].name);
+    let sql = format!("SELECT count(*) FROM \"{name}\" WHERE \"{time}\" IS NULL OR \"{sensor}\" IS NULL");
+    let empty: i64 = connection.query_row(&sql, [], |row| row.get(0))?;
+    if empty > 0 {
+        let says = format!("{} no time or no sensor", counted(empty as usize, "row has", "rows have"));
+        checks.push(Check::wrong(
+            "rows",
+            says,
+            "no run of ours writes such a row: look at what else writes into this file",
+        ));
+    }
+    Ok(())
+}
+
+/// The firings of a truth, which are numbered, too.
+fn firings(connection: &Connection, run_column: &str, checks: &mut Vec<Check>) -> rusqlite::Result<()> {
+    let sql = format!(
+        "SELECT \"{run_column}\", count(*), count(DISTINCT firing), coalesce(max(firing), -1) FROM cause GROUP BY 1"
+    );
+    type OfRun = (i64, i64, i64, i64);
+    let of = |row: &rusqlite::Row| Ok((row.get(0)?, row.get(1)?, row.get(2)?, row.get(3)?));
+    let found: Vec<OfRun> = connection.prepare(&sql)?.query_map([], of)?.collect::<rusqlite::Result<_>>()?;
+    for (run, count, distinct, last) in found {
+        let missing = last.saturating_add(1).saturating_sub(distinct).max(0);
+        checks.push(found_of(&format!("run {run}, its firings"), count, (missing, None), (count - distinct, None)));
+    }
+    Ok(())
+}
+
+/// What the table of runs says.
+fn runs(connection: &Connection, path: &Path, is_there: bool, checks: &mut Vec<Check>) -> rusqlite::Result<()> {
+    if !is_there {
+        checks.push(Check::warning(
+            "runs",
+            "there is no table \"run\", so that nobody knows which run it is of",
+            "it was made by another program; it is read all the same",
+        ));
+        return Ok(());
+    }
+    let runs: Vec<(i64, bool)> = connection
+        .prepare("SELECT run_id, ended_at IS NOT NULL FROM run ORDER BY 1")?
+        .query_map([], |row| Ok((row.get(0)?, row.get(1)?)))?
+        .collect::<rusqlite::Result<_>>()?;
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    for (run, is_ended) in &runs {
+        checks.push(match is_ended {
+            true => Check::ok("runs", format!("run {run} has come to its end")),
+            false => Check::warning(
+                "runs",
+                format!("run {run} has not come to its end"),
+                format!("homebody run --resume {} goes on with it, where nobody lives it now", place_of(folder)),
+            ),
+        });
+    }
+    if runs.is_empty() {
+        checks.push(Check::warning(
+            "runs",
+            "none is told of",
+            "a run that was killed as it began is gone on with by --resume",
+        ));
+    }
+    Ok(())
+}

@@ -1,0 +1,61 @@
+//! A log in a file of text: whether every line is a row of it, and where rows are numbered, whether each number is there once.
+
+use crate::check::{Asked, Check};
+use crate::error::LogError;
+use crate::numbered::Numbers;
+use crate::source::{self, Source, Value, read_numbers};
+use crate::table::{Column, ColumnKind, Table};
+use crate::url::Url;
+use homebody_core::problem::counted;
+use homebody_core::scenario::scheme::{NoPlace, OUTPUT, Scheme};
+use std::path::Path;
+
+pub(super) fn examine(place: &Source, asked: &Asked) -> Result<Vec<Check>, LogError> {
+    if place.path() == Path::new(OUTPUT) {
+        let what = format!("{place} is where rows go, and none are kept there");
+        return Err(NoPlace { what, hint: "name a file".into() }.into());
+    }
+    let log = match source::survey(place, asked.mapping) {
+        Ok(log) => log,
+        Err(error) => return Ok(vec![Check::of_error("file", &error)]),
+    };
+    let mut checks = Vec::new();
+    let rows = counted(log.rows as usize, "row", "rows");
+    let check = match log.problems.first() {
+        None => Check::ok("file", format!("{rows} of {}", counted(log.sensors.len(), "sensor", "sensors"))),
+        Some(first) => Check::wrong(
+            "file",
+            format!(
+                "{rows}; {} not understood, the first is line {}: {}",
+                counted(log.skipped as usize, "line is", "lines are"),
+                first.line,
+                first.why
+            ),
+            "a file that ends in half a line was cut off: homebody run --resume FOLDER writes it to its end",
+        ),
+    };
+    let scheme = [Scheme::Csv, Scheme::Jsonl].into_iter().find(|scheme| scheme.row().name == place.form().name);
+    let numbers = scheme.and_then(|scheme| numbered(&Url::new(scheme, place.path()), asked));
+    checks.push(Check { rows: Some(log.rows).filter(|_| numbers.is_none()), ..check });
+    checks
+        .extend(log.remarks.iter().map(|remark| Check::warning("file", remark.clone(), "look at what it was made by")));
+    checks.extend(numbers);
+    Ok(checks)
+}
+
+/// The numbers of the rows, if they have any.
+fn numbered(url: &Url, asked: &Asked) -> Option<Check> {
+    let name = asked.mapping.columns.seq.clone();
+    let column = Column { name, kind: ColumnKind::Integer, unit: "", about: "the number of the row" };
+    let table = Table { name: String::new(), about: "", columns: vec![column], is_numbered: true, is_frequent: true };
+    let mut numbers = Numbers::default();
+    // A line that is none of the table has been told already, and ends this.
+    let _ = read_numbers(url, &table, &mut |values| {
+        if let [Value::Integer(number)] = values {
+            numbers.push(*number);
+        }
+        Ok(())
+    });
+    // A log of somebody else has none.
+    (numbers.rows() > 0).then(|| numbers.check("this log"))
+}

@@ -1,0 +1,156 @@
+//! The last day of a broker's certificate.
+//!
+//! A connection is begun, the certificate is looked at whoever it is of, and the connection is ended before anything is said on it. Of the
+//! certificate only the way to that day is read (RFC 5280, section 4.1): a certificate is a sequence that begins with a sequence of version,
+//! number, algorithm, issuer and validity.
+
+use jiff::Timestamp;
+use jiff::civil::DateTime;
+use jiff::tz::TimeZone;
+use rumqttc::tokio_rustls::rustls;
+use rustls::client::danger::{HandshakeSignatureValid, ServerCertVerified, ServerCertVerifier};
+use rustls::crypto::{CryptoProvider, ring, verify_tls12_signature, verify_tls13_signature};
+use rustls::pki_types::{CertificateDer, ServerName, UnixTime};
+use rustls::{ClientConfig, ClientConnection, DigitallySignedStruct, Error, SignatureScheme};
+use std::net::{TcpStream, ToSocketAddrs};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// How long a broker may take for it (ours).
+const WITHIN: Duration = Duration::from_secs(4);
+
+/// When the certificate of who listens there ends.
+pub(crate) fn last_day(host: &str, port: u16) -> Result<Timestamp, String> {
+    let told = |error: &dyn std::fmt::Display| error.to_string();
+    let mut addresses = (host, port).to_socket_addrs().map_err(|error| told(&error))?;
+    let address = addresses.next().ok_or("the host is not known")?;
+    let mut stream = TcpStream::connect_timeout(&address, WITHIN).map_err(|error| told(&error))?;
+    stream
+        .set_read_timeout(Some(WITHIN))
+        .and_then(|()| stream.set_write_timeout(Some(WITHIN)))
+        .map_err(|error| told(&error))?;
+    let provider = Arc::new(ring::default_provider());
+    let config = ClientConfig::builder_with_provider(provider.clone()).with_safe_default_protocol_versions();
+    let config = config.map_err(|error| told(&error))?;
+    let config = config.dangerous().with_custom_certificate_verifier(Arc::new(Anybody(provider))).with_no_client_auth();
+    let name = ServerName::try_from(host.to_owned()).map_err(|error| told(&error))?;
+    let mut connection = ClientConnection::new(Arc::new(config), name).map_err(|error| told(&error))?;
+    while connection.is_handshaking() && connection.peer_certificates().is_none() {
+        connection.complete_io(&mut stream).map_err(|error| told(&error))?;
+    }
+    let certificate = connection.peer_certificates().and_then(|all| all.first()).ok_or("there is none")?;
+    ends(certificate).ok_or_else(|| "it is in no form that is known".into())
+}
+
+/// When a certificate ends.
+fn ends(certificate: &[u8]) -> Option<Timestamp> {
+    const SEQUENCE: u8 = 0x30;
+    const VERSION: u8 = 0xa0;
+    let (tag, whole, _) = part(certificate)?;
+    let (inner_tag, inner, _) = part(whole)?;
+    if (tag, inner_tag) != (SEQUENCE, SEQUENCE) {
+        return None;
+    }
+    let mut rest = inner;
+    if part(rest)?.0 == VERSION {
+        rest = part(rest)?.2;
+    }
+    // Number, algorithm and issuer.
+    for _ in 0..3 {
+        rest = part(rest)?.2;
+    }
+    let (_, validity, _) = part(rest)?;
+    let (kind, last, _) = part(part(validity)?.2)?;
+    time(kind, last)
+}
+
+/// The tag, the content, and what follows.
+fn part(bytes: &[u8]) -> Option<(u8, &[u8], &[u8])> {
+    let (&tag, rest) = bytes.split_first()?;
+    let (&first, mut rest) = rest.split_first()?;
+    let mut length = usize::from(first);
+    if first & 0x80 != 0 {
+        let (digits, after) = rest.split_at_checked(usize::from(first & 0x7f))?;
+        if digits.len() > 4 {
+            return None;
+        }
+        length = digits.iter().fold(0, |length, &digit| length << 8 | usize::from(digit));
+        rest = after;
+    }
+    let (content, rest) = rest.split_at_checked(length)?;
+    Some((tag, content, rest))
+}
+
+/// `YYMMDDHHMMSSZ` or `YYYYMMDDHHMMSSZ`.
+fn time(kind: u8, text: &[u8]) -> Option<Timestamp> {
+    const UTC_TIME: u8 = 0x17;
+    let text = str::from_utf8(text).ok()?.strip_suffix('Z')?;
+    let whole = match kind {
+        UTC_TIME => {
+            let year: u32 = text.get(..2)?.parse().ok()?;
+            format!("{}{text}", if year < 50 { "20" } else { "19" })
+        }
+        _ => text.to_owned(),
+    };
+    let at = DateTime::strptime("%Y%m%d%H%M%S", whole).ok()?;
+    at.to_zoned(TimeZone::UTC).ok().map(|at| at.timestamp())
+}
+
+/// Takes whoever answers: nothing is said to them.
+#[derive(Debug)]
+struct Anybody(Arc<CryptoProvider>);
+
+impl ServerCertVerifier for Anybody {
+    fn verify_server_cert(
+        &self,
+        _: &CertificateDer<'_>,
+        _: &[CertificateDer<'_>],
+        _: &ServerName<'_>,
+        _: &[u8],
+        _: UnixTime,
+    ) -> Result<ServerCertVerified, Error> {
+        Ok(ServerCertVerified::assertion())
+    }
+
+    fn verify_tls12_signature(
+        &self,
+        message: &[u8],
+        certificate: &CertificateDer<'_>,
+        signed: &DigitallySignedStruct,
+    ) -> Result<HandshakeSignatureValid, Error> {
+        verify_tls12_signature(message, certificate, signed, &self.0.signature_verification_algorithms)
+    }
+
+    fn verify_tls13_signature(
+        &self,
+        message: &[u8],
+        certificate: &CertificateDer<'_>,
+        signed: &DigitallySignedStruct,
+    ) -> Result<HandshakeSignatureValid, Error> {
+        verify_tls13_signature(message, certificate, signed, &self.0.signature_verification_algorithms)
+    }
+
+    fn supported_verify_schemes(&self) -> Vec<SignatureScheme> {
+        self.0.signature_verification_algorithms.supported_schemes()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_day_is_found_and_nothing_else_is_taken_for_it() {
+        let mut params = rcgen::CertificateParams::new(["localhost".to_owned()]).unwrap();
+        params.not_after = rcgen::date_time_ymd(2027, 3, 4);
+        let key = rcgen::KeyPair::generate().unwrap();
+        let certificate = params.self_signed(&key).unwrap();
+        let der = certificate.der();
+        assert_eq!(ends(der).unwrap().to_string(), "2027-03-04T00:00:00Z");
+        for length in 0..der.len() {
+            assert!(ends(&der[..length]).is_none(), "cut after {length} bytes");
+        }
+        assert_eq!(time(0x18, b"20510102030405Z").unwrap().to_string(), "2051-01-02T03:04:05Z");
+        assert_eq!((time(0x17, b"991332000000Z"), ends(&[0x30, 0x84, 255, 255, 255, 255])), (None, None));
+    }
+}

@@ -1,0 +1,175 @@
+//! What is wrong with a broker as a place for logs: whether it is reached, how long its certificate is good for, whether it lets us speak and
+//! listen below the prefix, and what it still keeps of homes of ours. Only where it may write, a message is sent that no broker keeps.
+
+use crate::address::Address;
+use crate::certificate::last_day;
+use crate::clean::{Kept, kept, ours};
+use crate::connection::open;
+use crate::trouble::Trouble;
+use homebody_core::problem::counted;
+use homebody_log::examine::{Asked, Check};
+use homebody_log::{LogError, Url};
+use jiff::Timestamp;
+use rumqttc::{AsyncClient, Event, EventLoop, Outgoing, Packet, PubAckReason, PublishOptions, QoS};
+use std::time::Duration;
+use tokio::runtime::Builder;
+use tokio::time::{Instant, timeout_at};
+
+/// How long what was said may take to come back (ours).
+const COMES_BACK: Duration = Duration::from_secs(3);
+
+/// A certificate that ends sooner is warned of (ours).
+const SOON_DAYS: i64 = 30;
+
+/// So many topics are named (ours).
+const MOST_NAMED: usize = 5;
+
+/// Looks at a broker.
+pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
+    let address = Address::of(url)?;
+    let mut checks = Vec::new();
+    if address.tls {
+        certificate(&address, &mut checks);
+    }
+    let place = address.place();
+    let client = format!("homebody-doctor-{}", std::process::id());
+    let failed = |trouble: Trouble| Check::of_error("broker", &trouble.finally().error(&place));
+    let mut options = match open(&address, &client) {
+        Ok(options) => options,
+        Err(trouble) => {
+            checks.push(failed(trouble));
+            return Ok(checks);
+        }
+    };
+    options.set_unlimited_incoming_packet_size();
+    let runtime = Builder::new_current_thread().enable_all().build();
+    let runtime = runtime.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
+    let said = runtime.block_on(async {
+        let (client, mut events) = AsyncClient::builder(options).capacity(10).build();
+        let kept = kept(&address, &client, &mut events).await?;
+        let heard = match asked.may_write {
+            true => Some(said_and_heard(&address, &client, &mut events).await?),
+            false => None,
+        };
+        let _ = client.disconnect().await;
+        while !matches!(events.poll().await, Ok(Event::Outgoing(Outgoing::Disconnect)) | Err(_)) {}
+        Ok((kept, heard))
+    });
+    match said {
+        Err(trouble) => checks.push(failed(trouble)),
+        Ok((kept, heard)) => told(&address, kept, heard, &mut checks),
+    }
+    Ok(checks)
+}
+
+/// What the broker's certificate says, which is looked at before anything else is.
+fn certificate(address: &Address, checks: &mut Vec<Check>) {
+    let now = Timestamp::now();
+    match last_day(&address.host, address.port) {
+        Ok(last) => {
+            let days = last.duration_since(now).as_hours().div_euclid(24);
+            let on = last.strftime("%Y-%m-%d");
+            checks.push(match days {
+                ..0 => Check::wrong(
+                    "certificate",
+                    format!("it has ended on {on}"),
+                    "renew it, and have the broker read it anew",
+                ),
+                0..SOON_DAYS => {
+                    let says = format!("it ends on {on}, in {}", counted(days as usize, "day", "days"));
+                    Check::warning("certificate", says, "renew it before that day, and have the broker read it anew")
+                }
+                _ => Check::ok("certificate", format!("it is good until {on}")),
+            });
+        }
+        Err(why) => checks.push(Check::warning(
+            "certificate",
+            format!("it could not be looked at: {why}"),
+            "is there TLS on this port? mqtts:// speaks it, usually on 8883",
+        )),
+    }
+}
+
+/// What became of a message that was said to see whether it is heard.
+struct Heard {
+    /// Why the broker did not take it.
+    refused: Option<PubAckReason>,
+    came_back: bool,
+}
+
+/// Says something below the prefix that nobody keeps, and waits until it comes back.
+async fn said_and_heard(address: &Address, client: &AsyncClient, events: &mut EventLoop) -> Result<Heard, Trouble> {
+    let topic = format!("{}/-doctor", address.prefix);
+    let payload = crate::connection::instance();
+    let lost = |error: rumqttc::ClientError| Trouble::new(format!("the connection was lost: {error}"), "look again");
+    let options = PublishOptions::new(QoS::AtLeastOnce);
+    client.publish(topic.clone(), payload.clone().into_bytes(), options).await.map_err(lost)?;
+    let end = Instant::now() + COMES_BACK;
+    let (mut taken, mut came_back) = (None, false);
+    while taken.is_none() || !came_back {
+        let Ok(event) = timeout_at(end, events.poll()).await else { break };
+        match event.map_err(|error| Trouble::of(&error))? {
+            Event::Incoming(Packet::PubAck(ack)) => {
+                taken = Some(ack.reason);
+                if !matches!(ack.reason, PubAckReason::Success | PubAckReason::NoMatchingSubscribers) {
+                    return Ok(Heard { refused: taken, came_back: false });
+                }
+            }
+            Event::Incoming(Packet::Publish(publish)) => came_back |= *publish.payload == *payload.as_bytes(),
+            _ => {}
+        }
+    }
+    match taken {
+        Some(_) => Ok(Heard { refused: None, came_back }),
+        None => Err(Trouble::silent(COMES_BACK)),
+    }
+}
+
+fn told(address: &Address, kept: Kept, heard: Option<Heard>, checks: &mut Vec<Check>) {
+    let who = address.user.as_ref().map_or_else(|| "anybody".to_owned(), |user| format!("{user:?}"));
+    let how = if address.tls { "over TLS" } else { "without encryption" };
+    checks.push(Check::ok("broker", format!("{} speaks MQTT 5 and lets {who} in, {how}", address.place())));
+    let is_near = ["localhost", "127.0.0.1", "::1"].contains(&address.host.as_str());
+    if !address.tls && !is_near {
+        let says = "what is said, and the password, go over the network in the open";
+        checks.push(Check::warning("encryption", says, "write mqtts://, where the broker has TLS"));
+    }
+    let below = &address.prefix;
+    for filter in &kept.refused {
+        let says = format!("this user may not listen to {filter}");
+        checks.push(Check::wrong(
+            "hearing",
+            says,
+            "look at the broker's list of rights: commands and marks of homes are there",
+        ));
+    }
+    checks.push(match heard {
+        Some(Heard { refused: Some(reason), .. }) => {
+            let says = format!("this user may not speak below {below}/: {reason:?}");
+            Check::wrong("speaking", says, "let this user write there, in the broker's list of rights")
+        }
+        Some(Heard { came_back: false, .. }) => {
+            let says = format!("what was said below {below}/ did not come back, so this user may not listen there");
+            Check::wrong("speaking", says, "let this user read there, too, in the broker's list of rights")
+        }
+        Some(_) => Check::ok("speaking", format!("what was said below {below}/ came back")),
+        None => {
+            Check::ok("speaking", format!("not tried: with --write something is said below {below}/ that nobody keeps"))
+        }
+    });
+    let found = ours(address, kept.found);
+    checks.push(match (&found.homes[..], found.topics.len()) {
+        ([], 0) => Check::ok("kept", format!("nothing of ours is kept below {below}/")),
+        (homes, topics) => {
+            let named = homes.iter().take(MOST_NAMED).cloned().collect::<Vec<_>>().join(", ");
+            let more = if homes.len() > MOST_NAMED { " and more" } else { "" };
+            let says = format!(
+                "{} of {} are kept: {named}{more}",
+                counted(topics, "topic", "topics"),
+                counted(homes.len(), "home", "homes")
+            );
+            let hint = "homebody mqtt clean removes them; homes that are lived now say them again";
+            Check::warning("kept", says, hint)
+        }
+    });
+}

@@ -1,0 +1,263 @@
+//! What is wrong with a database of PostgreSQL as a place for logs and truths: whether it is reached, lets us make tables and rows, has the
+//! tables that are wanted, and holds the rows of each run once. It only reads.
+
+use crate::connection::Connection;
+use crate::schema::{RUNS, TRUTH_SCHEMA, ident, look, quoted, usual};
+use crate::server::{Host, Server};
+use homebody_core::problem::counted;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_log::examine::{Asked, Check, found_of, log_table, truth_tables};
+use homebody_log::table::Table;
+use homebody_log::{LogError, Url};
+
+/// The oldest server that this is tried with (ours).
+const OLDEST: i32 = 120_000;
+
+/// Looks at a database.
+pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
+    let server = Server::parse(&url.to_string())?;
+    let (log, run_column) = log_table(asked.mapping)?;
+    let connection = match Connection::open(&server) {
+        Ok(connection) => connection,
+        Err(error) => return Ok(vec![Check::of_error("server", &error)]),
+    };
+    let mut checks = Vec::new();
+    if let Err(error) = look_at(&connection, &server, asked.mapping, (log, run_column), &mut checks) {
+        checks.push(Check::of_error("server", &error));
+    }
+    Ok(checks)
+}
+
+fn look_at(
+    connection: &Connection,
+    server: &Server,
+    mapping: &LoggerFile,
+    log: (Table, String),
+    checks: &mut Vec<Check>,
+) -> Result<(), LogError> {
+    about_server(connection, server, checks)?;
+    let (log, run_column) = log;
+    let schema = match &server.schema {
+        Some(schema) => schema.clone(),
+        None => usual(connection, server)?,
+    };
+    let truth = truth_tables();
+    let log = [log];
+    let of = |tables: &[Table]| look(connection, &schema, tables, mapping.time, &run_column);
+    let (there, problems) = of(&log)?;
+    let has_truth = match holds(connection, &schema, &there) {
+        Ok(holds) => holds.as_deref() == Some("truth"),
+        // Who may not even ask is told which rights are missing.
+        Err(_) if !problems.is_empty() => {
+            checks.extend(problems.into_iter().map(|(says, hint)| Check::wrong("tables", says, hint)));
+            return Ok(());
+        }
+        Err(error) => return Err(error),
+    };
+    let (there, problems) = if has_truth { of(&truth)? } else { (there, problems) };
+    let tables: &[Table] = if has_truth { &truth } else { &log };
+    schema_of(connection, &schema, tables, there, problems, &run_column, checks)?;
+    if has_truth || server.schema.is_some() {
+        return Ok(());
+    }
+    // Where nobody has named a schema, truths are in one of their own.
+    let (there, problems) = look(connection, TRUTH_SCHEMA, &truth, mapping.time, &run_column)?;
+    match there.is_empty() {
+        true => Ok(()),
+        false => schema_of(connection, TRUTH_SCHEMA, &truth, there, problems, &run_column, checks),
+    }
+}
+
+/// Which server it is, who we are there, and whether what it confirms is on its disk.
+fn about_server(connection: &Connection, server: &Server, checks: &mut Vec<Check>) -> Result<(), LogError> {
+    const ABOUT: &str = "SELECT current_setting('server_version'), current_setting('server_version_num')::int, \
+         current_user::text, current_database()::text, pg_is_in_recovery(), current_setting('fsync'), \
+         (SELECT version FROM pg_stat_ssl WHERE pid = pg_backend_pid() AND ssl), \
+         current_setting('server_encoding'), abs(extract(epoch FROM clock_timestamp())::float8 - $1::float8)";
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default().as_secs_f64();
+    let row = connection.wait(connection.client.query_one(ABOUT, &[&now]))?;
+    let (version, number): (String, i32) = (row.get(0), row.get(1));
+    let (user, database): (String, String) = (row.get(2), row.get(3));
+    let tls: Option<String> = row.get(6);
+    let how = match (&tls, &server.host) {
+        (Some(version), _) => format!("over {version}"),
+        (None, Host::Socket(_)) => "over a socket of this machine".into(),
+        (None, Host::Name(_)) => "without encryption".into(),
+    };
+    let says = format!("PostgreSQL {version} lets {user:?} into {database:?}, {how}");
+    checks.push(match number {
+        OLDEST.. => Check::ok("server", says),
+        _ => Check::warning("server", says, "this program is tried with PostgreSQL 12 and newer: take a newer one"),
+    });
+    let is_near =
+        matches!(&server.host, Host::Name(name) if ["localhost", "127.0.0.1", "::1"].contains(&name.as_str()));
+    if tls.is_none() && matches!(server.host, Host::Name(_)) && !is_near {
+        let says = "rows and the password's proof go over the network in the open";
+        checks.push(Check::warning(
+            "encryption",
+            says,
+            "write ?sslmode=verify-full, with sslrootcert=FILE or sslrootcert=system",
+        ));
+    }
+    if row.get::<_, bool>(4) {
+        let hint = "name the server that this one stands by for";
+        checks.push(Check::wrong("rights", "it stands by for another server, and takes no changes", hint));
+    }
+    if row.get::<_, String>(5) == "off" {
+        let hint = "set fsync = on in postgresql.conf, and restart the server";
+        let says = "it does not wait for its disk, so that rows it has confirmed are lost with its power";
+        checks.push(Check::warning("durability", says, hint));
+    }
+    let encoding: String = row.get(7);
+    if encoding != "UTF8" {
+        let says = format!("its texts are in {encoding}, which lacks letters that names may have");
+        checks.push(Check::warning("encoding", says, "CREATE DATABASE ... ENCODING 'UTF8'"));
+    }
+    let apart: f64 = row.get(8);
+    if apart > MOST_APART_S {
+        let says = format!("its clock and this machine's are {apart:.0} s apart");
+        checks.push(Check::warning("clock", says, "set both by the network, as by NTP"));
+    }
+    Ok(())
+}
+
+/// Clocks that are no further apart are alike (ours).
+const MOST_APART_S: f64 = 30.0;
+
+/// What runs of a schema hold; None where there are none.
+fn holds(connection: &Connection, schema: &str, there: &[String]) -> Result<Option<String>, LogError> {
+    if !there.iter().any(|name| name == RUNS) {
+        return Ok(None);
+    }
+    let sql = format!("SELECT holds FROM {} LIMIT 1", quoted(schema, RUNS));
+    Ok(connection.wait(connection.client.query_opt(&sql, &[]))?.map(|row| row.get(0)))
+}
+
+/// The tables of a schema, and the runs in it.
+fn schema_of(
+    connection: &Connection,
+    schema: &str,
+    tables: &[Table],
+    there: Vec<String>,
+    problems: Vec<(String, String)>,
+    run_column: &str,
+    checks: &mut Vec<Check>,
+) -> Result<(), LogError> {
+    let is_well = problems.is_empty();
+    checks.extend(problems.into_iter().map(|(says, hint)| Check::wrong("tables", says, hint)));
+    if is_well {
+        checks.push(Check::ok(
+            "tables",
+            match there.len() {
+                0 => format!("the schema {schema:?} has none yet, and they may be made in it"),
+                _ => format!("those in the schema {schema:?} have the columns, keys and rights that are wanted"),
+            },
+        ));
+    }
+    if there.iter().any(|name| name == RUNS) {
+        runs(connection, schema, tables, &there, run_column, checks)?;
+    } else if let Some(log) = tables.iter().find(|table| table.is_numbered && there.contains(&table.name)) {
+        let says =
+            format!("there is no table {RUNS:?} beside {:?}, so that nobody knows how far a run has come", log.name);
+        checks.push(Check::warning("runs", says, "it was made by another program; it is read all the same"));
+    }
+    Ok(())
+}
+
+/// What is told of each run, held against its rows.
+fn runs(
+    connection: &Connection,
+    schema: &str,
+    tables: &[Table],
+    there: &[String],
+    run_column: &str,
+    checks: &mut Vec<Check>,
+) -> Result<(), LogError> {
+    let sql = format!("SELECT run_id, tables, rows, ended_at IS NOT NULL FROM {} ORDER BY 1", quoted(schema, RUNS));
+    let mut known = Vec::new();
+    for row in connection.wait(connection.client.query(&sql, &[]))? {
+        let (run, names, rows): (i64, Vec<String>, Vec<i64>) = (row.get(0), row.get(1), row.get(2));
+        known.push(run);
+        if !row.get::<_, bool>(3) {
+            let says = format!("run {run} has not come to its end");
+            checks.push(Check::warning(
+                "runs",
+                says,
+                "homebody run --resume FOLDER goes on with it, where nobody lives it now",
+            ));
+        }
+        let mut is_well = true;
+        for (name, told) in names.iter().zip(&rows).filter(|(name, _)| there.contains(name)) {
+            let counted_rows = count(connection, schema, name, run_column, run)?;
+            if counted_rows != *told {
+                is_well = false;
+                let says = format!("run {run}: {name:?} has {counted_rows} rows, and {RUNS:?} says {told}");
+                checks.push(Check::wrong(
+                    "runs",
+                    says,
+                    "rows were added or removed by hand: live the run anew with --force",
+                ));
+            }
+        }
+        let gone = names.iter().filter(|name| !there.contains(name) && tables.iter().any(|table| table.name == **name));
+        for name in gone {
+            is_well = false;
+            checks.push(Check::wrong(
+                "runs",
+                format!("run {run}: its table {name:?} is gone"),
+                "live the run anew with --force",
+            ));
+        }
+        if is_well {
+            let all: i64 = rows.iter().sum();
+            let tables = counted(names.len(), "table", "tables");
+            checks.push(Check::ok("runs", format!("run {run}: {all} rows in {tables}, as many as it says")));
+        }
+    }
+    for table in tables.iter().filter(|table| table.is_numbered && there.contains(&table.name)) {
+        numbers(connection, schema, table, run_column, &known, checks)?;
+    }
+    Ok(())
+}
+
+fn count(connection: &Connection, schema: &str, table: &str, run_column: &str, run: i64) -> Result<i64, LogError> {
+    let sql = format!("SELECT count(*) FROM {} WHERE {} = $1", quoted(schema, table), ident(run_column));
+    Ok(connection.wait(connection.client.query_one(&sql, &[&run]))?.get(0))
+}
+
+/// The numbers of the rows of each run in a table.
+fn numbers(
+    connection: &Connection,
+    schema: &str,
+    table: &Table,
+    run_column: &str,
+    known: &[i64],
+    checks: &mut Vec<Check>,
+) -> Result<(), LogError> {
+    let (run, seq, name) = (ident(run_column), ident(&table.columns[0].name), quoted(schema, &table.name));
+    let sql = format!(
+        "SELECT {run}::bigint, count(*), count(DISTINCT {seq}), coalesce(max({seq}), -1)::bigint, \
+         (SELECT number FROM (SELECT {seq} AS number, lead({seq}) OVER (ORDER BY {seq}) AS next FROM {name} AS other \
+          WHERE other.{run} = one.{run}) AS pairs WHERE next > number + 1 ORDER BY 1 LIMIT 1)::bigint, min({seq})::bigint \
+         FROM {name} AS one GROUP BY {run} ORDER BY 1"
+    );
+    for row in connection.wait(connection.client.query(&sql, &[]))? {
+        let (id, rows, distinct, last): (i64, i64, i64, i64) = (row.get(0), row.get(1), row.get(2), row.get(3));
+        let (before_gap, first): (Option<i64>, Option<i64>) = (row.get(4), row.get(5));
+        let missing = last.saturating_add(1).saturating_sub(distinct).max(0);
+        let first_missing = match first {
+            Some(1..) => Some(0),
+            _ => before_gap.map(|number| number + 1),
+        };
+        checks.push(found_of(&format!("run {id}"), rows, (missing, first_missing), (rows - distinct, None)));
+        if !known.contains(&id) {
+            let says = format!("of run {id} there are rows, and {RUNS:?} does not know it");
+            checks.push(Check::wrong(
+                "runs",
+                says,
+                "another program wrote them, or the run was removed by hand: remove its rows, too",
+            ));
+        }
+    }
+    Ok(())
+}

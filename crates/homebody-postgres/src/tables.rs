@@ -1,0 +1,192 @@
+//! The tables of a truth in a database of PostgreSQL, read by their names: the rows of one run, in the order in which they were written.
+
+use crate::connection::Connection;
+use crate::runs::At;
+use crate::schema::{RUNS, TRUTH_SCHEMA, ident, quoted};
+use crate::server::Server;
+use crate::source::{BEGIN, ROWS_AT_ONCE, columns_of, listed};
+use crate::trouble::{told, wrong};
+use homebody_log::source::{Instant, TakeRow, Value};
+use homebody_log::table::{Column, ColumnKind, Table};
+use homebody_log::{LogError, Url};
+use tokio_postgres::Row;
+use tokio_postgres::types::ToSql;
+
+/// Reads tables of a truth.
+pub(crate) fn read(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) -> Result<(), LogError> {
+    let server = Server::parse(&url.to_string())?;
+    let connection = Connection::open(&server)?;
+    let schema = server.schema.clone().unwrap_or_else(|| TRUTH_SCHEMA.into());
+    let mut found = Vec::new();
+    let mut missing = Vec::new();
+    for table in wanted {
+        found.push(Found::of(&connection, &schema, table, &mut missing)?);
+    }
+    if !missing.is_empty() {
+        return Err(LogError::NoTruth { place: server.place.clone(), why: missing.join(", ") });
+    }
+    let run = run(&connection, &server, &schema)?;
+    // One instant of all tables.
+    connection.wait(connection.client.batch_execute(BEGIN))?;
+    connection.wait(connection.client.batch_execute("SET TRANSACTION ISOLATION LEVEL REPEATABLE READ"))?;
+    for (index, found) in found.iter().flatten().enumerate() {
+        found.read(&connection, &server, run, &mut |values| take(index, values))?;
+    }
+    connection.wait(connection.client.batch_execute("COMMIT"))
+}
+
+/// The truth of the run whose log is in a database: in the usual schema beside it, if there is one of that run.
+pub(crate) fn truth_of(log: &Url) -> Option<Url> {
+    let server = Server::parse(&log.to_string()).ok()?;
+    let connection = Connection::open(&server).ok()?;
+    let truths = runs(&connection, TRUTH_SCHEMA).ok()?;
+    let run = match (&server.run, &truths[..]) {
+        (Some(run), truths) => truths.iter().find(|truth| truth.to_string() == *run).copied()?,
+        (None, [one]) => *one,
+        (None, _) => return None,
+    };
+    let at = log.path().to_string_lossy().into_owned();
+    let (main, query) = at.split_once('?').unwrap_or((&at, ""));
+    let kept = query.split('&').filter(|pair| !["", "schema", "run"].contains(&pair.split('=').next().unwrap_or("")));
+    let query: Vec<&str> = kept.collect();
+    let more = query.iter().map(|pair| format!("&{pair}")).collect::<String>();
+    Some(Url::new(log.scheme(), format!("{main}?schema={TRUTH_SCHEMA}&run={run}{more}")))
+}
+
+/// The runs of truths in a schema.
+fn runs(connection: &Connection, schema: &str) -> Result<Vec<i64>, LogError> {
+    let sql = format!("SELECT run_id FROM {} WHERE holds = 'truth' ORDER BY 1", quoted(schema, RUNS));
+    Ok(connection.wait(connection.client.query(&sql, &[]))?.iter().map(|row| row.get(0)).collect())
+}
+
+/// The run that is asked for, or the only one.
+fn run(connection: &Connection, server: &Server, schema: &str) -> Result<i64, LogError> {
+    let runs = runs(connection, schema)?;
+    let names: Vec<String> = runs.iter().map(i64::to_string).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    match (&server.run, &runs[..]) {
+        (Some(asked), runs) => match runs.iter().find(|run| run.to_string() == *asked) {
+            Some(run) => Ok(*run),
+            None => {
+                let what = format!("the schema {schema:?} has no truth of the run {asked}");
+                Err(wrong(server, what, &format!("it has {}", listed(&names))))
+            }
+        },
+        (None, [one]) => Ok(*one),
+        (None, []) => {
+            let why = format!("the schema {schema:?} has none of any run");
+            Err(LogError::NoTruth { place: server.place.clone(), why })
+        }
+        (None, several) => {
+            let what = format!("the schema {schema:?} has the truth of several runs: {}", listed(&names));
+            Err(wrong(server, what, &format!("name one: ?run={}", several[0])))
+        }
+    }
+}
+
+/// A table of the truth that is there.
+struct Found {
+    /// What asks for its rows, but for the parameter that says of which run.
+    sql: String,
+    cells: Vec<Cell>,
+}
+
+/// What a column hands over.
+#[derive(Clone, Copy, PartialEq)]
+enum Cell {
+    Utc,
+    Local,
+    Integer,
+    Real,
+    Text,
+}
+
+impl Found {
+    /// None, and in words what is missing, where it is not as it should be.
+    fn of(
+        connection: &Connection,
+        schema: &str,
+        table: &Table,
+        missing: &mut Vec<String>,
+    ) -> Result<Option<Found>, LogError> {
+        let there = columns_of(connection, schema, &table.name)?;
+        // The first column is the run's id, whatever it is called.
+        let Some((run, _)) = there.first() else {
+            missing.push(format!("no table {:?} in the schema {schema:?}", table.name));
+            return Ok(None);
+        };
+        let gone = table.columns.iter().filter(|column| !there.iter().any(|(name, _)| *name == column.name));
+        let gone: Vec<String> = gone.map(|column| format!("no column {:?} of {:?}", column.name, table.name)).collect();
+        if !gone.is_empty() {
+            missing.extend(gone);
+            return Ok(None);
+        }
+        let is =
+            |column: &Column| there.iter().find(|(name, _)| *name == column.name).map_or("", |(_, is)| is.as_str());
+        let cells: Vec<Cell> = table.columns.iter().map(|column| cell(column.kind, is(column))).collect();
+        let told = |(column, cell): (&Column, &Cell)| match cell {
+            Cell::Utc | Cell::Local => ident(&column.name),
+            Cell::Integer => format!("{}::bigint", ident(&column.name)),
+            Cell::Real => format!("{}::double precision", ident(&column.name)),
+            Cell::Text => format!("{}::text", ident(&column.name)),
+        };
+        let columns: Vec<String> = table.columns.iter().zip(&cells).map(told).collect();
+        // By what rises from row to row: a number, or when something was over. Between rows that are alike in it, where they are
+        // on the server's disk says which was written first.
+        let by = |name: &&str| table.column(name).map(|_| ident(name));
+        let order: Vec<String> = ["firing", "row", "end_at", "sent_at", "at"].iter().find_map(by).into_iter().collect();
+        let order = order.into_iter().chain(["ctid".into()]).collect::<Vec<_>>().join(", ");
+        let (columns, table) = (columns.join(", "), quoted(schema, &table.name));
+        let sql = format!("SELECT {columns} FROM {table} WHERE {} = $1 ORDER BY {order}", ident(run));
+        Ok(Some(Found { sql, cells }))
+    }
+
+    fn read(
+        &self,
+        connection: &Connection,
+        server: &Server,
+        run: i64,
+        take: &mut dyn FnMut(&[Value<'_>]) -> Result<(), LogError>,
+    ) -> Result<(), LogError> {
+        let client = &connection.client;
+        let declared = format!("DECLARE rows NO SCROLL CURSOR FOR {}", self.sql);
+        let parameters: [&(dyn ToSql + Sync); 1] = [&run];
+        connection.wait(client.execute(&declared, &parameters))?;
+        let next = connection.wait(client.prepare(&format!("FETCH {ROWS_AT_ONCE} FROM rows")))?;
+        loop {
+            let rows = connection.wait(client.query(&next, &[]))?;
+            for row in &rows {
+                let values = self.values(row).map_err(|error| told(server, &error, None))?;
+                take(&values)?;
+            }
+            if rows.len() < ROWS_AT_ONCE as usize {
+                return connection.wait(client.batch_execute("CLOSE rows"));
+            }
+        }
+    }
+
+    fn values<'r>(&self, row: &'r Row) -> Result<Vec<Value<'r>>, tokio_postgres::Error> {
+        let value = |(place, cell): (usize, &Cell)| {
+            Ok(match cell {
+                Cell::Utc => row.try_get::<_, Option<At>>(place)?.map(|At(at)| Value::Instant(Instant::Utc(at))),
+                Cell::Local => row.try_get::<_, Option<At>>(place)?.map(|At(at)| Value::Instant(Instant::Local(at))),
+                Cell::Integer => row.try_get::<_, Option<i64>>(place)?.map(Value::Integer),
+                Cell::Real => row.try_get::<_, Option<f64>>(place)?.map(Value::Real),
+                Cell::Text => row.try_get::<_, Option<&str>>(place)?.map(Value::Text),
+            }
+            .unwrap_or(Value::Null))
+        };
+        self.cells.iter().enumerate().map(value).collect()
+    }
+}
+
+fn cell(kind: ColumnKind, is: &str) -> Cell {
+    match (kind, is) {
+        (ColumnKind::Instant, "timestamp with time zone") => Cell::Utc,
+        (ColumnKind::Instant, "timestamp without time zone") => Cell::Local,
+        (ColumnKind::Integer, _) => Cell::Integer,
+        (ColumnKind::Real, _) => Cell::Real,
+        // Of other kinds of instants the server says the numbers.
+        (ColumnKind::Instant | ColumnKind::Text, _) => Cell::Text,
+    }
+}

@@ -1,0 +1,117 @@
+//! A live home that a broker's orders touch: what is done is noted, and the home is gone on with and replayed to the same bytes.
+
+use crate::folder::Folder;
+use serde_json::{Value, json};
+use std::fs;
+use std::net::{TcpListener, TcpStream};
+use std::path::PathBuf;
+use std::process::{Child, Command, Stdio};
+use std::thread;
+use std::time::Duration;
+
+/// A broker, or a home, that ends with the test.
+struct Ends(Child);
+
+impl Drop for Ends {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// A mosquitto and its port; None where there is none, which is told.
+fn broker(folder: &Folder) -> Option<(Ends, u16)> {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let mut folders = std::env::split_paths(&path).chain([PathBuf::from("/usr/sbin")]);
+    let program = folders.find_map(|folder| Some(folder.join("mosquitto")).filter(|program| program.exists()));
+    let Some(program) = program else {
+        println!("skipped: mosquitto is not installed");
+        assert!(std::env::var("HOMEBODY_SERVERS").as_deref() != Ok("required"), "mosquitto is required");
+        return None;
+    };
+    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    folder.write("mosquitto.conf", format!("user root\nlistener {port} 127.0.0.1\nallow_anonymous true\n"));
+    let quiet = || Stdio::null();
+    let child =
+        Command::new(program).arg("-c").arg(folder.path("mosquitto.conf")).stdout(quiet()).stderr(quiet()).spawn();
+    let broker = Ends(child.unwrap());
+    folder.until("the broker listens", |_| TcpStream::connect(("127.0.0.1", port)).is_ok());
+    Some((broker, port))
+}
+
+/// Gives a home an order until it is not refused because the home is away or catches up; the answer.
+fn order(folder: &Folder, port: u16, number: u32, mut order: Value) -> Value {
+    order["id"] = number.into();
+    let port = port.to_string();
+    let place = ["-h", "127.0.0.1", "-p", &port, "-q", "1"];
+    for _ in 0..200 {
+        let answers = folder.path("answer.json");
+        let file = fs::File::create(&answers).unwrap();
+        let mut listener = Command::new("mosquitto_sub");
+        listener.args(place).args(["-t", "homebody/studio/command/result"]).stdout(file).stderr(Stdio::null());
+        let _listener = Ends(listener.spawn().unwrap());
+        thread::sleep(Duration::from_millis(100));
+        let text = order.to_string();
+        let said =
+            Command::new("mosquitto_pub").args(place).args(["-t", "homebody/studio/command", "-m", &text]).status();
+        assert!(said.unwrap().success());
+        for _ in 0..40 {
+            thread::sleep(Duration::from_millis(25));
+            let read = fs::read_to_string(&answers).unwrap();
+            let mut answers = read.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
+            match answers.rfind(|answer| answer["id"] == number) {
+                Some(answer) if answer["why"] == "the run is lived again up to where it was" => break,
+                Some(answer) => return answer,
+                None => {}
+            }
+        }
+    }
+    panic!("nobody has answered {order}");
+}
+
+#[test]
+fn what_a_broker_orders_is_noted_gone_on_with_and_replayed() {
+    let folder = Folder::new();
+    let Some((_broker, port)) = broker(&folder) else { return };
+    folder.copy_scenario("studio");
+    folder.edit("studio/logger.json", "casas:log.txt", "sqlite:log.db");
+    let live = format!("live studio --folder home --quiet --out mqtt://127.0.0.1:{port}/homebody");
+    let begin = || Ends(folder.command(&live).stdout(Stdio::null()).spawn().unwrap());
+    let says = |what: &str| {
+        let query = format!("SELECT count(*) FROM firing WHERE value = '{what}'");
+        folder.path("home/log.db").exists() && folder.query("home/log.db", &query) != ["0"]
+    };
+
+    let home = begin();
+    let opened = order(&folder, port, 1, json!({ "do": "open", "thing": "front door" }));
+    assert!(opened["ok"] == true && opened["sim_time"].as_str().is_some(), "{opened}");
+    let again = order(&folder, port, 2, json!({ "do": "open", "thing": "front door" }));
+    assert!(again["ok"] == false && again["why"].as_str().unwrap().contains("already"), "{again}");
+    let fallen = order(&folder, port, 3, json!({ "do": "fall", "resident": "walter", "minutes": 0.05 }));
+    assert_eq!(fallen["ok"], true, "{fallen}");
+    folder.until("the door has said so", |_| says("OPEN"));
+    // It dies, and is gone on with: what was noted is done again.
+    drop(home);
+    let mut home = begin();
+    let shut = order(&folder, port, 4, json!({ "do": "close", "thing": "front door" }));
+    assert_eq!(shut["ok"], true, "{shut}");
+    let dead = order(&folder, port, 5, json!({ "do": "fault", "sensor": "hall motion", "kind": "dead" }));
+    assert_eq!(dead["ok"], true, "{dead}");
+    folder.until("the door has said so", |_| says("CLOSE"));
+    let term = Command::new("sh").args(["-c", &format!("kill -TERM {}", home.0.id())]).status();
+    assert!(term.unwrap().success() && home.0.wait().unwrap().code() == Some(143));
+
+    let words = "--out sqlite:again.db --truth sqlite:again-truth.db";
+    folder.run(&format!("replay home/recording.json {words}")).ok();
+    assert_eq!(folder.dump("home/log.db"), folder.dump("again.db"));
+    assert_eq!(folder.dump("home/truth.db"), folder.dump("again-truth.db"));
+    let done = folder.query("home/truth.db", "SELECT what, name FROM outside ORDER BY at");
+    assert_eq!(done, ["on|front door", "fall|walter", "off|front door", "battery|hall motion"]);
+
+    // The control: without the note of what was ordered, the replay is another life.
+    let mut recording: Value = serde_json::from_str(&folder.read("home/recording.json")).unwrap();
+    assert!(recording.as_object_mut().unwrap().remove("outside").is_some());
+    folder.write("forgotten.json", recording.to_string());
+    let forgotten = folder.run("replay forgotten.json --quiet --out sqlite:forgotten.db");
+    assert!(forgotten.code == Some(2) && forgotten.err.contains("the replay differs"), "{}", forgotten.err);
+}

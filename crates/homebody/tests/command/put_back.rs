@@ -1,0 +1,30 @@
+//! A database that is put back to what it was before, as from a backup, gets all rows that it has not: it is asked, and no note is believed.
+
+use crate::folder::Folder;
+use crate::postgres::Server;
+
+#[test]
+fn a_database_that_was_put_back_misses_no_row() {
+    let Some(server) = Server::start() else { return };
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    let url = server.url("postgres", &server.database("homes"), "");
+    let rows =
+        || -> u64 { server.try_psql("homes", "SELECT count(*) FROM firing").map_or(0, |rows| rows.parse().unwrap()) };
+    let stop_beyond = |words: &str, wanted: u64| {
+        let running = folder.start(&format!("{words} --quiet --out {url}"));
+        folder.until("rows are there", |_| rows() > wanted);
+        running.signal("INT");
+        assert_eq!(running.finish().code, Some(130));
+        rows()
+    };
+    let first = stop_beyond("run studio --for 3000d", 100);
+    server.psql("postgres", "CREATE DATABASE backup TEMPLATE homes");
+    let second = stop_beyond("run --resume runs/studio-1", first + 100);
+    server.psql("postgres", "DROP DATABASE homes");
+    server.psql("postgres", "ALTER DATABASE backup RENAME TO homes");
+    assert_eq!(rows(), first, "the control: it was put back");
+    let last = stop_beyond("run --resume runs/studio-1", second + 100);
+    let found = server.psql("homes", "SELECT count(DISTINCT seq) || ' ' || max(seq) + 1 FROM firing");
+    assert_eq!(found, format!("{last} {last}"), "a row is missing");
+}
