@@ -147,7 +147,6 @@ fn what_no_fleet_can_be_told_by_is_refused() {
     assert!(check("mqtt://localhost/load?allow-fast=true", true).is_ok());
     for (url, is_fast, why) in [
         ("mqtt://localhost/load", true, "faster than life"),
-        ("mqtt://localhost/load?state=file", false, "?state"),
         ("mqtt://localhost/lo+ad", false, "prefix"),
     ] {
         let error = check(url, is_fast).unwrap_err().to_string();
