@@ -130,9 +130,8 @@ fn who_is_away_tells_nothing_and_the_rest_is_as_ever() {
     let (some, living) = told(FleetSetup { churn, ..setup(6) }, 7 * SECOND);
     assert!(living.came > 50 && living.went > 50 && living.there <= 6);
     let (all, some) = (events(&all), events(&some));
-    let counts = |events: &BTreeMap<&str, Vec<_>>| events.values().map(Vec::len).sum::<usize>();
-    let _: fn(&BTreeMap<&str, Vec<(u64, Micros, u32, String)>>) -> usize = counts;
-    let share = counts(&some) as f64 / counts(&all) as f64;
+    let count = |rows: Vec<usize>| rows.into_iter().sum::<usize>() as f64;
+    let share = count(some.values().map(Vec::len).collect()) / count(all.values().map(Vec::len).collect());
     assert!((0.5..0.95).contains(&share), "{share}");
     for (name, rows) in &some {
         assert!(rows.iter().all(|row| all[name].contains(row)), "{name}");
