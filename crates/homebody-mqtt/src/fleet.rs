@@ -5,11 +5,12 @@
 
 use crate::address::Address;
 use crate::connection::{Connection, Speaker, instance, options};
-use crate::flight::{Flight, Link, State, Wish};
+use crate::flight::{Flight, State, Wish};
 use crate::greeting::{PROGRAM, at_rest, farewell, greeting, is_of_another};
+use crate::line::Line;
 use crate::names::{id_of_home, level};
 use crate::place::Place;
-use crate::sink::{PATIENCE, not_public};
+use crate::sink::not_public;
 use crate::speech::{Message, Speech};
 use crate::trouble::Trouble;
 use homebody_core::event::Value as Said;
@@ -18,7 +19,6 @@ use homebody_log::{How, LogError, Url};
 use rumqttc::Publish;
 use serde_json::{Map, Value, json};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread::{self, JoinHandle};
 
 /// A broker that many homes tell.
 pub struct MqttFleet {
@@ -27,12 +27,10 @@ pub struct MqttFleet {
 }
 
 struct Open {
-    told: String,
+    line: Line,
     address: Address,
     fleet: Arc<Fleet>,
     instance: String,
-    flight: Arc<Flight>,
-    thread: Option<JoinHandle<()>>,
     /// By layout: what homes of it say, and below which topic the one is that it was made for.
     kinds: Vec<(Speech, String)>,
     homes: Vec<Home>,
@@ -96,31 +94,25 @@ impl FleetSink for MqttFleet {
             instance: instance.clone(),
             there: there.clone(),
         };
-        let connection = Connection { flight: flight.clone(), options, speaker: Box::new(speaker) };
-        let thread = thread::Builder::new().spawn(move || connection.live());
-        let thread = thread.map_err(|source| LogError::NoThread { place: told.clone(), source })?;
+        let line = Line::begin(Connection { flight, options, speaker: Box::new(speaker) }, told)?;
         let speech = |layout: usize| {
             let first = fleet.homes.iter().position(|home| home.layout == layout);
             let run = fleet.run_of(first.unwrap_or_default() as u32);
             let place = Arc::new(Place::of(&address, &run));
             (Speech::new(&run, place.clone()), place.base.clone())
         };
-        let open = Open {
+        self.open = Some(Open {
             kinds: (0..fleet.layouts.len()).map(speech).collect(),
-            told,
+            line,
             address,
             fleet: fleet.clone(),
             instance,
-            flight,
-            thread: Some(thread),
             homes: vec![Home::default(); fleet.homes.len()],
             there,
             status,
             buffer: String::new(),
             has_said_farewell: false,
-        };
-        open.wait(|shared| matches!(shared.link, Link::Up))?;
-        self.open = Some(open);
+        });
         Ok(vec![0; fleet.homes.len()])
     }
 
@@ -134,7 +126,7 @@ impl FleetSink for MqttFleet {
             }
         }
         // It has arrived once the broker says so.
-        open.wait(State::is_empty)
+        open.line.wait(State::is_empty)
     }
 
     fn finish(&mut self, _: i64) -> Result<(), LogError> {
@@ -144,31 +136,17 @@ impl FleetSink for MqttFleet {
             for home in (0..there.len()).filter(|&home| there[home]) {
                 open.goes(home as u32)?;
             }
-            open.take(Message::kept(open.status.clone(), "offline"))?;
+            open.line.take(Message::kept(open.status.clone(), "offline"))?;
             open.has_said_farewell = true;
-            open.flight.change(|shared| shared.wish = Wish::Finish);
+            open.line.flight.change(|shared| shared.wish = Wish::Finish);
         }
-        open.wait(|shared| matches!(shared.link, Link::Over(None)))?;
+        open.line.ended()?;
         self.open = None;
         Ok(())
     }
 }
 
 impl Open {
-    fn wait(&self, is_so: impl Fn(&State) -> bool) -> Result<(), LogError> {
-        self.flight.wait(PATIENCE, is_so).map(drop).map_err(|trouble| trouble.error(&self.told))
-    }
-
-    /// Sends a message once there is room for it.
-    fn take(&self, message: Message) -> Result<(), LogError> {
-        if !self.flight.lock().has_room() {
-            self.wait(State::has_much_room)?;
-        }
-        self.flight.lock().take(message);
-        self.flight.wake.notify_one();
-        Ok(())
-    }
-
     fn row(&mut self, row: &FleetRow) -> Result<(), LogError> {
         let Open { fleet, kinds, homes, buffer, .. } = self;
         let home = &fleet.homes[row.home as usize];
@@ -192,7 +170,7 @@ impl Open {
             message.topic = format!("{}/{}{rest}", self.address.prefix, level(&home.name)).into();
         }
         let next_row = row.seq + 1;
-        self.take(message)?;
+        self.line.take(message)?;
         self.homes[row.home as usize].next = next_row;
         Ok(())
     }
@@ -203,7 +181,7 @@ impl Open {
         let place = Place::of(&self.address, &run);
         let rest = if place.is_discovered { at_rest(&place) } else { Vec::new() };
         for message in greeting(&self.address, &place, &run, &self.instance, false).into_iter().chain(rest) {
-            self.take(message)?;
+            self.line.take(message)?;
         }
         self.is_there(home, true);
         Ok(())
@@ -212,21 +190,11 @@ impl Open {
     fn goes(&mut self, home: u32) -> Result<(), LogError> {
         self.is_there(home, false);
         let place = Place::of(&self.address, &self.fleet.run_of(home));
-        farewell(&place).into_iter().try_for_each(|message| self.take(message))
+        farewell(&place).into_iter().try_for_each(|message| self.line.take(message))
     }
 
     fn is_there(&self, home: u32, is_there: bool) {
         self.there.lock().unwrap_or_else(PoisonError::into_inner)[home as usize] = is_there;
-    }
-}
-
-impl Drop for Open {
-    /// A fleet that is given up ends without a word: the broker then says by itself that it is not there any more.
-    fn drop(&mut self) {
-        self.flight.change(|shared| shared.wish = Wish::GiveUp);
-        if let Some(thread) = self.thread.take() {
-            let _ = thread.join();
-        }
     }
 }
 

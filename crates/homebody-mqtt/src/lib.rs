@@ -17,6 +17,7 @@ mod examine;
 mod fleet;
 mod flight;
 mod greeting;
+mod line;
 mod names;
 mod order;
 mod place;

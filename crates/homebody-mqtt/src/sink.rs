@@ -2,8 +2,9 @@
 
 use crate::address::Address;
 use crate::connection::{Connection, instance, options};
-use crate::flight::{Flight, Link, Wish};
+use crate::flight::{Flight, State, Wish};
 use crate::greeting::{at_rest, farewell};
+use crate::line::Line;
 use crate::order::TakesOrders;
 use crate::place::Place;
 use crate::speaker::HomeSpeaker;
@@ -14,11 +15,7 @@ use homebody_log::table::{Batch, Cell, thousandths};
 use homebody_log::{Begin, LogError, Policy, Sink, Url, Watermark};
 use std::net::{IpAddr, ToSocketAddrs};
 use std::sync::Arc;
-use std::thread::{self, JoinHandle};
 use std::time::Duration;
-
-/// How long a broker may be away before a row that waits for it says so (ours). It is then tried again, as the policy says.
-pub(crate) const PATIENCE: Duration = Duration::from_secs(5);
 
 /// How long a broker may be away before the run is given up (ours).
 const AWAY_FOR: Duration = Duration::from_secs(600);
@@ -43,9 +40,7 @@ pub struct MqttSink {
 }
 
 struct Open {
-    place: String,
-    flight: Arc<Flight>,
-    thread: Option<JoinHandle<()>>,
+    line: Line,
     speech: Speech,
     farewell: Arc<Place>,
     /// The number of the next row.
@@ -105,21 +100,9 @@ impl Sink for MqttSink {
             orders: self.orders.take(),
             instance,
         };
-        let connection = Connection { flight: flight.clone(), options, speaker: Box::new(speaker) };
-        let thread = thread::Builder::new().spawn(move || connection.live());
-        let thread = thread.map_err(|source| LogError::NoThread { place: place_told.clone(), source })?;
+        let line = Line::begin(Connection { flight, options, speaker: Box::new(speaker) }, place_told)?;
         let speech = Speech::new(begin.run, place.clone());
-        let open = Open {
-            place: place_told,
-            flight,
-            thread: Some(thread),
-            speech,
-            farewell: place,
-            next: 0,
-            number: String::new(),
-        };
-        open.wait(|shared| matches!(shared.link, Link::Up))?;
-        self.open = Some(open);
+        self.open = Some(Open { line, speech, farewell: place, next: 0, number: String::new() });
         Ok(Watermark::none())
     }
 
@@ -127,14 +110,14 @@ impl Sink for MqttSink {
         let open = self.begun()?;
         for row in batch.rows() {
             let &[Cell::Integer(seq), Cell::Instant(at), sensor, value, ..] = row.cells else {
-                return Err(LogError::destination(&open.place, "a row is none of a log"));
+                return Err(LogError::destination(&open.line.place, "a row is none of a log"));
             };
             // After an error that passes the same rows come again.
             if (seq as u64) < open.next {
                 continue;
             }
             let Cell::Text(sensor) = sensor else {
-                return Err(LogError::destination(&open.place, "a row names no sensor"));
+                return Err(LogError::destination(&open.line.place, "a row names no sensor"));
             };
             let said = match value {
                 Cell::Text(text) => batch.text(text),
@@ -145,51 +128,31 @@ impl Sink for MqttSink {
                 _ => "",
             };
             let message = open.speech.message(seq, at, batch.text(sensor), said)?;
-            if !open.flight.lock().has_room() {
-                open.wait(|shared| shared.has_much_room())?;
-            }
-            open.flight.lock().take(message);
+            open.line.take(message)?;
             open.next = seq as u64 + 1;
-            open.flight.wake.notify_one();
         }
         Ok(())
     }
 
     fn settle(&mut self) -> Result<Watermark, LogError> {
         let Some(open) = &mut self.open else { return Ok(Watermark::none()) };
-        open.wait(|shared| shared.is_empty())?;
-        Ok(Watermark(vec![open.flight.lock().acknowledged()]))
+        open.line.wait(State::is_empty)?;
+        Ok(Watermark(vec![open.line.flight.lock().acknowledged()]))
     }
 
     fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
         self.settle()?;
         let Some(open) = &mut self.open else { return Ok(()) };
-        if open.flight.lock().wish != Wish::Finish {
+        if open.line.flight.lock().wish != Wish::Finish {
             let farewell = farewell(&open.farewell);
-            open.flight.change(|shared| {
+            open.line.flight.change(|shared| {
                 farewell.into_iter().for_each(|message| shared.take(message));
                 shared.wish = Wish::Finish;
             });
         }
-        open.wait(|shared| matches!(shared.link, Link::Over(None)))?;
+        open.line.ended()?;
         self.open = None;
         Ok(())
-    }
-}
-
-impl Open {
-    fn wait(&self, is_so: impl Fn(&crate::flight::State) -> bool) -> Result<(), LogError> {
-        self.flight.wait(PATIENCE, is_so).map(drop).map_err(|trouble| trouble.error(&self.place))
-    }
-}
-
-impl Drop for Open {
-    /// A run that is given up ends without a word: the broker then says by itself that the home is not there any more.
-    fn drop(&mut self) {
-        self.flight.change(|shared| shared.wish = Wish::GiveUp);
-        if let Some(thread) = self.thread.take() {
-            let _ = thread.join();
-        }
     }
 }
 
