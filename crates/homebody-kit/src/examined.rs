@@ -7,12 +7,14 @@ use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
-use homebody_log::examine::{Asked, Check, Verdict, examine, examine_log, truth_tables};
+use homebody_log::examine::{Asked, Check, Verdict, examine, examine_log};
 use homebody_log::lock::FolderLock;
 use homebody_log::places::{LIST, RECORDING, SENSORS, TRUTH, logs_of};
+use homebody_log::remembered::{NOTES, Note};
+use homebody_log::source::is_truth_set;
 use homebody_log::{LogError, Source, Url, truth_beside};
 use homebody_routine::household::Household;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -86,7 +88,7 @@ impl Examining {
             let found = self.run(&member)?;
             let before = checks.len();
             let told = found.into_iter().filter(|check| check.verdict != Verdict::Ok);
-            checks.extend(told.map(|check| Check { says: format!("{name}: {}", check.says), ..check }));
+            checks.extend(told.map(|check| check.of(&name)));
             whole += usize::from(checks.len() == before);
         }
         let says = format!("{} of its members as they should be", whole);
@@ -162,9 +164,7 @@ impl Examining {
             let is_local = url.file().is_some() || url.is_data_set();
             let found = self.place(url, Some(&scenario.logger))?;
             let rows = found.iter().find_map(|check| check.rows);
-            checks.extend(
-                found.into_iter().map(|check| Check { says: format!("{}: {}", short(url), check.says), ..check }),
-            );
+            checks.extend(found.into_iter().map(|check| check.of(&short(url))));
             if let (Some(told), Some(rows), true) = (run.rows, rows, is_local)
                 && told != rows
             {
@@ -192,21 +192,13 @@ impl Examining {
         }
         let found = self.place(&url, Some(&scenario.logger))?;
         let firings = found.iter().find_map(|check| check.rows);
-        let mut checks: Vec<Check> = found
-            .into_iter()
-            .map(|check| Check { says: format!("{}: {}", short(&url), check.says), ..check })
-            .collect();
+        let mut checks: Vec<Check> = found.into_iter().map(|check| check.of(&short(&url))).collect();
         if let Some(firings) = firings.filter(|firings| run.is_complete() && *firings != run.firings) {
             let says = format!("{}: it has {firings} firings, and the recording says {}", short(&url), run.firings);
             checks.push(Check::wrong("truth", says, "homebody replay RECORDING --truth FILE writes it anew"));
         }
         Ok(checks)
     }
-}
-
-/// Whether a folder is a data set of a truth.
-fn is_truth_set(path: &Path) -> bool {
-    path.is_dir() && truth_tables().iter().all(|table| path.join(&table.name).is_dir())
 }
 
 /// The last part of a place's name.
@@ -244,27 +236,12 @@ fn replayed(folder: &Path) -> Check {
     }
 }
 
-/// What a file says that notes how far a destination has confirmed a run.
-#[derive(Deserialize)]
-struct Note {
-    run: i64,
-    rows: Vec<u64>,
-}
-
-/// How notes of what was confirmed end.
-const NOTES: &str = ".confirmed.json";
-
-/// No note is longer (ours).
-const LONGEST_NOTE_BYTES: u64 = 1 << 20;
-
 /// The notes of what servers have confirmed.
 fn notes(folder: &Path, run: &Recording) -> Vec<Check> {
     let hint = "remove it: what was confirmed is then given again, with the same numbers";
     let note = |path: &Path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let text = homebody_log::plain::read_text(path, LONGEST_NOTE_BYTES).map_err(|error| error.to_string());
-        let note = text.and_then(|text| serde_json::from_str::<Note>(&text).map_err(|error| error.to_string()));
-        match note {
+        match Note::read(path) {
             Err(why) => Check::wrong("confirmed", format!("{name} is no note: {why}"), hint),
             Ok(note) if note.run != run.run_id() => {
                 Check::wrong("confirmed", format!("{name} is of another run"), hint)

@@ -51,6 +51,11 @@ impl Check {
         Check { verdict: Verdict::Wrong, hint: Some(readable(hint.into())), ..Check::ok(about, says) }
     }
 
+    /// The same, said of a part of what was looked at.
+    pub fn of(self, part: &str) -> Check {
+        Check { says: format!("{part}: {}", self.says), ..self }
+    }
+
     /// What an error says, which has a hint of its own or none.
     pub fn of_error(about: &str, error: &LogError) -> Check {
         let text = error.to_string();

@@ -6,18 +6,20 @@
 
 use crate::destination::Destination;
 use crate::error::LogError;
+use crate::plain::read_text;
 use crate::sink::{Begin, How, Sink, Watermark};
 use crate::spool::file_name;
 use crate::table::Batch;
 use homebody_core::time::Micros;
 use serde::{Deserialize, Serialize};
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 impl Destination {
     /// The same, with what it has confirmed noted in this folder.
     pub fn remembered_in(self, folder: &Path) -> Destination {
-        let path = folder.join(format!("{}.confirmed.json", file_name(&self.place)));
+        let path = folder.join(format!("{}{NOTES}", file_name(&self.place)));
         Destination { sink: Box::new(Remembered { inner: self.sink, path, noted: None, left_out: Vec::new() }), ..self }
     }
 }
@@ -30,20 +32,36 @@ struct Remembered {
     left_out: Vec<u64>,
 }
 
-/// What is in the file.
+/// How the names of notes end.
+pub const NOTES: &str = ".confirmed.json";
+
+/// No note is longer (ours).
+const LONGEST_NOTE_BYTES: u64 = 1 << 20;
+
+/// What a destination has confirmed of a run.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-struct Note {
+pub struct Note {
     /// The run's id.
-    run: i64,
+    pub run: i64,
     /// By table, how many rows are confirmed.
-    rows: Vec<u64>,
+    pub rows: Vec<u64>,
+}
+
+impl Note {
+    /// The note in a file.
+    ///
+    /// # Errors
+    ///
+    /// There is none, or it is damaged.
+    pub fn read(path: &Path) -> Result<Note, io::Error> {
+        Ok(serde_json::from_str(&read_text(path, LONGEST_NOTE_BYTES)?)?)
+    }
 }
 
 impl Remembered {
     /// What is noted of this run; nothing where the file is of another, or damaged.
     fn read(&self, run: i64) -> Option<Note> {
-        let note: Note = serde_json::from_slice(&fs::read(&self.path).ok()?).ok()?;
-        (note.run == run).then_some(note)
+        Note::read(&self.path).ok().filter(|note| note.run == run)
     }
 
     /// Notes what has been confirmed by now, and returns it: what was left out, and what was given since.

@@ -59,7 +59,7 @@ pub use log::{Clock, Event, Log};
 pub use movements::{Movement, MovementKind, Movements};
 pub use reading::Reading;
 pub(crate) use recorded_truth::{LABEL_TABLES, RecordedTruth};
-pub use recorded_truth::{truth_at, truth_beside, truth_of};
+pub use recorded_truth::{is_truth_set, truth_at, truth_beside, truth_of};
 pub use run_clock::RunClock;
 pub use sensors::SensorMap;
 pub use start::Start;

@@ -156,7 +156,7 @@ fn civil(at: i64, format: &str) -> rusqlite::Result<String> {
 pub fn truth_at(text: &str) -> Url {
     let path = Path::new(text);
     if path.is_dir() {
-        if is_set(path) {
+        if is_truth_set(path) {
             return Url::new(Scheme::Parquet, path);
         }
         let inside = path.join(TRUTH);
@@ -189,7 +189,7 @@ pub fn truth_beside(log: &Path) -> Option<Url> {
     }
     let files = IN_FILES.iter().find_map(|(_, ending)| in_tables(&database.with_extension(ending)));
     let set = database.with_extension("");
-    files.or_else(|| is_set(&set).then(|| Url::new(Scheme::Parquet, set)))
+    files.or_else(|| is_truth_set(&set).then(|| Url::new(Scheme::Parquet, set)))
 }
 
 /// Kinds of places that have a file for each table, and how these end.
@@ -212,7 +212,7 @@ fn in_tables(path: &Path) -> Option<Url> {
 }
 
 /// Whether a folder is a data set of a truth: one in it for each table.
-fn is_set(folder: &Path) -> bool {
+pub fn is_truth_set(folder: &Path) -> bool {
     has_all(|table| folder.join(table).is_dir())
 }
 
