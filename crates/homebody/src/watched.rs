@@ -8,7 +8,7 @@ use homebody_kit::{Meters, Seen};
 use homebody_log::meter::Reading;
 use homebody_web::serve_metrics;
 use jiff::Timestamp;
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::PoisonError;
 
@@ -39,7 +39,7 @@ impl Watched {
     pub fn begin_fleet(&self, scenarios: &str) -> Result<Look, Failure> {
         let look = Look::default();
         let (seen, name) = (look.clone(), scenarios.to_owned());
-        self.serve(move || numbers(&name, &seen.lock().unwrap_or_else(PoisonError::into_inner), escaped))?;
+        self.serve(move || numbers(&name, &seen.lock().unwrap_or_else(PoisonError::into_inner)))?;
         Ok(look)
     }
 
@@ -67,27 +67,54 @@ const OF_DESTINATIONS: [Family; 5] = [
 
 /// The numbers as text.
 fn text(scenario: &str, seen: &Seen, now: Timestamp) -> String {
-    let mut text = String::new();
-    let scenario = escaped(scenario);
     let behind = seen.now.map(|at| (now.as_microsecond() - at.as_microsecond()) as f64 / SECOND as f64);
     let lived = seen.lived as f64 / SECOND as f64;
-    let of_run = [
-        ("homebody_simulated_seconds_total", "counter", "How much of the run has been lived.", Some(lived)),
-        ("homebody_lag_seconds", "gauge", "How far the run is behind the world's clock; below 0 it is ahead.", behind),
-    ];
-    for (name, kind, help, value) in of_run {
-        let Some(value) = value else { continue };
-        // A string takes whatever is written to it.
-        let _ = writeln!(text, "# HELP {name} {help}\n# TYPE {name} {kind}\n{name}{{scenario=\"{scenario}\"}} {value}");
+    let mut numbers = Numbers::of(scenario);
+    let help = "How much of the run has been lived.";
+    numbers.add("homebody_simulated_seconds_total", "counter", help, [(String::new(), lived)]);
+    if let Some(behind) = behind {
+        let help = "How far the run is behind the world's clock; below 0 it is ahead.";
+        numbers.add("homebody_lag_seconds", "gauge", help, [(String::new(), behind)]);
     }
     for (name, kind, help, value) in OF_DESTINATIONS {
+        let of = seen.destinations.iter().map(|(place, reading)| (label("destination", place), value(reading)));
+        numbers.add(name, kind, help, of);
+    }
+    numbers.text
+}
+
+/// Numbers in the text format of Prometheus.
+pub struct Numbers {
+    pub text: String,
+    scenario: String,
+}
+
+impl Numbers {
+    /// None yet, of what this scenario is called.
+    pub fn of(scenario: &str) -> Numbers {
+        Numbers { text: String::new(), scenario: escaped(scenario) }
+    }
+
+    /// Adds a family of numbers: each with its further [labels](label).
+    pub fn add<N: Display>(
+        &mut self,
+        name: &str,
+        kind: &str,
+        help: &str,
+        values: impl IntoIterator<Item = (String, N)>,
+    ) {
+        let Numbers { text, scenario } = self;
+        // A string takes whatever is written to it.
         let _ = writeln!(text, "# HELP {name} {help}\n# TYPE {name} {kind}");
-        for (place, reading) in &seen.destinations {
-            let (place, value) = (escaped(place), value(reading));
-            let _ = writeln!(text, "{name}{{scenario=\"{scenario}\",destination=\"{place}\"}} {value}");
+        for (labels, value) in values {
+            let _ = writeln!(text, "{name}{{scenario=\"{scenario}\"{labels}}} {value}");
         }
     }
-    text
+}
+
+/// A label of a number.
+pub fn label(name: &str, value: &str) -> String {
+    format!(",{name}=\"{}\"", escaped(value))
 }
 
 /// A label's value, as the format wants it.

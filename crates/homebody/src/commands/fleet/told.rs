@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::print::{print_json, tell, tell_with};
-use homebody_kit::fleet::{FleetLived, FleetOf, FleetReport};
+use crate::watched::{Numbers, label};
+use homebody_kit::fleet::{FleetLived, FleetOf, FleetReport, OfDestination};
 use homebody_log::fresh::FreshFile;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fmt::Write;
@@ -202,41 +203,25 @@ fn quoted(text: &str) -> String {
 }
 
 /// Numbers for Prometheus.
-pub fn numbers(scenario: &str, report: &FleetReport, escaped: impl Fn(&str) -> String) -> String {
-    let mut text = String::new();
-    let scenario = escaped(scenario);
-    let mut family = |name: &str, kind: &str, help: &str, values: &[(String, f64)]| {
-        let _ = writeln!(text, "# HELP {name} {help}\n# TYPE {name} {kind}");
-        for (labels, value) in values {
-            let _ = writeln!(text, "{name}{{scenario=\"{scenario}\"{labels}}} {value}");
-        }
-    };
-    let one = |value: f64| vec![(String::new(), value)];
-    family("homebody_homes", "gauge", "Homes that are there.", &one(report.homes as f64));
-    family("homebody_messages_per_second", "gauge", "Messages told a second.", &one(report.messages_per_s));
+pub fn numbers(scenario: &str, report: &FleetReport) -> String {
+    let mut numbers = Numbers::of(scenario);
+    let mut one = |name: &str, help: &str, value: f64| numbers.add(name, "gauge", help, [(String::new(), value)]);
+    one("homebody_homes", "Homes that are there.", report.homes as f64);
+    one("homebody_messages_per_second", "Messages told a second.", report.messages_per_s);
+    one("homebody_behind_seconds", "How long what waits the longest has been due.", report.behind_s);
+    one("homebody_ahead_seconds", "How far homes are lived ahead of the clock.", report.ahead_s);
     let late = [("0.5", report.late_median_ms), ("0.99", report.late_99_ms), ("1", report.late_most_ms)];
-    let late: Vec<_> = late.iter().map(|(share, ms)| (format!(",quantile=\"{share}\""), ms / 1000.0)).collect();
-    family("homebody_late_seconds", "gauge", "How late messages are told, since the last report.", &late);
-    family("homebody_behind_seconds", "gauge", "How long what waits the longest has been due.", &one(report.behind_s));
-    family("homebody_ahead_seconds", "gauge", "How far homes are lived ahead of the clock.", &one(report.ahead_s));
-    let of = |value: fn(&homebody_kit::fleet::OfDestination) -> f64| -> Vec<(String, f64)> {
-        let label = |place: &str| format!(",destination=\"{}\"", escaped(place));
-        report.destinations.iter().map(|one| (label(&one.place), value(one))).collect()
+    let late = late.map(|(share, ms)| (label("quantile", share), ms / 1000.0));
+    numbers.add("homebody_late_seconds", "gauge", "How late messages are told, since the last report.", late);
+    let of = |value: fn(&OfDestination) -> u64| {
+        report.destinations.iter().map(move |one| (label("destination", &one.place), value(one)))
     };
-    family(
-        "homebody_retries_total",
-        "counter",
-        "How often a call to a destination was made again.",
-        &of(|one| one.retries as f64),
-    );
-    family("homebody_waiting", "gauge", "Messages that are due and not told.", &of(|one| one.waiting as f64));
-    family(
-        "homebody_destination_up",
-        "gauge",
-        "Whether a destination is there.",
-        &of(|one| f64::from(u8::from(!one.is_away))),
-    );
-    text
+    let retries = "How often a call to a destination was made again.";
+    numbers.add("homebody_retries_total", "counter", retries, of(|one| one.retries));
+    numbers.add("homebody_waiting", "gauge", "Messages that are due and not told.", of(|one| one.waiting as u64));
+    let up = "Whether a destination is there.";
+    numbers.add("homebody_destination_up", "gauge", up, of(|one| u64::from(!one.is_away)));
+    numbers.text
 }
 
 #[cfg(test)]
@@ -256,7 +241,7 @@ mod tests {
             line(&report),
             "12,345 homes  612 messages/s  late 0.4 ms median, 31 ms 99 %, 0.0 ms most  lived 0.0 s ahead"
         );
-        let numbers = numbers("a\"b", &report, |text| text.replace('"', "\\\""));
+        let numbers = numbers("a\"b", &report);
         assert!(numbers.contains("homebody_late_seconds{scenario=\"a\\\"b\",quantile=\"0.99\"} 0.031\n"), "{numbers}");
         assert_eq!((counted(7), counted(1_000), counted(1_234_567)), ("7".into(), "1,000".into(), "1,234,567".into()));
         assert_eq!((quoted("a b"), quoted("a,\"b\"")), ("a b".into(), "\"a,\"\"b\"\"\"".into()));
