@@ -47,9 +47,7 @@ impl Broker {
         let database = self.folder.path().join("mosquitto.db");
         wait_for("the broker's database", || database.exists().then_some(()));
     }
-}
 
-impl Broker {
     /// Says each line, as fast as it goes.
     pub fn say_lines(&self, topic: &str, lines: &str) {
         let port = self.port.to_string();
