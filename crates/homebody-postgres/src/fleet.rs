@@ -207,7 +207,7 @@ impl Open {
                 now.get(&fleet.homes[home as usize].run) == Some(&(rows, commits))
             })
         };
-        let after = |home: u32, rows: i64| Home { rows, commits: homes[home as usize].commits + 1 };
+        let after = |home: u32, rows| after_commit(homes[home as usize], rows);
         let is_taken = *is_in_doubt && is(&after);
         if !is_taken && !is(&|home, _| homes[home as usize]) {
             return Err(changed(server, "another program has gone on with a home of this fleet"));

@@ -32,8 +32,8 @@ const LONGEST: Micros = 5 * HOUR;
 /// In a visit there are so many times the usual signs at least (ours).
 const LIVELY: f64 = 1.3;
 
-/// When there was company; `None` where no door tells it, or the log is too short to tell what is usual. `door` are the instants at which a door out was opened or
-/// closed, in order.
+/// When there was company; `None` where no door tells it, or the log is too short to tell what is usual. `door` are the instants
+/// at which a door out was opened or closed, in order.
 pub fn company(signs: &[Sign], door: &[Micros]) -> Option<Vec<Span>> {
     let usual = Usual::of(signs).filter(|_| !door.is_empty())?;
     let uses: Vec<Span> =

@@ -153,9 +153,13 @@ impl Living {
 
     /// When there is something to tell, as far as homes are lived.
     pub fn next_due(&self) -> Option<i64> {
+        self.held.peek().map(|Reverse(held)| self.told_at(held.due))
+    }
+
+    /// When that is told which is due at an instant: what was due before an outage is told in it, if nobody has come to that before.
+    fn told_at(&self, due: i64) -> i64 {
         let begin = self.clocks.begin;
-        let told = |due| self.storms.map_or(due, |storms: Storms| begin + storms.told_at(due - begin));
-        self.held.peek().map(|Reverse(held)| told(held.due))
+        self.storms.map_or(due, |storms| begin + storms.told_at(due - begin))
     }
 
     /// The fleet begins to tell at this instant: from it outages count, and in runs that go at a speed of their own all that was to
@@ -198,16 +202,13 @@ impl Living {
 
     /// What is to be told by now, at most so much of it.
     pub fn due(&mut self, now: i64, most: usize, into: &mut Vec<Told>) {
-        let (begin, storms) = (self.clocks.begin, self.storms);
-        // What was due before an outage is told in it, if nobody has come to that before.
-        let told_at = |due: i64| storms.map_or(due, |storms| begin + storms.told_at(due - begin));
         while into.len() < most
             && let Some(Reverse(held)) = self.held.peek()
-            && told_at(held.due) <= now
+            && self.told_at(held.due) <= now
         {
             let Kept(mut told) = held.told;
             match &mut told {
-                Told::Row(row) => row.due = told_at(row.due),
+                Told::Row(row) => row.due = self.told_at(row.due),
                 Told::Comes(_) => (self.there, self.came) = (self.there + 1, self.came + 1),
                 Told::Goes(_) => (self.there, self.went) = (self.there - 1, self.went + 1),
             }
