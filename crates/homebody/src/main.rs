@@ -13,6 +13,7 @@ mod sensor_table;
 mod signals;
 mod start;
 mod traced;
+mod prometheus;
 mod watched;
 
 use clap::{CommandFactory, Parser};

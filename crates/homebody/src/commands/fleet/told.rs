@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::print::{print_json, tell, tell_with};
-use crate::watched::{Numbers, label};
+use crate::prometheus::{Numbers, label};
 use homebody_kit::fleet::{FleetLived, FleetOf, FleetReport, OfDestination};
 use homebody_log::fresh::FreshFile;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
