@@ -92,13 +92,19 @@ pub enum NotMeasured {
 /// If the home cannot be lived in, or its log tells of no motion.
 pub fn case(home: &Home, seed: u64, days: u32) -> Result<Vec<Error>, NotMeasured> {
     let logged = LoggedLife { ways: ways(home), ..LoggedLife::live(home, seed, days)? };
-    let (heard, lived) = (logged.heard()?, logged.lived());
+    Ok(beside(&logged.heard()?, &logged.lived()))
+}
+
+/// Measures of a log beside those that are taken for true, on the days that both know.
+pub fn beside(heard: &Measures, lived: &Measures) -> Vec<Error> {
     let errors = MEASURES.iter().enumerate().filter_map(|(number, measure)| {
-        let both = heard.days.iter().zip(&lived.days);
-        let pairs = both.filter_map(|(heard, lived)| heard.values[number].zip(lived.values[number]));
+        let pairs = heard.days.iter().filter_map(|day| {
+            let lived = lived.days.iter().find(|lived| lived.date == day.date)?;
+            day.values[number].zip(lived.values[number])
+        });
         Error::of(measure.name, measure.unit, pairs.collect())
     });
-    Ok(errors.collect())
+    errors.collect()
 }
 
 /// A life of days, with the log of it.

@@ -110,15 +110,24 @@ impl Timeline {
 
     /// Finds showers and meals.
     fn wash_and_eat(&mut self, log: &Log, kinds: &[Kind], signs: &[Sign]) {
-        let shower = |(name, kind): (&String, &Kind)| *kind == Kind::Motion && is_named(name, &SHOWERS);
+        let shower = |(name, kind): (&String, &Kind)| *kind != Kind::Reading && is_named(name, &SHOWERS);
         let is_shower: Vec<bool> = log.sensors.iter().zip(kinds).map(shower).collect();
         let begins = |spans: Vec<Span>, least: Micros| {
             let long = spans.into_iter().filter(|span| span.1 - span.0 >= least);
             Some(long.map(|span| span.0).collect())
         };
         if is_shower.contains(&true) {
-            let seen = signs.iter().filter(|sign| is_shower[sign.sensor]).map(|sign| (sign.at, sign.at));
-            self.showers = begins(joined(seen, SHOWER_APART), SHOWER_LASTS);
+            let sees = |sensor: usize| is_shower[sensor] && kinds[sensor] == Kind::Motion;
+            let mut seen: Vec<Span> =
+                signs.iter().filter(|sign| sees(sign.sensor)).map(|sign| (sign.at, sign.at)).collect();
+            // Water flows, and some sensors say so of a movement, from its beginning to its end.
+            for (sensor, spans) in spans(log).into_iter().enumerate() {
+                if is_shower[sensor] && !sees(sensor) {
+                    seen.extend(spans);
+                }
+            }
+            seen.sort_unstable();
+            self.showers = begins(joined(seen.into_iter(), SHOWER_APART), SHOWER_LASTS);
         } else if self.rooms.has(Purpose::Bathroom) {
             let in_bed = self.in_bed.as_deref().unwrap_or_default();
             let mut by_day = without(&self.visits(Purpose::Bathroom, MINUTE), in_bed);

@@ -20,6 +20,7 @@ mod signs;
 mod silent;
 mod table;
 mod timeline;
+mod told;
 mod walking;
 mod wandering;
 mod ways;

@@ -19,17 +19,26 @@ pub struct Sign {
     pub sensor: usize,
 }
 
-/// What motion sensors say of somebody who is in a room that is known, in order of time.
+/// What sensors say of somebody who is in a room that is known, in order of time: those of motion, and in a room that has none, whatever
+/// is used, opened and closed there, when that begins and when it ends.
 pub fn signs(log: &Log, kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
-    let begins: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Begins).collect();
-    let told = log.events.iter().filter(|event| begins[event.value as usize]);
-    let mut signs: Vec<Sign> = told
-        .filter_map(|event| {
-            let sensor = event.sensor as usize;
-            let room = rooms.of_sensors[sensor].filter(|_| kinds[sensor] == Kind::Motion)?;
-            Some(Sign { at: event.at, room, sensor })
-        })
-        .collect();
+    let says: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
+    let sees = |room: usize| {
+        let mut sensors = rooms.of_sensors.iter().zip(kinds);
+        sensors.any(|(of, kind)| *of == Some(room) && *kind == Kind::Motion)
+    };
+    let is_seen: Vec<bool> = (0..rooms.rooms.len()).map(sees).collect();
+    let told = log.events.iter().filter_map(|event| {
+        let (sensor, says) = (event.sensor as usize, says[event.value as usize]);
+        let room = rooms.of_sensors[sensor]?;
+        let is_sign = match kinds[sensor] {
+            Kind::Motion => says == Says::Begins,
+            Kind::Contact | Kind::Used => !is_seen[room] && says != Says::Else,
+            Kind::Reading => false,
+        };
+        is_sign.then_some(Sign { at: event.at, room, sensor })
+    });
+    let mut signs: Vec<Sign> = told.collect();
     signs.sort_by_key(|sign| sign.at);
     signs
 }

@@ -2,20 +2,27 @@
 
 use super::walk_back::{every_fault, lived, of_homes, of_one};
 use crate::commands::answer::Answer;
+use crate::commands::read_log::read_log;
 use crate::failure::Failure;
+use homebody_analysis::measures::Measures;
 use homebody_core::scenario::link::LinkFile;
-use homebody_experiment::measures::{Error, case};
+use homebody_experiment::measures::{Error, beside, case};
+use homebody_kit::LogWithRun;
 use serde::Serialize;
 use std::fmt;
+use std::path::PathBuf;
 
 /// Measures days by the logs of homes, and says how far that is from what residents did.
 ///
 /// Homes are those of templates with one resident, one after the other, each with a life of its own. Each is lived twice: with
 /// a link that loses nothing, and with every fault on.
+///
+/// With --data it measures logs of real homes instead, and holds what their sensors tell beside the activities that they note.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody experiment measures
-  homebody experiment measures --homes 8 --days 14 --json measures.json")]
+  homebody experiment measures --homes 8 --days 14 --json measures.json
+  homebody experiment measures --data OrdonezA_Sensors.txt --data kasterenSenseData.txt")]
 pub struct Arguments {
     /// How many homes and lives
     #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
@@ -23,8 +30,23 @@ pub struct Arguments {
     /// How many days of each
     #[arg(long, default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=366))]
     days: u32,
+    /// A log of a real home that notes activities, instead of homes that are lived; may be given several times
+    #[arg(long, value_name = "LOG", conflicts_with_all = ["homes", "days"])]
+    data: Vec<String>,
     #[command(flatten)]
     answer: Answer,
+}
+
+/// Measures of logs of real homes, beside what people wrote down.
+#[derive(Serialize)]
+struct OfRealLogs {
+    logs: Vec<OfRealLog>,
+}
+
+#[derive(Serialize)]
+struct OfRealLog {
+    name: String,
+    errors: Vec<Error>,
 }
 
 #[derive(Serialize)]
@@ -38,6 +60,9 @@ struct OfLogs {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
+        if !self.data.is_empty() {
+            return self.of_real_logs();
+        }
         let answer = self.answer.check([], &[])?;
         let asked: Vec<(usize, bool)> =
             (0..self.homes as usize).flat_map(|home| [(home, false), (home, true)]).collect();
@@ -61,25 +86,62 @@ impl Arguments {
     }
 }
 
+impl Arguments {
+    fn of_real_logs(self) -> Result<(), Failure> {
+        let read = self.data.iter().map(|log| read_log(log, None)).collect::<Result<Vec<_>, _>>()?;
+        let sources: Vec<PathBuf> = read.iter().flat_map(|read| read.sources.clone()).collect();
+        let answer = self.answer.check([], &sources)?;
+        let of_log = |(log, read): (&String, &LogWithRun)| {
+            let heard = read.measures().map_err(|why| Failure::usage(format!("{log}: {why}")))?;
+            let end = read.log.events.iter().map(|event| event.at).max().map_or(0, |last| last + 1);
+            let begin = read.log.events.iter().map(|event| event.at).min().unwrap_or(0);
+            let told = Measures::told(&read.name, &read.log.activities, begin..end);
+            let told = told.ok_or_else(|| {
+                let hint =
+                    "homebody look LOG tells what a log notes; docs/logs.md says where activities are looked for";
+                Failure::usage(format!("{log}: it notes no activity that any measure is about\n  hint: {hint}"))
+            })?;
+            Ok(OfRealLog { name: read.name.clone(), errors: beside(&heard, &told) })
+        };
+        let logs = self.data.iter().zip(&read).map(of_log).collect::<Result<Vec<_>, Failure>>()?;
+        answer.give(&OfRealLogs { logs }, [])
+    }
+}
+
+fn table(f: &mut fmt::Formatter, errors: &[Error]) -> fmt::Result {
+    writeln!(
+        f,
+        "  {:18} {:8} {:>6} {:>10} {:>8} {:>11} {:>10} {:>7}",
+        "measure", "unit", "days", "truly", "bias", "mean error", "90 % error", "r"
+    )?;
+    for error in errors {
+        let Error { measure, unit, days, mean_true, bias, mean_error, p90_error, correlation, .. } = error;
+        let r = correlation.map_or("-".to_owned(), |r| format!("{r:.2}"));
+        writeln!(
+            f,
+            "  {measure:18} {unit:8} {days:>6} {mean_true:>10.2} {bias:>8.2} {mean_error:>11.2} {p90_error:>10.2} {r:>7}"
+        )?;
+    }
+    writeln!(f)
+}
+
 impl fmt::Display for OfLogs {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(f, "Measures of {} days by logs, beside what residents did\n", self.days)?;
         for (link, errors) in [("a link that loses nothing", &self.clean), ("every fault on", &self.faults)] {
             writeln!(f, "With {link}")?;
-            writeln!(
-                f,
-                "  {:16} {:8} {:>6} {:>10} {:>8} {:>11} {:>10} {:>7}",
-                "measure", "unit", "days", "truly", "bias", "mean error", "90 % error", "r"
-            )?;
-            for error in errors {
-                let Error { measure, unit, days, mean_true, bias, mean_error, p90_error, correlation, .. } = error;
-                let r = correlation.map_or("-".to_owned(), |r| format!("{r:.2}"));
-                writeln!(
-                    f,
-                    "  {measure:16} {unit:8} {days:>6} {mean_true:>10.2} {bias:>8.2} {mean_error:>11.2} {p90_error:>10.2} {r:>7}"
-                )?;
-            }
-            writeln!(f)?;
+            table(f, errors)?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for OfRealLogs {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        writeln!(f, "Measures by the sensors of real homes, beside what people wrote down\n")?;
+        for OfRealLog { name, errors } in &self.logs {
+            writeln!(f, "{name}")?;
+            table(f, errors)?;
         }
         Ok(())
     }
