@@ -5,7 +5,8 @@
 //! number is something that somebody used. Where values alone mislead, names decide: those of CASAS's lights are `L`
 //! and a number, and a mattress that says `ON` has not moved. A bed, a chair or a stove may be where a motion sensor looks, as in
 //! names of CASAS such as `BedroomABed`: it is one if it is `ON` for seconds. So are a fridge, a cabinet and a door, whose contacts
-//! say `ON` in homes such as van Kasteren's. The words are ours.
+//! say `ON` in homes such as van Kasteren's, for seconds or for hours: where nothing but doors and fridges is `ON` for seconds, no sensor
+//! looks. The words are ours.
 
 use homebody_core::names::words;
 use homebody_core::time::{Micros, SECOND};
@@ -76,7 +77,22 @@ pub fn kinds(log: &Log) -> Vec<Kind> {
         let (says, is_number) = looks[event.value as usize];
         tallies[event.sensor as usize].take(event.at, says, is_number);
     }
-    tallies.iter().zip(&log.sensors).map(|(tally, name)| tally.kind(name)).collect()
+    kinds_of(&log.sensors.iter().map(String::as_str).zip(&tallies).collect::<Vec<_>>())
+}
+
+/// What the sensors of one log are taken for, by their names and what their rows look like.
+pub fn kinds_of(sensors: &[(&str, &Tally)]) -> Vec<Kind> {
+    let mut kinds: Vec<Kind> = sensors.iter().map(|(name, tally)| tally.kind(name)).collect();
+    let is_open = |name: &str| is_named(name, &DOORS) || is_named(name, &PLACES);
+    let looks = |((name, tally), kind): (&(&str, &Tally), &Kind)| {
+        *kind == Kind::Motion && !(is_open(name) && tally.spans > 0)
+    };
+    if !sensors.iter().zip(&kinds).any(looks) {
+        for ((name, _), kind) in sensors.iter().zip(&mut kinds).filter(|(_, kind)| **kind == Kind::Motion) {
+            *kind = if is_named(name, &DOORS) { Kind::Contact } else { Kind::Used };
+        }
+    }
+    kinds
 }
 
 /// Whether a value is a number.
@@ -121,8 +137,8 @@ impl Tally {
         }
     }
 
-    /// What the sensor of this name is taken for.
-    pub fn kind(&self, name: &str) -> Kind {
+    /// What the sensor of this name is taken for where others look for movement.
+    fn kind(&self, name: &str) -> Kind {
         let ones = if self.reading > 0 { self.ones } else { 0 };
         let (motion, contact, reading) = (self.motion - ones, self.contact, self.reading + ones);
         match () {
@@ -131,7 +147,7 @@ impl Tally {
             () if is_named(name, &THINGS) => Kind::Used,
             () if is_named(name, &PLACES) && !self.is_brief() => Kind::Used,
             () if is_named(name, &["magnetic"]) => Kind::Contact,
-            () if is_named(name, &["door", "window"]) && self.spans > 0 && !self.is_brief() => Kind::Contact,
+            () if is_named(name, &DOORS) && self.spans > 0 && !self.is_brief() => Kind::Contact,
             () => Kind::Motion,
         }
     }
@@ -198,6 +214,9 @@ const THINGS: [&str; 22] = [
     "drawer",
 ];
 
+/// Doors and windows, which have a contact, or else where a motion sensor looks.
+const DOORS: [&str; 5] = ["door", "window", "frontdoor", "maindoor", "backdoor"];
+
 /// Things that are used, or else places that a motion sensor looks at.
 const PLACES: [&str; 6] = ["bed", "chair", "stove", "fridge", "refrigerator", "cabinet"];
 
@@ -239,8 +258,9 @@ mod tests {
                 let (from, to) = (1000 * time, 1000 * time + 4);
                 [(from, "BedroomBed", "ON"), (to, "BedroomBed", "OFF"), (from, "bed", "ON"), (to + 900, "bed", "OFF")]
             })
+            .chain([(0, "kitchen", "ON")])
             .collect();
-        assert_eq!(kinds(&log(&rows)), [Kind::Motion, Kind::Used]);
+        assert_eq!(kinds(&log(&rows)), [Kind::Motion, Kind::Used, Kind::Motion]);
         // An instant tells nothing of how long it lasts.
         assert_eq!(kinds(&log(&[(0, "chair", "ON"), (1, "kitchen", "ON")])), [Kind::Used, Kind::Motion]);
     }
@@ -267,6 +287,12 @@ mod tests {
         assert_eq!(kinds(&log(&rows)), names.map(|(_, _, kind)| kind));
         // Without an end nobody knows for how long: it is what its values say.
         assert_eq!(kinds(&log(&[(0, "front door", "FIRE")])), [Kind::Motion]);
+        // Where nothing else is ON for seconds, no sensor looks.
+        let rows: Vec<(i64, &str, &str)> = (0..10)
+            .flat_map(|time| ["Frontdoor", "Fridge"].map(|name| [(1000 * time, name, "ON"), (1000 * time + 4, name, "OFF")]))
+            .flatten()
+            .collect();
+        assert_eq!(kinds(&log(&rows)), [Kind::Contact, Kind::Used]);
     }
 
     #[test]

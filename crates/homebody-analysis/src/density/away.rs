@@ -1,8 +1,8 @@
 //! When nobody was at home, by the sensors alone: Wang and Skubic's *time away from home*.
 //!
 //! An absence begins and ends at the entrance, and in between there is next to nothing. Firings no more than two minutes apart
-//! make a bout. A bout of three firings or more is somebody's; a shorter one is stray: motion sensors in an empty home
-//! fire now and then, by the sun or a heater. Nobody is at home between two bouts of somebody, however many stray ones lie
+//! make a bout. A bout of three firings or more is somebody's, and one in which something was opened or used. A shorter one of motion
+//! sensors is stray: in an empty home they fire now and then, by the sun or a heater. Nobody is at home between two bouts of somebody, however many stray ones lie
 //! between, if
 //!
 //! - they are longer apart than the least absence, 30 minutes unless asked otherwise,
@@ -27,7 +27,7 @@ use serde::{Serialize, Serializer};
 const BOUT: Micros = 120 * SECOND;
 /// A bed or a chair that is taken for longer has somebody in it; a motion sensor of that name only blinks.
 const SEATED: Micros = 300 * SECOND;
-/// A bout of fewer firings is stray.
+/// A bout of fewer firings is stray, if they are of motion sensors alone.
 const LEAST_FIRINGS: usize = 3;
 /// How near to a bout's end the entrance has to fire.
 const EDGE: Micros = 60 * SECOND;
@@ -60,6 +60,8 @@ pub struct Sign {
     pub at_entrance: bool,
     /// Whether it is a door there that is opened.
     pub opens_door: bool,
+    /// Whether something is used or opened, which no empty home does.
+    pub is_use: bool,
 }
 
 /// The absences longer than `least`; signs in order, and the spans over which a bed or a chair is taken, in any order.
@@ -69,7 +71,7 @@ pub fn absences(signs: &[Sign], taken: &[(Micros, Micros)], least: Micros) -> Ve
     let mut before: Option<&[Sign]> = None;
     let mut stray = 0;
     for bout in bouts {
-        if bout.len() < LEAST_FIRINGS {
+        if bout.len() < LEAST_FIRINGS && !bout.iter().any(|sign| sign.is_use) {
             stray += bout.len();
             continue;
         }
@@ -127,7 +129,7 @@ mod tests {
 
     /// Signs by their seconds; those at the entrance are negative.
     fn signs(at_s: &[Micros]) -> Vec<Sign> {
-        at_s.iter().map(|&at| Sign { at: at.abs() * SECOND, at_entrance: at < 0, opens_door: false }).collect()
+        at_s.iter().map(|&at| Sign { at: at.abs() * SECOND, at_entrance: at < 0, opens_door: false, is_use: false }).collect()
     }
 
     fn found(at_s: &[Micros], taken: &[(Micros, Micros)]) -> Vec<(Micros, Micros, usize)> {

@@ -108,12 +108,18 @@ pub struct Hour {
 impl Map {
     /// The map of the days that are asked for.
     pub fn of(name: &str, log: &Log, asked: &Asked) -> Result<Map, NoMap> {
+        let map = Map::of_any(name, log, asked)?;
+        if map.motion_sensors > 0 { Ok(map) } else { Err(NoMap::NoMotion) }
+    }
+
+    /// The same where no sensor may look for movement: when the log was recorded, and when nobody was at home.
+    pub fn of_any(name: &str, log: &Log, asked: &Asked) -> Result<Map, NoMap> {
         let kinds = kinds(log);
         let sensors: Vec<(&str, Kind)> = log.sensors.iter().map(String::as_str).zip(kinds.iter().copied()).collect();
         let entrance = Entrance::find(&sensors, &asked.doors);
         let Heard { rows, events, signs } = Heard::of(log, &kinds, &entrance);
         let (&[first, ..], &[.., last]) = (&rows[..], &rows[..]) else { return Err(NoMap::NoMotion) };
-        if events.is_empty() {
+        if signs.is_empty() {
             return Err(NoMap::NoMotion);
         }
         let seats = spans(log).into_iter().zip(&log.sensors).filter(|(_, name)| is_seat(name));
@@ -203,11 +209,12 @@ impl Heard {
         let mut heard = Heard { rows: Vec::with_capacity(log.events.len()), events: Vec::new(), signs: Vec::new() };
         for event in &log.events {
             let (at, sensor, says) = (event.at, event.sensor as usize, values[event.value as usize]);
-            let begins = matches!(says, Says::Begins | Says::Opens);
             let is_motion = kinds[sensor] == Kind::Motion && says == Says::Begins;
-            if is_motion || begins && (kinds[sensor] == Kind::Contact || is_entrance[sensor]) {
-                let opens_door = kinds[sensor] == Kind::Contact && is_entrance[sensor];
-                heard.signs.push(Sign { at, at_entrance: is_entrance[sensor], opens_door });
+            let is_use = matches!(kinds[sensor], Kind::Contact | Kind::Used) && matches!(says, Says::Begins | Says::Opens);
+            if is_motion || is_use {
+                let at_entrance = is_entrance[sensor];
+                let opens_door = kinds[sensor] == Kind::Contact && at_entrance;
+                heard.signs.push(Sign { at, at_entrance, opens_door, is_use });
             }
             heard.events.extend(is_motion.then_some(at));
             heard.rows.push(at);

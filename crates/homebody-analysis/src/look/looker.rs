@@ -6,7 +6,7 @@ use super::home::of_home;
 use super::sensor::Course;
 use crate::compare::natural;
 use crate::dates::{midnight, on_wall};
-use crate::signs::{Says, says};
+use crate::signs::{Says, Tally, kinds_of, says};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_log::source::Clock;
 use homebody_log::{Activity, Event, Log};
@@ -102,9 +102,12 @@ impl Looker {
         let last = spans.iter().map(|[_, end]| *end).chain([self.latest]).max();
         let (days, by_day) = std::mem::take(&mut self.by_day).finish(about.sensors.len());
         let mut sensors: Vec<SensorLook> = Vec::new();
-        for (index, (id, course)) in about.sensors.iter().zip(&self.sensors).enumerate() {
+        let of_sensors: Vec<(&str, &Tally)> =
+            about.sensors.iter().map(String::as_str).zip(self.sensors.iter().map(|course| &course.tally)).collect();
+        let kinds = kinds_of(&of_sensors);
+        for (index, ((id, course), kind)) in about.sensors.iter().zip(&self.sensors).zip(kinds).enumerate() {
             let by_day = by_day.get(index).cloned().unwrap_or_default();
-            sensors.push(course.look(id, named(id), &about.values, by_day, self.latest, &text));
+            sensors.push(course.look(id, kind, named(id), &about.values, by_day, self.latest, &text));
         }
         let home = home.map(|(name, sensors_of_home)| of_home(name, sensors_of_home, &sensors, about.rows));
         sensors.sort_by_cached_key(|sensor| {

@@ -21,7 +21,7 @@ const VALUES: usize = 8;
 /// What a sensor has said so far.
 #[derive(Clone, Default)]
 pub(super) struct Course {
-    tally: Tally,
+    pub tally: Tally,
     rows: u64,
     days: u64,
     day: i64,
@@ -93,6 +93,7 @@ impl Course {
     pub fn look(
         &self,
         id: &str,
+        kind: Kind,
         name: Option<String>,
         values: &[String],
         by_day: Vec<u32>,
@@ -107,7 +108,6 @@ impl Course {
             _ => Vec::new(),
         };
         said.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
-        let kind = self.tally.kind(id);
         let days = match by_day.is_empty() {
             true => self.days,
             false => by_day.iter().filter(|&&count| count > 0).count() as u64,

@@ -114,7 +114,7 @@ mod tests {
         };
         minutes
             .filter(|&(day, minute)| !is_in(out, day, minute) && (minute % 5 == 0 || is_in(lively, day, minute)))
-            .map(|(day, minute)| Sign { at: at(day, minute), room: 0, sensor: 0 })
+            .map(|(day, minute)| Sign { at: at(day, minute), room: 0, sensor: 0, is_seen: true })
             .collect()
     }
 

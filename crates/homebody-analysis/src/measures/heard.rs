@@ -32,6 +32,8 @@ const SEEN_PASSING: Micros = 10 * SECOND;
 /// Signs of a shower's own sensor no farther apart belong to one shower, which lasts at least so long (ours).
 const SHOWER_APART: Micros = 3 * MINUTE;
 const SHOWER_LASTS: Micros = 3 * MINUTE;
+/// What is said to go on for longer has ended, and nobody heard of it (ours).
+const SHOWER_LONGEST: Micros = 60 * MINUTE;
 /// Where a shower has no sensor of its own, who stays in the bathroom for so long by day, with a sign every minute, showers (ours):
 /// who sits on the toilet gives fewer.
 const BATHROOM_LONG: Micros = 10 * MINUTE;
@@ -46,7 +48,7 @@ impl Timeline {
     ///
     /// Those of the log's density map.
     pub(super) fn heard(log: &Log, kinds: &[Kind], known: &Known, asked: &Asked) -> Result<(Timeline, Map), NoMap> {
-        let map = Map::of("", log, asked)?;
+        let map = Map::of_any("", log, asked)?;
         let rooms = Rooms::of(&log.sensors, known.rooms);
         let signs = signs(log, kinds, &rooms);
         let begin = midnight(map.from);
@@ -54,16 +56,17 @@ impl Timeline {
         let away: Vec<Span> = map.absences.iter().map(|Absence { begin, end, .. }| (*begin, *end)).collect();
         let last = signs.last().map_or(end, |sign| sign.at).min(end);
         let stays = stays(&agreed(&signs), &away, last);
+        let seen: Vec<Sign> = signs.iter().filter(|sign| sign.is_seen).copied().collect();
         let door = used_door(log, kinds, &map.entrance.sensors);
         let mut timeline = Timeline {
             first: map.from,
             begin,
             recorded_h: map.cells.iter().map(|day| day.map(|cell| cell.recorded_h)).collect(),
             away: (!map.entrance.sensors.is_empty()).then_some(away),
-            passages: passages(&signs),
-            walks: known.ways.and_then(|ways| walks(&signs, &log.sensors, ways)),
+            passages: passages(&seen),
+            walks: known.ways.and_then(|ways| walks(&seen, &log.sensors, ways)),
             company: company(&signs, &door),
-            cells: Some(map.cells.clone()),
+            cells: (map.motion_sensors > 0).then(|| map.cells.clone()),
             stays,
             rooms,
             ..Timeline::default()
@@ -117,15 +120,10 @@ impl Timeline {
             Some(long.map(|span| span.0).collect())
         };
         if is_shower.contains(&true) {
-            let sees = |sensor: usize| is_shower[sensor] && kinds[sensor] == Kind::Motion;
-            let mut seen: Vec<Span> =
-                signs.iter().filter(|sign| sees(sign.sensor)).map(|sign| (sign.at, sign.at)).collect();
-            // Water flows, and some sensors say so of a movement, from its beginning to its end.
-            for (sensor, spans) in spans(log).into_iter().enumerate() {
-                if is_shower[sensor] && !sees(sensor) {
-                    seen.extend(spans);
-                }
-            }
+            // Water flows from its beginning to its end, and some motion sensors say when they see nothing more.
+            let of_shower = spans(log).into_iter().zip(&is_shower).filter(|(_, is_shower)| **is_shower);
+            let ended = |(begin, end): Span| if end - begin <= SHOWER_LONGEST { (begin, end) } else { (begin, begin) };
+            let mut seen: Vec<Span> = of_shower.flat_map(|(spans, _)| spans).map(ended).collect();
             seen.sort_unstable();
             self.showers = begins(joined(seen.into_iter(), SHOWER_APART), SHOWER_LASTS);
         } else if self.rooms.has(Purpose::Bathroom) {
@@ -160,7 +158,7 @@ fn used_door(log: &Log, kinds: &[Kind], entrance: &[String]) -> Vec<Micros> {
     let is_door: Vec<bool> = (log.sensors.iter().zip(kinds))
         .map(|(sensor, kind)| *kind == Kind::Contact && entrance.contains(sensor))
         .collect();
-    let is_used: Vec<bool> = log.values.iter().map(|value| matches!(says(value), Says::Opens | Says::Closes)).collect();
+    let is_used: Vec<bool> = log.values.iter().map(|value| says(value) != Says::Else).collect();
     let told = log.events.iter().filter(|event| is_door[event.sensor as usize] && is_used[event.value as usize]);
     let mut used: Vec<Micros> = told.map(|event| event.at).collect();
     used.sort_unstable();

@@ -26,7 +26,8 @@ pub struct Rooms {
 }
 
 /// A room as names of sensors tell it: what it is called here, what it is for, and the words that tell it (ours). Of two, the
-/// word that stands first in a name decides: a `KitchenDoor` is the kitchen's.
+/// word that stands first in a name decides: a `KitchenDoor` is the kitchen's. The hall comes last, for a `hall-bathroom door` and a
+/// `front bedroom` are of the other.
 const TOLD: [(&str, Purpose, &[&str]); 7] = [
     ("bedroom", Purpose::Bedroom, &["bedroom", "bed", "bedside", "mattress"]),
     (
@@ -63,10 +64,14 @@ const TOLD: [(&str, Purpose, &[&str]); 7] = [
 /// The room that a name speaks of.
 fn told(name: &str) -> Option<(&'static str, Purpose)> {
     let said = words(name);
-    said.iter().find_map(|word| {
-        let told = TOLD.iter().find(|(.., words)| words.contains(&word.as_str()))?;
-        Some((told.0, told.1))
-    })
+    let (hall, others) = TOLD.split_last()?;
+    let tells = |of: &[(&'static str, Purpose, &[&str])]| {
+        said.iter().find_map(|word| {
+            let told = of.iter().find(|(.., words)| words.contains(&word.as_str()))?;
+            Some((told.0, told.1))
+        })
+    };
+    tells(others).or_else(|| tells(std::slice::from_ref(hall)))
 }
 
 /// What a room of this name is for.

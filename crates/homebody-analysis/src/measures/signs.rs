@@ -1,4 +1,6 @@
 //! Signs of somebody in rooms that are known, and in which room somebody is whom several sensors see at once.
+//!
+//! Whatever is used, opened and closed is a sign as much as a movement that is seen: many real homes have hardly a motion sensor.
 
 use super::rooms::Rooms;
 use crate::signs::{Kind, Says, says};
@@ -17,26 +19,24 @@ pub struct Sign {
     pub room: usize,
     /// The sensor, by its number in the log.
     pub sensor: usize,
+    /// Whether a movement was seen. Else something was used.
+    pub is_seen: bool,
 }
 
-/// What sensors say of somebody who is in a room that is known, in order of time: those of motion, and in a room that has none, whatever
-/// is used, opened and closed there, when that begins and when it ends.
+/// What sensors say of somebody who is in a room that is known, in order of time: movements that are seen, as they begin, and whatever
+/// is used, opened and closed, when that begins and when it ends.
 pub fn signs(log: &Log, kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
     let says: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
-    let sees = |room: usize| {
-        let mut sensors = rooms.of_sensors.iter().zip(kinds);
-        sensors.any(|(of, kind)| *of == Some(room) && *kind == Kind::Motion)
-    };
-    let is_seen: Vec<bool> = (0..rooms.rooms.len()).map(sees).collect();
     let told = log.events.iter().filter_map(|event| {
         let (sensor, says) = (event.sensor as usize, says[event.value as usize]);
         let room = rooms.of_sensors[sensor]?;
+        let is_seen = kinds[sensor] == Kind::Motion;
         let is_sign = match kinds[sensor] {
             Kind::Motion => says == Says::Begins,
-            Kind::Contact | Kind::Used => !is_seen[room] && says != Says::Else,
+            Kind::Contact | Kind::Used => says != Says::Else,
             Kind::Reading => false,
         };
-        is_sign.then_some(Sign { at: event.at, room, sensor })
+        is_sign.then_some(Sign { at: event.at, room, sensor, is_seen })
     });
     let mut signs: Vec<Sign> = told.collect();
     signs.sort_by_key(|sign| sign.at);
@@ -90,7 +90,7 @@ mod tests {
 
     /// Signs by their seconds, rooms and sensors.
     fn at(signs: &[(Micros, usize, usize)]) -> Vec<Sign> {
-        signs.iter().map(|&(at, room, sensor)| Sign { at: at * SECOND, room, sensor }).collect()
+        signs.iter().map(|&(at, room, sensor)| Sign { at: at * SECOND, room, sensor, is_seen: true }).collect()
     }
 
     fn rooms(signs: &[(Micros, usize, usize)]) -> Vec<usize> {
