@@ -77,17 +77,22 @@ pub fn kinds(log: &Log) -> Vec<Kind> {
         let (says, is_number) = looks[event.value as usize];
         tallies[event.sensor as usize].take(event.at, says, is_number);
     }
-    kinds_of(&log.sensors.iter().map(String::as_str).zip(&tallies).collect::<Vec<_>>())
+    kinds_of(&log.called().iter().map(String::as_str).zip(&tallies).collect::<Vec<_>>())
 }
+
+/// Where sensors look for movement, they tell more than one row of so many (ours).
+const FEWER: u64 = 10;
 
 /// What the sensors of one log are taken for, by their names and what their rows look like.
 pub fn kinds_of(sensors: &[(&str, &Tally)]) -> Vec<Kind> {
     let mut kinds: Vec<Kind> = sensors.iter().map(|(name, tally)| tally.kind(name)).collect();
-    let is_open = |name: &str| is_named(name, &DOORS) || is_named(name, &PLACES);
-    let looks = |((name, tally), kind): (&(&str, &Tally), &Kind)| {
-        *kind == Kind::Motion && !(is_open(name) && tally.spans > 0)
+    let may_look = |((name, tally), kind): &(&(&str, &Tally), &Kind)| {
+        let is_open = (is_named(name, &DOORS) || is_named(name, &PLACES)) && tally.spans > 0;
+        **kind == Kind::Motion && !is_open
     };
-    if !sensors.iter().zip(&kinds).any(looks) {
+    let rows = |(_, tally): &(&str, &Tally)| tally.motion + tally.contact;
+    let looking: u64 = sensors.iter().zip(&kinds).filter(may_look).map(|(sensor, _)| rows(sensor)).sum();
+    if looking * FEWER < sensors.iter().map(rows).sum() {
         for ((name, _), kind) in sensors.iter().zip(&mut kinds).filter(|(_, kind)| **kind == Kind::Motion) {
             *kind = if is_named(name, &DOORS) { Kind::Contact } else { Kind::Used };
         }
@@ -189,7 +194,7 @@ pub fn spans(log: &Log) -> Vec<Vec<(Micros, Micros)>> {
 }
 
 /// Things that are used, though they say `ON`.
-const THINGS: [&str; 22] = [
+const THINGS: [&str; 30] = [
     "light",
     "lamp",
     "switch",
@@ -212,13 +217,22 @@ const THINGS: [&str; 22] = [
     "freezer",
     "cupboard",
     "drawer",
+    "machine",
+    "maker",
+    "fan",
+    "kettle",
+    "dryer",
+    "disposal",
+    "box",
+    "dvd",
 ];
 
 /// Doors and windows, which have a contact, or else where a motion sensor looks.
 const DOORS: [&str; 5] = ["door", "window", "frontdoor", "maindoor", "backdoor"];
 
 /// Things that are used, or else places that a motion sensor looks at.
-const PLACES: [&str; 6] = ["bed", "chair", "stove", "fridge", "refrigerator", "cabinet"];
+const PLACES: [&str; 10] =
+    ["bed", "chair", "stove", "oven", "fridge", "refrigerator", "cabinet", "closet", "wardrobe", "computer"];
 
 /// Whether a name is that of one of these things, or of one of CASAS's lights and items: L012, I05.
 fn is_named(name: &str, things: &[&str]) -> bool {
@@ -289,7 +303,9 @@ mod tests {
         assert_eq!(kinds(&log(&[(0, "front door", "FIRE")])), [Kind::Motion]);
         // Where nothing else is ON for seconds, no sensor looks.
         let rows: Vec<(i64, &str, &str)> = (0..10)
-            .flat_map(|time| ["Frontdoor", "Fridge"].map(|name| [(1000 * time, name, "ON"), (1000 * time + 4, name, "OFF")]))
+            .flat_map(|time| {
+                ["Frontdoor", "Fridge"].map(|name| [(1000 * time, name, "ON"), (1000 * time + 4, name, "OFF")])
+            })
             .flatten()
             .collect();
         assert_eq!(kinds(&log(&rows)), [Kind::Contact, Kind::Used]);

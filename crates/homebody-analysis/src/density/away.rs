@@ -129,7 +129,9 @@ mod tests {
 
     /// Signs by their seconds; those at the entrance are negative.
     fn signs(at_s: &[Micros]) -> Vec<Sign> {
-        at_s.iter().map(|&at| Sign { at: at.abs() * SECOND, at_entrance: at < 0, opens_door: false, is_use: false }).collect()
+        at_s.iter()
+            .map(|&at| Sign { at: at.abs() * SECOND, at_entrance: at < 0, opens_door: false, is_use: false })
+            .collect()
     }
 
     fn found(at_s: &[Micros], taken: &[(Micros, Micros)]) -> Vec<(Micros, Micros, usize)> {

@@ -30,15 +30,19 @@ pub enum Chosen {
 
 impl Entrance {
     /// Those of the names that are asked for; else those that speak of an entrance, with all contacts but those of drawers
-    /// and the like; else those that speak of a door or a hall. A name that speaks of another room is of a door in there.
-    pub fn find(sensors: &[(&str, Kind)], asked: &[String]) -> Entrance {
+    /// and the like; else those that speak of a door or a hall. A name that speaks of another room is of a door in there. Each sensor
+    /// has its id, its kind, and what it is called.
+    pub fn find(sensors: &[((&str, Kind), &str)], asked: &[String]) -> Entrance {
         let with = |chosen, takes: &dyn Fn(&str, Kind) -> bool| {
-            let taken = sensors.iter().filter(|&&(name, kind)| takes(name, kind)).map(|&(name, _)| name.to_owned());
+            let taken =
+                sensors.iter().filter(|&&((_, kind), called)| takes(called, kind)).map(|((id, _), _)| (*id).to_owned());
             Some(Entrance { sensors: taken.collect(), chosen }).filter(|entrance| !entrance.sensors.is_empty())
         };
         if !asked.is_empty() {
-            let asked = with(Chosen::Asked, &|name, _| asked.iter().any(|one| one == name));
-            return asked.unwrap_or(Entrance { sensors: Vec::new(), chosen: Chosen::None });
+            let sensors: Vec<String> =
+                sensors.iter().map(|((id, _), _)| (*id).to_owned()).filter(|id| asked.contains(id)).collect();
+            let chosen = if sensors.is_empty() { Chosen::None } else { Chosen::Asked };
+            return Entrance { sensors, chosen };
         }
         let senses = |kind| matches!(kind, Kind::Motion | Kind::Contact);
         with(Chosen::Known, &|name, kind| {
@@ -104,7 +108,8 @@ mod tests {
 
     fn found(sensors: &[(&str, Kind)], asked: &[&str]) -> (Vec<String>, Chosen) {
         let asked: Vec<String> = asked.iter().map(|name| (*name).into()).collect();
-        let entrance = Entrance::find(sensors, &asked);
+        let called: Vec<((&str, Kind), &str)> = sensors.iter().map(|&(id, kind)| ((id, kind), id)).collect();
+        let entrance = Entrance::find(&called, &asked);
         (entrance.sensors, entrance.chosen)
     }
 

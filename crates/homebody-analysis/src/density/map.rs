@@ -115,14 +115,16 @@ impl Map {
     /// The same where no sensor may look for movement: when the log was recorded, and when nobody was at home.
     pub fn of_any(name: &str, log: &Log, asked: &Asked) -> Result<Map, NoMap> {
         let kinds = kinds(log);
-        let sensors: Vec<(&str, Kind)> = log.sensors.iter().map(String::as_str).zip(kinds.iter().copied()).collect();
-        let entrance = Entrance::find(&sensors, &asked.doors);
+        let called = log.called();
+        let sensors = || log.sensors.iter().map(String::as_str).zip(kinds.iter().copied());
+        let entrance =
+            Entrance::find(&sensors().zip(called.iter().map(String::as_str)).collect::<Vec<_>>(), &asked.doors);
         let Heard { rows, events, signs } = Heard::of(log, &kinds, &entrance);
         let (&[first, ..], &[.., last]) = (&rows[..], &rows[..]) else { return Err(NoMap::NoMotion) };
         if signs.is_empty() {
             return Err(NoMap::NoMotion);
         }
-        let seats = spans(log).into_iter().zip(&log.sensors).filter(|(_, name)| is_seat(name));
+        let seats = spans(log).into_iter().zip(&called).filter(|(_, name)| is_seat(name));
         let taken: Vec<(Micros, Micros)> = seats.flat_map(|(spans, _)| spans).collect();
         let absences = absences(&signs, &taken, asked.away_after);
         let recorded: Vec<Range<Micros>> = match &asked.recorded {
@@ -145,7 +147,7 @@ impl Map {
         }
         let shown = |absence: &&Absence| absence.begin < days.span().end && absence.end > days.span().start;
         let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();
-        let left_out = sensors.iter().filter(|(_, kind)| *kind != Kind::Motion).map(|(name, _)| (*name).to_owned());
+        let left_out = sensors().filter(|(_, kind)| *kind != Kind::Motion).map(|(name, _)| name.to_owned());
         let left_out = left_out.collect();
         let absences = absences.iter().filter(shown).copied().collect();
         Ok(Map::sum(name, days.first, cells, Found { motion_sensors, left_out, entrance, absences }))
@@ -210,7 +212,8 @@ impl Heard {
         for event in &log.events {
             let (at, sensor, says) = (event.at, event.sensor as usize, values[event.value as usize]);
             let is_motion = kinds[sensor] == Kind::Motion && says == Says::Begins;
-            let is_use = matches!(kinds[sensor], Kind::Contact | Kind::Used) && matches!(says, Says::Begins | Says::Opens);
+            let is_use =
+                matches!(kinds[sensor], Kind::Contact | Kind::Used) && matches!(says, Says::Begins | Says::Opens);
             if is_motion || is_use {
                 let at_entrance = is_entrance[sensor];
                 let opens_door = kinds[sensor] == Kind::Contact && at_entrance;

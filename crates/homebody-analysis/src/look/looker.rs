@@ -102,8 +102,9 @@ impl Looker {
         let last = spans.iter().map(|[_, end]| *end).chain([self.latest]).max();
         let (days, by_day) = std::mem::take(&mut self.by_day).finish(about.sensors.len());
         let mut sensors: Vec<SensorLook> = Vec::new();
+        let called = about.called();
         let of_sensors: Vec<(&str, &Tally)> =
-            about.sensors.iter().map(String::as_str).zip(self.sensors.iter().map(|course| &course.tally)).collect();
+            called.iter().map(String::as_str).zip(self.sensors.iter().map(|course| &course.tally)).collect();
         let kinds = kinds_of(&of_sensors);
         for (index, ((id, course), kind)) in about.sensors.iter().zip(&self.sensors).zip(kinds).enumerate() {
             let by_day = by_day.get(index).cloned().unwrap_or_default();

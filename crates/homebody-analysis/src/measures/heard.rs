@@ -78,7 +78,8 @@ impl Timeline {
 
     /// Finds the times in bed: by what is in the bed, or else by silence in the bedroom.
     fn lie_down(&mut self, log: &Log, kinds: &[Kind], signs: &[Sign]) {
-        let is_bed = |sensor: usize| kinds[sensor] == Kind::Used && is_named(&log.sensors[sensor], &BEDS);
+        let called = log.called();
+        let is_bed = |sensor: usize| kinds[sensor] == Kind::Used && is_named(&called[sensor], &BEDS);
         let mut lain: Vec<Span> = Vec::new();
         for (_, spans) in spans(log).into_iter().enumerate().filter(|(sensor, _)| is_bed(*sensor)) {
             lain.extend(spans.into_iter().filter(|span| span.1 > span.0));
@@ -114,11 +115,14 @@ impl Timeline {
     /// Finds showers and meals.
     fn wash_and_eat(&mut self, log: &Log, kinds: &[Kind], signs: &[Sign]) {
         let shower = |(name, kind): (&String, &Kind)| *kind != Kind::Reading && is_named(name, &SHOWERS);
-        let is_shower: Vec<bool> = log.sensors.iter().zip(kinds).map(shower).collect();
+        let is_shower: Vec<bool> = log.called().iter().zip(kinds).map(shower).collect();
         let begins = |spans: Vec<Span>, least: Micros| {
             let long = spans.into_iter().filter(|span| span.1 - span.0 >= least);
             Some(long.map(|span| span.0).collect())
         };
+        let in_bathroom: Vec<&Sign> =
+            signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bathroom).collect();
+        let is_watched = in_bathroom.iter().any(|sign| sign.is_seen);
         if is_shower.contains(&true) {
             // Water flows from its beginning to its end, and some motion sensors say when they see nothing more.
             let of_shower = spans(log).into_iter().zip(&is_shower).filter(|(_, is_shower)| **is_shower);
@@ -126,11 +130,9 @@ impl Timeline {
             let mut seen: Vec<Span> = of_shower.flat_map(|(spans, _)| spans).map(ended).collect();
             seen.sort_unstable();
             self.showers = begins(joined(seen.into_iter(), SHOWER_APART), SHOWER_LASTS);
-        } else if self.rooms.has(Purpose::Bathroom) {
+        } else if is_watched {
             let in_bed = self.in_bed.as_deref().unwrap_or_default();
             let mut by_day = without(&self.visits(Purpose::Bathroom, MINUTE), in_bed);
-            let in_bathroom: Vec<&Sign> =
-                signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bathroom).collect();
             by_day.retain(|&(begin, end)| {
                 within(&in_bathroom, begin, end).len() as Micros * BATHROOM_LIVELY >= end - begin
             });

@@ -14,6 +14,10 @@ use homebody_log::Log;
 /// (ours), as of `look`.
 const SILENT: Micros = 2 * DAY;
 const SILENT_TIMES: Micros = 3;
+/// Only of one that has spoken on so many days before, and on three of four, silence says anything (ours): a drawer may stay closed for
+/// a week.
+const LEAST_DAYS: i64 = 4;
+const OF_DAYS: (i64, i64) = (3, 4);
 
 /// A silence: whose, from when, and until when.
 pub(super) struct Silence {
@@ -28,14 +32,26 @@ pub(super) fn silences(log: &Log, kinds: &[Kind], away: &[Span], last: Micros) -
     order.sort_by_key(|&index| log.events[index].at);
     let mut before: Vec<Option<Micros>> = vec![None; log.sensors.len()];
     let mut longest: Vec<Micros> = vec![0; log.sensors.len()];
+    // By sensor: the first day on which it spoke, and on how many it has.
+    let mut spoken: Vec<(i64, i64)> = vec![(0, 0); log.sensors.len()];
     let mut found = Vec::new();
     let mut ends = |sensor: usize, at: Micros, before: Option<Micros>| {
+        let day = |at: Micros| at.div_euclid(DAY);
+        let (first, days) = spoken[sensor];
+        let is_regular = before.is_some_and(|since| {
+            let so_far = day(since) - first + 1;
+            days >= LEAST_DAYS && days * OF_DAYS.1 >= so_far * OF_DAYS.0
+        });
+        match before {
+            None => spoken[sensor] = (day(at), 1),
+            Some(since) => spoken[sensor].1 += i64::from(day(since) < day(at)),
+        }
         // What is no longer than another silence before it changes nothing.
         let Some(since) = before.filter(|since| at - since > longest[sensor]) else { return };
         let away = (within_h(away, (since, at)) * DAY as f64 / 24.0) as Micros;
         let quiet = at - since - away;
         let least = SILENT.max(longest[sensor] * SILENT_TIMES);
-        if quiet >= least && longest[sensor] > 0 {
+        if quiet >= least && is_regular {
             found.push(Silence { sensor, span: (since, at), told: since + least + away });
         } else {
             longest[sensor] = longest[sensor].max(quiet);

@@ -7,7 +7,7 @@ use super::kinds::MEASURES;
 use super::timeline::Timeline;
 use homebody_core::activity::{AWAY, EATING_LUNCH, SHOWERING, SLEEPING};
 use homebody_core::names::words;
-use homebody_core::time::Micros;
+use homebody_core::time::{Micros, SECOND};
 use homebody_log::{Activity, Life};
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ const TELLS: [(Tells, &[&str]); 6] = [
     (Tells::Bathroom, &["toilet", "hygien", "groom", "bathroom"]),
     (Tells::Bed, &["sleep", "bed"]),
     (Tells::Meal, &["breakfast", "lunch", "dinner", "supper", "eat", "meal"]),
-    (Tells::Leaves, &["leav", "away"]),
+    (Tells::Leaves, &["leav"]),
     (Tells::Comes, &["enter", "return"]),
 ];
 
@@ -34,6 +34,9 @@ const MEASURED: [(&str, Tells); 9] = [
     ("outings", Tells::Leaves),
 ];
 
+/// What is done in the bathroom no farther apart, with nothing else noted in between, is done on one visit (ours).
+const ONE_VISIT: Micros = 10 * 60 * SECOND;
+
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Tells {
     Shower,
@@ -48,6 +51,9 @@ enum Tells {
 impl Tells {
     fn of(label: &str) -> Option<Tells> {
         let said = words(label);
+        if said == [AWAY] {
+            return Some(Tells::Leaves);
+        }
         let fits = |begins: &&str| said.iter().any(|word| word.starts_with(begins));
         TELLS.iter().find(|(_, begins)| begins.iter().any(|begins| fits(&begins))).map(|(tells, _)| *tells)
     }
@@ -72,15 +78,24 @@ impl Measures {
                 Tells::Bed => add(SLEEPING, one.end),
                 Tells::Meal => add(EATING_LUNCH, one.end),
                 Tells::Shower => add(SHOWERING, one.end),
+                // Who leaves twice without coming has left with the second.
                 Tells::Leaves if has(Tells::Comes) => {
-                    let comes = told[number + 1..].iter().find(|(tells, _)| *tells == Tells::Comes);
+                    let next =
+                        told[number + 1..].iter().find(|(tells, _)| matches!(tells, Tells::Leaves | Tells::Comes));
+                    let comes = next.filter(|(tells, _)| *tells == Tells::Comes);
                     comes.iter().for_each(|(_, comes)| add(AWAY, comes.end));
                 }
                 Tells::Leaves => add(AWAY, one.end),
                 Tells::Bathroom | Tells::Comes => {}
             }
             if matches!(tells, Tells::Shower | Tells::Bathroom) {
-                life.rooms.push(Activity { name: "bathroom".to_owned(), ..one.clone() });
+                // Nothing else is noted in between, so nobody left.
+                let is_next =
+                    told[..number].last().is_some_and(|(tells, _)| matches!(tells, Tells::Shower | Tells::Bathroom));
+                match life.rooms.last_mut().filter(|last| is_next && one.begin - last.end <= ONE_VISIT) {
+                    Some(last) => last.end = last.end.max(one.end),
+                    None => life.rooms.push(Activity { name: "bathroom".to_owned(), ..one.clone() }),
+                }
             }
         }
         let mut measures = Measures::of(name, &Timeline::lived(&life, recorded), Vec::new());
@@ -97,7 +112,7 @@ impl Measures {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::{DAY, SECOND};
+    use homebody_core::time::DAY;
 
     const H: Micros = 3600 * SECOND;
 
@@ -142,6 +157,10 @@ mod tests {
             [one("Leave_Home", DAY + 9 * H, DAY + 9 * H + H / 60), one("Enter_Home", DAY + 11 * H, DAY + 11 * H)];
         let measures = Measures::told("log", &activities, 0..2 * DAY).unwrap();
         assert_eq!((on_day_1(&measures, "time_out"), on_day_1(&measures, "outings")), (Some(2.0), Some(1.0)));
+        // The first time nobody noted when they came.
+        let twice = [one("Leave_Home", DAY + 7 * H, DAY + 7 * H), activities[0].clone(), activities[1].clone()];
+        let measures = Measures::told("log", &twice, 0..2 * DAY).unwrap();
+        assert_eq!(on_day_1(&measures, "time_out"), Some(2.0));
         let measures = Measures::told("log", &[one("Leaving", DAY + 9 * H, DAY + 10 * H)], 0..2 * DAY).unwrap();
         assert_eq!(on_day_1(&measures, "time_out"), Some(1.0));
     }

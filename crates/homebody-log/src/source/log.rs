@@ -59,6 +59,15 @@ impl Log {
         &self.sensors[event.sensor as usize]
     }
 
+    /// What its sensors are called, in their order: by room and name, as far as they are known, or else by their ids.
+    pub fn called(&self) -> Vec<String> {
+        let called = |id: &String| {
+            let known = self.known.iter().find(|known| known.id == *id)?;
+            Some(known.room.iter().chain([&known.name]).map(String::as_str).collect::<Vec<_>>().join(" "))
+        };
+        self.sensors.iter().map(|id| called(id).unwrap_or_else(|| id.clone())).collect()
+    }
+
     /// What the sensor said.
     pub fn value(&self, event: &Event) -> &str {
         &self.values[event.value as usize]
