@@ -272,7 +272,7 @@ mod tests {
                 let (from, to) = (1000 * time, 1000 * time + 4);
                 [(from, "BedroomBed", "ON"), (to, "BedroomBed", "OFF"), (from, "bed", "ON"), (to + 900, "bed", "OFF")]
             })
-            .chain([(0, "kitchen", "ON")])
+            .chain((0..5).map(|time| (1000 * time, "kitchen", "ON")))
             .collect();
         assert_eq!(kinds(&log(&rows)), [Kind::Motion, Kind::Used, Kind::Motion]);
         // An instant tells nothing of how long it lasts.

@@ -83,6 +83,12 @@ impl Measures {
                 remarks.push("Some outings are told by no door that was opened: somebody was at the entrance, and then there was silence".to_owned());
             }
         }
+        if timeline.showers.is_none() && timeline.rooms.has(Purpose::Bathroom) {
+            remarks.push(
+                "No motion sensor is in the bathroom and no sensor at the shower, so nothing is known of showers"
+                    .to_owned(),
+            );
+        }
         if timeline.guesses_showers {
             guesses.push("showers");
             remarks.push("Showers are a guess by long stays in the bathroom: no sensor is at the shower".to_owned());

@@ -14,8 +14,8 @@ use homebody_log::Log;
 /// (ours), as of `look`.
 const SILENT: Micros = 2 * DAY;
 const SILENT_TIMES: Micros = 3;
-/// Only of one that has spoken on so many days before, and on three of four, silence says anything (ours): a drawer may stay closed for
-/// a week.
+/// Only of a contact that has spoken on so many days before, and on three of four, silence says anything (ours): a drawer may stay
+/// closed for a week.
 const LEAST_DAYS: i64 = 4;
 const OF_DAYS: (i64, i64) = (3, 4);
 
@@ -40,7 +40,8 @@ pub(super) fn silences(log: &Log, kinds: &[Kind], away: &[Span], last: Micros) -
         let (first, days) = spoken[sensor];
         let is_regular = before.is_some_and(|since| {
             let so_far = day(since) - first + 1;
-            days >= LEAST_DAYS && days * OF_DAYS.1 >= so_far * OF_DAYS.0
+            kinds[sensor] == Kind::Motion && longest[sensor] > 0
+                || days >= LEAST_DAYS && days * OF_DAYS.1 >= so_far * OF_DAYS.0
         });
         match before {
             None => spoken[sensor] = (day(at), 1),
@@ -124,7 +125,11 @@ mod tests {
     }
 
     fn found(log: &Log, away: &[Span]) -> Vec<(usize, Micros, Micros)> {
-        let found = silences(log, &[Kind::Motion; 2], away, 240 * H);
+        found_of(log, Kind::Motion, away)
+    }
+
+    fn found_of(log: &Log, kind: Kind, away: &[Span]) -> Vec<(usize, Micros, Micros)> {
+        let found = silences(log, &[kind; 2], away, 240 * H);
         found.iter().map(|silence| (silence.sensor, silence.span.0 / H, silence.span.1 / H)).collect()
     }
 
@@ -133,6 +138,10 @@ mod tests {
         assert_eq!(found(&log(100..240), &[]), [(1, 98, 240)]);
         assert_eq!(found(&log(100..160), &[]), [(1, 98, 160)]);
         assert_eq!(found(&log(100..130), &[]), []);
+        // A contact, if it has spoken on days enough.
+        assert_eq!(found_of(&log(100..240), Kind::Contact, &[]), [(1, 98, 240)]);
+        assert_eq!(found_of(&log(70..240), Kind::Contact, &[]), []);
+        assert_eq!(found(&log(70..240), &[]), [(1, 68, 240)]);
         // With nobody at home it has nothing to say.
         assert_eq!(found(&log(100..160), &[(101 * H, 150 * H)]), []);
     }
