@@ -108,24 +108,29 @@ pub struct Hour {
 impl Map {
     /// The map of the days that are asked for.
     pub fn of(name: &str, log: &Log, asked: &Asked) -> Result<Map, NoMap> {
-        let map = Map::of_any(name, log, asked)?;
+        let map = Map::of_any(name, log, (&kinds(log), &spans(log)), asked)?;
         if map.motion_sensors > 0 { Ok(map) } else { Err(NoMap::NoMotion) }
     }
 
-    /// The same where no sensor may look for movement: when the log was recorded, and when nobody was at home.
-    pub fn of_any(name: &str, log: &Log, asked: &Asked) -> Result<Map, NoMap> {
-        let kinds = kinds(log);
+    /// The same where no sensor may look for movement: when the log was recorded, and when nobody was at home. By sensor, what it is
+    /// taken for, and the spans over which it says that something goes on.
+    pub fn of_any(
+        name: &str,
+        log: &Log,
+        (kinds, spans): (&[Kind], &[Vec<(Micros, Micros)>]),
+        asked: &Asked,
+    ) -> Result<Map, NoMap> {
         let called = log.called();
         let sensors = || log.sensors.iter().map(String::as_str).zip(kinds.iter().copied());
         let entrance =
             Entrance::find(&sensors().zip(called.iter().map(String::as_str)).collect::<Vec<_>>(), &asked.doors);
-        let Heard { rows, events, signs } = Heard::of(log, &kinds, &entrance);
+        let Heard { rows, events, signs } = Heard::of(log, kinds, &entrance);
         let (&[first, ..], &[.., last]) = (&rows[..], &rows[..]) else { return Err(NoMap::NoMotion) };
         if signs.is_empty() {
             return Err(NoMap::NoMotion);
         }
-        let seats = spans(log).into_iter().zip(&called).filter(|(_, name)| is_seat(name));
-        let taken: Vec<(Micros, Micros)> = seats.flat_map(|(spans, _)| spans).collect();
+        let seats = spans.iter().zip(&called).filter(|(_, name)| is_seat(name));
+        let taken: Vec<(Micros, Micros)> = seats.flat_map(|(spans, _)| spans).copied().collect();
         let absences = absences(&signs, &taken, asked.away_after);
         let recorded: Vec<Range<Micros>> = match &asked.recorded {
             Some(span) => std::iter::once(span.start.min(first)..span.end.max(last + 1)).collect(),

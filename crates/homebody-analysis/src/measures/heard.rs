@@ -48,41 +48,49 @@ impl Timeline {
     ///
     /// Those of the log's density map.
     pub(super) fn heard(log: &Log, kinds: &[Kind], known: &Known, asked: &Asked) -> Result<(Timeline, Map), NoMap> {
-        let map = Map::of_any("", log, asked)?;
+        let spans = spans(log);
         let rooms = Rooms::of(&log.sensors, known.rooms);
-        let signs = signs(log, kinds, &rooms);
+        let told = || {
+            let signs = signs(log, kinds, &rooms);
+            let seen: Vec<Sign> = signs.iter().filter(|sign| sign.is_seen).copied().collect();
+            let walks = known.ways.and_then(|ways| walks(&seen, &log.sensors, ways));
+            (agreed(&signs), passages(&seen), walks, signs)
+        };
+        // They know nothing of each other, and take as long.
+        let (map, (agreed, passages, walks, signs)) =
+            rayon::join(|| Map::of_any("", log, (kinds, &spans), asked), told);
+        let map = map?;
         let begin = midnight(map.from);
         let end = begin + map.cells.len() as Micros * DAY;
         let away: Vec<Span> = map.absences.iter().map(|Absence { begin, end, .. }| (*begin, *end)).collect();
         let last = signs.last().map_or(end, |sign| sign.at).min(end);
-        let stays = stays(&agreed(&signs), &away, last);
-        let seen: Vec<Sign> = signs.iter().filter(|sign| sign.is_seen).copied().collect();
+        let stays = stays(&agreed, &away, last);
         let door = used_door(log, kinds, &map.entrance.sensors);
         let mut timeline = Timeline {
             first: map.from,
             begin,
             recorded_h: map.cells.iter().map(|day| day.map(|cell| cell.recorded_h)).collect(),
             away: (!map.entrance.sensors.is_empty()).then_some(away),
-            passages: passages(&seen),
-            walks: known.ways.and_then(|ways| walks(&seen, &log.sensors, ways)),
+            passages,
+            walks,
             company: company(&signs, &door),
             cells: (map.motion_sensors > 0).then(|| map.cells.clone()),
             stays,
             rooms,
             ..Timeline::default()
         };
-        timeline.lie_down(log, kinds, &signs);
-        timeline.wash_and_eat(log, kinds, &signs);
+        timeline.lie_down(log, (kinds, &spans), &signs);
+        timeline.wash_and_eat(log, (kinds, &spans), &signs);
         Ok((timeline, map))
     }
 
     /// Finds the times in bed: by what is in the bed, or else by silence in the bedroom.
-    fn lie_down(&mut self, log: &Log, kinds: &[Kind], signs: &[Sign]) {
+    fn lie_down(&mut self, log: &Log, (kinds, spans): (&[Kind], &[Vec<Span>]), signs: &[Sign]) {
         let called = log.called();
         let is_bed = |sensor: usize| kinds[sensor] == Kind::Used && is_named(&called[sensor], &BEDS);
         let mut lain: Vec<Span> = Vec::new();
-        for (_, spans) in spans(log).into_iter().enumerate().filter(|(sensor, _)| is_bed(*sensor)) {
-            lain.extend(spans.into_iter().filter(|span| span.1 > span.0));
+        for (_, spans) in spans.iter().enumerate().filter(|(sensor, _)| is_bed(*sensor)) {
+            lain.extend(spans.iter().filter(|span| span.1 > span.0));
         }
         lain.sort();
         let in_bedroom: Vec<&Sign> =
@@ -113,7 +121,7 @@ impl Timeline {
     }
 
     /// Finds showers and meals.
-    fn wash_and_eat(&mut self, log: &Log, kinds: &[Kind], signs: &[Sign]) {
+    fn wash_and_eat(&mut self, log: &Log, (kinds, spans): (&[Kind], &[Vec<Span>]), signs: &[Sign]) {
         let shower = |(name, kind): (&String, &Kind)| *kind != Kind::Reading && is_named(name, &SHOWERS);
         let is_shower: Vec<bool> = log.called().iter().zip(kinds).map(shower).collect();
         let begins = |spans: Vec<Span>, least: Micros| {
@@ -125,8 +133,9 @@ impl Timeline {
         let is_watched = in_bathroom.iter().any(|sign| sign.is_seen);
         if is_shower.contains(&true) {
             // Water flows from its beginning to its end, and some motion sensors say when they see nothing more.
-            let of_shower = spans(log).into_iter().zip(&is_shower).filter(|(_, is_shower)| **is_shower);
-            let ended = |(begin, end): Span| if end - begin <= SHOWER_LONGEST { (begin, end) } else { (begin, begin) };
+            let of_shower = spans.iter().zip(&is_shower).filter(|(_, is_shower)| **is_shower);
+            let ended =
+                |&(begin, end): &Span| if end - begin <= SHOWER_LONGEST { (begin, end) } else { (begin, begin) };
             let mut seen: Vec<Span> = of_shower.flat_map(|(spans, _)| spans).map(ended).collect();
             seen.sort_unstable();
             self.showers = begins(joined(seen.into_iter(), SHOWER_APART), SHOWER_LASTS);
