@@ -117,7 +117,8 @@ pub const LAST_DAYS: usize = 14;
 /// A day is told as unusual that is so many standard deviations from the mean (ours), and what is less than these apart is
 /// usual all the same (ours).
 const UNUSUAL_SD: f64 = 2.0;
-const ASKED: [Asked; 10] = [
+const ASKED: [Asked; 11] = [
+    Asked { measure: "time_in_bed", title: "In bed", unit: Unit::Hours, least_sd: 0.5, said: "Was in bed for {}" },
     Asked { measure: "sleep", title: "Sleep", unit: Unit::Hours, least_sd: 0.5, said: "Slept {}" },
     Asked { measure: "bedtime", title: "To bed", unit: Unit::Clock, least_sd: 0.4, said: "Went to bed at {}" },
     Asked { measure: "rising", title: "Up", unit: Unit::Clock, least_sd: 0.4, said: "Got up at {}" },
@@ -160,14 +161,17 @@ const ASKED: [Asked; 10] = [
     },
 ];
 
+/// What is told instead of what, where it is known: sleep is where the bed or the bedroom shows movements, speed where the home is known.
+const INSTEAD: [(&str, &str); 2] = [("sleep", "time_in_bed"), ("walking_speed", "pace")];
+
 /// How somebody is, by the measures of their days; `subject` is what sentences call them.
 pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
     let last = measures.days.iter().rposition(counts);
     let mut charts = Vec::new();
     let mut days: Vec<DayTold> = measures.days.iter().map(nothing_told).collect();
-    // The pace beside the usual is for homes of which nobody knows how far it is from sensor to sensor.
-    let has_speed = measures.days.iter().any(|day| day.value("walking_speed").is_some());
-    for asked in ASKED.iter().filter(|asked| !(has_speed && asked.unit == Unit::OfUsual)) {
+    let has = |measure: &str| measures.days.iter().any(|day| day.value(measure).is_some());
+    let has_better = |asked: &&Asked| INSTEAD.iter().any(|(better, of)| asked.measure == *of && has(better));
+    for asked in ASKED.iter().filter(|asked| !has_better(asked)) {
         let chart = chart(asked, measures);
         if !chart.is_guess {
             let values: Vec<Option<f64>> = chart.days.iter().map(|day| day.value).collect();

@@ -54,10 +54,10 @@ impl Timeline {
             let signs = signs(log, kinds, &rooms);
             let seen: Vec<Sign> = signs.iter().filter(|sign| sign.is_seen).copied().collect();
             let walks = known.ways.and_then(|ways| walks(&seen, &log.sensors, ways));
-            (agreed(&signs), passages(&seen), walks, signs)
+            (agreed(&signs), passages(&seen), walks, 2 * seen.len() < signs.len(), signs)
         };
         // They know nothing of each other, and take as long.
-        let (map, (agreed, passages, walks, signs)) =
+        let (map, (agreed, passages, walks, is_unwatched, signs)) =
             rayon::join(|| Map::of_any("", log, (kinds, &spans), asked), told);
         let map = map?;
         let begin = midnight(map.from);
@@ -71,6 +71,7 @@ impl Timeline {
             begin,
             recorded_h: map.cells.iter().map(|day| day.map(|cell| cell.recorded_h)).collect(),
             away: (!map.entrance.sensors.is_empty()).then_some(away),
+            is_unwatched,
             passages,
             walks,
             company: company(&signs, &door),
@@ -117,7 +118,11 @@ impl Timeline {
                 before = at;
             }
         }
-        (self.in_bed, self.asleep, self.stirs) = (Some(lain), Some(asleep), Some(stirs));
+        self.in_bed = Some(lain);
+        // Without a movement in the bedroom, or of who lies in bed, nobody knows who is awake.
+        if in_bedroom.iter().any(|sign| sign.is_seen) {
+            (self.asleep, self.stirs) = (Some(asleep), Some(stirs));
+        }
     }
 
     /// Finds showers and meals.

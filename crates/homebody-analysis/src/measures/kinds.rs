@@ -54,7 +54,7 @@ measures! {
     bathroom_day ("visits", "Bathroom by day")
         "The same on the day, but for those of the night", "Rantz et al. 2015, bathroom activity";
     showers ("times", "Showers")
-        "Where the shower has a sensor, spans of its movements of 3 min and more; else, as a guess, stays in the bathroom of 10 min and more by day with a sign every minute",
+        "Where the shower has a sensor, spans of its movements of 3 min and more; else, as a guess and where a motion sensor sees the bathroom, stays there of 10 min and more by day with a sign every minute",
         "ours";
     meals ("times", "Meals")
         "Times around the kitchen with 15 min and more in it, with gaps of 15 min at most", "ours";

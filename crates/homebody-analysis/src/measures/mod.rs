@@ -89,6 +89,12 @@ impl Measures {
                     .to_owned(),
             );
         }
+        if timeline.is_unwatched {
+            remarks.push("Most sensors tell what is used, not who moves, so nothing is known of ways from room to room and of sitting".to_owned());
+        }
+        if timeline.in_bed.is_some() && timeline.asleep.is_none() {
+            remarks.push("No motion sensor is in the bedroom, so time in bed is known, and sleep is not".to_owned());
+        }
         if timeline.guesses_showers {
             guesses.push("showers");
             remarks.push("Showers are a guess by long stays in the bathroom: no sensor is at the shower".to_owned());

@@ -99,6 +99,11 @@ impl<'a> OfDay<'a> {
         Some(instants.iter().filter(|&&at| (self.day.0..self.day.1).contains(&at)).count() as f64)
     }
 
+    /// What is known, if movements tell it.
+    fn watched(&self) -> Option<&Timeline> {
+        Some(self.common.timeline).filter(|timeline| !timeline.is_unwatched)
+    }
+
     pub(super) fn time_in_bed(&self) -> Option<f64> {
         Some(within_h(self.common.timeline.in_bed.as_ref()?, self.by_night()?))
     }
@@ -160,7 +165,7 @@ impl<'a> OfDay<'a> {
     }
 
     pub(super) fn room_changes(&self) -> Option<f64> {
-        let stays = &self.common.timeline.stays;
+        let stays = &self.watched()?.stays;
         if self.common.timeline.rooms.rooms.len() < 2 {
             return None;
         }
@@ -221,15 +226,17 @@ impl<'a> OfDay<'a> {
     }
 
     pub(super) fn pacing(&self) -> Option<f64> {
+        self.watched()?;
         self.count(Some(&self.common.wandering.pacing))
     }
 
     pub(super) fn lapping(&self) -> Option<f64> {
+        self.watched()?;
         self.count(Some(&self.common.wandering.lapping))
     }
 
     pub(super) fn sedentary(&self) -> Option<f64> {
-        self.common.timeline.in_bed.as_ref().filter(|_| self.is_known)?;
+        self.watched()?.in_bed.as_ref().filter(|_| self.is_known)?;
         let nights: Vec<Span> =
             [self.night, self.common.timeline.night(self.number + 1)].into_iter().flatten().collect();
         let by_day = without(&self.common.sitting, &nights);

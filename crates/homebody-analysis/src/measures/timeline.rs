@@ -56,6 +56,8 @@ pub struct Timeline {
     pub recorded_h: Vec<[f64; 24]>,
     /// The rooms.
     pub rooms: Rooms,
+    /// Whether most signs are of what is used, so that nobody knows where somebody is meanwhile, and how often they move.
+    pub is_unwatched: bool,
     /// Who was where, in order of time.
     pub stays: Vec<Stay>,
     /// When nobody was at home.
