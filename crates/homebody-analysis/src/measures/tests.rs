@@ -161,3 +161,55 @@ fn a_night_on_which_clocks_change_is_whole_and_alarms_nobody() {
         assert!(told.alerts.is_empty(), "{told}");
     }
 }
+
+/// What a home of contacts says on a day: the minute, the sensor, and for how many minutes it is on.
+const OF_CONTACTS: [(Micros, &str, Micros); 14] = [
+    (0, "bed pressure", 420),
+    (422, "Hall-Toilet door", 1),
+    (424, "ToiletFlush", 1),
+    (430, "Fridge", 1),
+    (432, "Groceries cupboard", 1),
+    (436, "Microwave", 3),
+    (448, "Fridge", 1),
+    (480, "Frontdoor", 1),
+    (720, "Frontdoor", 1),
+    (722, "Fridge", 1),
+    (760, "Hall-Toilet door", 1),
+    (763, "ToiletFlush", 1),
+    (800, "Plates cupboard", 1),
+    (1380, "bed pressure", 60),
+];
+
+fn of_contacts(days: Micros) -> Log {
+    let mut log = Log { values: vec!["ON".into(), "OFF".into()], ..Log::default() };
+    for (day, &(minute, name, lasts)) in (0..days).flat_map(|day| OF_CONTACTS.iter().map(move |row| (day, row))) {
+        let sensor = log.sensors.iter().position(|known| known == name).unwrap_or_else(|| {
+            log.sensors.push(name.to_owned());
+            log.sensors.len() - 1
+        });
+        let at = (day * 1440 + minute) * MINUTE;
+        // A door and a fridge are open for seconds.
+        let end = if lasts == 1 { at + 8 * SECOND } else { at + lasts * MINUTE };
+        log.events.extend([(at, 0), (end, 1)].map(|(at, value)| Event { at, sensor: sensor as u32, value }));
+    }
+    log
+}
+
+#[test]
+fn a_home_of_contacts_is_measured_as_far_as_they_tell() {
+    let (measures, _) = measured(&of_contacts(9));
+    let on_day_5 = |name: &str| values(&measures, name)[5];
+    for (name, value) in
+        [("time_in_bed", 8.0), ("bathroom_night", 0.0), ("bathroom_day", 2.0), ("time_out", 4.0), ("outings", 1.0)]
+    {
+        assert!(on_day_5(name).is_some_and(|is| (is - value).abs() < 0.1), "{name}: {:?}", on_day_5(name));
+    }
+    for name in ["sleep", "restlessness", "showers", "room_changes", "sedentary", "pacing", "density_morning"] {
+        assert_eq!(on_day_5(name), None, "{name}");
+    }
+    // Where nobody opens the door there is no outing: who sits on for four hours has not left.
+    let mut indoors = of_contacts(9);
+    let door = indoors.sensors.iter().position(|name| name == "Frontdoor").unwrap();
+    indoors.events.retain(|event| event.sensor as usize != door);
+    assert_eq!(values(&measured(&indoors).0, "outings")[5], None);
+}
