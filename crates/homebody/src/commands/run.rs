@@ -193,6 +193,11 @@ impl Arguments {
             return self.tell_cohort(&progress, &lived, signals);
         }
         let run = Unfinished::open(folder).map_err(not_gone_on_with)?;
+        if run.has_no_end() && !self.pace.is_said() {
+            let what = format!("{} is a home on the world's clock, which has no end to be lived to", folder.display());
+            let hint = format!("homebody live SCENARIO --folder {} goes on with it", folder.display());
+            return Err(Failure::usage(format!("{what}\n  hint: {hint}")));
+        }
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         all_are_servers(&self.output.out)?;
         let when = self.output.away.when()?;
