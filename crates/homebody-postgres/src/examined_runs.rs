@@ -39,7 +39,12 @@ pub(crate) fn runs(
     );
     let told = connection.wait(connection.client.query(&sql, &[]))?.into_iter().map(|row| {
         let (names, rows): (Vec<String>, Vec<i64>) = (row.get(1), row.get(2));
-        Told { run: row.get(0), tables: names.into_iter().zip(rows).collect(), is_ended: row.get(3), is_of_fleet: row.get(4) }
+        Told {
+            run: row.get(0),
+            tables: names.into_iter().zip(rows).collect(),
+            is_ended: row.get(3),
+            is_of_fleet: row.get(4),
+        }
     });
     let told: Vec<Told> = told.collect();
     let mut found = Found::default();
@@ -79,7 +84,8 @@ impl Found {
                 continue;
             }
             let rows: i64 = well.iter().map(|(_, rows)| rows).sum();
-            let how = if about == "runs" { "as many as is said of them" } else { "numbered from 0 without a gap in each" };
+            let how =
+                if about == "runs" { "as many as is said of them" } else { "numbered from 0 without a gap in each" };
             checks.push(Check::ok(about, format!("{} runs: {rows} rows, {how}", well.len())));
         }
         if self.lacking.0 > 0 {

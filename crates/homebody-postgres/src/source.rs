@@ -191,7 +191,8 @@ impl Found {
         }
         let has = |name: &String| columns.iter().any(|(column, _)| column == name).then(|| name.clone());
         let by_types = || Some(&columns).filter(|_| file.columns == ColumnsFile::default()).and_then(|it| by_types(it));
-        let guessed = [&file.columns.time, &file.columns.sensor, &file.columns.value].iter().any(|name| has(name).is_none());
+        let guessed =
+            [&file.columns.time, &file.columns.sensor, &file.columns.value].iter().any(|name| has(name).is_none());
         let names = &if guessed { by_types().unwrap_or_else(|| file.columns.clone()) } else { file.columns.clone() };
         let missing: Vec<&String> =
             [&names.time, &names.sensor, &names.value].into_iter().filter(|name| has(name).is_none()).collect();
@@ -323,8 +324,7 @@ fn table_of_run(connection: &Connection, server: &Server, schema: &str) -> Strin
 /// it may be one; two whole numbers before that are the run and the row. So are the logs that we write.
 fn by_types(columns: &[(String, String)]) -> Option<ColumnsFile> {
     let is = |place: usize, types: &[&str]| columns.get(place).is_some_and(|(_, is)| types.contains(&is.as_str()));
-    const TIMES: [&str; 4] =
-        ["timestamp with time zone", "timestamp without time zone", "double precision", "bigint"];
+    const TIMES: [&str; 4] = ["timestamp with time zone", "timestamp without time zone", "double precision", "bigint"];
     const TEXTS: [&str; 2] = ["text", "character varying"];
     let time = (0..columns.len()).find(|&at| is(at, &TIMES) && is(at + 1, &TEXTS) && is(at + 2, &TEXTS))?;
     let name = |place: usize| columns[place].0.clone();

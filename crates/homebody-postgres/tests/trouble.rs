@@ -135,7 +135,11 @@ fn who_may_not_write_is_told_with_what_is_lacking() {
     refused(
         &url("reader", ""),
         How::New,
-        &["no right to INSERT in \"firing\"", "INSERT, UPDATE in \"homebody_run\"", "GRANT INSERT ON public.firing TO reader"],
+        &[
+            "no right to INSERT in \"firing\"",
+            "INSERT, UPDATE in \"homebody_run\"",
+            "GRANT INSERT ON public.firing TO reader",
+        ],
     );
     refused(&url("reader", ""), How::Replace, &["no right to INSERT, DELETE in \"firing\""]);
     refused(

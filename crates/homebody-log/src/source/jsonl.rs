@@ -72,7 +72,8 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
             }
         };
         if !known.as_ref().is_some_and(|(keys, _)| keys.iter().eq(object.keys())) {
-            let by_content = || Some(&object).filter(|object| !is_span(object)).and_then(|it| by_content(it, &mut reading.instants));
+            let by_content =
+                || Some(&object).filter(|object| !is_span(object)).and_then(|it| by_content(it, &mut reading.instants));
             known = places(&object, file).or_else(by_content).map(|places| (object.keys().cloned().collect(), places));
         }
         match &known {

@@ -1,6 +1,6 @@
 //! `homebody live`: a home on the world's clock.
 
-use super::lived::{Away, all_are_servers, report_live, span_in_words};
+use super::lived::{Away, all_are_servers, is_not_yet, report_live, span_in_words};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
@@ -90,8 +90,18 @@ impl Arguments {
         }
         let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name())?);
         let mut watch = Watch::new(self.quiet, &meters);
-        let lived = home.live(&self.out, &when, &meters, signals.cancel(), |progress| watch.look(progress))?;
+        let lived = home.live(&self.out, &when, &meters, signals.cancel(), |progress| watch.look(progress));
         watch.bar.finish_and_clear();
+        let lived = match lived {
+            Err(error) if is_not_yet(&error) => {
+                // It was still lived again up to where it was: that it is stopped there is no failure.
+                if !self.quiet {
+                    tell(format_args!("{name}: stopped before it had come as far as before: all is as it was"));
+                }
+                return signals.ended(true).and(Err(error.into()));
+            }
+            lived => lived?,
+        };
         if !self.quiet {
             report_live(&name, &folder, &lived);
         }

@@ -2,7 +2,7 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::lived::{Output, all_are_servers, go_on_in, live, report, show};
+use super::lived::{Output, all_are_servers, go_on_in, is_not_yet, live, report, show};
 use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
@@ -13,7 +13,6 @@ use crate::start::Start;
 use crate::watched::Watched;
 use homebody_core::time::Micros;
 use homebody_kit::{Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort};
-use homebody_log::LogError;
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -132,10 +131,6 @@ fn not_gone_on_with(error: Error) -> Failure {
         )),
         error => error.into(),
     }
-}
-
-fn is_not_yet(error: &Error) -> bool {
-    matches!(error, Error::Log(error) if matches!(error.downcast_ref(), Some(LogError::NotYet { .. })))
 }
 
 impl Arguments {

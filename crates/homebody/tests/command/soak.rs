@@ -53,7 +53,10 @@ fn grows(seen: &[Has]) -> Option<String> {
     let handles = |seen: &[Has]| seen.iter().map(|has| has.handles).max().unwrap_or(0);
     let minutes = (later.last()?.at_s - earlier.first()?.at_s) / 60.0;
     let grown = most(later) - most(earlier);
-    let what = format!("{grown:.2} MiB and {} handles more after {minutes:.1} min", handles(later) as i64 - handles(earlier) as i64);
+    let what = format!(
+        "{grown:.2} MiB and {} handles more after {minutes:.1} min",
+        handles(later) as i64 - handles(earlier) as i64
+    );
     println!("{what}; {:.1} MiB at most", most(later));
     let is_more = grown > GROWS_MIB + GROWS_MIB_A_MINUTE * minutes || handles(later) > handles(earlier) + 2;
     is_more.then_some(what)
@@ -66,7 +69,8 @@ fn a_fleet_that_goes_for_long_takes_no_more_as_it_goes() {
     folder.copy_scenario("tigerplace");
     let (lasts_s, homes) = (asked("HOMEBODY_SOAK_S", USUAL_S), asked("HOMEBODY_SOAK_HOMES", USUAL_HOMES));
     let words = format!("--homes {homes} --from 2026-11-01T08:00 --speed 1000 --for {}s", lasts_s + 1);
-    let mut running = folder.start(&format!("fleet studio tigerplace {words} --out jsonl:/dev/null --skew 2s --every 1s --quiet"));
+    let mut running =
+        folder.start(&format!("fleet studio tigerplace {words} --out jsonl:/dev/null --skew 2s --every 1s --quiet"));
     let seen = watched(&mut running, Duration::from_secs(lasts_s));
     running.finish().ok();
     assert!(seen.len() as u64 >= 5 * lasts_s, "it was looked at {} times", seen.len());
@@ -74,7 +78,11 @@ fn a_fleet_that_goes_for_long_takes_no_more_as_it_goes() {
 
     // The control: what grows is seen to grow, be it memory or handles.
     let grown = |mib: f64, handles: usize| -> Vec<Has> {
-        let with = |(number, has): (usize, &Has)| Has { mib: has.mib + mib * number as f64, handles: has.handles + handles * number, ..*has };
+        let with = |(number, has): (usize, &Has)| Has {
+            mib: has.mib + mib * number as f64,
+            handles: has.handles + handles * number,
+            ..*has
+        };
         seen.iter().enumerate().map(with).collect()
     };
     assert!(grows(&grown(10.0 / seen.len() as f64, 0)).is_some() && grows(&grown(0.0, 1)).is_some());

@@ -270,7 +270,7 @@ fn a_truth_of_an_earlier_version_is_whole() {
     fs::remove_dir_all(folder.path("truth/room")).unwrap();
     tells(&folder, "parquet:truth", "wrong", "there is no folder truth/room");
 
-    let Some(server) = Server::shared() else { return };
+    let Some(server) = Server::start_with(&["fsync=on"]) else { return };
     let database = server.database("older");
     let url = server.url("postgres", &database, "");
     folder.run(&format!("run flat --for 10m --quiet --out {url} --truth {url}")).ok();
@@ -298,7 +298,7 @@ fn the_homes_of_a_fleet_are_told_of_together() {
     let folder = flat();
     let database = server.database("fleets");
     let url = server.url("postgres", &database, "");
-    let fleet = "fleet flat --homes 20 --from 2026-11-24T08:00 --for 1s --quiet --out";
+    let fleet = "fleet flat --homes 20 --speed 600 --for 2s --quiet --out";
     folder.run(&format!("{fleet} {url}")).ok();
     let (is_wrong, lines) = doctor(&folder, &url);
     assert!(!is_wrong && lines.len() < 10, "{lines:#?}");
