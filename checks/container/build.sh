@@ -4,7 +4,7 @@ set -eu
 
 homebody="$(realpath "${HOMEBODY:-target/release/homebody}")"
 here="$PWD"
-work="$(mktemp -d /tmp/homebody-container.XXXXXX)"
+work="$(mktemp -d)"
 trap 'buildah rm homebody-check base-check >/dev/null 2>&1 || true; rm -rf "$work"' EXIT
 trap 'exit 1' INT TERM
 export STORAGE_DRIVER=vfs BUILDAH_ISOLATION=chroot

@@ -7,7 +7,7 @@ minutes="${MINUTES:-10}"
 homebody="$(realpath "${HOMEBODY:-target/release/homebody}")"
 scenario="$(realpath "${SCENARIO:-scenarios/tigerplace}")"
 what="${1:-all}"
-work="$(mktemp -d /tmp/homebody-fleet.XXXXXX)"
+work="$(mktemp -d)"
 chmod 755 "$work"
 cd "$work"
 

@@ -8,7 +8,7 @@ use crate::server::Server;
 const LOGGER: &str = r#"{
   "to": ["sqlite:log.db"],
   "table": "uplink",
-  "columns": { "run": "session", "seq": "nr", "time": "heard", "sensor": "mote", "value": "payload" }
+  "columns": { "run": "stay", "seq": "nr", "time": "heard", "sensor": "mote", "value": "payload" }
 }"#;
 
 /// What sensors said, in the order in which it is told; times are told by some places in UTC and by some on the wall.
