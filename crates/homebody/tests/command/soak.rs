@@ -85,6 +85,7 @@ fn a_fleet_that_goes_for_long_takes_no_more_as_it_goes() {
         };
         seen.iter().enumerate().map(with).collect()
     };
-    assert!(grows(&grown(10.0 / seen.len() as f64, 0)).is_some() && grows(&grown(0.0, 1)).is_some());
+    let twice_mib = 2.0 * (GROWS_MIB + GROWS_MIB_A_MINUTE * lasts_s as f64 / 60.0);
+    assert!(grows(&grown(3.0 * twice_mib / seen.len() as f64, 0)).is_some() && grows(&grown(0.0, 1)).is_some());
     assert_eq!(grows(&grown(0.0, 0)), None);
 }
