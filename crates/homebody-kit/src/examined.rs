@@ -2,6 +2,7 @@
 
 use crate::VERSION;
 use crate::error::Error;
+use crate::live_home::has_no_end;
 use crate::recorded::{Recorded, recording};
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::scenario::load::Scenario;
@@ -136,7 +137,10 @@ impl Examining {
 
     /// Whether the run came to its end, and whether this program can go on with it.
     fn recorded(&self, folder: &Path, run: &Recording) -> Check {
-        let resume = format!("homebody run --resume {} goes on with it", folder.display());
+        let resume = match has_no_end(run) {
+            true => format!("homebody live SCENARIO --folder {} goes on with it", folder.display()),
+            false => format!("homebody run --resume {} goes on with it", folder.display()),
+        };
         let version = &run.version;
         match () {
             () if !run.is_complete() => {

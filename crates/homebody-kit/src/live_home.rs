@@ -8,12 +8,18 @@ use crate::pace::Pace;
 use crate::recorded::Unfinished;
 use crate::run::{LiveRun, Progress, RunSetup};
 use crate::store::Lived;
-use homebody_core::recording::LONGEST;
+use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Scenario;
 use homebody_log::places::RECORDING;
 use homebody_log::{How, LogError, Places, Url, WhenDown};
+use jiff::Timestamp;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+/// Whether a run has no end of its own, as a home on the world's clock has none.
+pub fn has_no_end(recording: &Recording) -> bool {
+    recording.stopped_of_us.unwrap_or(recording.length_us) == LONGEST
+}
 
 /// A home on the world's clock.
 ///
@@ -53,6 +59,16 @@ impl LiveHome {
     pub fn go_on(folder: &Path) -> Result<LiveHome, Error> {
         let Unfinished { run, places } = Unfinished::open(folder)?;
         Ok(LiveHome { run, places, how: How::GoOn, folder: folder.into() })
+    }
+
+    /// The number all its randomness comes from.
+    pub fn seed(&self) -> u64 {
+        self.run.seed()
+    }
+
+    /// When its life begins.
+    pub fn begins(&self) -> Timestamp {
+        self.scenario().calendar.timestamp(0)
     }
 
     /// The scenario that is lived.

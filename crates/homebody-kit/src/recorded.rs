@@ -150,6 +150,11 @@ impl Unfinished {
         self.run.progress()
     }
 
+    /// Whether it is a home on the world's clock, which has no end that it could be lived to: see [`LiveHome`](crate::LiveHome).
+    pub fn has_no_end(&self) -> bool {
+        self.run.recording.length_us == LONGEST
+    }
+
     /// Lives it to its end, or until it is cancelled; `progress` is called after each batch.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use crate::error::{LogError, place_of};
 use crate::limits::LARGEST_OF_SCENARIO_BYTES;
 use crate::plain;
-use crate::table::{Cell, Column, ColumnKind, Table, Texts, thousandths};
+use crate::table::{Cell, Column, ColumnKind, LOG, Table, Texts, thousandths};
 use homebody_core::event::Value;
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, TimeFormat};
 use std::collections::BTreeMap;
@@ -79,7 +79,7 @@ impl Columns {
         let column = |name: &String, kind, about| Column { name: name.clone(), kind, unit: "", about };
         Table {
             name: self.table.clone(),
-            about: "what a sensor said, as the logger stored it",
+            about: LOG,
             columns: vec![
                 column(&self.seq, ColumnKind::Integer, "the number of the row in its run, from 0"),
                 column(&self.time, ColumnKind::Instant, "when the logger says that it was said"),

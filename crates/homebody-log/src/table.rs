@@ -8,6 +8,9 @@ use foldhash::HashMap;
 use homebody_core::time::Micros;
 use std::sync::Arc;
 
+/// What the rows of a log are, in words: by these a file of columns knows that it is one.
+pub const LOG: &str = "what a sensor said, as the logger stored it";
+
 /// What rows of one kind are made of.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {

@@ -69,8 +69,12 @@ impl Trouble {
             | ConnectionError::MqttState(StateError::ConnFail { reason: code }) => refused(*code),
             ConnectionError::MqttState(StateError::ServerDisconnect { reason_code, .. }) => sent_away(*reason_code),
             ConnectionError::Tls(error) => {
-                Trouble::new(format!("TLS does not come about: {error}"), "?ca=FILE names the certificates to trust")
-                    .finally()
+                let hint = match cause::<io::Error>(error) {
+                    // Whoever does not speak TLS hangs up, or says something else.
+                    Some(_) => "mqtt:// speaks without TLS, often on port 1883",
+                    None => "?ca=FILE names the certificates to trust",
+                };
+                Trouble::new(format!("TLS does not come about: {error}"), hint).finally()
             }
             ConnectionError::MqttState(StateError::ConnectionAborted) => closed(),
             // What came instead of an answer is told with it.

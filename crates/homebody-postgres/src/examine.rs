@@ -2,11 +2,11 @@
 //! tables that are wanted, and holds the rows of each run once. It only reads.
 
 use crate::connection::Connection;
-use crate::schema::{RUNS, TRUTH_SCHEMA, ident, look, quoted, usual};
+use crate::examined_runs::runs;
+use crate::schema::{RUNS, TRUTH_SCHEMA, look, quoted, usual};
 use crate::server::{Host, Server};
-use homebody_core::problem::counted;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::examine::{Asked, Check, found_of, log_table, truth_tables};
+use homebody_log::examine::{Asked, Check, log_table, truth_tables};
 use homebody_log::table::Table;
 use homebody_log::{LogError, Url};
 
@@ -41,7 +41,6 @@ fn look_at(
         Some(schema) => schema.clone(),
         None => usual(connection, server)?,
     };
-    let truth = truth_tables();
     let log = [log];
     let of = |tables: &[Table]| look(connection, &schema, tables, mapping.time, &run_column);
     let (there, problems) = of(&log)?;
@@ -54,18 +53,22 @@ fn look_at(
         }
         Err(error) => return Err(error),
     };
-    let (there, problems) = if has_truth { of(&truth)? } else { (there, problems) };
-    let tables: &[Table] = if has_truth { &truth } else { &log };
-    schema_of(connection, &schema, tables, there, problems, &run_column, checks)?;
-    if has_truth || server.schema.is_some() {
-        return Ok(());
+    let truth_of = |schema: &str, checks: &mut Vec<Check>| {
+        let all = truth_tables(|_| true);
+        let (there, _) = look(connection, schema, &all, mapping.time, &run_column)?;
+        if there.is_empty() {
+            return Ok(());
+        }
+        let truth = truth_tables(|name| there.iter().any(|there| there == name));
+        let (there, problems) = look(connection, schema, &truth, mapping.time, &run_column)?;
+        schema_of(connection, schema, &truth, there, problems, &run_column, checks)
+    };
+    if has_truth {
+        return truth_of(&schema, checks);
     }
+    schema_of(connection, &schema, &log, there, problems, &run_column, checks)?;
     // Where nobody has named a schema, truths are in one of their own.
-    let (there, problems) = look(connection, TRUTH_SCHEMA, &truth, mapping.time, &run_column)?;
-    match there.is_empty() {
-        true => Ok(()),
-        false => schema_of(connection, TRUTH_SCHEMA, &truth, there, problems, &run_column, checks),
-    }
+    if server.schema.is_none() { truth_of(TRUTH_SCHEMA, checks) } else { Ok(()) }
 }
 
 /// Which server it is, who we are there, and whether what it confirms is on its disk.
@@ -160,104 +163,6 @@ fn schema_of(
         let says =
             format!("there is no table {RUNS:?} beside {:?}, so that nobody knows how far a run has come", log.name);
         checks.push(Check::warning("runs", says, "it was made by another program; it is read all the same"));
-    }
-    Ok(())
-}
-
-/// What is told of each run, held against its rows.
-fn runs(
-    connection: &Connection,
-    schema: &str,
-    tables: &[Table],
-    there: &[String],
-    run_column: &str,
-    checks: &mut Vec<Check>,
-) -> Result<(), LogError> {
-    let sql = format!("SELECT run_id, tables, rows, ended_at IS NOT NULL FROM {} ORDER BY 1", quoted(schema, RUNS));
-    let mut known = Vec::new();
-    for row in connection.wait(connection.client.query(&sql, &[]))? {
-        let (run, names, rows): (i64, Vec<String>, Vec<i64>) = (row.get(0), row.get(1), row.get(2));
-        known.push(run);
-        if !row.get::<_, bool>(3) {
-            let says = format!("run {run} has not come to its end");
-            checks.push(Check::warning(
-                "runs",
-                says,
-                "homebody run --resume FOLDER goes on with it, where nobody lives it now",
-            ));
-        }
-        let mut is_well = true;
-        for (name, told) in names.iter().zip(&rows).filter(|(name, _)| there.contains(name)) {
-            let counted_rows = count(connection, schema, name, run_column, run)?;
-            if counted_rows != *told {
-                is_well = false;
-                let says = format!("run {run}: {name:?} has {counted_rows} rows, and {RUNS:?} says {told}");
-                checks.push(Check::wrong(
-                    "runs",
-                    says,
-                    "rows were added or removed by hand: live the run anew with --force",
-                ));
-            }
-        }
-        let gone = names.iter().filter(|name| !there.contains(name) && tables.iter().any(|table| table.name == **name));
-        for name in gone {
-            is_well = false;
-            checks.push(Check::wrong(
-                "runs",
-                format!("run {run}: its table {name:?} is gone"),
-                "live the run anew with --force",
-            ));
-        }
-        if is_well {
-            let all: i64 = rows.iter().sum();
-            let tables = counted(names.len(), "table", "tables");
-            checks.push(Check::ok("runs", format!("run {run}: {all} rows in {tables}, as many as it says")));
-        }
-    }
-    for table in tables.iter().filter(|table| table.is_numbered && there.contains(&table.name)) {
-        numbers(connection, schema, table, run_column, &known, checks)?;
-    }
-    Ok(())
-}
-
-fn count(connection: &Connection, schema: &str, table: &str, run_column: &str, run: i64) -> Result<i64, LogError> {
-    let sql = format!("SELECT count(*) FROM {} WHERE {} = $1", quoted(schema, table), ident(run_column));
-    Ok(connection.wait(connection.client.query_one(&sql, &[&run]))?.get(0))
-}
-
-/// The numbers of the rows of each run in a table.
-fn numbers(
-    connection: &Connection,
-    schema: &str,
-    table: &Table,
-    run_column: &str,
-    known: &[i64],
-    checks: &mut Vec<Check>,
-) -> Result<(), LogError> {
-    let (run, seq, name) = (ident(run_column), ident(&table.columns[0].name), quoted(schema, &table.name));
-    let sql = format!(
-        "SELECT {run}::bigint, count(*), count(DISTINCT {seq}), coalesce(max({seq}), -1)::bigint, \
-         (SELECT number FROM (SELECT {seq} AS number, lead({seq}) OVER (ORDER BY {seq}) AS next FROM {name} AS other \
-          WHERE other.{run} = one.{run}) AS pairs WHERE next > number + 1 ORDER BY 1 LIMIT 1)::bigint, min({seq})::bigint \
-         FROM {name} AS one GROUP BY {run} ORDER BY 1"
-    );
-    for row in connection.wait(connection.client.query(&sql, &[]))? {
-        let (id, rows, distinct, last): (i64, i64, i64, i64) = (row.get(0), row.get(1), row.get(2), row.get(3));
-        let (before_gap, first): (Option<i64>, Option<i64>) = (row.get(4), row.get(5));
-        let missing = last.saturating_add(1).saturating_sub(distinct).max(0);
-        let first_missing = match first {
-            Some(1..) => Some(0),
-            _ => before_gap.map(|number| number + 1),
-        };
-        checks.push(found_of(&format!("run {id}"), rows, (missing, first_missing), (rows - distinct, None)));
-        if !known.contains(&id) {
-            let says = format!("of run {id} there are rows, and {RUNS:?} does not know it");
-            checks.push(Check::wrong(
-                "runs",
-                says,
-                "another program wrote them, or the run was removed by hand: remove its rows, too",
-            ));
-        }
     }
     Ok(())
 }

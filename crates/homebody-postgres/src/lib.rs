@@ -26,6 +26,7 @@ mod source;
 mod tables;
 
 mod examine;
+mod examined_runs;
 
 pub use fleet::PostgresFleet;
 use homebody_core::scenario::scheme::Scheme;

@@ -101,6 +101,12 @@ pub(crate) fn quoted(schema: &str, table: &str) -> String {
     format!("{}.{}", ident(schema), ident(table))
 }
 
+/// A table as people write it: in quotes where it needs them.
+fn written(schema: &str, table: &str) -> String {
+    let part = |name: &str| if is_plain_name(name) { name.to_owned() } else { ident(name) };
+    format!("{}.{}", part(schema), part(table))
+}
+
 /// A name as SQL wants it.
 pub(crate) fn ident(name: &str) -> String {
     format!("\"{}\"", name.replace('"', "\"\""))
@@ -310,7 +316,7 @@ impl Found {
         }
         for wanted in wanted {
             match self.tables.get(&wanted.name) {
-                Some(table) => table.problems(wanted, user, how, &mut problems),
+                Some(table) => table.problems(&written(schema, &wanted.name), wanted, user, how, &mut problems),
                 None if matches!(self.schema, Some((true, false))) => problems.push((
                     format!(
                         "there is no table {:?} in the schema {schema:?}, and {user:?} may not make one",
@@ -337,7 +343,8 @@ impl Found {
 }
 
 impl FoundTable {
-    fn problems(&self, wanted: &Wanted, user: &str, how: How, problems: &mut Vec<(String, String)>) {
+    /// `at` is what the table is called in hints.
+    fn problems(&self, at: &str, wanted: &Wanted, user: &str, how: How, problems: &mut Vec<Problem>) {
         let name = &wanted.name;
         if !self.is_table {
             problems.push((format!("{name:?} is no table"), "rename it, or name another schema: ?schema=NAME".into()));
@@ -348,11 +355,11 @@ impl FoundTable {
             match self.columns.get(column) {
                 None => wants(
                     format!("the table {name:?} has no column {column:?}"),
-                    format!("ALTER TABLE {name} ADD {column} {is}, or rename the table so that it is made anew"),
+                    format!("ALTER TABLE {at} ADD {column} {is}, or rename the table so that it is made anew"),
                 ),
                 Some(found) if !will_do(is, &found.is) => wants(
                     format!("the column {column:?} of {name:?} is {}, and not {is}", found.is),
-                    format!("ALTER TABLE {name} ALTER {column} TYPE {is}, or rename the table so that it is made anew"),
+                    format!("ALTER TABLE {at} ALTER {column} TYPE {is}, or rename the table so that it is made anew"),
                 ),
                 Some(_) => {}
             }
@@ -361,7 +368,7 @@ impl FoundTable {
         for (column, _) in self.columns.iter().filter(|(name, found)| found.must_be_given && !is_ours(name)) {
             wants(
                 format!("the column {column:?} of {name:?} wants a value, and no log has one"),
-                format!("ALTER TABLE {name} ALTER {column} DROP NOT NULL"),
+                format!("ALTER TABLE {at} ALTER {column} DROP NOT NULL"),
             );
         }
         let mut key = wanted.key.clone();
@@ -375,7 +382,7 @@ impl FoundTable {
             let columns = wanted.key.join(", ");
             wants(
                 format!("the table {name:?} has no key ({columns}), so that a row could be in it twice"),
-                format!("ALTER TABLE {name} ADD PRIMARY KEY ({columns})"),
+                format!("ALTER TABLE {at} ADD PRIMARY KEY ({columns})"),
             );
         }
         let needed = match (wanted.is_runs, how) {
@@ -388,7 +395,7 @@ impl FoundTable {
             let rights = lacking.join(", ");
             wants(
                 format!("{user:?} has no right to {rights} in {name:?}"),
-                format!("GRANT {rights} ON {name} TO {user}"),
+                format!("GRANT {rights} ON {at} TO {user}"),
             );
         }
     }

@@ -3,11 +3,11 @@
 
 use crate::connection::Connection;
 use crate::runs::At;
-use crate::schema::{ident, quoted, usual};
+use crate::schema::{RUNS, ident, quoted, usual};
 use crate::server::Server;
 use crate::trouble::{told, wrong};
 use homebody_core::problem::readable;
-use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::scenario::logger::{ColumnsFile, LoggerFile};
 use homebody_core::scenario::nearest::nearest;
 use homebody_log::LogError;
 use homebody_log::source::{Form, Instant, Reading, SPAN_COLUMNS, SPANS, Shows};
@@ -184,13 +184,16 @@ impl Found {
             Some(schema) => schema.clone(),
             None => usual(connection, server)?,
         };
-        let table = file.table.clone().unwrap_or_else(|| "firing".into());
+        let table = file.table.clone().unwrap_or_else(|| table_of_run(connection, server, &schema));
         let columns = columns_of(connection, &schema, &table)?;
         if columns.is_empty() {
             return Err(no_table(connection, server, &schema, &table)?);
         }
         let has = |name: &String| columns.iter().any(|(column, _)| column == name).then(|| name.clone());
-        let names = &file.columns;
+        let by_types = || Some(&columns).filter(|_| file.columns == ColumnsFile::default()).and_then(|it| by_types(it));
+        let guessed =
+            [&file.columns.time, &file.columns.sensor, &file.columns.value].iter().any(|name| has(name).is_none());
+        let names = &if guessed { by_types().unwrap_or_else(|| file.columns.clone()) } else { file.columns.clone() };
         let missing: Vec<&String> =
             [&names.time, &names.sensor, &names.value].into_iter().filter(|name| has(name).is_none()).collect();
         if !missing.is_empty() {
@@ -302,6 +305,35 @@ impl Found {
         }
         Ok(())
     }
+}
+
+/// The table that is read where nobody has named one: the one in which the table of runs says that the run is, or that all runs of
+/// logs are. Ours where it does not say.
+fn table_of_run(connection: &Connection, server: &Server, schema: &str) -> String {
+    let sql = format!(
+        "SELECT DISTINCT tables[1] FROM {} WHERE holds = 'log' AND ($1::text IS NULL OR run_id::text = $1) LIMIT 2",
+        quoted(schema, RUNS)
+    );
+    // Where there is none, or it may not be read, nothing is said.
+    let told = connection.wait(connection.client.query(&sql, &[&server.run])).unwrap_or_default();
+    let told: Option<Option<String>> = (told.len() == 1).then(|| told[0].get(0));
+    told.flatten().unwrap_or_else(|| "firing".into())
+}
+
+/// The columns of a log under names that say nothing: two texts side by side are sensor and value, and what is right before them the time, if
+/// it may be one; two whole numbers before that are the run and the row. So are the logs that we write.
+fn by_types(columns: &[(String, String)]) -> Option<ColumnsFile> {
+    let is = |place: usize, types: &[&str]| columns.get(place).is_some_and(|(_, is)| types.contains(&is.as_str()));
+    const TIMES: [&str; 4] = ["timestamp with time zone", "timestamp without time zone", "double precision", "bigint"];
+    const TEXTS: [&str; 2] = ["text", "character varying"];
+    let time = (0..columns.len()).find(|&at| is(at, &TIMES) && is(at + 1, &TEXTS) && is(at + 2, &TEXTS))?;
+    let name = |place: usize| columns[place].0.clone();
+    let usual = ColumnsFile { time: name(time), sensor: name(time + 1), value: name(time + 2), ..Default::default() };
+    let is_key = |place: usize| is(place, &["bigint"]);
+    Some(match time {
+        2 if is_key(0) && is_key(1) => ColumnsFile { run: name(0), seq: name(1), ..usual },
+        _ => usual,
+    })
 }
 
 /// The columns of a table and their types, in their order; none where there is no such table.

@@ -100,7 +100,7 @@ fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
             "has no column \"value\"",
             "the column \"floor\" of \"firing\" wants a value",
             "has no key (run_id, seq)",
-            "ALTER TABLE firing",
+            "ALTER TABLE public.firing",
         ],
     );
     server.psql(&database, "DROP TABLE firing; CREATE VIEW firing AS SELECT 1 AS seq");
@@ -135,7 +135,11 @@ fn who_may_not_write_is_told_with_what_is_lacking() {
     refused(
         &url("reader", ""),
         How::New,
-        &["no right to INSERT in \"firing\"", "INSERT, UPDATE in \"homebody_run\"", "GRANT INSERT ON firing TO reader"],
+        &[
+            "no right to INSERT in \"firing\"",
+            "INSERT, UPDATE in \"homebody_run\"",
+            "GRANT INSERT ON public.firing TO reader",
+        ],
     );
     refused(&url("reader", ""), How::Replace, &["no right to INSERT, DELETE in \"firing\""]);
     refused(

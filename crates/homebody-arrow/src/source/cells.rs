@@ -46,9 +46,18 @@ impl<'a> Texts<'a> {
     /// Whether a column of a type is one.
     pub fn may_be(of: &DataType) -> bool {
         match of {
-            DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View | DataType::Boolean => true,
+            DataType::Boolean | DataType::Float32 | DataType::Float64 => true,
             DataType::Dictionary(_, values) => Texts::may_be(values),
-            other => other.is_integer() || matches!(other, DataType::Float32 | DataType::Float64),
+            other => other.is_integer() || Texts::are_texts(other),
+        }
+    }
+
+    /// Whether its cells are texts, and not numbers that are told as such.
+    pub fn are_texts(of: &DataType) -> bool {
+        match of {
+            DataType::Utf8 | DataType::LargeUtf8 | DataType::Utf8View => true,
+            DataType::Dictionary(_, values) => Texts::are_texts(values),
+            _ => false,
         }
     }
 

@@ -31,7 +31,7 @@ pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> 
         table("this file", &[path.into()], seq, &mut checks);
         return Ok(checks);
     }
-    let truth = truth_tables();
+    let truth = truth_tables(|name| path.join(name).is_dir());
     let is_truth = truth.iter().any(|table| path.join(&table.name).is_dir());
     let folders: Vec<(String, PathBuf)> = match is_truth {
         true => truth.iter().map(|table| (format!("{}, ", table.name), path.join(&table.name))).collect(),

@@ -6,11 +6,13 @@ use super::files::files;
 use super::here::{here, of_place};
 use crate::fault::broken;
 use arrow_array::{Array, ArrayRef, RecordBatch};
-use arrow_schema::Schema;
+use arrow_schema::{DataType, Schema};
 use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::LogError;
 use homebody_log::source::{Instant, Places, Reading, SPAN_COLUMNS};
+use homebody_log::table::LOG;
+use serde_json::Value;
 use std::path::Path;
 
 /// How many characters of unknown names are told (ours).
@@ -48,6 +50,20 @@ fn spans(schema: &Schema) -> Option<[usize; 3]> {
     Some([begin?, end?, activity?]).filter(|_| !is_log)
 }
 
+/// Where no name says anything: the first column of instants is the time, and the two right behind it are sensor and value, if they are
+/// texts. So are our own logs under the names of a network. Of our own files only logs are, and no tables of a truth.
+fn by_types(opened: &Opened) -> Option<Places> {
+    let about = |told: &String| serde_json::from_str::<Value>(told).ok()?.get("about")?.as_str().map(|it| it == LOG);
+    if opened.about.as_ref().is_some_and(|told| about(told) == Some(false)) {
+        return None;
+    }
+    let is = |place: usize| opened.schema.fields().get(place).map(|field| field.data_type());
+    let count = opened.schema.fields().len();
+    let time = (0..count).find(|&place| matches!(is(place), Some(DataType::Timestamp(..))))?;
+    let are_texts = [time + 1, time + 2].iter().all(|&place| is(place).is_some_and(Texts::are_texts));
+    are_texts.then_some(Places { time, sensor: time + 1, value: time + 2, label: None, is_mapped: false })
+}
+
 /// Takes so many rows of some columns.
 pub(super) type Take<'t> = dyn FnMut(usize, &[ArrayRef]) -> Result<(), LogError> + 't;
 
@@ -79,7 +95,7 @@ fn read_rows(
     let schema = opened.schema.clone();
     let names = names(&schema);
     let no_log = |why: String| LogError::NoLog { place: path.display().to_string(), why: readable(why) };
-    let Some(places) = Places::by_name(&names, mapping) else {
+    let Some(places) = Places::by_name(&names, mapping).or_else(|| by_types(&opened)) else {
         let told: String = names.join(", ").chars().take(LONGEST_TOLD).collect();
         return Err(no_log(format!("no columns of time, sensor and value are among {told}")));
     };

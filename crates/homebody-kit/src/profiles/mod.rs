@@ -13,6 +13,7 @@ use crate::error::Error;
 use homebody_core::problem::{Problem, Problems};
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::plain;
+use homebody_log::sink::csv_line;
 pub use profile::Profile;
 pub(crate) use profile::{Base, OwnRoutine};
 pub(crate) use rows::MOST;
@@ -48,15 +49,13 @@ pub(crate) fn of(file: &str, text: &str, base: &Base, without: &[String]) -> Res
 /// Profiles as a table of which [`of`] makes the same ones again.
 pub(crate) fn table(profiles: &[Profile]) -> String {
     let columns: BTreeSet<&str> = profiles.iter().flat_map(|profile| profile.row.keys().map(String::as_str)).collect();
-    let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
-    let mut table = ["name", "seed"].into_iter().chain(columns.iter().copied()).collect::<Vec<_>>().join(",");
+    let mut table = csv_line(["name", "seed"].into_iter().chain(columns.iter().copied())) + "\n";
     for Profile { name, seed, row, .. } in profiles {
-        table += &format!("\n{},{}", quoted(name), seed.map(|seed| seed.to_string()).unwrap_or_default());
-        for column in &columns {
-            table += &format!(",{}", row.get(*column).map(|text| quoted(text)).unwrap_or_default());
-        }
+        let seed = seed.map(|seed| seed.to_string()).unwrap_or_default();
+        let cells = columns.iter().map(|column| row.get(*column).map_or("", String::as_str));
+        table += &(csv_line([name.as_str(), &seed].into_iter().chain(cells)) + "\n");
     }
-    table + "\n"
+    table
 }
 
 /// Problems in the order of their places, those of other files than the list last.

@@ -113,7 +113,7 @@ fn look(
         .query_map([], |row| row.get(0))?
         .collect::<rusqlite::Result<_>>()?;
     let has = |name: &str| tables.iter().any(|table| table == name);
-    let truth = truth_tables();
+    let truth = truth_tables(has);
     let is_truth = !has(&log.name) && truth.iter().any(|table| has(&table.name));
     if !has(&log.name) && !is_truth {
         let says = format!(

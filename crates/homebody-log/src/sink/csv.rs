@@ -97,6 +97,11 @@ impl Sink for Csv {
     }
 }
 
+/// A line of a table, without its end: cells in quotes where they need them.
+pub fn csv_line<'c>(cells: impl IntoIterator<Item = &'c str>) -> String {
+    cells.into_iter().map(quoted).collect::<Vec<_>>().join(",")
+}
+
 /// A field, in quotes where it needs them.
 fn quoted(field: &str) -> String {
     let mut writer = WriterBuilder::new()
@@ -123,5 +128,6 @@ mod tests {
         assert_eq!(quoted("the \"old\" one"), "\"the \"\"old\"\" one\"");
         assert_eq!(quoted("two\nlines"), "\"two\nlines\"");
         assert_eq!(quoted(""), "");
+        assert_eq!(csv_line(["a b", "", "a,\"b\""]), "a b,,\"a,\"\"b\"\"\"");
     }
 }

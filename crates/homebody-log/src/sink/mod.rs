@@ -13,6 +13,7 @@ use crate::clock::Clock;
 use crate::error::LogError;
 use crate::run_info::RunInfo;
 use crate::table::{Batch, Table};
+pub use csv::csv_line;
 pub use database::log_beside;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;

@@ -2,7 +2,7 @@
 
 use super::columns::Places;
 use super::form::{Form, Shows};
-use super::instant::{Instant, since_1970};
+use super::instant::{Instant, Instants, since_1970};
 use super::lines::Lines;
 use super::reading::Reading;
 use super::start::Start;
@@ -26,6 +26,7 @@ fn shows(start: &Start) -> Shows {
     match start.lines().next().and_then(|line| serde_json::from_str::<Object>(&line).ok()) {
         Some(first) if places(&first, &LoggerFile::default()).is_some() => Shows::Rows,
         Some(first) if is_span(&first) => Shows::Activities,
+        Some(first) if by_content(&first, &mut Instants::default()).is_some() => Shows::Rows,
         _ => Shows::Nothing,
     }
 }
@@ -39,6 +40,20 @@ fn is_span(object: &Object) -> bool {
 fn places(object: &Object, file: &LoggerFile) -> Option<Places> {
     let names: Vec<String> = object.keys().cloned().collect();
     Places::by_name(&names, file)
+}
+
+/// Under names that say nothing: the first value that is an instant is the time, and the two right behind it, which are none, are sensor
+/// and value.
+fn by_content(object: &Object, instants: &mut Instants) -> Option<Places> {
+    let mut is_instant = |value: &Value| match value {
+        Value::String(text) => instants.read(text).is_some(),
+        other => other.as_f64().and_then(since_1970).is_some(),
+    };
+    let time = object.values().position(&mut is_instant)?;
+    let mut behind = object.values().skip(time + 1).take(2);
+    let (sensor, value) = (behind.next()?, behind.next()?);
+    let is_log = sensor.is_string() && !is_instant(sensor) && !value.is_object() && !is_instant(value);
+    is_log.then_some(Places { time, sensor: time + 1, value: time + 2, label: None, is_mapped: false })
 }
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
@@ -57,7 +72,9 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
             }
         };
         if !known.as_ref().is_some_and(|(keys, _)| keys.iter().eq(object.keys())) {
-            known = places(&object, file).map(|places| (object.keys().cloned().collect(), places));
+            let by_content =
+                || Some(&object).filter(|object| !is_span(object)).and_then(|it| by_content(it, &mut reading.instants));
+            known = places(&object, file).or_else(by_content).map(|places| (object.keys().cloned().collect(), places));
         }
         match &known {
             Some((_, places)) => take(line, &object, places, reading)?,

@@ -32,6 +32,7 @@ use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
+pub(crate) use tables::LATER;
 pub use tables::{Truth, tables};
 
 /// Stores facts; it is used as a [`Logger`](crate::Logger) is.

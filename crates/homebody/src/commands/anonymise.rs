@@ -9,6 +9,7 @@ use homebody_analysis::signs::{Kind, Says, is_number, says};
 use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_log::places::can_be_written;
+use homebody_log::sink::csv_line;
 use homebody_log::{Anonymising, How, Log, Transfer, Url, anonymise};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -108,7 +109,6 @@ fn names(log: &Log, look: &Look) -> Vec<String> {
 
 /// The table of names: which sensor has which.
 fn key_of(names: &[String], ids: &[String]) -> String {
-    let quoted = |id: &str| format!("\"{}\"", id.replace('"', "\"\""));
-    let rows = names.iter().zip(ids).map(|(name, id)| format!("{name},{}\n", quoted(id)));
+    let rows = names.iter().zip(ids).map(|(name, id)| csv_line([name.as_str(), id]) + "\n");
     std::iter::once("id,name\n".to_owned()).chain(rows).collect()
 }

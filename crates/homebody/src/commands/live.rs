@@ -1,6 +1,6 @@
 //! `homebody live`: a home on the world's clock.
 
-use super::lived::{Away, all_are_servers, report_live};
+use super::lived::{Away, all_are_servers, is_not_yet, report_live, span_in_words};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
@@ -82,20 +82,66 @@ impl Arguments {
             let what = format!("{} lives in {}", home.scenario().file.name, folder.display());
             return Err(Failure::usage(format!("{what}\n  hint: name another --folder for {}", opened.name())));
         }
+        if home.goes_on() {
+            self.is_what_was_asked_for(&home, &folder)?;
+        }
         if !self.quiet {
-            let how = if home.goes_on() { "goes on" } else { "begins" };
-            let since = home.scenario().calendar.wall_clock(0);
-            tell(format_args!("{} {how} in {}, from {since} on; Ctrl-C stops it", opened.name(), folder.display()));
+            tell(format_args!("{} {}; Ctrl-C stops it", opened.name(), how_it_begins(&home, &folder)));
         }
         let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name())?);
         let mut watch = Watch::new(self.quiet, &meters);
-        let lived = home.live(&self.out, &when, &meters, signals.cancel(), |progress| watch.look(progress))?;
+        let lived = home.live(&self.out, &when, &meters, signals.cancel(), |progress| watch.look(progress));
         watch.bar.finish_and_clear();
+        let lived = match lived {
+            Err(error) if is_not_yet(&error) => {
+                // It was still lived again up to where it was: that it is stopped there is no failure.
+                if !self.quiet {
+                    tell(format_args!("{name}: stopped before it had come as far as before: all is as it was"));
+                }
+                return signals.ended(true).and(Err(error.into()));
+            }
+            lived => lived?,
+        };
         if !self.quiet {
             report_live(&name, &folder, &lived);
         }
         signals.ended(true)
     }
+}
+
+impl Arguments {
+    /// A home that is there is the one that the words tell of, as far as they do: `now` and `today` are another time each time.
+    fn is_what_was_asked_for(&self, home: &LiveHome, folder: &Path) -> Result<(), Failure> {
+        let differs = |what: String, word: &str| {
+            let what = format!("the home in {} {what}", folder.display());
+            let hint = format!("leave out {word} to go on with it, or name another --folder");
+            Err(Failure::usage(format!("{what}\n  hint: {hint}")))
+        };
+        let begins = home.begins().to_zoned(home.scenario().calendar.local(0).time_zone().clone()).datetime();
+        if let Start::At(at) = self.from
+            && at != begins
+        {
+            return differs(format!("is lived from {begins} on"), "--from");
+        }
+        match self.seed {
+            Some(seed) if seed != home.seed() => differs(format!("has the seed {}", home.seed()), "--seed"),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Where and from when on it is lived. One that is to come says how long that takes, as its clock may be another than ours.
+fn how_it_begins(home: &LiveHome, folder: &Path) -> String {
+    let how = if home.goes_on() { "goes on" } else { "begins" };
+    let since = home.scenario().calendar.wall_clock(0);
+    let ahead = home.begins().as_microsecond() - Timestamp::now().as_microsecond();
+    if ahead < SECOND {
+        return format!("{how} in {}, from {since} on", folder.display());
+    }
+    let zone = home.scenario().calendar.local(0).time_zone().clone();
+    let clock = Timestamp::now().to_zoned(zone).strftime("%Y-%m-%d %H:%M:%S %Z").to_string();
+    let ahead = span_in_words(ahead);
+    format!("{how} in {}, from {since} on, which is {ahead} from now: its clock says {clock}", folder.display())
 }
 
 /// Shows how it goes, where somebody looks.

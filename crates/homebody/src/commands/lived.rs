@@ -6,7 +6,8 @@ use crate::signals::Signals;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, Scheme, SchemeRow};
 use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::{Destinations, Difference, LiveRun, Lived, Progress, Url, VERSION, WhenDown};
+use homebody_kit::{Destinations, Difference, Error, LiveRun, Lived, Progress, Url, VERSION, WhenDown};
+use homebody_log::LogError;
 use homebody_log::sink::log_beside;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
@@ -291,6 +292,11 @@ pub fn span_in_words(span: Micros) -> String {
         7200..172_800 => of(3600, "hour"),
         _ => of(86_400, "day"),
     }
+}
+
+/// Whether who was asked to end had not yet come as far as before, so that nothing was changed.
+pub fn is_not_yet(error: &Error) -> bool {
+    matches!(error, Error::Log(error) if matches!(error.downcast_ref(), Some(LogError::NotYet { .. })))
 }
 
 /// Tells what has become of a home that was lived on the world's clock and stopped.

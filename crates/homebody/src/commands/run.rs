@@ -2,7 +2,7 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::lived::{Output, all_are_servers, go_on_in, live, report, show};
+use super::lived::{Output, all_are_servers, go_on_in, is_not_yet, live, report, show};
 use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
@@ -13,7 +13,6 @@ use crate::start::Start;
 use crate::watched::Watched;
 use homebody_core::time::Micros;
 use homebody_kit::{Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort};
-use homebody_log::LogError;
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -134,10 +133,6 @@ fn not_gone_on_with(error: Error) -> Failure {
     }
 }
 
-fn is_not_yet(error: &Error) -> bool {
-    matches!(error, Error::Log(error) if matches!(error.downcast_ref(), Some(LogError::NotYet { .. })))
-}
-
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
@@ -193,6 +188,11 @@ impl Arguments {
             return self.tell_cohort(&progress, &lived, signals);
         }
         let run = Unfinished::open(folder).map_err(not_gone_on_with)?;
+        if run.has_no_end() && !self.pace.is_said() {
+            let what = format!("{} is a home on the world's clock, which has no end to be lived to", folder.display());
+            let hint = format!("homebody live SCENARIO --folder {} goes on with it", folder.display());
+            return Err(Failure::usage(format!("{what}\n  hint: {hint}")));
+        }
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         all_are_servers(&self.output.out)?;
         let when = self.output.away.when()?;

@@ -76,6 +76,21 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     assert!(after.iter().copied().eq(after[0]..killed() as u64));
     folder.run("replay killed/recording.json --out csv:killed.csv").ok();
 
+    // What is asked for otherwise than it is lived is no other home in silence, and a home without an end is not lived to one.
+    folder.run("live studio --folder home --from 2024-11-02").fails(2, "lived from 2024-11-01T00:00:00 on");
+    folder.run("live studio --folder home --seed 7").fails(2, "another --folder");
+    folder.run("run --resume home").fails(2, "homebody live SCENARIO --folder home goes on with it");
+    let said = folder.run("doctor home").ok().out;
+    assert!(said.contains("homebody live SCENARIO --folder home goes on with it"), "{said}");
+    let home = Living::begin(&folder, "fifth", "live studio --folder home --from 2024-11-01 --seed 74");
+    folder.until("it says so", |_| home.told().contains("goes on in home, from 2024-11-01 00:00:00 on; Ctrl-C"));
+    assert_eq!(home.end("TERM").0, Some(143));
+
+    // A clock of another zone may be behind ours, or a date be meant that is to come: that is said.
+    let home = Living::begin(&folder, "sixth", "live studio --folder later --from 2100-01-01");
+    folder.until("it says so", |_| home.told().contains(" days from now: its clock says 20"));
+    assert_eq!(home.end("TERM").0, Some(143));
+
     // Another scenario has another folder.
     folder.copy_scenario("tigerplace");
     folder.run("live tigerplace --folder home").fails(2, "--folder");

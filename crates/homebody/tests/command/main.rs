@@ -40,3 +40,5 @@ mod walked_back;
 mod calibrated;
 mod cohorts;
 mod serving;
+mod faults;
+mod soak;

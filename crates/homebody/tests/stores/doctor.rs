@@ -248,3 +248,68 @@ fn broker_keeps(broker: &Broker) -> String {
     let heard = std::process::Command::new("mosquitto_sub").args(args).output().unwrap();
     String::from_utf8(heard.stdout).unwrap()
 }
+
+/// Before there was a table `outside`, truths had none; they are as whole as they were.
+#[test]
+fn a_truth_of_an_earlier_version_is_whole() {
+    let folder = flat();
+    folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db").ok();
+    folder.run("run flat --for 10m --quiet --out csv:other.csv --truth parquet:truth").ok();
+    let older = |later: &str| {
+        fs::copy(folder.path("truth.db"), folder.path("older.db")).unwrap();
+        Connection::open(folder.path("older.db")).unwrap().execute_batch(&format!("DROP TABLE {later}")).unwrap();
+    };
+    older("outside");
+    is_whole(&folder, "older.db");
+    folder.run("label log.csv older.db --to csv:labelled.csv").ok();
+    fs::remove_dir_all(folder.path("truth/outside")).unwrap();
+    is_whole(&folder, "parquet:truth");
+    // The control: what there always was is missing.
+    older("room");
+    tells(&folder, "older.db", "wrong", "there is no table \"room\"");
+    fs::remove_dir_all(folder.path("truth/room")).unwrap();
+    tells(&folder, "parquet:truth", "wrong", "there is no folder truth/room");
+
+    let Some(server) = Server::start_with(&["fsync=on"]) else { return };
+    let database = server.database("older");
+    let url = server.url("postgres", &database, "");
+    folder.run(&format!("run flat --for 10m --quiet --out {url} --truth {url}")).ok();
+    server.psql(
+        &database,
+        "DROP TABLE truth.outside; UPDATE truth.homebody_run SET rows = rows[1:10], tables = tables[1:10];
+         CREATE ROLE carer LOGIN; GRANT USAGE ON SCHEMA truth TO carer;
+         GRANT INSERT, SELECT, UPDATE ON ALL TABLES IN SCHEMA public, truth TO carer",
+    );
+    is_whole(&folder, &url);
+    is_whole(&folder, &server.url("carer", &database, ""));
+    server.psql(&database, "REVOKE INSERT ON truth.room FROM carer");
+    let carers = server.url("carer", &database, "");
+    let said = folder.run(&format!("doctor {carers}")).out;
+    let hint = said.split("hint: ").nth(1).unwrap().lines().next().unwrap();
+    assert_eq!(hint, "GRANT INSERT ON truth.room TO carer");
+    server.psql(&database, hint);
+    is_whole(&folder, &carers);
+}
+
+/// A fleet has many runs: one line tells of them, and homes that come and go are no loss.
+#[test]
+fn the_homes_of_a_fleet_are_told_of_together() {
+    let Some(server) = Server::shared() else { return };
+    let folder = flat();
+    let database = server.database("fleets");
+    let url = server.url("postgres", &database, "");
+    let fleet = "fleet flat --homes 20 --speed 600 --for 2s --quiet --out";
+    folder.run(&format!("{fleet} {url}")).ok();
+    let (is_wrong, lines) = doctor(&folder, &url);
+    assert!(!is_wrong && lines.len() < 10, "{lines:#?}");
+    assert!(lines.iter().any(|line| line.starts_with("ok rows: 20 runs: ")), "{lines:#?}");
+    server.psql(&database, "CREATE SCHEMA churn");
+    let churned = server.url("postgres", &database, "&schema=churn");
+    folder.run(&format!("{fleet} {churned}")).ok();
+    // As homes that were away leave it.
+    server.psql(&database, "DELETE FROM churn.firing WHERE seq BETWEEN 10 AND 19");
+    tells(&folder, &churned, "warning", "20 homes of a fleet lack the rows of 200 numbers");
+    // The control: what is there twice, or more of it than was told, is wrong in a fleet, too.
+    server.psql(&database, "UPDATE homebody_run SET rows = ARRAY[1] WHERE home = 'home00004'");
+    tells(&folder, &url, "wrong", "and \"homebody_run\" says 1");
+}

@@ -16,3 +16,4 @@ mod server;
 mod digests;
 mod doctor;
 mod labels;
+mod own_names;

@@ -1,10 +1,14 @@
 //! What people and programs are told of a fleet: a line every few seconds, a file of reports, numbers for Prometheus.
 
+use crate::commands::lived::span_in_words;
 use crate::failure::Failure;
 use crate::print::{print_json, tell, tell_with};
 use crate::prometheus::{Numbers, label};
+use homebody_core::problem;
+use homebody_core::time::{Micros, SECOND};
 use homebody_kit::fleet::{FleetLived, FleetOf, FleetReport, OfDestination};
 use homebody_log::fresh::FreshFile;
+use homebody_log::sink::csv_line;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fmt::Write;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -41,21 +45,17 @@ impl Telling {
                 self.caught_up_s = self.caught_up_s.max(behind_s);
                 if self.bar.is_hidden() && !self.is_quiet && self.told_at.elapsed() >= BEHIND_TOLD {
                     self.told_at = Instant::now();
-                    tell(format_args!(
-                        "not begun: {} behind, {} on their way",
-                        seconds(behind_s),
-                        counted(waiting as u64)
-                    ));
+                    tell(format_args!("not begun: {}", on_the_way(behind_s, waiting)));
                 }
                 if !self.bar.is_hidden() {
-                    self.bar.set_message(format!("{behind_s:.0} s behind the clock, {waiting} on their way"));
+                    self.bar.set_message(on_the_way(behind_s, waiting));
                     self.bar.tick();
                 }
             }
             FleetLived::Begun => {
                 self.bar.finish_and_clear();
                 if !self.is_quiet && self.caught_up_s >= 1.0 {
-                    tell(format_args!("{} caught up with", seconds(self.caught_up_s)));
+                    tell(format_args!("{} caught up with", span(self.caught_up_s)));
                 }
             }
             FleetLived::Report(report) => {
@@ -115,6 +115,16 @@ pub fn bar(is_quiet: bool, what: &str, length: Option<u64>) -> ProgressBar {
     ProgressBar::with_draw_target(length, target).with_style(style)
 }
 
+/// What is still to be done before a fleet begins. Once it is no longer behind the clock, it waits for the places that it tells.
+fn on_the_way(behind_s: f64, waiting: usize) -> String {
+    let waiting = format!("{} on their way", messages_of(waiting as u64));
+    if behind_s >= 1.0 { format!("{} behind the clock, {waiting}", span(behind_s)) } else { waiting }
+}
+
+fn span(s: f64) -> String {
+    span_in_words((s * SECOND as f64) as Micros)
+}
+
 /// What is said every few seconds.
 fn line(report: &FleetReport) -> String {
     let FleetReport { late_median_ms, late_99_ms, late_most_ms, behind_s, .. } = report;
@@ -149,7 +159,11 @@ fn line(report: &FleetReport) -> String {
 /// What is said before the last of these lines.
 fn whole(report: &FleetReport) -> String {
     let FleetReport { running_s, messages, homes_in_all, storms, .. } = report;
-    let storms = if *storms > 0 { format!(", {storms} outages") } else { String::new() };
+    let storms = if *storms > 0 {
+        format!(", {}", problem::counted(*storms as usize, "outage", "outages"))
+    } else {
+        String::new()
+    };
     let homes = counted(*homes_in_all as u64);
     let mut text =
         format!("in all     {} from {homes} homes in {}{storms}", messages_of(*messages), seconds(*running_s));
@@ -160,7 +174,7 @@ fn whole(report: &FleetReport) -> String {
 }
 
 fn messages_of(count: u64) -> String {
-    format!("{} messages", counted(count))
+    format!("{} message{}", counted(count), if count == 1 { "" } else { "s" })
 }
 
 /// A number with a comma before each three digits.
@@ -188,18 +202,13 @@ fn seconds(s: f64) -> String {
 pub fn list(of: &FleetOf) -> String {
     let mut text = String::from("home,scenario,seed,run,clock_ahead_s,there_at_begin\n");
     for (home, index) in of.fleet.homes.iter().zip(0..) {
-        let scenario = quoted(&of.fleet.layouts[home.layout].run.scenario);
+        let scenario = of.fleet.layouts[home.layout].run.scenario.as_str();
         let ahead_s = of.skew(index) as f64 / 1e6;
-        let there = of.is_there(index);
-        let _ = writeln!(text, "{},{scenario},{},{},{ahead_s},{there}", home.name, home.seed, home.run);
+        let told = [home.seed.to_string(), home.run.to_string(), ahead_s.to_string(), of.is_there(index).to_string()];
+        let line = csv_line([home.name.as_str(), scenario].into_iter().chain(told.iter().map(String::as_str)));
+        text += &(line + "\n");
     }
     text
-}
-
-/// A cell of a table, in quotes where it needs them.
-fn quoted(text: &str) -> String {
-    let is_plain = !text.contains([',', '"', '\n', '\r']);
-    if is_plain { text.into() } else { format!("\"{}\"", text.replace('"', "\"\"")) }
 }
 
 /// Numbers for Prometheus.
@@ -244,6 +253,11 @@ mod tests {
         let numbers = numbers("a\"b", &report);
         assert!(numbers.contains("homebody_late_seconds{scenario=\"a\\\"b\",quantile=\"0.99\"} 0.031\n"), "{numbers}");
         assert_eq!((counted(7), counted(1_000), counted(1_234_567)), ("7".into(), "1,000".into(), "1,234,567".into()));
-        assert_eq!((quoted("a b"), quoted("a,\"b\"")), ("a b".into(), "\"a,\"\"b\"\"\"".into()));
+    }
+
+    #[test]
+    fn who_is_not_behind_waits_for_places() {
+        assert_eq!(on_the_way(11_160.0, 1), "3.1 hours behind the clock, 1 message on their way");
+        assert_eq!(on_the_way(0.0, 1_200), "1,200 messages on their way");
     }
 }

@@ -1,0 +1,188 @@
+//! A destination that fails in any way, at any of its calls, before or after it has taken what it was given: each policy does what it says.
+//!
+//! A seed decides how long it is away, how often, whether it hangs or is slow, and which policy there is. `HOMEBODY_SEEDS` says how many
+//! seeds there are.
+
+mod stage;
+
+use homebody_core::random::Stream;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::Micros;
+use homebody_log::logger::destinations;
+use homebody_log::table::{Batch, Cell};
+use homebody_log::{Begin, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown};
+use stage::Folder;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::Duration;
+
+const USUAL_SEEDS: u64 = 60;
+const ROWS: u64 = 4_000;
+const A_WHILE: Duration = Duration::from_millis(3);
+
+/// What becomes of a call.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Fate {
+    Done,
+    /// It is refused, and nothing is taken.
+    Away,
+    /// It is taken, and nobody hears of that.
+    Unheard,
+    /// It takes a while.
+    Slow,
+    /// It fails for good.
+    Over,
+}
+
+/// A destination, whose calls have the fates that a seed gives them.
+#[derive(Clone)]
+struct Place {
+    seed: u64,
+    /// Whether it takes again what it has taken already: the control.
+    forgets: bool,
+    got: Arc<Mutex<Got>>,
+}
+
+#[derive(Default)]
+struct Got {
+    asked: u64,
+    rows: Vec<i64>,
+    ended: bool,
+    is_over: bool,
+}
+
+impl Place {
+    /// Each call has a chance of its own; a seed of seven ends it for good somewhere.
+    fn fate(&self, number: u64) -> Fate {
+        let mut of_all = Stream::named(self.seed, "place");
+        let (failing, last) = (of_all.between(0.0, 0.6), of_all.between(0.0, 80.0) as u64);
+        let mut stream = Stream::named(self.seed, &format!("call/{number}"));
+        match stream.unit() {
+            _ if self.seed.is_multiple_of(7) && number >= last => Fate::Over,
+            unit if unit < failing / 2.0 => Fate::Away,
+            unit if unit < failing => Fate::Unheard,
+            unit if unit > 0.97 => Fate::Slow,
+            _ => Fate::Done,
+        }
+    }
+
+    /// A call, with what it takes.
+    fn call<T>(&self, take: impl FnOnce(&mut Got) -> T) -> Result<T, LogError> {
+        let mut got = self.got.lock().unwrap();
+        got.asked += 1;
+        let away = || LogError::destination("a place", "it is away").passing();
+        match self.fate(got.asked) {
+            Fate::Away => Err(away()),
+            Fate::Unheard => {
+                take(&mut got);
+                Err(away())
+            }
+            Fate::Over => {
+                got.is_over = true;
+                Err(LogError::destination("a place", "it is over"))
+            }
+            Fate::Slow => {
+                thread::sleep(A_WHILE);
+                Ok(take(&mut got))
+            }
+            Fate::Done => Ok(take(&mut got)),
+        }
+    }
+}
+
+impl Sink for Place {
+    fn begin(&mut self, _: &Begin) -> Result<Watermark, LogError> {
+        self.call(|got| Watermark(vec![got.rows.len() as u64]))
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        let number = |cells: &[Cell]| match cells[0] {
+            Cell::Integer(number) => number,
+            _ => panic!("the number of a row"),
+        };
+        self.call(|got| {
+            // What it took before nobody heard of it is not taken again.
+            let known = if self.forgets { 0 } else { got.rows.len() as i64 };
+            got.rows.extend(batch.rows().map(|row| number(row.cells)).filter(|number| *number >= known));
+        })
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        self.call(|got| Watermark(vec![got.rows.len() as u64]))
+    }
+
+    fn finish(&mut self, _: Micros) -> Result<(), LogError> {
+        self.call(|got| got.ended = true)
+    }
+}
+
+/// The policy of a seed, and what it is called.
+fn policy(seed: u64, folder: &Folder) -> (&'static str, Policy, WhenDown) {
+    let patient =
+        Policy { retry_for: Duration::from_secs(60), retry_after: Duration::from_millis(1), ..Policy::default() };
+    match seed % 4 {
+        0 => ("error", Policy { retry_for: Duration::ZERO, ..Policy::default() }, WhenDown::Error),
+        1 => ("optional", Policy { retry_for: Duration::ZERO, ..Policy::optional() }, WhenDown::Error),
+        2 => ("retry", patient, WhenDown::Error),
+        _ => ("spool", patient, WhenDown::Spool(folder.path().into(), 64 << 20)),
+    }
+}
+
+fn stored(seed: u64, folder: &Folder, place: &Place) -> (&'static str, Result<Stored, LogError>) {
+    let (name, policy, when) = policy(seed, folder);
+    let mut all = destinations(&[folder.url("csv:log.csv")], How::New).unwrap();
+    all.push(Destination::own("a place", place.clone(), policy).when_down(&when));
+    let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New);
+    let step = 1 + (Stream::named(seed, "steps").unit() * 400.0) as usize;
+    (name, logger.and_then(|logger| stage::store(logger, &stage::firings(ROWS), step)))
+}
+
+#[test]
+fn however_a_place_fails_each_policy_does_what_it_says() {
+    let seeds = std::env::var("HOMEBODY_SEEDS").ok().and_then(|text| text.parse().ok()).unwrap_or(USUAL_SEEDS);
+    let mut ends: BTreeMap<String, u64> = BTreeMap::new();
+    for seed in 1..=seeds {
+        let folder = Folder::new(&format!("seed-{seed}"));
+        let place = Place { seed, forgets: false, got: Arc::default() };
+        let (policy, stored) = stored(seed, &folder, &place);
+        let got = place.got.lock().unwrap();
+        let what =
+            format!("seed {seed}, {policy}: {:?}, {} calls", stored.as_ref().map(|stored| stored.rows), got.asked);
+        assert!(
+            got.rows.iter().copied().eq(0..got.rows.len() as i64),
+            "{what}: a row is missing, doubled or out of turn"
+        );
+        let is_whole = got.ended && got.rows.len() as u64 == ROWS;
+        // Whoever is not told that all is well may have all of it, where the last answer was not heard.
+        match (policy, &stored) {
+            ("optional", Ok(stored)) => {
+                assert_eq!(stored.rows, ROWS, "{what}");
+                assert!(is_whole || !stored.failed.is_empty(), "{what}: it is not told that it failed");
+            }
+            (_, Ok(_)) => assert!(is_whole, "{what}"),
+            ("error", Err(_)) => {}
+            (_, Err(error)) => assert!(got.is_over, "{what}: {error}"),
+        }
+        // The file beside it is whole or not there, and there where the run has come to its end.
+        let files = folder.files();
+        assert!(files.is_empty() && stored.is_err() || files == ["log.csv"], "{what}: {files:?}");
+        assert!(files.is_empty() || folder.text("log.csv").lines().count() as u64 == ROWS + 1, "{what}");
+        *ends.entry(format!("{policy} {}", if stored.is_ok() { "whole" } else { "ended" })).or_default() += 1;
+    }
+    println!("{seeds} seeds: {ends:?}");
+    assert!(
+        seeds < USUAL_SEEDS
+            || ["retry whole", "retry ended", "spool whole", "error ended"].iter().all(|end| ends.contains_key(*end)),
+        "{ends:?}"
+    );
+    // The control: one that keeps twice what nobody heard that it had is found out.
+    let twice = (1..=20).filter(|seed| {
+        let folder = Folder::new(&format!("twice-{seed}"));
+        let place = Place { seed: *seed, forgets: true, got: Arc::default() };
+        let _ = stored(*seed, &folder, &place);
+        let rows = &place.got.lock().unwrap().rows;
+        !rows.iter().copied().eq(0..rows.len() as i64)
+    });
+    assert!(twice.count() > 0, "rows that are there twice are seen");
+}

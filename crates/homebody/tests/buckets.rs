@@ -1,0 +1,137 @@
+//! The command and a bucket of S3: a run goes there day by day, is gone on with after a death, looked at, read, labelled and refused.
+//!
+//! It is tried in builds with the feature `cloud`, with the server of moto: `moto_server` on the `PATH`, or as `HOMEBODY_MOTO` names it.
+#![cfg(all(unix, feature = "cloud"))]
+#![allow(dead_code, reason = "what tests of several programs share is used in part by each")]
+
+#[path = "command/flat.rs"]
+mod flat;
+#[path = "command/folder.rs"]
+mod folder;
+
+use flat::flat;
+use folder::{Done, Folder};
+use std::io::{Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+const SECRET: &str = "s3cr3t-canary";
+
+/// A server that speaks S3, which ends with the test.
+struct Store {
+    server: Child,
+    port: u16,
+}
+
+impl Drop for Store {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+impl Store {
+    fn start() -> Option<Store> {
+        let program = std::env::var("HOMEBODY_MOTO").unwrap_or_else(|_| "moto_server".into());
+        let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+        let mut command = Command::new(&program);
+        command.args(["-H", "127.0.0.1", "-p", &port.to_string()]).stdout(Stdio::null()).stderr(Stdio::null());
+        let Ok(server) = command.spawn() else {
+            println!("skipped: there is no {program}, as pip install 'moto[server]' brings it");
+            return None;
+        };
+        let store = Store { server, port };
+        let begun = Instant::now();
+        while TcpStream::connect(("127.0.0.1", port)).is_err() {
+            assert!(begun.elapsed() < Duration::from_secs(60), "the store begins");
+            std::thread::sleep(Duration::from_millis(50));
+        }
+        let answer = store.ask("PUT", "/bucket");
+        assert!(answer.starts_with("HTTP/1.1 200"), "{answer}");
+        Some(store)
+    }
+
+    fn ask(&self, method: &str, path: &str) -> String {
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
+        let head =
+            format!("{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 0\r\nConnection: close\r\n\r\n");
+        stream.write_all(head.as_bytes()).unwrap();
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer).unwrap();
+        answer
+    }
+
+    /// How many files there are below a name.
+    fn files(&self, below: &str) -> usize {
+        self.ask("GET", &format!("/bucket?list-type=2&prefix={below}")).matches("<Key>").count()
+    }
+
+    fn command(&self, folder: &Folder, words: &str) -> Command {
+        let mut command = folder.command(words);
+        command.env("AWS_ENDPOINT", format!("http://127.0.0.1:{}", self.port)).env("AWS_REGION", "us-east-1");
+        command.env("AWS_ACCESS_KEY_ID", "ann").env("AWS_SECRET_ACCESS_KEY", SECRET);
+        command
+    }
+
+    fn run(&self, folder: &Folder, words: &str) -> Done {
+        let done = Done::new(words, self.command(folder, words).output().unwrap());
+        assert!(!done.out.contains(SECRET) && !done.err.contains(SECRET), "{}{}", done.out, done.err);
+        done
+    }
+}
+
+#[test]
+fn a_run_goes_into_a_bucket_and_comes_back() {
+    let Some(store) = Store::start() else { return };
+    let folder = flat();
+    let run = "run flat --for 3d --quiet --out parquet:s3://bucket/lives --truth truth.db";
+    store.run(&folder, run).ok();
+    assert_eq!(store.files("lives/"), 3, "a file for each day");
+    folder.run("run flat --for 3d --quiet --out parquet:lives").ok();
+    let said = |of: &str| {
+        store.run(&folder, &format!("convert {of} --to csv:read.csv --force")).ok();
+        folder.sha256("read.csv")
+    };
+    assert_eq!(said("parquet:s3://bucket/lives"), said("parquet:lives"));
+    store.run(&folder, "doctor parquet:s3://bucket/lives").ok();
+    store.run(&folder, "look parquet:s3://bucket/lives").ok();
+    store.run(&folder, "label parquet:s3://bucket/lives truth.db --to csv:labelled.csv").ok();
+    // What is there is refused, and replaced where that is said.
+    store.run(&folder, &run.replace("truth.db", "other.db")).fails(1, "--force");
+    store.run(&folder, &format!("{run} --force")).ok();
+    assert_eq!(said("parquet:s3://bucket/lives"), said("parquet:lives"));
+    // What is not there is told, be it a run, a bucket or a store.
+    store.run(&folder, "look parquet:s3://bucket/nowhere").fails(1, "parquet:s3://bucket/nowhere");
+    store.run(&folder, &run.replace("bucket", "no-such-bucket")).fails(1, "no such bucket");
+    let port = store.port;
+    drop(store);
+    let words = run.replace("truth.db", "third.db");
+    let mut command = folder.command(&words);
+    command.env("AWS_ENDPOINT", format!("http://127.0.0.1:{port}")).env("AWS_REGION", "us-east-1");
+    command.env("AWS_ACCESS_KEY_ID", "ann").env("AWS_SECRET_ACCESS_KEY", SECRET);
+    Done::new(&words, command.output().unwrap()).fails(1, "does not answer");
+}
+
+#[test]
+fn a_killed_run_is_gone_on_with_in_a_bucket() {
+    let Some(store) = Store::start() else { return };
+    let folder = flat();
+    folder.write("flat/logger.json", r#"{ "to": ["parquet:s3://bucket/died"] }"#);
+    let mut child = store.command(&folder, "run flat --for 40d --quiet").spawn().unwrap();
+    let begun = Instant::now();
+    while store.files("died/") < 2 {
+        assert!(begun.elapsed() < Duration::from_secs(60), "whole days are there");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let there = store.files("died/");
+    assert!(there < 40, "it was killed on the way: {there}");
+    store.run(&folder, "run --resume runs/flat-1 --quiet").ok();
+    assert_eq!(store.files("died/"), 40);
+    store.run(&folder, "replay runs/flat-1/recording.json --out csv:again.csv").ok();
+    store.run(&folder, "convert parquet:s3://bucket/died --to csv:read.csv").ok();
+    let rows = |name: &str| folder.read(name).lines().count();
+    assert_eq!(rows("read.csv"), rows("again.csv"));
+}
