@@ -92,7 +92,7 @@ def cohort(
     (['0001', '0002'], 2)
     """
     opened = home if isinstance(home, Scenario) else scenario(home)
-    wanted = {
+    wanted: dict[str, Any] = {
         "residents": None,
         "profiles": None,
         "days": None if days is None else float(days),

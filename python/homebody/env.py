@@ -106,6 +106,5 @@ class PlaceSensors(gymnasium.Env[Any, Any]):
 
 def _without_motion(home: Scenario) -> Scenario:
     """The home without the sensors that see."""
-    file = home.data(home.data("scenario.json")["home"])
-    file["sensors"] = [sensor for sensor in file["sensors"] if not str(sensor["kind"]).endswith("motion")]
-    return home.change({home.data("scenario.json")["home"]: file})
+    sensors = home.data(home.data("scenario.json")["home"])["sensors"]
+    return home.without_sensor(*(sensor["name"] for sensor in sensors if str(sensor["kind"]).endswith("motion")))

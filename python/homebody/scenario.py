@@ -157,7 +157,7 @@ class Scenario:
 
         >>> import homebody as hb
         >>> sorted(hb.scenario("studio").data("scenario.json"))[:2]
-        ['$schema', 'days']
+        ['$schema', 'about']
         """
         return json.loads(self._scenario.text(name))
 
@@ -167,9 +167,11 @@ class Scenario:
         >>> import homebody as hb
         >>> home = hb.scenario("studio")
         >>> data = home.data("home.json")
-        >>> gone = data["sensors"].pop()
-        >>> gone["name"] in home.change({"home.json": data}).sensors
-        False
+        >>> data["sensors"][0]["name"]
+        'hall motion'
+        >>> data["sensors"].append({**data["sensors"][0], "name": "another"})
+        >>> "another" in home.change({"home.json": data}).sensors
+        True
         """
         return of_files({**self.texts, **files}, self._scenario.entry)
 
@@ -195,14 +197,27 @@ class Scenario:
         home.setdefault(key, []).append(value)
         return self.change({name: home})
 
-    def without_sensor(self, name: str) -> Scenario:
-        """The same scenario with one sensor less."""
-        if name not in self.sensors:
-            raise ValueError(f"name {name!r}: there is no such sensor; there are {', '.join(self.sensors)}")
-        file = self.data(self._scenario.entry)["home"]
-        home = self.data(file)
-        home["sensors"] = [sensor for sensor in home["sensors"] if sensor["name"] != name]
-        return self.change({file: home})
+    def without_sensor(self, *names: str) -> Scenario:
+        """The same scenario without these sensors; what they are called in the log goes with them.
+
+        >>> import homebody as hb
+        >>> home = hb.scenario("studio")
+        >>> fewer = home.without_sensor("bed motion", "table motion")
+        >>> len(home.sensors) - len(fewer.sensors)
+        2
+        """
+        for name in names:
+            if name not in self.sensors:
+                raise ValueError(f"name {name!r}: there is no such sensor; there are {', '.join(self.sensors)}")
+        own = self.data(self._scenario.entry)
+        home = self.data(own["home"])
+        home["sensors"] = [sensor for sensor in home["sensors"] if sensor["name"] not in names]
+        files: dict[str, object] = {own["home"]: home}
+        if own.get("logger") is not None:
+            logger = self.data(own["logger"])
+            logger["ids"] = {name: known for name, known in logger.get("ids", {}).items() if name not in names}
+            files[own["logger"]] = logger
+        return self.change(files)
 
     def routine(self, resident: str) -> str:
         """The routine that somebody lives by: plain sentences."""

@@ -148,7 +148,10 @@ def test_what_is_drawn_hangs_on_seed_name_and_column_alone() -> None:
     assert all(0.4 <= float(row["pace_mps"]) <= 1.3 for row in drawn)
 
 
-def test_a_cluster_that_is_not_there_and_a_folder_that_is_not_are_told(tmp_path: Path) -> None:
+def test_a_cluster_that_is_not_there_and_a_folder_that_is_not_are_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("homebody.cluster.TIMEOUT_S", 1)
     with pytest.raises(hb.ClusterError, match="no cluster answers"):
         hb.cohort("studio", 1, tmp_path / "a", days=0.1, cluster="tcp://127.0.0.1:1")
     with pytest.raises(hb.ClusterError, match="does not see"):

@@ -52,6 +52,8 @@ def test_a_driver_sees_and_says_what_is_so() -> None:
                     return hb.Use("fridge", True)
                 case 4:
                     return hb.Use("fridge", False)
+                case 5:
+                    return hb.Stride(ENDS[1], 5)
             return hb.Rest(float("inf"))
 
     run = lived(Opening)

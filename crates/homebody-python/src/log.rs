@@ -8,7 +8,8 @@ use homebody_analysis::dates::{Asked, date_of};
 use homebody_analysis::day::Day;
 use homebody_analysis::density::{self, density};
 use homebody_analysis::windows::windows;
-use homebody_arrow::{Frame, Texts, Unshaped};
+use arrow_array::{ArrayRef, RecordBatch};
+use homebody_arrow::{Frame, Texts, Unshaped, whole_file};
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::walked::walk_into;
 use homebody_kit::{Error, Instants, LogWithRun, NamedLog};
@@ -19,8 +20,12 @@ use homebody_log::{How, Transfer, Url, label};
 use homebody_picture::{DayChart, day_chart, density_map, measures_picture};
 use jiff::tz::TimeZone;
 use pyo3::prelude::*;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+
+/// What a join adds to rows of a log.
+const LABELS: [&str; 5] = ["resident", "room", "activity", "cause", "thing"];
 
 /// A log that somebody has named.
 #[pyclass(frozen, module = "homebody._homebody")]
@@ -50,6 +55,28 @@ impl Log {
         }
         let read = LogWithRun::read(&self.text, self.zone.as_deref()).map_err(raised)?;
         Ok(self.on_the_wall.get_or_init(|| read))
+    }
+
+    /// Some of its rows: time, device, value.
+    fn event_batch(&self, rows: Range<usize>) -> PyResult<Result<RecordBatch, Unshaped>> {
+        let Instants { log, zone, .. } = self.instants()?;
+        let events = log.events.get(rows).ok_or_else(|| named("LogError", "its rows have changed meanwhile"))?;
+        let times = events.iter().map(|event| Some(event.at)).collect();
+        let (mut devices, mut values) = (Texts::of(log.sensors.clone()), Texts::of(log.values.clone()));
+        for event in events {
+            devices.push_place(Some(event.sensor));
+            values.push_place(Some(event.value));
+        }
+        let frame = Frame::default().instants("time", times, zone.as_deref());
+        let frame = frame.texts("device", devices).and_then(|frame| frame.texts("value", values));
+        Ok(frame.and_then(Frame::batch))
+    }
+
+    /// The same as columns with their names.
+    fn event_columns(&self, rows: Range<usize>) -> PyResult<Vec<(String, ArrayRef, bool)>> {
+        let batch = self.event_batch(rows)?.map_err(|error| named("HomebodyError", error))?;
+        let names = batch.schema_ref().fields().iter().map(|field| field.name().clone());
+        Ok(names.zip(batch.columns()).map(|(name, column)| (name, column.clone(), true)).collect())
     }
 
     fn labelled_into(&self, to: &Path) -> Result<(), Error> {
@@ -110,16 +137,8 @@ impl Log {
     /// Its rows: time, device, value.
     fn events(&self, py: Python<'_>) -> PyResult<Stream> {
         py.detach(|| {
-            let Instants { log, zone, .. } = self.instants()?;
-            let times = log.events.iter().map(|event| Some(event.at)).collect();
-            let (mut devices, mut values) = (Texts::of(log.sensors.clone()), Texts::of(log.values.clone()));
-            for event in &log.events {
-                devices.push_place(Some(event.sensor));
-                values.push_place(Some(event.value));
-            }
-            let frame = Frame::default().instants("time", times, zone.as_deref());
-            let frame = frame.texts("device", devices).and_then(|frame| frame.texts("value", values));
-            Stream::of(frame.and_then(Frame::batch))
+            let rows = self.instants()?.log.events.len();
+            Stream::of(self.event_batch(0..rows)?)
         })
     }
 
@@ -202,7 +221,21 @@ impl Log {
     fn labelled(&self, py: Python<'_>, by: PathBuf) -> PyResult<Stream> {
         py.detach(|| {
             self.labelled_into(&by).map_err(raised)?;
-            Stream::of_file(&by)
+            let (_, batches) = whole_file(&by).map_err(|error| named("LogError", error))?;
+            let mut before = 0;
+            let batches = batches.iter().map(|batch| {
+                let events = self.event_columns(before..before + batch.num_rows())?;
+                before += batch.num_rows();
+                let labels = LABELS.iter().map(|name| {
+                    let column = batch.column_by_name(name).cloned();
+                    let missing = || named("LogError", format!("there are no labels {name}"));
+                    column.map(|column| ((*name).to_owned(), column, true)).ok_or_else(missing)
+                });
+                let all: Vec<_> = events.into_iter().map(Ok).chain(labels).collect::<PyResult<_>>()?;
+                let whole = RecordBatch::try_from_iter_with_nullable(all);
+                whole.map_err(|error| named("HomebodyError", error))
+            });
+            Stream::of_parts(batches.collect::<PyResult<_>>()?)
         })
     }
 

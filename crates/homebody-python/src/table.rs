@@ -3,10 +3,9 @@
 use crate::fault::named;
 use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::{RecordBatch, RecordBatchIterator};
-use homebody_arrow::{SchemaRef, whole_file};
+use homebody_arrow::SchemaRef;
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
-use std::path::Path;
 
 /// What the capsule of a stream is called.
 const NAME: &std::ffi::CStr = c"arrow_array_stream";
@@ -24,9 +23,9 @@ impl Stream {
         Ok(Stream { schema: batch.schema(), batches: vec![batch] })
     }
 
-    /// All of a file of Parquet or Arrow IPC.
-    pub fn of_file(path: &Path) -> PyResult<Stream> {
-        let (schema, batches) = whole_file(path).map_err(|error| named("LogError", error))?;
+    /// Of parts with the same columns, one after the other.
+    pub fn of_parts(batches: Vec<RecordBatch>) -> PyResult<Stream> {
+        let schema = batches.first().ok_or_else(|| named("LogError", "it has no rows"))?.schema();
         Ok(Stream { schema, batches })
     }
 }
