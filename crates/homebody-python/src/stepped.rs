@@ -33,7 +33,7 @@ impl LiveRun {
 impl LiveRun {
     /// Lives on for so many seconds, and returns what the sensors said.
     fn step(&self, py: Python<'_>, lasts_s: f64) -> PyResult<Stream> {
-        if !(lasts_s > 0.0) {
+        if lasts_s.is_nan() || lasts_s <= 0.0 {
             return Err(named("HomebodyError", "a step is longer than nothing"));
         }
         py.detach(|| {
