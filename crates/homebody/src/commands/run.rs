@@ -175,6 +175,9 @@ impl Arguments {
             let layout = to.map_or(Ok(CohortLayout::Folders), CohortLayout::of).map_err(Failure::Usage)?;
             let cohort = cohort.layout(layout).start()?;
             self.remark(&opened, length);
+            if !self.output.quiet {
+                cohort::foretell_size(&opened, layout, cohort.count(), length);
+            }
             let progress = self.output.progress(cohort.progress().length);
             let lived = match to {
                 Some(place) => cohort.store_in(place.path(), |lived| show(&progress, 0, lived)),
