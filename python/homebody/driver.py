@@ -151,7 +151,7 @@ class _Asked:
             case Stir(lasts, amplitude_m, at, posture):
                 return "stir", (at, float(lasts), posture, float(amplitude_m))
             case Away(lasts):
-                return "away", float(lasts)
+                return "out", float(lasts)
             case Use(thing, is_on):
                 return "use", (thing, bool(is_on))
             case Doing(activity):

@@ -230,7 +230,7 @@ def translate(
     progress: bool | None = None,
 ) -> Translated:
     """Walks a log back through the plan of its home: where everybody was at each instant. ``to`` is the folder to make; without it, one
-    for this session."""
+    that goes when the program ends."""
     from homebody.scenario import temporary_folder
 
     folder = Path(to) if to is not None else temporary_folder() / "walked"

@@ -25,7 +25,7 @@ ENTRY = "scenario.json"
 
 
 def temporary_folder() -> Path:
-    """A new folder that goes with this session."""
+    """A new folder that goes when the program ends."""
     folder = Path(tempfile.mkdtemp(prefix="homebody-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder
@@ -41,7 +41,7 @@ class Run(Log):
     """
 
     def __init__(self, scenario: Scenario, told: dict[str, Any]) -> None:
-        #: The folder that it is in; one for this session, unless another was asked for.
+        #: The folder that it is in; it goes when the program ends, unless another was asked for.
         self.folder = Path(told["folder"])
         super().__init__(self.folder)
         self.scenario = scenario
@@ -263,7 +263,7 @@ class Scenario:
         """Lives it, and stores what its sensors say, with the truth apart.
 
         Other threads of Python go on meanwhile; Ctrl-C stops it. ``into`` is a folder in which a new one is made for the run, such as
-        ``runs``; without it, the run goes with this session. ``without`` leaves conditions out, ``numbers`` sets numbers of the models,
+        ``runs``; without it, the run goes when the program ends. ``without`` leaves conditions out, ``numbers`` sets numbers of the models,
         ``one_of_many`` lets residents differ as people do, ``drivers`` moves residents by drivers in Python.
 
         >>> import homebody as hb

@@ -122,7 +122,8 @@ mod tests {
         let activities = vec![doing("sleeping", 0, 85), doing("walking", 85, 118)];
         let life = Life { resident: "ada".into(), activities, rooms: Vec::new() };
         let cut = windows(&log, std::slice::from_ref(&life), 60 * SECOND).unwrap();
-        let told: Vec<_> = cut.rows.iter().map(|row| (row.begin / SECOND, row.counts.clone(), row.label.as_deref())).collect();
+        let told: Vec<_> =
+            cut.rows.iter().map(|row| (row.begin / SECOND, row.counts.clone(), row.label.as_deref())).collect();
         assert_eq!(
             told,
             [(60, vec![1, 1], Some("walking")), (120, vec![0, 0], None), (180, vec![1, 0], None)],

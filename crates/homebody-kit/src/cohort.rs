@@ -397,8 +397,7 @@ impl Cohort {
         let member = self.members.who(self.recording.seed, index);
         let left = self.left_of(folder, &member, index)?;
         let scenario = &self.scenario.scenario;
-        let is_whole =
-            |left: &Recording| left.is_whole() && self.layout.is_all_there(folder, &member.name, scenario);
+        let is_whole = |left: &Recording| left.is_whole() && self.layout.is_all_there(folder, &member.name, scenario);
         left.filter(is_whole).map(|left| self.ended(folder, &member, &left)).transpose()
     }
 
@@ -591,4 +590,3 @@ impl UnfinishedCohort {
         self.cohort.live_into(self.folder, self.found, progress)
     }
 }
-

@@ -111,8 +111,7 @@ impl NamedLog {
             return Err(LogError::NoTruth { place: truth.to_string(), why }.into());
         };
         let utc = self.clock_of(Clock::Utc);
-        let instants: Vec<bool> =
-            all[index].columns.iter().map(|column| column.kind == ColumnKind::Instant).collect();
+        let instants: Vec<bool> = all[index].columns.iter().map(|column| column.kind == ColumnKind::Instant).collect();
         truth_rows(&truth, Truth::ALL[index], &self.clock(), &mut |row| {
             let mut cells = row.to_vec();
             for (cell, is_instant) in cells.iter_mut().zip(&instants) {

@@ -60,9 +60,7 @@ impl Cohort {
     /// The one that was begun in a folder.
     #[staticmethod]
     fn left_in(py: Python<'_>, folder: PathBuf) -> PyResult<Cohort> {
-        py.detach(|| homebody_kit::Cohort::left_in(&folder))
-            .map(|(cohort, _)| Cohort { cohort })
-            .map_err(raised)
+        py.detach(|| homebody_kit::Cohort::left_in(&folder)).map(|(cohort, _)| Cohort { cohort }).map_err(raised)
     }
 
     #[getter]

@@ -2,6 +2,7 @@
 //!
 //! `homebody.driver` turns what Python answers into the plain tuples that are read here, and the surroundings into a view of its own.
 
+use crate::fault::raised;
 use homebody_core::drivers::{Body, Driver, MotionSegment, Next, Surroundings};
 use homebody_core::event::{MotionState, ThingUse};
 use homebody_core::geometry::{Point, point};
@@ -9,6 +10,7 @@ use homebody_core::home::Home;
 use homebody_core::ids::ThingId;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, NEVER, SECOND};
+use homebody_kit::Error;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use std::fmt;
@@ -16,6 +18,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 /// What Python has raised in a driver, for whoever lived the run.
 pub type Raised = Arc<Mutex<Option<PyErr>>>;
+
+/// What a driver has raised, else the error that came of it.
+pub fn or_raised(error: Error, by_driver: &Raised) -> PyErr {
+    by_driver.lock().unwrap_or_else(PoisonError::into_inner).take().unwrap_or_else(|| raised(error))
+}
 
 /// A driver in Python.
 pub struct PythonDriver {
@@ -124,7 +131,7 @@ fn next(answer: &Bound<'_, PyAny>, around: &Surroundings, home: &Home) -> PyResu
             let (at, lasts_s, posture, amplitude_m): (Option<(f64, f64)>, f64, String, f64) = of.extract()?;
             segment(end(lasts_s), MotionState::InPlace { at: here(at)?, amplitude_m }, posture_of(&posture)?)
         }
-        "away" => segment(end(of.extract()?), MotionState::Away, Posture::Standing),
+        "out" => segment(end(of.extract()?), MotionState::Away, Posture::Standing),
         "use" => {
             let (thing, on): (String, bool) = of.extract()?;
             let known = &around.plan().things;

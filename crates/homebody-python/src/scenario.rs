@@ -1,6 +1,6 @@
 //! Scenarios: opened, made of texts, looked at, and lived.
 
-use crate::driver::{PythonDriver, Raised};
+use crate::driver::{PythonDriver, Raised, or_raised};
 use crate::fault::{json, named, raised};
 use crate::lived::lived;
 use crate::stepped::LiveRun;
@@ -14,7 +14,6 @@ use homebody_picture::{coverage_map, floor_plan};
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::PoisonError;
 
 /// The names of the scenarios that came with the program.
 #[pyfunction]
@@ -76,11 +75,6 @@ impl Scenario {
         }
         Ok((setup, raised))
     }
-}
-
-/// What a driver has raised, else the error that came of it.
-pub fn or_raised(error: Error, by_driver: &Raised) -> PyErr {
-    by_driver.lock().unwrap_or_else(PoisonError::into_inner).take().unwrap_or_else(|| raised(error))
 }
 
 #[pymethods]

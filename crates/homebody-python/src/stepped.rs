@@ -1,8 +1,7 @@
 //! A run that is lived step by step, by whoever asks for the next one.
 
-use crate::driver::Raised;
+use crate::driver::{Raised, or_raised};
 use crate::fault::{json, named};
-use crate::scenario::or_raised;
 use crate::table::Stream;
 use homebody_arrow::{Frame, Texts};
 use homebody_core::scenario::path::Posture;

@@ -42,7 +42,8 @@ fn python_is_told_the_types_of_all_that_it_can_call() {
 
 #[test]
 fn a_function_without_types_is_found() {
-    let names = called("#[pyfunction]\npub fn one(\n}\n#[pymethods]\nimpl A {\n    fn two<'py>(\n    fn new(\n}\nfn three(");
+    let names =
+        called("#[pyfunction]\npub fn one(\n}\n#[pymethods]\nimpl A {\n    fn two<'py>(\n    fn new(\n}\nfn three(");
     assert_eq!(names, ["one", "two", "new"]);
     assert_eq!(untold(&names, "def one(a): ...\ndef __init__(self): ...\n"), ["two"]);
 }
