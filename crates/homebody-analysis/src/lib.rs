@@ -22,6 +22,8 @@ pub mod walks;
 pub mod compare;
 /// How well a log that was lived again explains the one it was taken from.
 pub mod explained;
+/// A log cut into windows, with what sensors said and what somebody did in each.
+pub mod windows;
 /// A random forest, which tells rows of figures apart.
 pub mod forest;
 /// How near a log is to a real one, and what gives it away.

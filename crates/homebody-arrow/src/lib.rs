@@ -7,15 +7,22 @@
 mod columns;
 mod encoded;
 mod fault;
+mod frame;
 mod layout;
 mod sink;
 mod source;
 #[cfg(feature = "cloud")]
 mod store;
 
+/// Why columns are no table.
+pub use arrow_schema::ArrowError as Unshaped;
+/// The columns of a table.
+pub use arrow_schema::SchemaRef;
+pub use frame::{Frame, Texts};
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
 use homebody_log::elsewhere::Elsewhere;
+pub use source::whole_file;
 
 /// These kinds of places, for a program that wants them.
 pub const ELSEWHERE: Elsewhere = Elsewhere {

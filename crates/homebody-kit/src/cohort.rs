@@ -3,9 +3,10 @@
 use crate::VERSION;
 use crate::cancel::Cancel;
 use crate::cohort_list::{Asked, CohortFile, CohortList, ListedMember};
+use crate::cohort_members::{CohortLayout, Member, MemberLived, Members};
 use crate::error::Error;
 use crate::pace::{Pace, Paced};
-use crate::profiles::{self, MOST, OwnRoutine, Profile};
+use crate::profiles::{MOST, OwnRoutine, Profile};
 use crate::recorded;
 use crate::run::{Length, LiveRun, Progress};
 use crate::scenario::OpenScenario;
@@ -17,11 +18,10 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::time::Micros;
 use homebody_log::fresh::{FreshFile, remove_parts};
 use homebody_log::lock::FolderLock;
-use homebody_log::places::{LIST, RECORDING, is_all_there};
+use homebody_log::places::LIST;
 use homebody_log::{How, Places};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
-use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -29,15 +29,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering};
 use std::time::{Duration, Instant};
 
+/// What errors call a cohort.
+const COHORT: &str = "cohort";
+
 /// Threads for each processor (ours).
 const THREADS_EACH: usize = 4;
-
-/// Who is to live: so many of whom nothing else is known, or those of a list.
-#[derive(Clone, Debug)]
-enum Members {
-    Many(u32),
-    Listed(Vec<Profile>),
-}
 
 /// What a cohort is to be; made by [`OpenScenario::cohort`] or [`OpenScenario::cohort_of`]. What is not asked for is as the
 /// scenario says.
@@ -61,18 +57,8 @@ pub struct CohortSetup {
     length: Length,
     without: Vec<String>,
     numbers: BTreeMap<String, f64>,
+    layout: CohortLayout,
     cancel: Cancel,
-}
-
-/// A member of a cohort.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Member {
-    /// Of one who is listed, the name in the list; else a number from 1 on, such as `0001`.
-    pub name: String,
-    /// The number all randomness of this life comes from.
-    pub seed: u64,
-    /// What the list says of the member, by column.
-    pub row: Option<BTreeMap<String, String>>,
 }
 
 /// A cohort that was lived into a folder.
@@ -101,17 +87,8 @@ impl LivedCohort {
     }
 }
 
-/// What has become of one member, as the cohort counts it.
-#[derive(Clone)]
-struct Ended {
-    listed: ListedMember,
-    /// How much was lived, in microseconds.
-    length: Micros,
-    is_early: bool,
-}
-
 /// How much of a cohort was lived before, in microseconds.
-fn lived_before(found: &[Option<Ended>]) -> Micros {
+fn lived_before(found: &[Option<MemberLived>]) -> Micros {
     found.iter().flatten().map(|member| member.length).sum()
 }
 
@@ -130,7 +107,8 @@ impl OpenScenario {
 impl CohortSetup {
     fn new(scenario: OpenScenario, members: Members) -> CohortSetup {
         let (seed, length, without, numbers) = (None, Length::Own, Vec::new(), BTreeMap::new());
-        CohortSetup { scenario, members, seed, length, without, numbers, cancel: Cancel::new() }
+        let (layout, cancel) = (CohortLayout::default(), Cancel::new());
+        CohortSetup { scenario, members, seed, length, without, numbers, layout, cancel }
     }
 
     /// The number all randomness comes from.
@@ -164,6 +142,12 @@ impl CohortSetup {
         self
     }
 
+    /// How its members lie in its folder.
+    pub fn layout(mut self, layout: CohortLayout) -> CohortSetup {
+        self.layout = layout;
+        self
+    }
+
     /// Nobody else is begun, and those who are lived end early, once this handle says so.
     pub fn cancel(mut self, cancel: &Cancel) -> CohortSetup {
         self.cancel = cancel.clone();
@@ -176,8 +160,8 @@ impl CohortSetup {
     ///
     /// [`Error::Problems`] if nobody shows a condition that is to be left out, or a number cannot be set like that,
     /// [`Error::Length`] if a life can not be this long.
-    pub fn start(self) -> Result<Cohort, Error> {
-        let opened = self.scenario.with_numbers(self.numbers)?;
+    pub fn start(mut self) -> Result<Cohort, Error> {
+        let opened = self.scenario.with_numbers(std::mem::take(&mut self.numbers))?;
         let OpenScenario { scenario, source, .. } = &opened;
         let household = match self.members {
             Members::Many(_) => opened.household_without(&self.without)?,
@@ -185,9 +169,10 @@ impl CohortSetup {
         };
         let (seed, length) = (self.seed.unwrap_or(scenario.file.seed), self.length.of(scenario)?);
         let recording = Recording::of(scenario, VERSION, source.entry(), seed, length);
-        let recording = Recording { without: self.without, one_of_many: true, ..recording };
+        let recording = Recording { without: std::mem::take(&mut self.without), one_of_many: true, ..recording };
         let household = household.one_of_many();
-        Ok(Cohort { scenario: opened, household, members: self.members, recording, cancel: self.cancel })
+        let CohortSetup { members, layout, cancel, .. } = self;
+        Ok(Cohort { scenario: opened, household, members, recording, layout, cancel })
     }
 }
 
@@ -199,6 +184,7 @@ pub struct Cohort {
     members: Members,
     /// What is recorded of each member, but for what is their own.
     recording: Recording,
+    layout: CohortLayout,
     cancel: Cancel,
 }
 
@@ -214,6 +200,89 @@ impl Cohort {
     /// How far it has come before anybody has lived: the length is that of all lives together.
     pub fn progress(&self) -> Progress {
         Progress { lived: 0, length: self.recording.length_us.saturating_mul(self.count() as Micros) }
+    }
+
+    /// The cohort that is being lived in a folder, or was, and how many of its members its list has.
+    ///
+    /// # Errors
+    ///
+    /// As [`UnfinishedCohort::open`], but for [`Error::Complete`] and [`Error::Member`].
+    pub fn left_in(folder: &Path) -> Result<(Cohort, usize), Error> {
+        recorded::must_be_folder(folder)?;
+        let path = folder.join(LIST);
+        let text = recorded::text(&path)?;
+        let wrong =
+            |error: serde_json::Error| Error::Recording { path: path.clone(), why: readable(error.to_string()) };
+        let CohortFile { list, form, asked, recording } = serde_json::from_str(&text).map_err(wrong)?;
+        let layout = CohortLayout::named(form.as_deref()).ok_or_else(|| Error::Recording {
+            path: path.clone(),
+            why: format!("members have no form {}", form.unwrap_or_default()),
+        })?;
+        recorded::must_be_of_this_version(COHORT, folder, &recording)?;
+        recorded::has_its_scenario(&path, &recording)?;
+        let scenario = Source::of_texts(recording.files, recording.entry).open()?;
+        let members = match asked {
+            Asked::Residents(count @ 1..=MOST) => Members::Many(count),
+            Asked::Residents(count) => {
+                let why = format!("{count} residents are none, or more than {MOST}");
+                return Err(Error::Recording { path, why });
+            }
+            Asked::Profiles(table) => Members::Listed(scenario.profiles_of(LIST, &table, &recording.without)?),
+        };
+        let setup = CohortSetup::new(scenario, members).seed(recording.seed).length(recording.length_us);
+        Ok((setup.layout(layout).without(recording.without).start()?, list.members.len()))
+    }
+
+    /// Writes down in a folder what the cohort is to be, so that its members can be lived there one by one, wherever that is, by
+    /// [`Cohort::live_one`]. It is made if it is not there; if this very cohort was begun in it, nothing is changed.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Member`] if another cohort was begun there, [`Error::Log`] if nothing can be written there.
+    pub fn begin(&self, folder: &Path) -> Result<(), Error> {
+        fs::create_dir_all(folder).map_err(|error| Error::io(folder, error))?;
+        if !folder.join(LIST).exists() {
+            return self.write(folder, Vec::new(), How::New).map(|_| ());
+        }
+        let (there, _) = Cohort::left_in(folder)?;
+        let asked = |cohort: &Cohort| serde_json::to_string(&cohort.members.asked()).unwrap_or_default();
+        let is_same = there.recording == self.recording && there.layout == self.layout && asked(&there) == asked(self);
+        match is_same {
+            true => Ok(()),
+            false => {
+                let why = format!("{}: another cohort was begun there", folder.join(LIST).display());
+                Err(Error::Member { folder: folder.into(), why })
+            }
+        }
+    }
+
+    /// Lives one member, by index, into a folder in which the cohort was begun; who was lived to the end there is not lived again.
+    /// What it leaves are the same bytes, whoever lives it. `progress` is told how much was lived, in microseconds.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Log`] if its files cannot be written, or somebody else is writing them.
+    pub fn live_one(&self, folder: &Path, index: usize, progress: impl FnMut(Micros)) -> Result<MemberLived, Error> {
+        if let Some(found) = self.found(folder, index)? {
+            return Ok(found);
+        }
+        let member = self.members.who(self.recording.seed, index);
+        let run = self.run(&member, index)?;
+        self.member_into(folder, &member, run, progress)
+    }
+
+    /// The name of a member, by index.
+    pub fn name_of(&self, index: usize) -> String {
+        self.members.who(self.recording.seed, index).name
+    }
+
+    /// Completes the list of a cohort whose members have been lived one by one.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Log`] if it cannot be written.
+    pub fn end(&self, folder: &Path, lived: Vec<MemberLived>) -> Result<CohortList, Error> {
+        self.write(folder, lived.into_iter().map(|member| member.listed).collect(), How::Replace)
     }
 
     /// Gives the run of each member to a function, on all processors, and returns what it makes of them in the order of
@@ -285,7 +354,7 @@ impl Cohort {
     fn live_into(
         &self,
         folder: PathBuf,
-        found: Vec<Option<Ended>>,
+        found: Vec<Option<MemberLived>>,
         progress: impl Fn(Progress) + Sync,
     ) -> Result<LivedCohort, Error> {
         let started = Instant::now();
@@ -319,25 +388,27 @@ impl Cohort {
     }
 
     /// By member: what has become of those who were lived to their end in this folder, with all their files there. No home is made for it.
-    fn found_in(&self, folder: &Path) -> Result<Vec<Option<Ended>>, Error> {
-        let found = |index| {
-            let member = self.members.who(self.recording.seed, index);
-            let left = self.left_of(folder, &member, index)?;
-            let logger = &self.scenario.scenario.logger;
-            let is_whole = |left: &Recording| left.is_whole() && is_all_there(&folder.join(&member.name), logger);
-            Ok(left.filter(is_whole).map(|left| self.ended(&member, &left)))
-        };
-        (0..self.count()).map(found).collect()
+    fn found_in(&self, folder: &Path) -> Result<Vec<Option<MemberLived>>, Error> {
+        (0..self.count()).map(|index| self.found(folder, index)).collect()
+    }
+
+    /// What has become of a member who was lived to the end in this folder.
+    fn found(&self, folder: &Path, index: usize) -> Result<Option<MemberLived>, Error> {
+        let member = self.members.who(self.recording.seed, index);
+        let left = self.left_of(folder, &member, index)?;
+        let scenario = &self.scenario.scenario;
+        let is_whole = |left: &Recording| left.is_whole() && self.layout.is_all_there(folder, &member.name, scenario);
+        left.filter(is_whole).map(|left| self.ended(folder, &member, &left)).transpose()
     }
 
     /// The recording that a member has left, complete or not; [`Error::Member`] if what is there is none of this member.
     fn left_of(&self, folder: &Path, member: &Member, index: usize) -> Result<Option<Recording>, Error> {
-        let folder = folder.join(&member.name);
+        let path = self.layout.recording(folder, &member.name);
+        let folder = path.parent().unwrap_or(folder).to_owned();
         let wrong = |why: String| Error::Member { folder: folder.clone(), why };
         if folder.is_file() {
             return Err(wrong(format!("{} is a file, and a member's folder is to be there", folder.display())));
         }
-        let path = folder.join(RECORDING);
         match recorded::recording(&path) {
             Err(Error::NoRecording { .. }) => Ok(None),
             Err(error) => Err(wrong(error.to_string())),
@@ -377,8 +448,8 @@ impl Cohort {
     }
 
     /// What has become of a member.
-    fn ended(&self, member: &Member, recording: &Recording) -> Ended {
-        Ended {
+    fn ended(&self, folder: &Path, member: &Member, recording: &Recording) -> Result<MemberLived, Error> {
+        Ok(MemberLived {
             listed: ListedMember {
                 name: member.name.clone(),
                 seed: member.seed,
@@ -386,10 +457,11 @@ impl Cohort {
                 rows: recording.rows.unwrap_or(recording.firings),
                 days: self.scenario.scenario.calendar.days_lived(recording.length_us),
                 profile: member.row.clone(),
+                sha256: self.layout.digest(folder, &member.name)?,
             },
             length: recording.length_us,
             is_early: recording.stopped_of_us.is_some(),
-        }
+        })
     }
 
     /// Lives what is not there yet of one member; `lived_on` is told how far it has come.
@@ -399,16 +471,16 @@ impl Cohort {
         member: &Member,
         run: LiveRun,
         mut lived_on: impl FnMut(Micros),
-    ) -> Result<Ended, Error> {
-        let places = Places::member(folder, &member.name, &run.scenario)?;
-        let recorded = folder.join(&member.name).join(RECORDING);
+    ) -> Result<MemberLived, Error> {
+        let places = self.layout.places(folder, &member.name, &run.scenario)?;
+        let recorded = self.layout.recording(folder, &member.name);
         let how = if recorded.exists() { How::GoOn } else { How::New };
         if how == How::New {
             // A program that died while it wrote it has left a part.
             remove_parts(&recorded)?;
         }
         let lived = run.store_into(&places, Vec::new(), how, |progress| lived_on(progress.lived))?;
-        Ok(self.ended(member, &lived.recording))
+        self.ended(folder, member, &lived.recording)
     }
 
     /// Writes the list of the members, as text with a line for each value, and returns it.
@@ -428,7 +500,7 @@ impl Cohort {
             days: self.scenario.scenario.calendar.days_lived(self.recording.length_us),
             members,
         };
-        let (path, file) = (folder.join(LIST), CohortFile { list, asked, recording });
+        let (path, file) = (folder.join(LIST), CohortFile { list, form: self.layout.form(), asked, recording });
         let text = serde_json::to_string_pretty(&file).map_err(|error| Error::file(&path, error.to_string()))?;
         let mut written = FreshFile::create(&path, how != How::New)?;
         written.write(text.as_bytes())?;
@@ -470,11 +542,8 @@ impl Cohort {
 pub struct UnfinishedCohort {
     cohort: Cohort,
     folder: PathBuf,
-    found: Vec<Option<Ended>>,
+    found: Vec<Option<MemberLived>>,
 }
-
-/// What errors call a cohort.
-const COHORT: &str = "cohort";
 
 impl UnfinishedCohort {
     /// Finds out who was to be lived in a cohort's folder.
@@ -487,28 +556,10 @@ impl UnfinishedCohort {
     /// place of a member is of somebody else.
     pub fn open(folder: impl AsRef<Path>) -> Result<UnfinishedCohort, Error> {
         let folder = folder.as_ref();
-        recorded::must_be_folder(folder)?;
-        let path = folder.join(LIST);
-        let text = recorded::text(&path)?;
-        let wrong =
-            |error: serde_json::Error| Error::Recording { path: path.clone(), why: readable(error.to_string()) };
-        let CohortFile { list, asked, recording } = serde_json::from_str(&text).map_err(wrong)?;
-        recorded::must_be_of_this_version(COHORT, folder, &recording)?;
-        recorded::has_its_scenario(&path, &recording)?;
-        let scenario = Source::of_texts(recording.files, recording.entry).open()?;
-        let members = match asked {
-            Asked::Residents(count @ 1..=MOST) => Members::Many(count),
-            Asked::Residents(count) => {
-                let why = format!("{count} residents are none, or more than {MOST}");
-                return Err(Error::Recording { path, why });
-            }
-            Asked::Profiles(table) => Members::Listed(scenario.profiles_of(LIST, &table, &recording.without)?),
-        };
-        let setup = CohortSetup::new(scenario, members).seed(recording.seed).length(recording.length_us);
-        let cohort = setup.without(recording.without).start()?;
+        let (cohort, listed) = Cohort::left_in(folder)?;
         let found = cohort.found_in(folder)?;
         // One that was killed as it wrote the list has lived all of them.
-        if list.members.len() == cohort.count() && found.iter().all(Option::is_some) {
+        if listed == cohort.count() && found.iter().all(Option::is_some) {
             return Err(Error::Complete { what: COHORT, folder: folder.into() });
         }
         Ok(UnfinishedCohort { cohort, folder: folder.into(), found })
@@ -538,41 +589,4 @@ impl UnfinishedCohort {
         remove_parts(&list)?;
         self.cohort.live_into(self.folder, self.found, progress)
     }
-}
-
-impl Members {
-    fn asked(&self) -> Asked {
-        match self {
-            Members::Many(count) => Asked::Residents(*count),
-            Members::Listed(profiles) => Asked::Profiles(profiles::table(profiles)),
-        }
-    }
-
-    /// The name and the seed of a member, and what is said of them in the list. Neither depends on who else is one.
-    fn who(&self, seed: u64, index: usize) -> Member {
-        match self {
-            Members::Many(count) => {
-                let (number, width) = (index as u32 + 1, count.to_string().len().max(4));
-                let seed = seed_of_member(seed, number);
-                Member { name: format!("{number:0width$}"), seed, row: None }
-            }
-            Members::Listed(profiles) => {
-                let Profile { name, seed: own, row, .. } = &profiles[index];
-                let seed = own.unwrap_or_else(|| seed_of(seed, "profile/", name.as_bytes()));
-                Member { name: name.clone(), seed, row: Some(row.clone()) }
-            }
-        }
-    }
-}
-
-/// The seed of a member of whom nothing but their number is known, from 1 on.
-pub(crate) fn seed_of_member(seed: u64, number: u32) -> u64 {
-    seed_of(seed, "member/", &number.to_le_bytes())
-}
-
-/// A seed for each member; at most what every JSON reader keeps exactly.
-fn seed_of(seed: u64, kind: &str, member: &[u8]) -> u64 {
-    let hash = Sha256::new().chain_update(seed.to_le_bytes()).chain_update(kind).chain_update(member).finalize();
-    let bytes: [u8; 8] = std::array::from_fn(|index| hash[index]);
-    u64::from_le_bytes(bytes) >> 11
 }

@@ -33,6 +33,9 @@ pub struct ListedMember {
     /// What the list said of the member, by column.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile: Option<BTreeMap<String, String>>,
+    /// A digest of the member's files and their names, where the cohort is a set that is parted by member.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sha256: Option<String>,
 }
 
 /// The file [`LIST`](crate::LIST): the list, and all that the cohort is gone on with by, which stands from the first instant on.
@@ -40,6 +43,9 @@ pub struct ListedMember {
 pub(crate) struct CohortFile {
     #[serde(flatten)]
     pub list: CohortList,
+    /// The form of the members' files, where they are a set; none where each has a folder of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub form: Option<String>,
     /// Who is to live.
     pub asked: Asked,
     /// What is recorded of each member, but for what is their own; with all texts that any of them needs.

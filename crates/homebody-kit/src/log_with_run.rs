@@ -17,7 +17,7 @@ use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
 use homebody_log::source::Clock;
 use homebody_log::truth::tables;
 use homebody_log::word::one_word;
-use homebody_log::{Life, Log, LogError, RunClock, Source, Url, lives, read, stream, survey, truth_of};
+use homebody_log::{Life, Log, LogError, Places, RunClock, Source, Url, lives, read, stream, survey, truth_of};
 use homebody_walk::Mesh;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
@@ -267,7 +267,8 @@ impl NamedLog {
             false if text.contains("://") => text.parse().map_err(LogError::NoPlace)?,
             false => text.parse().or_else(|_| Source::recognise(&path)).map_err(|error: LogError| error)?,
         };
-        let beside = place.path().parent().and_then(recording_in);
+        let of_set = || recording_in(Places::in_set_at(place.path())?.recording?.parent()?);
+        let beside = place.path().parent().and_then(recording_in).or_else(of_set);
         Ok(NamedLog::at(text, place, beside))
     }
 
@@ -387,7 +388,8 @@ fn no_rows(folder: PathBuf) -> Error {
 /// The log in a run's folder: where its recording says that it is, or under a usual name.
 fn log_in(folder: &Path, recording: Option<&Recording>) -> Option<Url> {
     let scenario = recording.and_then(|run| run.scenario().ok());
-    logs_of(folder, scenario.as_ref()).find(|url| url.file().is_some_and(Path::is_file))
+    let there = logs_of(folder, scenario.as_ref()).find(|url| url.file().is_some_and(Path::is_file));
+    there.or_else(|| Places::in_set_at(folder)?.log.pop())
 }
 
 /// The first member of a cohort who was lived.

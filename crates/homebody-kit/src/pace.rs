@@ -235,6 +235,11 @@ impl Paced {
         self.from_afar.push(commands);
     }
 
+    /// Whether the run shall stop.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancel.is_cancelled()
+    }
+
     /// What was asked to be done to the run by now.
     pub fn asked(&self) -> Vec<Asked> {
         self.outside.iter().flat_map(|asked| asked.try_iter()).take(AT_ONCE).collect()

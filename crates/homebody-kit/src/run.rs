@@ -16,6 +16,7 @@ use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::run::Run;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scene::Scene;
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_routine::household::Household;
 use homebody_routine::living::account::Difference;
@@ -327,6 +328,27 @@ impl LiveRun {
     /// [`Error::Driver`] if a driver of the caller's own decided what nobody can do.
     pub fn next_batch(&mut self) -> Result<Option<Batch<'_>>, Error> {
         Ok(if self.live_on()? { Some(self.batch()) } else { None })
+    }
+
+    /// Lives on to an instant, in microseconds since the run's start, or to the end of the run if that is earlier, and returns
+    /// what has happened since the last time.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Driver`] if a driver of the caller's own decided what nobody can do.
+    pub fn live_until(&mut self, until: Micros) -> Result<Batch<'_>, Error> {
+        self.events.clear();
+        self.begin = self.run.now();
+        let until = until.min(self.run.length());
+        while self.run.now() < until && !self.paced.is_cancelled() {
+            self.stretch.live(&mut self.run, until, &mut self.events)?;
+        }
+        Ok(self.batch())
+    }
+
+    /// What it looks like now.
+    pub fn scene(&self) -> Scene {
+        self.run.scene()
     }
 
     /// Lives the run to its end and gives all of it to a sink; `progress` is called after each batch. Returns how far it has

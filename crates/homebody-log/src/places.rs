@@ -10,7 +10,7 @@ use homebody_core::recording::Recording;
 pub use homebody_core::scenario::inside::{RECORDING, SENSORS, TRUTH};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES, Scheme};
+use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES, Scheme, SchemeRow, Stands};
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -109,6 +109,60 @@ impl Places {
         Ok(places)
     }
 
+    /// The files of one member of a cohort whose logs, and whose truths apart from them, are each a set that is parted by member:
+    /// `log/member=0001/log.parquet`, and what a run's folder has besides in `members/0001`.
+    pub fn in_set(cohort: &Path, member: &str, form: Scheme) -> Result<Places, LogError> {
+        let mut places = Places::of_set(cohort, member, form);
+        for file in places.files() {
+            if let Some(folder) = file.parent() {
+                places.make(folder)?;
+            }
+        }
+        places.lead_nowhere_else(cohort)?;
+        Ok(places)
+    }
+
+    /// Where they are, be they there or not.
+    pub fn of_set(cohort: &Path, member: &str, form: Scheme) -> Places {
+        let parted = |set: &str| cohort.join(set).join(format!("member={member}"));
+        let usual = Path::new(form.row().usual);
+        let ending = usual.extension().unwrap_or_default();
+        let truth = match form {
+            // Its form is for logs alone.
+            Scheme::Casas => Url::new(Scheme::Sqlite, parted("truth").join(TRUTH)),
+            _ => Url::new(form, parted("truth").join(Path::new(TRUTH).with_extension(ending))),
+        };
+        let besides = cohort.join("members").join(member);
+        Places {
+            log: vec![Url::new(form, parted("log").join(usual))],
+            truth: Some(truth),
+            recording: Some(besides.join(RECORDING)),
+            sensors: Some(besides.join(SENSORS)),
+            ..Places::nowhere()
+        }
+    }
+
+    /// Those of the member of a set whose recording lies in this folder, `members/0001`, or whose log is this file,
+    /// `log/member=0001/log.parquet`; None where there is none.
+    pub fn in_set_at(path: &Path) -> Option<Places> {
+        let (folder, log) = if path.is_dir() { (path, None) } else { (path.parent()?, Some(path)) };
+        let name = folder.file_name()?.to_str()?;
+        let member = name.strip_prefix("member=").unwrap_or(name);
+        let cohort = folder.parent()?.parent()?;
+        let of = |row: &SchemeRow| (row.stands != Stands::Server).then(|| Places::of_set(cohort, member, row.scheme));
+        let is_it = |places: &Places| match log {
+            Some(log) => places.log.iter().any(|url| url.path() == log),
+            None => places.recording.as_deref() == Some(&folder.join(RECORDING)),
+        };
+        let there = |places: &Places| places.log.iter().all(|url| url.path().is_file());
+        SCHEMES.iter().filter_map(of).filter(is_it).find(there)
+    }
+
+    /// Whether all of its files are there.
+    pub fn are_all_there(&self) -> bool {
+        self.files().iter().all(|file| file.is_file())
+    }
+
     /// Makes a folder for the run, and puts everything into it that has no place yet.
     fn default_to_folder(&mut self, runs: &Path, scenario: &Scenario) -> Result<(), LogError> {
         let folder = self.make_numbered(runs, &scenario.file.name)?;
@@ -164,7 +218,7 @@ impl Places {
     }
 
     /// All files that are going to be written, those of the truth's tables too.
-    fn files(&self) -> Vec<PathBuf> {
+    pub fn files(&self) -> Vec<PathBuf> {
         let logs = self.log.iter().filter_map(Url::file).map(Path::to_owned);
         let truth = self.truth.iter().flat_map(|truth| truth.files(&tables()));
         logs.chain(truth).chain(self.recording.clone()).chain(self.sensors.clone()).collect()

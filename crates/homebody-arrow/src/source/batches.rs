@@ -97,6 +97,19 @@ impl Opened {
     }
 }
 
+/// All rows of a file of Parquet or Arrow IPC, with its columns.
+///
+/// # Errors
+///
+/// If there is no such file, or it is none of these.
+pub fn whole_file(path: &Path) -> Result<(SchemaRef, Vec<RecordBatch>), LogError> {
+    let opened = Opened::open(path)?;
+    let schema = opened.schema.clone();
+    let batches = opened.rows(None)?.collect::<Result<Vec<_>, _>>()?;
+    // How texts are packed only the rows say.
+    Ok((batches.first().map_or(schema, RecordBatch::schema), batches))
+}
+
 impl Batches {
     /// The rows of a file, with these columns.
     pub fn open(path: &Path, columns: Option<&[usize]>) -> Result<Batches, LogError> {

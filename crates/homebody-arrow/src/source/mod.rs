@@ -11,6 +11,7 @@ mod rows;
 mod tables;
 
 pub(crate) use batches::Batches;
+pub use batches::whole_file;
 pub(crate) use examine::examine;
 use homebody_log::source::{Form, Shows, Start};
 pub(crate) use tables::read_tables;

@@ -3,7 +3,7 @@
 use super::churn::{Churn, Presence};
 use super::storms::Storms;
 use crate::VERSION;
-use crate::cohort::seed_of_member;
+use crate::cohort_members::seed_of_member;
 use crate::error::Error;
 use crate::pace::Speed;
 use crate::scenario::OpenScenario;

@@ -37,6 +37,7 @@ mod sqlite;
 mod start;
 mod tables;
 mod tables_of_text;
+mod truth_rows;
 mod turns;
 mod xes;
 
@@ -65,6 +66,7 @@ pub use sensors::SensorMap;
 pub use start::Start;
 pub use tables::{ReadTables, TakeRow, Value};
 pub(crate) use tables_of_text::read_numbers;
+pub use truth_rows::truth_rows;
 
 /// Reads a log into memory; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they
 /// are neither ours nor to be guessed.

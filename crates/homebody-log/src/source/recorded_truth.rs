@@ -11,7 +11,7 @@ use super::tables::{ReadTables, Value};
 use super::tables_of_text::{read_csv, read_jsonl};
 use crate::elsewhere;
 use crate::error::LogError;
-use crate::places::TRUTH;
+use crate::places::{Places, TRUTH};
 use crate::table::Table;
 use crate::truth::{Truth, tables};
 use crate::url::{Url, table_file};
@@ -180,7 +180,8 @@ pub fn truth_of(log: &Source) -> Option<Url> {
     (elsewhere::of(url.scheme())?.truth_of?)(&url)
 }
 
-/// The truth that a run has left beside its log: a database, files of its tables, or a folder of these.
+/// The truth that a run has left beside its log: a database, files of its tables, or a folder of these; of a member of a cohort's set,
+/// the one in the set of truths.
 pub fn truth_beside(log: &Path) -> Option<Url> {
     let database = log.with_file_name(TRUTH);
     // One of a run that was killed as it began it has nothing in it.
@@ -189,7 +190,8 @@ pub fn truth_beside(log: &Path) -> Option<Url> {
     }
     let files = IN_FILES.iter().find_map(|(_, ending)| in_tables(&database.with_extension(ending)));
     let set = database.with_extension("");
-    files.or_else(|| is_truth_set(&set).then(|| Url::new(Scheme::Parquet, set)))
+    let files = files.or_else(|| is_truth_set(&set).then(|| Url::new(Scheme::Parquet, set)));
+    files.or_else(|| Places::in_set_at(log)?.truth)
 }
 
 /// Kinds of places that have a file for each table, and how these end.

@@ -32,6 +32,23 @@ pub enum Truth {
 /// Tables that truths do not have which earlier versions of the program wrote.
 pub(crate) const LATER: [&str; 1] = ["outside"];
 
+impl Truth {
+    /// All of them, in the order of [`tables`].
+    pub const ALL: [Truth; 11] = [
+        Truth::Cause,
+        Truth::Off,
+        Truth::Movement,
+        Truth::Room,
+        Truth::Activity,
+        Truth::Act,
+        Truth::Need,
+        Truth::Condition,
+        Truth::Lost,
+        Truth::Resident,
+        Truth::Outside,
+    ];
+}
+
 /// All tables of the truth, in the order of [`Truth`].
 pub fn tables() -> Vec<Table> {
     use ColumnKind::{Instant, Integer, Real, Text};

@@ -2,10 +2,54 @@
 
 use super::lived::{Output, go_on_in, speed_in_words};
 use crate::failure::Failure;
-use crate::print::{print_json, print_text};
+use crate::print::{print_json, print_text, tell};
 use homebody_core::problem::counted;
-use homebody_kit::{LIST, LivedCohort};
+use homebody_core::time::{DAY, Micros};
+use homebody_kit::{CohortLayout, LIST, LivedCohort, OpenScenario};
 use serde_json::json;
+use std::fs;
+use std::path::Path;
+
+/// How much a cohort writes is told by what one of its members writes in the first days, so many (ours).
+const SAMPLE: Micros = 3 * DAY;
+
+/// Less than this is written without a word before (ours).
+const MUCH_BYTES: u64 = 100_000_000;
+
+/// Says how much a cohort is going to write, if it is much.
+pub fn foretell_size(opened: &OpenScenario, layout: CohortLayout, count: usize, length: Micros) {
+    let folder = std::env::temp_dir().join(format!("homebody-sample-{}", std::process::id()));
+    let sample = length.min(SAMPLE);
+    let lived = opened.cohort(1).length(sample).layout(layout).start().and_then(|one| one.store_in(&folder, |_| ()));
+    let bytes = lived.map(|_| bytes_in(&folder)).unwrap_or(0);
+    // What is left of it there is no harm.
+    let _ = fs::remove_dir_all(&folder);
+    let all = bytes as f64 / sample as f64 * length as f64 * count as f64;
+    if all >= MUCH_BYTES as f64 {
+        let each = bytes as f64 / sample as f64 * length as f64;
+        let lives = counted(count, "life", "lives");
+        tell(format_args!(
+            "{lives}: about {}, {} each, by what one of them writes in {} days",
+            in_words(all),
+            in_words(each),
+            sample / DAY
+        ));
+    }
+}
+
+fn in_words(bytes: f64) -> String {
+    match bytes {
+        bytes if bytes >= 1e9 => format!("{:.1} GB", bytes / 1e9),
+        bytes => format!("{:.1} MB", bytes / 1e6),
+    }
+}
+
+/// The size of all files in a folder and in those below it.
+fn bytes_in(folder: &Path) -> u64 {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let size = |path: &Path| fs::metadata(path).map_or(0, |found| found.len());
+    entries.map(|entry| entry.path()).map(|path| if path.is_dir() { bytes_in(&path) } else { size(&path) }).sum()
+}
 
 /// Tells people and scripts what has become of a cohort.
 pub fn report(output: &Output, lived: &LivedCohort) -> Result<(), Failure> {

@@ -4,9 +4,8 @@ use super::read_log::{tell_remarks, tell_unfinished};
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_analysis::compare::{MEASURES, begins, compare};
-use homebody_core::time::Micros;
 use homebody_kit::NamedLog;
-use homebody_log::{Log, RunClock, SensorMap, activities};
+use homebody_log::{Log, SensorMap};
 use std::path::PathBuf;
 
 /// Compares the firings of two logs: by sensor and in all, the agreement of their numbers, and how their times between
@@ -53,12 +52,7 @@ impl Arguments {
 
 /// The log, with the activities that the truth of its run tells.
 fn log(text: &str, named: &NamedLog) -> Result<Log, Failure> {
-    let mut log = named.read()?;
-    if let Some(truth) = named.truth() {
-        log.activities = activities(&truth, &named.clock())?;
-        let clock = named.clock_of(log.clock);
-        put_on_run(&mut log, &clock);
-    }
+    let log = named.with_activities()?;
     tell_remarks(text, &log);
     tell_unfinished(text, named.unfinished().as_ref());
     if log.skipped > 0 {
@@ -68,15 +62,6 @@ fn log(text: &str, named: &NamedLog) -> Result<Log, Failure> {
         tell(format_args!("{text}: no row says that something began; its values are {}", listed(&log.values)));
     }
     Ok(log)
-}
-
-/// Puts the rows of a log on the clock of its run, which is never set, as the activities of the truth are.
-fn put_on_run(log: &mut Log, clock: &RunClock) {
-    let mut last = Micros::MIN;
-    for event in &mut log.events {
-        last = clock.instant(event.at, last);
-        event.at = last;
-    }
 }
 
 /// The first of the values.

@@ -12,7 +12,8 @@ use crate::signals::Signals;
 use crate::start::Start;
 use crate::watched::Watched;
 use homebody_core::time::Micros;
-use homebody_kit::{Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort};
+use homebody_kit::{CohortLayout, Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort, Url};
+use homebody_log::LogError;
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -27,11 +28,16 @@ use std::path::{Path, PathBuf};
   homebody run scenarios/tigerplace-depression --without depression
   homebody run scenarios/tigerplace --set gait.slowest=0.25 --set stay.reading.gap=120
   homebody run scenarios/tigerplace --residents 100 --for 28d
+  homebody run scenarios/tigerplace --residents 1000 --for 28d --out parquet:cohort
   homebody run scenarios/tigerplace --profiles people.csv --for 28d
   homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
   homebody run scenarios/tigerplace --start now --for 1h --speed 1 --out jsonl:-
   homebody run --resume runs/tigerplace-1
   printf 'step 60\\nstop\\n' | homebody run my-home --control --paused
+
+Of a cohort, --out names one folder for all members, in any form of files: with parquet:cohort,
+logs are cohort/log/member=0001/log.parquet and so on, truths lie apart in cohort/truth, and
+cohort/cohort.json says what was asked, by which version, and has a digest of each member.
 
 Columns of --profiles:
   name        what the member's folder is called
@@ -75,7 +81,7 @@ pub struct Arguments {
     /// Live so many lives side by side, on all processors: each differs from the routines as people differ, and goes into
     /// a folder of its own
     #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=100_000),
-          conflicts_with_all = ["out", "truth", "record", "force", "control", "speed", "paused"])]
+          conflicts_with_all = ["truth", "record", "force", "control", "speed", "paused"])]
     residents: Option<u32>,
     /// Go on with the run or the cohort in this folder, which was killed or stopped
     ///
@@ -89,7 +95,7 @@ pub struct Arguments {
     /// Its first line names the columns, of which only the name is needed; what a row leaves empty is as in the scenario. All
     /// that it does not say differs as people differ.
     #[arg(long, value_name = "FILE",
-          conflicts_with_all = ["residents", "out", "truth", "record", "force", "control", "speed", "paused"])]
+          conflicts_with_all = ["residents", "truth", "record", "force", "control", "speed", "paused"])]
     profiles: Option<PathBuf>,
     #[command(flatten)]
     output: Output,
@@ -160,10 +166,19 @@ impl Arguments {
         };
         let cancel = signals.cancel();
         if let Some(cohort) = cohort {
-            let cohort = cohort.seed(seed).length(length).without(&self.without).cancel(cancel).start()?;
+            let cohort = cohort.seed(seed).length(length).without(&self.without).cancel(cancel);
+            let to = self.cohorts_place()?;
+            let layout = to.map_or(Ok(CohortLayout::Folders), CohortLayout::of).map_err(Failure::Usage)?;
+            let cohort = cohort.layout(layout).start()?;
             self.remark(&opened, length);
+            if !self.output.quiet {
+                cohort::foretell_size(&opened, layout, cohort.count(), length);
+            }
             let progress = self.output.progress(cohort.progress().length);
-            let lived = cohort.store(|lived| show(&progress, 0, lived));
+            let lived = match to {
+                Some(place) => cohort.store_in(place.path(), |lived| show(&progress, 0, lived)),
+                None => cohort.store(|lived| show(&progress, 0, lived)),
+            };
             return self.tell_cohort(&progress, &lived?, &signals);
         }
         let run = opened.run().seed(seed).length(length).without(&self.without);
@@ -171,6 +186,15 @@ impl Arguments {
         let run = run.metered(&self.watched.begin(opened.name())?);
         self.remark(&opened, length);
         live(run, self.record, &self.output, &signals)
+    }
+
+    /// Where all members of a cohort go together; None for a folder each.
+    fn cohorts_place(&self) -> Result<Option<&Url>, Failure> {
+        match &self.output.out[..] {
+            [] => Ok(None),
+            [place] => Ok(Some(place)),
+            _ => Err(Failure::usage("a cohort goes into one place\n  hint: name one --out, such as parquet:cohort")),
+        }
     }
 
     /// Goes on with a run or a cohort that was killed or stopped.

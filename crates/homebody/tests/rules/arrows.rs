@@ -5,7 +5,7 @@ use std::fs;
 use toml::{Table, Value};
 
 /// On which of our crates each of them may depend.
-const ARROWS: [(&str, &[&str]); 17] = [
+const ARROWS: [(&str, &[&str]); 18] = [
     ("homebody-core", &[]),
     ("homebody-import", &["homebody-core"]),
     ("homebody-walk", &["homebody-core"]),
@@ -69,6 +69,18 @@ const ARROWS: [(&str, &[&str]); 17] = [
             "homebody-picture",
             "homebody-routine",
             "homebody-web",
+        ],
+    ),
+    (
+        "homebody-python",
+        &[
+            "homebody",
+            "homebody-analysis",
+            "homebody-arrow",
+            "homebody-core",
+            "homebody-kit",
+            "homebody-log",
+            "homebody-picture",
         ],
     ),
     (

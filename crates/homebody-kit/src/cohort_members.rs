@@ -1,0 +1,175 @@
+//! Who the members of a cohort are: their names and seeds, and how they lie in its folder.
+
+use crate::cohort_list::{Asked, ListedMember};
+use crate::error::Error;
+use crate::profiles::{self, Profile};
+use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::scheme::{Scheme, Stands};
+use homebody_core::time::Micros;
+use homebody_log::places::{RECORDING, is_all_there};
+use homebody_log::{Places, Url};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// So much of a file is read at once (ours).
+const PART_BYTES: usize = 1 << 16;
+
+/// Who is to live: so many of whom nothing else is known, or those of a list.
+#[derive(Clone, Debug)]
+pub(crate) enum Members {
+    Many(u32),
+    Listed(Vec<Profile>),
+}
+
+/// A member of a cohort.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Member {
+    /// Of one who is listed, the name in the list; else a number from 1 on, such as `0001`.
+    pub name: String,
+    /// The number all randomness of this life comes from.
+    pub seed: u64,
+    /// What the list says of the member, by column.
+    pub row: Option<BTreeMap<String, String>>,
+}
+
+/// What has become of one member, as the cohort counts it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MemberLived {
+    /// As the list has it.
+    pub listed: ListedMember,
+    /// How much was lived, in microseconds.
+    pub length: Micros,
+    /// Whether it ended before its end, as the cohort was cancelled.
+    pub is_early: bool,
+}
+
+/// How the members of a cohort lie in its folder.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CohortLayout {
+    /// Each in a folder of its own, as a run is.
+    #[default]
+    Folders,
+    /// All logs in one set that is parted by member, `log/member=0001/log.parquet`, and all truths in another beside it, in this form.
+    Set(Scheme),
+}
+
+impl CohortLayout {
+    /// That of a place for all members together, such as `parquet:FOLDER`.
+    ///
+    /// # Errors
+    ///
+    /// In words, if it is a server, or standard output.
+    pub fn of(place: &Url) -> Result<CohortLayout, String> {
+        let row = place.scheme().row();
+        let wrong = match () {
+            () if row.stands == Stands::Server => "is a server, which keeps runs apart by themselves",
+            () if place.is_output() => "is standard output, in which nobody could tell members apart",
+            () if place.is_in_store() => "is in an object store, and members are files",
+            () => return Ok(CohortLayout::Set(place.scheme())),
+        };
+        Err(format!("{place} {wrong}\n  hint: name a folder for all members, such as parquet:cohort"))
+    }
+
+    /// The name of its form, as lists have it.
+    pub(crate) fn form(self) -> Option<String> {
+        match self {
+            CohortLayout::Folders => None,
+            CohortLayout::Set(form) => Some(form.row().name.to_owned()),
+        }
+    }
+
+    /// By the name of its form; None where there is no such form.
+    pub(crate) fn named(form: Option<&str>) -> Option<CohortLayout> {
+        let Some(form) = form else { return Some(CohortLayout::Folders) };
+        let place: Url = format!("{form}:cohort").parse().ok()?;
+        CohortLayout::of(&place).ok()
+    }
+
+    /// The recording of a member.
+    pub(crate) fn recording(self, cohort: &Path, member: &str) -> PathBuf {
+        match self {
+            CohortLayout::Folders => cohort.join(member).join(RECORDING),
+            CohortLayout::Set(_) => cohort.join("members").join(member).join(RECORDING),
+        }
+    }
+
+    /// Whether all is there that a member leaves who was lived to the end.
+    pub(crate) fn is_all_there(self, cohort: &Path, member: &str, scenario: &Scenario) -> bool {
+        match self {
+            CohortLayout::Folders => is_all_there(&cohort.join(member), &scenario.logger),
+            CohortLayout::Set(form) => Places::of_set(cohort, member, form).are_all_there(),
+        }
+    }
+
+    /// Where a member is written; the folders are made.
+    pub(crate) fn places(self, cohort: &Path, member: &str, scenario: &Scenario) -> Result<Places, Error> {
+        Ok(match self {
+            CohortLayout::Folders => Places::member(cohort, member, scenario)?,
+            CohortLayout::Set(form) => Places::in_set(cohort, member, form)?,
+        })
+    }
+
+    /// A digest of all files of a member, each with its path in the cohort's folder; none where each has a folder of its own, with
+    /// databases in it whose bytes say how they were written.
+    pub(crate) fn digest(self, cohort: &Path, member: &str) -> Result<Option<String>, Error> {
+        let CohortLayout::Set(form) = self else { return Ok(None) };
+        let mut files = Places::of_set(cohort, member, form).files();
+        files.sort();
+        let mut digest = Sha256::new();
+        for path in files {
+            let name = path.strip_prefix(cohort).unwrap_or(&path).to_string_lossy().into_owned();
+            let mut file = File::open(&path).map_err(|error| Error::io(&path, error))?;
+            let length = file.metadata().map_err(|error| Error::io(&path, error))?.len();
+            digest.update(format!("{name}\0{length}\0"));
+            let mut part = vec![0; PART_BYTES];
+            loop {
+                match file.read(&mut part).map_err(|error| Error::io(&path, error))? {
+                    0 => break,
+                    read => digest.update(&part[..read]),
+                }
+            }
+        }
+        Ok(Some(digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect()))
+    }
+}
+
+impl Members {
+    pub fn asked(&self) -> Asked {
+        match self {
+            Members::Many(count) => Asked::Residents(*count),
+            Members::Listed(profiles) => Asked::Profiles(profiles::table(profiles)),
+        }
+    }
+
+    /// The name and the seed of a member, and what is said of them in the list. Neither depends on who else is one.
+    pub fn who(&self, seed: u64, index: usize) -> Member {
+        match self {
+            Members::Many(count) => {
+                let (number, width) = (index as u32 + 1, count.to_string().len().max(4));
+                let seed = seed_of_member(seed, number);
+                Member { name: format!("{number:0width$}"), seed, row: None }
+            }
+            Members::Listed(profiles) => {
+                let Profile { name, seed: own, row, .. } = &profiles[index];
+                let seed = own.unwrap_or_else(|| seed_of(seed, "profile/", name.as_bytes()));
+                Member { name: name.clone(), seed, row: Some(row.clone()) }
+            }
+        }
+    }
+}
+
+/// The seed of a member of whom nothing but their number is known, from 1 on.
+pub(crate) fn seed_of_member(seed: u64, number: u32) -> u64 {
+    seed_of(seed, "member/", &number.to_le_bytes())
+}
+
+/// A seed for each member; at most what every JSON reader keeps exactly.
+fn seed_of(seed: u64, kind: &str, member: &[u8]) -> u64 {
+    let hash = Sha256::new().chain_update(seed.to_le_bytes()).chain_update(kind).chain_update(member).finalize();
+    let bytes: [u8; 8] = std::array::from_fn(|index| hash[index]);
+    u64::from_le_bytes(bytes) >> 11
+}

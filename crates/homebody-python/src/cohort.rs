@@ -1,0 +1,113 @@
+//! Cohorts: on this machine by threads, or member by member, wherever somebody has them lived.
+
+use crate::fault::{json, named, raised};
+use crate::scenario::Scenario;
+use crate::work::Watched;
+use homebody_kit::{CohortLayout, Error, LivedCohort, MemberLived, Url};
+use pyo3::prelude::*;
+use std::path::PathBuf;
+
+/// Many lives of one scenario, that are to be lived into one folder.
+#[pyclass(frozen, module = "homebody._homebody")]
+pub struct Cohort {
+    cohort: homebody_kit::Cohort,
+}
+
+/// What a cohort is to be, as `homebody._cohort` says it.
+#[derive(FromPyObject)]
+pub struct Wanted {
+    #[pyo3(item)]
+    residents: Option<u32>,
+    /// The name of a list of profiles, and its text.
+    #[pyo3(item)]
+    profiles: Option<(String, String)>,
+    #[pyo3(item)]
+    days: Option<f64>,
+    #[pyo3(item)]
+    seed: Option<u64>,
+    #[pyo3(item)]
+    without: Vec<String>,
+    /// Such as `parquet`.
+    #[pyo3(item)]
+    form: String,
+}
+
+#[pymethods]
+impl Cohort {
+    /// As it is wanted, of a scenario.
+    #[new]
+    fn new(py: Python<'_>, scenario: &Scenario, wanted: Wanted) -> PyResult<Cohort> {
+        let place: Url = format!("{}:cohort", wanted.form).parse().map_err(|why| named("ScenarioError", why))?;
+        let layout = CohortLayout::of(&place).map_err(|why| named("ScenarioError", why))?;
+        let opened = &scenario.opened;
+        let made = py.detach(|| -> Result<_, Error> {
+            let setup = match (&wanted.profiles, wanted.residents) {
+                (Some((name, text)), _) => opened.cohort_of(opened.profiles_of(name, text, &wanted.without)?),
+                (None, count) => opened.cohort(count.unwrap_or(1)),
+            };
+            let mut setup = setup.without(&wanted.without).layout(layout);
+            if let Some(days) = wanted.days {
+                setup = setup.days(days);
+            }
+            if let Some(seed) = wanted.seed {
+                setup = setup.seed(seed);
+            }
+            setup.start()
+        });
+        made.map(|cohort| Cohort { cohort }).map_err(raised)
+    }
+
+    /// The one that was begun in a folder.
+    #[staticmethod]
+    fn left_in(py: Python<'_>, folder: PathBuf) -> PyResult<Cohort> {
+        py.detach(|| homebody_kit::Cohort::left_in(&folder)).map(|(cohort, _)| Cohort { cohort }).map_err(raised)
+    }
+
+    #[getter]
+    fn count(&self) -> usize {
+        self.cohort.count()
+    }
+
+    /// The name of a member.
+    fn name_of(&self, index: usize) -> PyResult<String> {
+        match index < self.cohort.count() {
+            true => Ok(self.cohort.name_of(index)),
+            false => Err(named("HomebodyError", format!("there are {} members", self.cohort.count()))),
+        }
+    }
+
+    /// Writes down in a folder what it is to be.
+    fn begin(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        py.detach(|| self.cohort.begin(&folder)).map_err(raised)
+    }
+
+    /// Lives one member into the folder; what became of them, as JSON.
+    fn live_one(&self, py: Python<'_>, folder: PathBuf, index: usize) -> PyResult<String> {
+        self.name_of(index)?;
+        py.detach(|| json(&self.cohort.live_one(&folder, index, |_| ()).map_err(raised)?))
+    }
+
+    /// Completes the list by what became of all members, in their order.
+    fn end(&self, py: Python<'_>, folder: PathBuf, lived: Vec<String>) -> PyResult<()> {
+        py.detach(|| {
+            let lived: Result<Vec<MemberLived>, _> = lived.iter().map(|lived| serde_json::from_str(lived)).collect();
+            let lived = lived.map_err(|error| named("HomebodyError", error))?;
+            self.cohort.end(&folder, lived).map(|_| ()).map_err(raised)
+        })
+    }
+
+    /// Lives all who are missing in a folder in which it was begun, on all processors; whether it was ended early.
+    fn go_on(&self, py: Python<'_>, folder: PathBuf, told: Option<Py<PyAny>>) -> PyResult<bool> {
+        let watched = Watched::new(told);
+        let result = py.detach(|| {
+            let unfinished = match homebody_kit::UnfinishedCohort::open(&folder) {
+                Err(Error::Complete { .. }) => return Ok(false),
+                opened => opened.map_err(raised)?,
+            };
+            let progress = |lived: homebody_kit::Progress| watched.tell(lived.lived as f64, lived.length as f64);
+            let lived = unfinished.cancel(&watched.cancel).go_on(progress).map_err(raised)?;
+            Ok(LivedCohort::is_stopped(&lived))
+        });
+        watched.over(result)
+    }
+}

@@ -1,0 +1,157 @@
+//! Drivers that are written in Python: objects whose `next` is asked what somebody does next, with their surroundings.
+//!
+//! `homebody.driver` turns what Python answers into the plain tuples that are read here, and the surroundings into a view of its own.
+
+use crate::fault::raised;
+use homebody_core::drivers::{Body, Driver, MotionSegment, Next, Surroundings};
+use homebody_core::event::{MotionState, ThingUse};
+use homebody_core::geometry::{Point, point};
+use homebody_core::home::Home;
+use homebody_core::ids::ThingId;
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{Micros, NEVER, SECOND};
+use homebody_kit::Error;
+use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::prelude::*;
+use std::fmt;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// What Python has raised in a driver, for whoever lived the run.
+pub type Raised = Arc<Mutex<Option<PyErr>>>;
+
+/// What a driver has raised, else the error that came of it.
+pub fn or_raised(error: Error, by_driver: &Raised) -> PyErr {
+    by_driver.lock().unwrap_or_else(PoisonError::into_inner).take().unwrap_or_else(|| raised(error))
+}
+
+/// A driver in Python.
+pub struct PythonDriver {
+    /// What `homebody.driver` has wrapped it in; nothing where it could not be made.
+    asked: Option<Py<PyAny>>,
+    home: Arc<Home>,
+    raised: Raised,
+}
+
+impl fmt::Debug for PythonDriver {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a driver in Python")
+    }
+}
+
+impl PythonDriver {
+    /// `make` is called with the seed.
+    pub fn make(make: &Py<PyAny>, home: &Arc<Home>, seed: u64, raised: &Raised) -> PythonDriver {
+        let asked = Python::attach(|py| make.call1(py, (seed,)));
+        let mut driver = PythonDriver { asked: None, home: home.clone(), raised: raised.clone() };
+        match asked {
+            Ok(asked) => driver.asked = Some(asked),
+            Err(error) => driver.failed(error),
+        }
+        driver
+    }
+
+    fn failed(&self, error: PyErr) {
+        self.raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+    }
+}
+
+impl Driver for PythonDriver {
+    fn next(&mut self, around: &Surroundings) -> Next {
+        let Some(asked) = &self.asked else { return Next::Failed("it could not be made".into()) };
+        let answer = Python::attach(|py| {
+            let plan = around.plan();
+            let body = |body: Body| (body.resident.index(), xy(body.at), xy(body.to), posture_name(body.posture));
+            let own = around.body();
+            let room = own.and_then(|own| around.room_at(own.at)).map(|room| plan.rooms[room.index()].name.clone());
+            let others: Vec<_> = around.others().map(body).collect();
+            let on = (0..plan.things.len()).filter(|&thing| around.is_on(ThingId::of(thing)));
+            let on: Vec<&str> = on.map(|thing| plan.things[thing].name.as_str()).collect();
+            let answer = asked.call1(py, (around.now(), own.map(body), room, others, on))?;
+            next(answer.bind(py), around, &self.home)
+        });
+        answer.unwrap_or_else(|error| {
+            let why = error.to_string();
+            self.failed(error);
+            Next::Failed(why)
+        })
+    }
+
+    fn copy(&self) -> Box<dyn Driver> {
+        let copied = Python::attach(|py| {
+            let asked = self.asked.as_ref().map(|asked| py.import("copy")?.call_method1("deepcopy", (asked,)));
+            asked.transpose().map(|asked| asked.map(Bound::unbind))
+        });
+        let asked = copied.unwrap_or_else(|error| {
+            self.failed(error);
+            None
+        });
+        Box::new(PythonDriver { asked, home: self.home.clone(), raised: self.raised.clone() })
+    }
+}
+
+fn xy(at: Point) -> (f64, f64) {
+    (at.x, at.y)
+}
+
+fn posture_name(posture: Posture) -> &'static str {
+    match posture {
+        Posture::Standing => "standing",
+        Posture::Sitting => "sitting",
+        Posture::Lying => "lying",
+    }
+}
+
+/// An answer: what it is, then what belongs to it.
+fn next(answer: &Bound<'_, PyAny>, around: &Surroundings, home: &Home) -> PyResult<Next> {
+    let wrong = |what: String| PyValueError::new_err(what);
+    let (kind, of): (String, Bound<'_, PyAny>) = answer
+        .extract()
+        .map_err(|_| PyTypeError::new_err("next must answer with Stride, Rest, Stir, Away, Use or Doing"))?;
+    let begin = around.now();
+    let end = |lasts_s: f64| match lasts_s {
+        lasts if lasts.is_infinite() && lasts > 0.0 => NEVER,
+        lasts => begin.saturating_add((lasts * SECOND as f64).round() as Micros),
+    };
+    let here = |at: Option<(f64, f64)>| {
+        let known = at.map(|(x, y)| point([x, y])).or(around.body().map(|body| body.at));
+        known.ok_or_else(|| wrong("it has no body yet, or is away: say where it is, with at".into()))
+    };
+    let segment = |end, doing, posture| Next::Segment(MotionSegment { begin, end, doing, posture });
+    Ok(match kind.as_str() {
+        "stride" => {
+            let (to, lasts_s, posture): ((f64, f64), f64, String) = of.extract()?;
+            let doing = MotionState::Stride { from: here(None)?, to: point([to.0, to.1]) };
+            segment(end(lasts_s), doing, posture_of(&posture)?)
+        }
+        "rest" => {
+            let (at, lasts_s, posture): (Option<(f64, f64)>, f64, String) = of.extract()?;
+            segment(end(lasts_s), MotionState::Rest { at: here(at)? }, posture_of(&posture)?)
+        }
+        "stir" => {
+            let (at, lasts_s, posture, amplitude_m): (Option<(f64, f64)>, f64, String, f64) = of.extract()?;
+            segment(end(lasts_s), MotionState::InPlace { at: here(at)?, amplitude_m }, posture_of(&posture)?)
+        }
+        "out" => segment(end(of.extract()?), MotionState::Away, Posture::Standing),
+        "use" => {
+            let (thing, on): (String, bool) = of.extract()?;
+            let known = &around.plan().things;
+            let index = known.iter().position(|known| known.name == thing).ok_or_else(|| {
+                let names: Vec<&str> = known.iter().map(|thing| thing.name.as_str()).collect();
+                wrong(format!("there is no thing {thing:?}; there are {}", names.join(", ")))
+            })?;
+            let _ = home;
+            Next::Use(ThingUse { thing: ThingId::of(index), on })
+        }
+        "doing" => Next::Activity(of.extract()?),
+        other => return Err(wrong(format!("{other:?} is no answer"))),
+    })
+}
+
+fn posture_of(name: &str) -> PyResult<Posture> {
+    match name {
+        "standing" => Ok(Posture::Standing),
+        "sitting" => Ok(Posture::Sitting),
+        "lying" => Ok(Posture::Lying),
+        other => Err(PyValueError::new_err(format!("posture {other:?}: it is standing, sitting or lying"))),
+    }
+}

@@ -1,0 +1,25 @@
+//! What became of a run, as JSON.
+
+use crate::fault::json;
+use homebody_core::time::seconds;
+use homebody_kit::Lived;
+use pyo3::PyResult;
+
+/// What Python is told of a run that was stored.
+pub fn lived(lived: &Lived) -> PyResult<String> {
+    let recording = &lived.recording;
+    // Without a recording nothing says which folder it is.
+    let folder = lived.truth.as_ref().and_then(|truth| truth.path().parent()).map(|path| path.display().to_string());
+    json(&serde_json::json!({
+        "seed": recording.seed,
+        "simulated_s": seconds(lived.progress.lived),
+        "stopped": lived.is_stopped(),
+        "took_s": lived.took.as_secs_f64(),
+        "firings": recording.firings,
+        "sha256": recording.sha256,
+        "sentences": lived.differences,
+        "rows": lived.stored.rows,
+        "rows_by_sensor": lived.rows_by_sensor().collect::<std::collections::BTreeMap<_, _>>(),
+        "folder": folder,
+    }))
+}

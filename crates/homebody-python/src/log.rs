@@ -1,0 +1,368 @@
+//! Logs, and what the truth beside them tells: read, cut into windows, labelled, drawn, compared.
+
+use crate::fault::{json, named, raised};
+use crate::scenario::Scenario;
+use crate::table::Stream;
+use crate::work::Watched;
+use arrow_array::{ArrayRef, RecordBatch};
+use homebody_analysis::dates::{Asked, date_of};
+use homebody_analysis::day::Day;
+use homebody_analysis::density::{self, density};
+use homebody_analysis::windows::windows;
+use homebody_arrow::{Frame, Texts, Unshaped, whole_file};
+use homebody_core::time::{Micros, SECOND};
+use homebody_kit::walked::walk_into;
+use homebody_kit::{Error, Instants, LogWithRun, NamedLog};
+use homebody_log::source::Value;
+use homebody_log::table::ColumnKind;
+use homebody_log::truth::tables;
+use homebody_log::{How, Transfer, Url, label};
+use homebody_picture::{DayChart, day_chart, density_map, measures_picture};
+use jiff::tz::TimeZone;
+use pyo3::prelude::*;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+/// What a join adds to rows of a log.
+const LABELS: [&str; 5] = ["resident", "room", "activity", "cause", "thing"];
+
+/// A log that somebody has named.
+#[pyclass(frozen, module = "homebody._homebody")]
+pub struct Log {
+    text: String,
+    zone: Option<String>,
+    instants: OnceLock<Instants>,
+    on_the_wall: OnceLock<LogWithRun>,
+}
+
+impl Log {
+    fn named(&self) -> Result<NamedLog, Error> {
+        NamedLog::find(&self.text)
+    }
+
+    fn instants(&self) -> PyResult<&Instants> {
+        if let Some(read) = self.instants.get() {
+            return Ok(read);
+        }
+        let read = self.named().and_then(|named| named.instants(self.zone.as_deref())).map_err(raised)?;
+        Ok(self.instants.get_or_init(|| read))
+    }
+
+    fn on_the_wall(&self) -> PyResult<&LogWithRun> {
+        if let Some(read) = self.on_the_wall.get() {
+            return Ok(read);
+        }
+        let read = LogWithRun::read(&self.text, self.zone.as_deref()).map_err(raised)?;
+        Ok(self.on_the_wall.get_or_init(|| read))
+    }
+
+    /// Some of its rows: time, device, value.
+    fn event_batch(&self, rows: Range<usize>) -> PyResult<Result<RecordBatch, Unshaped>> {
+        let Instants { log, zone, .. } = self.instants()?;
+        let events = log.events.get(rows).ok_or_else(|| named("LogError", "its rows have changed meanwhile"))?;
+        let times = events.iter().map(|event| Some(event.at)).collect();
+        let (mut devices, mut values) = (Texts::of(log.sensors.clone()), Texts::of(log.values.clone()));
+        for event in events {
+            devices.push_place(Some(event.sensor));
+            values.push_place(Some(event.value));
+        }
+        let frame = Frame::default().instants("time", times, zone.as_deref());
+        let frame = frame.texts("device", devices).and_then(|frame| frame.texts("value", values));
+        Ok(frame.and_then(Frame::batch))
+    }
+
+    /// The same as columns with their names.
+    fn event_columns(&self, rows: Range<usize>) -> PyResult<Vec<(String, ArrayRef, bool)>> {
+        let batch = self.event_batch(rows)?.map_err(|error| named("HomebodyError", error))?;
+        let names = batch.schema_ref().fields().iter().map(|field| field.name().clone());
+        Ok(names.zip(batch.columns()).map(|(name, column)| (name, column.clone(), true)).collect())
+    }
+
+    fn labelled_into(&self, to: &Path) -> Result<(), Error> {
+        let named = self.named()?;
+        let Some(truth) = named.truth() else {
+            return Err(homebody_log::LogError::NoTruth {
+                place: named.place.to_string(),
+                why: "no truth lies beside the log".into(),
+            }
+            .into());
+        };
+        let about = named.survey()?;
+        let to: Url = Url::new(homebody_core::scenario::scheme::Scheme::Arrow, to);
+        let zone = self.zone.as_deref().unwrap_or("UTC");
+        let (from, mapping, name) = (&named.place, &named.mapping, self.text.as_str());
+        let transfer = Transfer { from, mapping, to: &to, name, zone, how: How::Replace };
+        label(&transfer, &about, &truth, &named.clock_beside(&truth), |_| ())?;
+        Ok(())
+    }
+}
+
+#[pymethods]
+impl Log {
+    #[new]
+    fn new(py: Python<'_>, text: String, zone: Option<String>) -> PyResult<Log> {
+        let log = Log { text, zone, instants: OnceLock::new(), on_the_wall: OnceLock::new() };
+        py.detach(|| log.named()).map_err(raised)?;
+        Ok(log)
+    }
+
+    /// The zone of its home, if that is known.
+    #[getter]
+    fn time_zone(&self, py: Python<'_>) -> PyResult<Option<String>> {
+        py.detach(|| Ok(self.instants()?.zone.clone()))
+    }
+
+    #[getter]
+    fn sensors(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        py.detach(|| Ok(self.instants()?.log.sensors.clone()))
+    }
+
+    /// Whom the truth tells of.
+    #[getter]
+    fn residents(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        py.detach(|| Ok(self.instants()?.lives.iter().map(|life| life.resident.clone()).collect()))
+    }
+
+    /// What was left out of it, in sentences.
+    #[getter]
+    fn remarks(&self, py: Python<'_>) -> PyResult<Vec<String>> {
+        py.detach(|| {
+            let log = &self.instants()?.log;
+            let skipped = log.problems.iter().map(|skipped| format!("line {}: {}", skipped.line, skipped.why));
+            Ok(log.remarks.iter().cloned().chain(skipped).collect())
+        })
+    }
+
+    /// Its rows: time, device, value.
+    fn events(&self, py: Python<'_>) -> PyResult<Stream> {
+        py.detach(|| {
+            let rows = self.instants()?.log.events.len();
+            Stream::of(self.event_batch(0..rows)?)
+        })
+    }
+
+    /// What residents did: start_time, end_time, activity, resident; or where they were, with `room` for the activity.
+    fn spans(&self, py: Python<'_>, are_rooms: bool) -> PyResult<Stream> {
+        py.detach(|| {
+            let Instants { lives, zone, .. } = self.instants()?;
+            let mut spans: Vec<(Micros, Micros, &str, &str)> = Vec::new();
+            for life in lives {
+                let of = if are_rooms { &life.rooms } else { &life.activities };
+                spans.extend(of.iter().map(|span| (span.begin, span.end, span.name.as_str(), life.resident.as_str())));
+            }
+            spans.sort();
+            let (mut names, mut residents) = (Texts::default(), Texts::default());
+            for (_, _, name, resident) in &spans {
+                names.push(Some(name));
+                residents.push(Some(resident).filter(|name| !name.is_empty()).copied());
+            }
+            let (begins, ends) = spans.iter().map(|span| (Some(span.0), Some(span.1))).unzip();
+            let frame = Frame::default().instants("start_time", begins, zone.as_deref());
+            let frame = frame.instants("end_time", ends, zone.as_deref());
+            let frame = frame.texts(if are_rooms { "room" } else { "activity" }, names);
+            Stream::of(frame.and_then(|frame| frame.texts("resident", residents)).and_then(Frame::batch))
+        })
+    }
+
+    /// A table of the truth, as `docs/truth.md` has it.
+    fn truth(&self, py: Python<'_>, table: &str) -> PyResult<Stream> {
+        py.detach(|| {
+            let zone = self.instants()?.zone.clone();
+            let all = tables();
+            let columns = all.iter().find(|known| known.name == table).map_or(&[][..], |table| &table.columns);
+            let mut cells: Vec<Cells> = columns.iter().map(|column| Cells::of(column.kind)).collect();
+            let mut take = |row: &[Value<'_>]| cells.iter_mut().zip(row).for_each(|(cells, cell)| cells.push(*cell));
+            self.named().and_then(|named| named.truth_rows(table, &mut take)).map_err(raised)?;
+            let mut frame = Ok(Frame::default());
+            for (column, cells) in columns.iter().zip(cells) {
+                frame = frame.and_then(|frame| cells.into_frame(frame, &column.name, zone.as_deref()));
+            }
+            Stream::of(frame.and_then(Frame::batch))
+        })
+    }
+
+    /// Windows of so many seconds: time, resident, label, room, hour, weekday, last, and a count for each sensor.
+    fn windows(&self, py: Python<'_>, span_s: f64) -> PyResult<Stream> {
+        py.detach(|| {
+            let Instants { log, lives, zone } = self.instants()?;
+            let cut = windows(log, lives, (span_s * SECOND as f64).round() as Micros);
+            let cut = cut.map_err(|why| named("HomebodyError", why))?;
+            let wall = zone.as_deref().and_then(|zone| TimeZone::get(zone).ok()).unwrap_or(TimeZone::UTC);
+            let (mut residents, mut labels, mut rooms) = (Texts::default(), Texts::default(), Texts::default());
+            let mut last = Texts::of(cut.sensors.clone());
+            let (mut times, mut hours, mut weekdays) = (Vec::new(), Vec::new(), Vec::new());
+            let mut counts: Vec<Vec<Option<i64>>> = vec![Vec::with_capacity(cut.rows.len()); cut.sensors.len()];
+            for row in &cut.rows {
+                let name = row.resident.map(|resident| lives[resident].resident.as_str());
+                residents.push(name.filter(|name| !name.is_empty()));
+                labels.push(row.label.as_deref());
+                rooms.push(row.room.as_deref());
+                last.push_place(row.last);
+                times.push(Some(row.begin));
+                let at = jiff::Timestamp::from_microsecond(row.begin).unwrap_or_default().to_zoned(wall.clone());
+                hours.push(Some(f64::from(at.hour()) + f64::from(at.minute()) / 60.0));
+                weekdays.push(Some(i64::from(at.weekday().to_monday_zero_offset())));
+                counts.iter_mut().zip(&row.counts).for_each(|(all, &count)| all.push(Some(count.into())));
+            }
+            let frame = Frame::default().instants("time", times, zone.as_deref());
+            let frame = frame.texts("resident", residents).and_then(|frame| frame.texts("label", labels));
+            let frame = frame.and_then(|frame| frame.texts("room", rooms));
+            let frame = frame.map(|frame| frame.reals("hour", hours).integers("weekday", weekdays));
+            let frame = frame.and_then(|frame| frame.texts("last", last)).map(|frame| {
+                let columns = cut.sensors.iter().zip(counts);
+                columns.fold(frame, |frame, (sensor, counts)| frame.integers(sensor, counts))
+            });
+            Stream::of(frame.and_then(Frame::batch))
+        })
+    }
+
+    /// The log with labels, by way of a file of Arrow IPC.
+    fn labelled(&self, py: Python<'_>, by: PathBuf) -> PyResult<Stream> {
+        py.detach(|| {
+            self.labelled_into(&by).map_err(raised)?;
+            let (_, batches) = whole_file(&by).map_err(|error| named("LogError", error))?;
+            let mut before = 0;
+            let batches = batches.iter().map(|batch| {
+                let events = self.event_columns(before..before + batch.num_rows())?;
+                before += batch.num_rows();
+                let labels = LABELS.iter().map(|name| {
+                    let column = batch.column_by_name(name).cloned();
+                    let missing = || named("LogError", format!("there are no labels {name}"));
+                    column.map(|column| ((*name).to_owned(), column, true)).ok_or_else(missing)
+                });
+                let all: Vec<_> = events.into_iter().map(Ok).chain(labels).collect::<PyResult<_>>()?;
+                let whole = RecordBatch::try_from_iter_with_nullable(all);
+                whole.map_err(|error| named("HomebodyError", error))
+            });
+            Stream::of_parts(batches.collect::<PyResult<_>>()?)
+        })
+    }
+
+    /// The first and the last of its dates.
+    #[getter]
+    fn dates(&self, py: Python<'_>) -> PyResult<Option<(String, String)>> {
+        let dates = py.detach(|| self.on_the_wall().map(LogWithRun::dates))?;
+        Ok(dates.map(|(first, last)| (first.to_string(), last.to_string())))
+    }
+
+    /// A day: a date, `first`, `last`, or its number from 0 on. Its figures and its chart.
+    fn day(&self, py: Python<'_>, day: &str) -> PyResult<(String, String)> {
+        py.detach(|| {
+            let read = self.on_the_wall()?;
+            let there = read.dates().ok_or_else(|| named("LogError", "it has no rows, so no day"))?;
+            let (first, last) = there;
+            let date = match day.parse::<i64>() {
+                Ok(number) => {
+                    let begin = homebody_analysis::dates::midnight(first);
+                    let date = date_of(begin + number.saturating_mul(86_400 * SECOND));
+                    (first..=last).contains(&date).then_some(date)
+                }
+                Err(_) => day.parse::<Asked>().map_err(|why| named("LogError", why))?.within(there),
+            };
+            let no_day = || named("LogError", format!("there is no day {day}: it goes from {first} to {last}"));
+            let day = Day::of(&read.name, &read.log, &read.lives, date.ok_or_else(no_day)?);
+            Ok((json(&day)?, day_chart(&DayChart::of(&day))))
+        })
+    }
+
+    /// How much somebody moved in each hour of each day: figures and a map.
+    fn density(&self, py: Python<'_>) -> PyResult<(String, String)> {
+        py.detach(|| {
+            let read = self.on_the_wall()?;
+            let asked = density::Asked { recorded: read.recorded.clone(), ..density::Asked::default() };
+            let map = density((&read.name, &read.log, &asked), None).map_err(|why| named("LogError", why))?;
+            Ok((json(&map)?, density_map(&map)))
+        })
+    }
+
+    /// What somebody has been doing day by day: figures and a picture.
+    fn measures(&self, py: Python<'_>) -> PyResult<(String, String)> {
+        py.detach(|| {
+            let measures = self.on_the_wall()?.measures().map_err(|why| named("LogError", why))?;
+            Ok((json(&measures)?, measures_picture(&measures)))
+        })
+    }
+}
+
+/// The cells of a column of the truth on their way.
+enum Cells {
+    Instants(Vec<Option<i64>>),
+    Integers(Vec<Option<i64>>),
+    Reals(Vec<Option<f64>>),
+    Texts(Texts),
+}
+
+impl Cells {
+    fn of(kind: ColumnKind) -> Cells {
+        match kind {
+            ColumnKind::Instant => Cells::Instants(Vec::new()),
+            ColumnKind::Integer => Cells::Integers(Vec::new()),
+            ColumnKind::Real => Cells::Reals(Vec::new()),
+            ColumnKind::Text => Cells::Texts(Texts::default()),
+        }
+    }
+
+    fn push(&mut self, cell: Value<'_>) {
+        let whole = |cell| if let Value::Integer(number) = cell { Some(number) } else { None };
+        match self {
+            Cells::Instants(all) | Cells::Integers(all) => all.push(whole(cell)),
+            Cells::Reals(all) => all.push(if let Value::Real(number) = cell { Some(number) } else { None }),
+            Cells::Texts(all) => match cell {
+                Value::Integer(number) => all.push(Some(&number.to_string())),
+                Value::Text(text) => all.push(Some(text)),
+                _ => all.push(None),
+            },
+        }
+    }
+
+    fn into_frame(self, frame: Frame, name: &str, zone: Option<&str>) -> Result<Frame, Unshaped> {
+        Ok(match self {
+            Cells::Instants(all) => frame.instants(name, all, zone),
+            Cells::Integers(all) => frame.integers(name, all),
+            Cells::Reals(all) => frame.reals(name, all),
+            Cells::Texts(all) => frame.texts(name, all)?,
+        })
+    }
+}
+
+/// How alike two logs are, as JSON and in words.
+#[pyfunction]
+pub fn compare(py: Python<'_>, a: &str, b: &str) -> PyResult<(String, String)> {
+    py.detach(|| {
+        let found = [a, b].map(NamedLog::find);
+        let [a, b] = found;
+        let found = [a.map_err(raised)?, b.map_err(raised)?];
+        // A run knows what its own log's ids mean, and those of a copy of it.
+        let name = |id: &str| found.iter().find_map(|named| named.name_of(id)).unwrap_or(id).to_owned();
+        let read = |named: &NamedLog| {
+            let mut log = named.with_activities().map_err(raised)?;
+            log.sensors.iter_mut().for_each(|sensor| *sensor = name(sensor));
+            Ok::<_, PyErr>(log)
+        };
+        let comparison = homebody_analysis::compare::compare(&read(&found[0])?, &read(&found[1])?);
+        Ok((json(&comparison)?, comparison.to_string()))
+    })
+}
+
+/// Walks a log back through a home into a new folder; the report as JSON.
+#[pyfunction]
+#[pyo3(signature = (text, zone, home, to, told))]
+pub fn translate(
+    py: Python<'_>,
+    text: &str,
+    zone: Option<&str>,
+    home: &Scenario,
+    to: PathBuf,
+    told: Option<Py<PyAny>>,
+) -> PyResult<String> {
+    let watched = Watched::new(told);
+    let result = py.detach(|| {
+        let scenario = home.opened.scenario();
+        let zone = zone.unwrap_or(&scenario.file.time_zone);
+        let read = LogWithRun::read(text, Some(zone)).map_err(raised)?;
+        let progress = |share: f64| watched.tell(share, 1.0);
+        json(&walk_into(&to, (text, &read), scenario, &watched.cancel, progress).map_err(raised)?)
+    });
+    watched.over(result)
+}

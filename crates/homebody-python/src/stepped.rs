@@ -1,0 +1,86 @@
+//! A run that is lived step by step, by whoever asks for the next one.
+
+use crate::driver::{Raised, or_raised};
+use crate::fault::{json, named};
+use crate::table::Stream;
+use homebody_arrow::{Frame, Texts};
+use homebody_core::scenario::path::Posture;
+use homebody_core::time::{SECOND, seconds};
+use pyo3::prelude::*;
+use serde_json::json;
+use std::sync::{Mutex, MutexGuard};
+
+/// A run under way.
+#[pyclass(frozen, module = "homebody._homebody")]
+pub struct LiveRun {
+    run: Mutex<homebody_kit::LiveRun>,
+    by_driver: Raised,
+}
+
+impl LiveRun {
+    pub fn new(run: homebody_kit::LiveRun, by_driver: Raised) -> LiveRun {
+        LiveRun { run: Mutex::new(run), by_driver }
+    }
+
+    fn lock(&self) -> PyResult<MutexGuard<'_, homebody_kit::LiveRun>> {
+        // A panic in a step has left nothing to go on with.
+        self.run.lock().map_err(|_| named("HomebodyError", "an earlier step of this run has failed"))
+    }
+}
+
+#[pymethods]
+impl LiveRun {
+    /// Lives on for so many seconds, and returns what the sensors said.
+    fn step(&self, py: Python<'_>, lasts_s: f64) -> PyResult<Stream> {
+        if lasts_s.is_nan() || lasts_s <= 0.0 {
+            return Err(named("HomebodyError", "a step is longer than nothing"));
+        }
+        py.detach(|| {
+            let mut run = self.lock()?;
+            let sensors: Vec<String> = run.sensors().map(str::to_owned).collect();
+            let calendar = run.calendar().clone();
+            let until = run.progress().lived.saturating_add((lasts_s * SECOND as f64) as i64);
+            let batch = run.live_until(until).map_err(|error| or_raised(error, &self.by_driver))?;
+            let (mut times, mut devices, mut values) = (Vec::new(), Texts::of(sensors), Texts::default());
+            for firing in batch.firings {
+                times.push(Some(calendar.timestamp(firing.at).as_microsecond()));
+                devices.push_place(Some(firing.sensor.0));
+                values.push(Some(&firing.value.to_string()));
+            }
+            let zone = calendar.local(0).time_zone().iana_name().unwrap_or("UTC").to_owned();
+            let frame = Frame::default().instants("time", times, Some(&zone));
+            let frame = frame.texts("device", devices).and_then(|frame| frame.texts("value", values));
+            Stream::of(frame.and_then(Frame::batch))
+        })
+    }
+
+    /// How far it has come and of how much, in seconds, and what the clock on the wall says.
+    #[getter]
+    fn progress(&self) -> PyResult<(f64, f64, String)> {
+        let run = self.lock()?;
+        let progress = run.progress();
+        Ok((seconds(progress.lived), seconds(progress.length), run.calendar().wall_clock(progress.lived)))
+    }
+
+    /// What it looks like now, as JSON.
+    fn scene(&self) -> PyResult<String> {
+        let run = self.lock()?;
+        let scene = run.scene();
+        let plan = &run.home().plan;
+        let posture = |posture| match posture {
+            Posture::Standing => "standing",
+            Posture::Sitting => "sitting",
+            Posture::Lying => "lying",
+        };
+        let bodies = run.residents().into_iter().zip(&scene.bodies).map(|(name, body)| {
+            let body = body.as_ref().map(|body| {
+                let room = body.room.map(|room| plan.rooms[room.index()].name.clone());
+                json!({ "x": body.at.x, "y": body.at.y, "posture": posture(body.posture), "room": room })
+            });
+            (name, body.unwrap_or(serde_json::Value::Null))
+        });
+        let bodies: serde_json::Map<String, serde_json::Value> = bodies.collect();
+        let on: Vec<&str> = scene.on.iter().map(|thing| plan.things[thing.index()].name.as_str()).collect();
+        json(&json!({ "bodies": bodies, "on": on }))
+    }
+}

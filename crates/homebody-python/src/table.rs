@@ -1,0 +1,68 @@
+//! Tables on their way to Python: a stream of Arrow's, which pandas, polars, pyarrow and others take without a copy.
+
+use crate::fault::named;
+use arrow_array::ffi_stream::FFI_ArrowArrayStream;
+use arrow_array::{RecordBatch, RecordBatchIterator};
+use homebody_arrow::SchemaRef;
+use pyo3::prelude::*;
+use pyo3::types::PyCapsule;
+
+/// What the capsule of a stream is called.
+const NAME: &std::ffi::CStr = c"arrow_array_stream";
+
+/// A table in memory. Each stream of it is over the same memory.
+#[pyclass(frozen, module = "homebody._homebody")]
+pub struct Stream {
+    schema: SchemaRef,
+    batches: Vec<RecordBatch>,
+}
+
+impl Stream {
+    pub fn of(batch: Result<RecordBatch, impl std::fmt::Display>) -> PyResult<Stream> {
+        let batch = batch.map_err(|error| named("HomebodyError", error))?;
+        Ok(Stream { schema: batch.schema(), batches: vec![batch] })
+    }
+
+    /// Of parts with the same columns, one after the other.
+    pub fn of_parts(batches: Vec<RecordBatch>) -> PyResult<Stream> {
+        let schema = batches.first().ok_or_else(|| named("LogError", "it has no rows"))?.schema();
+        Ok(Stream { schema, batches })
+    }
+}
+
+#[pymethods]
+impl Stream {
+    #[getter]
+    fn rows(&self) -> usize {
+        self.batches.iter().map(RecordBatch::num_rows).sum()
+    }
+
+    #[getter]
+    fn columns(&self) -> Vec<String> {
+        self.schema.fields().iter().map(|field| field.name().clone()).collect()
+    }
+
+    #[getter]
+    fn bytes(&self) -> usize {
+        self.batches.iter().map(RecordBatch::get_array_memory_size).sum()
+    }
+
+    /// Of all columns, by Arrow's names.
+    #[getter]
+    fn types(&self) -> Vec<String> {
+        self.schema.fields().iter().map(|field| field.data_type().to_string()).collect()
+    }
+
+    #[pyo3(signature = (requested_schema=None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Py<PyAny>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        // Whoever takes it casts it, as the interface allows.
+        let _ = requested_schema;
+        let batches = self.batches.clone().into_iter().map(Ok);
+        let batches = RecordBatchIterator::new(batches, self.schema.clone());
+        PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(Box::new(batches)), NAME)
+    }
+}

@@ -1,0 +1,54 @@
+//! Work that takes long: without Python's lock, with a callable that is told how far it is, until Python is interrupted.
+
+use homebody_kit::Cancel;
+use pyo3::prelude::*;
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// So often Python is told how far it is, and asked whether to go on (ours).
+const EVERY: Duration = Duration::from_millis(50);
+
+/// What tells Python how far some work is, and ends the work where Python raises.
+pub struct Watched {
+    told: Option<Py<PyAny>>,
+    pub cancel: Cancel,
+    state: Mutex<State>,
+}
+
+struct State {
+    last: Instant,
+    raised: Option<PyErr>,
+}
+
+impl Watched {
+    /// `told` is called with what is done and of how much.
+    pub fn new(told: Option<Py<PyAny>>) -> Watched {
+        Watched { told, cancel: Cancel::new(), state: Mutex::new(State { last: Instant::now(), raised: None }) }
+    }
+
+    /// How far it is; from whichever thread.
+    pub fn tell(&self, done: f64, all: f64) {
+        let Ok(mut state) = self.state.try_lock() else { return };
+        if state.last.elapsed() < EVERY && done < all || state.raised.is_some() {
+            return;
+        }
+        state.last = Instant::now();
+        let told = Python::attach(|py| {
+            py.check_signals()?;
+            match &self.told {
+                Some(told) => told.call1(py, (done, all)).map(|_| ()),
+                None => Ok(()),
+            }
+        });
+        if let Err(error) = told {
+            state.raised = Some(error);
+            self.cancel.cancel();
+        }
+    }
+
+    /// What Python has raised meanwhile is raised; else what came of the work stands.
+    pub fn over<T>(self, result: PyResult<T>) -> PyResult<T> {
+        let state = self.state.into_inner().unwrap_or_else(PoisonError::into_inner);
+        state.raised.map_or(result, Err)
+    }
+}

@@ -1,0 +1,65 @@
+"""Homes wired with sensors, and the people who live in them, simulated.
+
+>>> import homebody as hb
+>>> home = hb.scenario("studio")
+>>> run = home.run(days=1, seed=7)
+>>> run.events, run.activities
+(<homebody.Table: ... rows of time, device, value>, <homebody.Table: ... rows of start_time, end_time, activity, resident>)
+"""
+
+from homebody._homebody import VERSION as __version__
+from homebody._cohort import Cohort, cohort
+from homebody.driver import Away, Doing, Driver, Rest, Stir, Stride, Surroundings, Use
+from homebody.errors import (
+    ClusterError,
+    DriverError,
+    HomebodyError,
+    LogError,
+    MissingPackage,
+    Problem,
+    ScenarioError,
+    Stopped,
+)
+from homebody.live import Live
+from homebody.log import Comparison, Log, compare, read, translate
+from homebody.picture import Answer, Picture
+from homebody.profiles import draw
+from homebody.scenario import Plan, Run, Scenario, scenario, templates
+from homebody.table import Table
+
+__all__ = [
+    "Answer",
+    "Away",
+    "ClusterError",
+    "Cohort",
+    "Comparison",
+    "Doing",
+    "Driver",
+    "DriverError",
+    "HomebodyError",
+    "Live",
+    "Log",
+    "LogError",
+    "MissingPackage",
+    "Picture",
+    "Plan",
+    "Problem",
+    "Rest",
+    "Run",
+    "Scenario",
+    "ScenarioError",
+    "Stir",
+    "Stopped",
+    "Stride",
+    "Surroundings",
+    "Table",
+    "Use",
+    "__version__",
+    "cohort",
+    "compare",
+    "draw",
+    "read",
+    "scenario",
+    "templates",
+    "translate",
+]

@@ -1,0 +1,168 @@
+"""Drivers in Python: who decides what somebody does next.
+
+>>> import random
+>>> import homebody as hb
+>>> class Pacing:
+...     def __init__(self, seed):
+...         self.random = random.Random(seed)
+...         self.ends = [(5.0, 3.6), (8.4, 3.6)]
+...     def next(self, around):
+...         if around.body is None:
+...             return hb.Rest(60, at=self.ends[0])
+...         if around.body.at == self.ends[0]:
+...             return hb.Stride(self.ends[1], 5)
+...         if around.body.at == self.ends[1] and self.random.random() < 0.5:
+...             return hb.Rest(60)
+...         return hb.Stride(self.ends[0], 5)
+>>> run = hb.scenario("tigerplace").run(days=0.1, seed=7, drivers={"margaret": Pacing})
+>>> len(run.events) > 0
+True
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Stride:
+    """To walk straight to a point, in metres, in so many seconds."""
+
+    to: Point
+    seconds: float
+    posture: str = "standing"
+
+
+@dataclass(frozen=True)
+class Rest:
+    """To keep still for so many seconds; ``float("inf")`` for ever. ``at`` says where, of who has no body yet or comes home."""
+
+    seconds: float
+    at: Point | None = None
+    posture: str = "standing"
+
+
+@dataclass(frozen=True)
+class Stir:
+    """To move on the spot for so many seconds; ``amplitude_m`` is how far what moves moves."""
+
+    seconds: float
+    amplitude_m: float = 0.3
+    at: Point | None = None
+    posture: str = "standing"
+
+
+@dataclass(frozen=True)
+class Away:
+    """To be out of the home for so many seconds."""
+
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Use:
+    """To turn a thing on or off, to open or close it. It takes no time."""
+
+    thing: str
+    on: bool
+
+
+@dataclass(frozen=True)
+class Doing:
+    """From now on the activity has this label, for the truth; ``None`` for nothing that has a name. It takes no time."""
+
+    activity: str | None
+
+
+Answer = Stride | Rest | Stir | Away | Use | Doing
+
+
+@dataclass(frozen=True)
+class Body:
+    """A body in the home."""
+
+    resident: int
+    #: Where it is, in metres.
+    at: Point
+    #: Where its present movement leads.
+    to: Point
+    posture: str
+    name: str | None = None
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """What a driver is asked with."""
+
+    #: Seconds since the start of the run.
+    now: float
+    #: Its own body; ``None`` while it is away, and before its first answer.
+    body: Body | None
+    #: The room that it is in.
+    room: str | None
+    #: The bodies of the others who are at home.
+    others: list[Body] = field(default_factory=list)
+    #: The things that are on, or open.
+    on: frozenset[str] = frozenset()
+
+
+class Driver(Protocol):
+    """Who decides. It is asked whenever its last answer has ended, and again after each that took no time.
+
+    Its life is as reproducible as its own randomness is: draw it from the seed that it is made with. What it remembers must be such
+    that :func:`copy.deepcopy` copies it.
+    """
+
+    def next(self, around: Surroundings) -> Answer:
+        """What to do now."""
+        ...
+
+
+#: What makes a driver of the run's seed: a class, or a function.
+MakeDriver = Callable[[int], Driver]
+
+
+class _Asked:
+    """Asks a driver in the tuples that the other side has."""
+
+    def __init__(self, driver: Driver, residents: Sequence[str]) -> None:
+        self.driver = driver
+        self.residents = list(residents)
+
+    def _body(self, told: tuple[int, Point, Point, str]) -> Body:
+        resident = told[0]
+        return Body(*told, name=self.residents[resident] if resident < len(self.residents) else None)
+
+    def __call__(
+        self, now: int, body: Any, room: str | None, others: list[Any], on: list[str]
+    ) -> tuple[str, object]:
+        own = None if body is None else self._body(body)
+        around = Surroundings(now / 1e6, own, room, [self._body(other) for other in others], frozenset(on))
+        answer = self.driver.next(around)
+        match answer:
+            case Stride(to, lasts, posture):
+                return "stride", (to, float(lasts), posture)
+            case Rest(lasts, at, posture):
+                return "rest", (at, float(lasts), posture)
+            case Stir(lasts, amplitude_m, at, posture):
+                return "stir", (at, float(lasts), posture, float(amplitude_m))
+            case Away(lasts):
+                return "out", float(lasts)
+            case Use(thing, is_on):
+                return "use", (thing, bool(is_on))
+            case Doing(activity):
+                return "doing", activity
+        raise TypeError(
+            f"{type(self.driver).__name__}.next answered {answer!r}: it answers with Stride, Rest, Stir, Away, Use or Doing"
+        )
+
+
+def wrapped(make: MakeDriver, residents: Sequence[str]) -> Callable[[int], _Asked]:
+    """What the other side calls with a seed, and then with surroundings."""
+    if not callable(make):
+        raise TypeError(f"a driver is a class or a function that is called with the seed, and not {make!r}")
+    return lambda seed: _Asked(make(seed), residents)

@@ -1,0 +1,64 @@
+"""What goes wrong, as exceptions. All of them are a :class:`HomebodyError`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One thing that is wrong with a scenario or a list, where, and what to do about it."""
+
+    file: str
+    #: Counted from 1; 0 where the problem is with the file as a whole.
+    line: int
+    column: int
+    what: str
+    hint: str | None = None
+
+    def __str__(self) -> str:
+        place = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
+        return f"{place}: {self.what}" + (f"\n  hint: {self.hint}" if self.hint else "")
+
+
+class HomebodyError(Exception):
+    """Something could not be done; the text says what, and what to do."""
+
+
+class ScenarioError(HomebodyError):
+    """A scenario, a list of profiles, or what is asked of them is wrong: all problems at once."""
+
+    def __init__(self, text: str, problems: Sequence[Problem] = ()) -> None:
+        super().__init__(text)
+        self.problems: list[Problem] = list(problems)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        # With its problems, from a worker of a cluster too.
+        return (type(self), (self.args[0], self.problems))
+
+
+class LogError(HomebodyError):
+    """A log or a truth cannot be read or written."""
+
+
+class DriverError(HomebodyError):
+    """A driver decided what nobody can do."""
+
+
+class Stopped(HomebodyError):
+    """Work was stopped before its end."""
+
+
+class ClusterError(HomebodyError):
+    """A cluster is not there, or has lost a cohort's members."""
+
+
+class MissingPackage(HomebodyError, ImportError):
+    """A package that is optional is not installed; the text says how to install it."""
+
+
+def needs(package: str, what: str, extra: str | None = None) -> MissingPackage:
+    """The error where ``what`` needs a package that is not installed."""
+    install = f"homebody[{extra}]" if extra else package
+    return MissingPackage(f"{what} needs {package}, which is not installed\n  hint: pip install {install}")

@@ -1,0 +1,240 @@
+"""Logs: of runs, and of real homes."""
+
+from __future__ import annotations
+
+import json
+import re
+import tempfile
+from dataclasses import dataclass
+from functools import cached_property
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from homebody import _homebody
+from homebody.errors import needs
+from homebody.picture import Answer
+from homebody.progress import Progress
+from homebody.table import Table
+
+if TYPE_CHECKING:
+    import pandas
+
+    from homebody.scenario import Scenario
+
+_SECONDS = {"s": 1.0, "m": 60.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
+
+
+def seconds(span: str | float) -> float:
+    """A span of time in seconds: a number, or a text such as ``60s``, ``15m`` or ``1h``.
+
+    >>> seconds("1.5h")
+    5400.0
+    """
+    if isinstance(span, bool) or not isinstance(span, (str, int, float)):
+        raise TypeError(f"span is {span!r}: it is a number of seconds, or a text such as '60s'")
+    if not isinstance(span, str):
+        return float(span)
+    match = re.fullmatch(r"\s*([0-9.]+)\s*(s|min|m|h|d)\s*", span)
+    if match is None:
+        raise ValueError(f"span {span!r}: write a number with its unit, such as 60s, 15m, 1h")
+    return float(match[1]) * _SECONDS[match[2]]
+
+
+@dataclass(frozen=True)
+class Pyadlml:
+    """A log as pyadlml has it: what devices said, and what somebody did, by the clock on the wall."""
+
+    #: ``time``, ``device``, ``value``; what is on or off is true or false.
+    devices: pandas.DataFrame
+    #: ``start_time``, ``end_time``, ``activity``.
+    activities: pandas.DataFrame
+
+
+class Log:
+    """A log, and what the truth beside it tells. :func:`homebody.read` reads one; a run has one.
+
+    >>> import homebody as hb
+    >>> run = hb.scenario("studio").run(days=1, seed=7)
+    >>> log = hb.read(run.folder)
+    >>> len(log.events) == len(run.events)
+    True
+    """
+
+    def __init__(self, place: str | PathLike[str], time_zone: str | None = None) -> None:
+        #: Where it is.
+        self.place = fspath(place)
+        self._log = _homebody.Log(self.place, time_zone)
+        self._asked_zone = time_zone
+
+    @property
+    def time_zone(self) -> str | None:
+        """The zone of its home; ``None`` where nobody knows: then its times are on the wall, and have no zone."""
+        return self._log.time_zone
+
+    @property
+    def sensors(self) -> list[str]:
+        """The names of its sensors."""
+        return self._log.sensors
+
+    @property
+    def residents(self) -> list[str]:
+        """Whom its truth tells of, visitors too."""
+        return [name for name in self._log.residents if name]
+
+    @property
+    def remarks(self) -> list[str]:
+        """What was left out of it as it was read, in sentences."""
+        return self._log.remarks
+
+    @cached_property
+    def events(self) -> Table:
+        """What was said: ``time``, ``device``, ``value``."""
+        return Table(self._log.events())
+
+    @cached_property
+    def activities(self) -> Table:
+        """What was done, by the truth: ``start_time``, ``end_time``, ``activity``, ``resident``."""
+        return Table(self._log.spans(False))
+
+    @cached_property
+    def rooms(self) -> Table:
+        """Who was where, by the truth: ``start_time``, ``end_time``, ``room``, ``resident``."""
+        return Table(self._log.spans(True))
+
+    @cached_property
+    def movement(self) -> Table:
+        """What bodies did, by the truth."""
+        return self.truth("movement")
+
+    def truth(self, table: str) -> Table:
+        """A table of the truth by its name, such as ``act``, ``need`` or ``condition``."""
+        return Table(self._log.truth(table))
+
+    def windows(self, span: str | float = "60s") -> Table:
+        """Windows of one length, a row for each resident: ``time``, ``resident``, ``label`` (the activity of most of the window),
+        ``room``, and as features ``hour``, ``weekday``, ``last`` (who spoke last), and for each sensor how often it said something.
+
+        >>> import homebody as hb
+        >>> windows = hb.scenario("studio").run(days=1, seed=7).windows("5m")
+        >>> windows.columns[:4]
+        ['time', 'resident', 'label', 'room']
+        """
+        return Table(self._log.windows(seconds(span)))
+
+    def labelled(self) -> Table:
+        """Each row with whose doing it was, in which room, during which activity, and why: what ``homebody label`` joins. Its columns
+        are ``time``, ``device``, ``value``, ``resident``, ``room``, ``activity``, ``cause``, ``thing``."""
+        with tempfile.TemporaryDirectory(prefix="homebody-") as folder:
+            return Table(self._log.labelled(Path(folder) / "labelled.arrow"))
+
+    def day(self, day: int | str = "first") -> Answer:
+        """One day: by its number from 0 on, by its date, or ``first`` or ``last``."""
+        return Answer("Day", *self._log.day(str(day)))
+
+    def density(self) -> Answer:
+        """How much somebody moved in each hour of each day."""
+        return Answer("Density", *self._log.density())
+
+    def measures(self) -> Answer:
+        """What somebody has been doing day by day: bed, bathroom, meals, outings, pace."""
+        return Answer("Measures", *self._log.measures())
+
+    @property
+    def dates(self) -> tuple[str, str] | None:
+        """The first and the last of its days."""
+        return self._log.dates
+
+    def to_pyadlml(self, resident: str | None = None) -> Pyadlml:
+        """As pyadlml has it; of several residents, the activities of one."""
+        try:
+            import pandas
+        except ImportError:
+            raise needs("pandas", "to_pyadlml", "pandas") from None
+        devices = self.events.to_pandas()
+        meant = {"ON": True, "OFF": False, "OPEN": True, "CLOSE": False}
+        devices["device"] = devices["device"].astype(str)
+        devices["value"] = devices["value"].astype(object).map(lambda value: meant.get(value, value))
+        activities = self.activities.to_pandas()
+        known = self.residents
+        if resident is None and known:
+            resident = known[0]
+        if resident is not None and known:
+            if resident not in known:
+                raise ValueError(f"resident {resident!r}: there are {', '.join(known)}")
+            activities = activities[activities["resident"] == resident]
+        activities = activities[["start_time", "end_time", "activity"]].reset_index(drop=True)
+        activities["activity"] = activities["activity"].astype(str)
+        for frame in (devices, activities):
+            for column in frame.columns:
+                if isinstance(frame[column].dtype, pandas.DatetimeTZDtype):
+                    frame[column] = frame[column].dt.tz_localize(None)
+        return Pyadlml(devices, activities)
+
+    def __repr__(self) -> str:
+        return f"<homebody.{type(self).__name__} {self.place}>"
+
+
+def read(place: str | PathLike[str], time_zone: str | None = None) -> Log:
+    """Reads a log: the folder of a run, a file of any form that Homebody knows, or ``FORM:FILE``. ``time_zone`` is that of its home,
+    where nothing else tells it."""
+    return Log(place, time_zone)
+
+
+class Comparison:
+    """How alike two logs are."""
+
+    def __init__(self, figures: str, words: str) -> None:
+        #: The figures, as the command's ``--json`` has them.
+        self.data: dict[str, Any] = json.loads(figures)
+        self._words = words
+
+    def __str__(self) -> str:
+        return self._words
+
+    __repr__ = __str__
+
+
+def _place(log: Log | str | PathLike[str]) -> str:
+    return log.place if isinstance(log, Log) else fspath(log)
+
+
+def compare(a: Log | str | PathLike[str], b: Log | str | PathLike[str]) -> Comparison:
+    """How alike two logs are; the second is the reference.
+
+    >>> import homebody as hb
+    >>> home = hb.scenario("studio")
+    >>> alike = hb.compare(home.run(days=1, seed=1), home.run(days=1, seed=2))
+    >>> 0.3 < alike.data["agreement_by_sensor"] < 1
+    True
+    """
+    return Comparison(*_homebody.compare(_place(a), _place(b)))
+
+
+class Translated(Log):
+    """A log that was walked back through its home, and lived again."""
+
+    def __init__(self, folder: Path, report: str) -> None:
+        super().__init__(folder / "run")
+        #: The folder with all that came of it: ``where.csv``, ``rooms.csv``, ``report.json``, and a scenario.
+        self.folder = folder
+        #: What did not fit, which sensors could not be believed, and how well the path explains the log.
+        self.report: dict[str, Any] = json.loads(report)
+
+
+def translate(
+    log: Log | str | PathLike[str],
+    home: Scenario,
+    to: str | PathLike[str] | None = None,
+    *,
+    progress: bool | None = None,
+) -> Translated:
+    """Walks a log back through the plan of its home: where everybody was at each instant. ``to`` is the folder to make; without it, one
+    that goes when the program ends."""
+    from homebody.scenario import temporary_folder
+
+    folder = Path(to) if to is not None else temporary_folder() / "walked"
+    zone = log._asked_zone if isinstance(log, Log) else None
+    with Progress("walking back", progress) as told:
+        report = _homebody.translate(_place(log), zone, home._scenario, folder, told)
+    return Translated(folder, report)

@@ -1,0 +1,80 @@
+"""Pictures, as notebooks show them and files hold them."""
+
+from __future__ import annotations
+
+import json
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from homebody._homebody import png
+
+
+class Picture:
+    """A picture. A notebook shows it; :meth:`save` writes it as SVG or PNG.
+
+    >>> import homebody as hb
+    >>> hb.scenario("studio").plan.plot().svg[:4]
+    '<svg'
+    """
+
+    def __init__(self, svg: str) -> None:
+        #: Its text.
+        self.svg = svg
+
+    def png(self, width: int = 1600) -> bytes:
+        """The same as PNG, of so many pixels in width."""
+        return png(self.svg, width)
+
+    def save(self, path: str | PathLike[str], width: int = 1600) -> Path:
+        """Writes it into a file whose name ends in ``.svg`` or ``.png``."""
+        path = Path(path)
+        match path.suffix.lower():
+            case ".svg":
+                path.write_text(self.svg, encoding="utf-8")
+            case ".png":
+                path.write_bytes(self.png(width))
+            case other:
+                raise ValueError(f"path {str(path)!r} ends in {other!r}: a picture is .svg or .png")
+        return path
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def _repr_png_(self) -> bytes:
+        return self.png()
+
+    def __repr__(self) -> str:
+        return f"<homebody.Picture: {len(self.svg):,} bytes of SVG>"
+
+
+class Answer:
+    """Figures with the picture of them.
+
+    >>> import homebody as hb
+    >>> coverage = hb.scenario("studio").coverage()
+    >>> 0 < coverage.data["whole"]["floor_m2"]
+    True
+    >>> coverage.plot()
+    <homebody.Picture: ...
+    """
+
+    def __init__(self, what: str, figures: str, svg: str) -> None:
+        self._what = what
+        #: The figures, as the command's ``--json`` has them.
+        self.data: dict[str, Any] = json.loads(figures)
+        self._picture = Picture(svg)
+
+    def plot(self) -> Picture:
+        """The picture."""
+        return self._picture
+
+    def save(self, path: str | PathLike[str], width: int = 1600) -> Path:
+        """Writes the picture into a file."""
+        return self._picture.save(path, width)
+
+    def _repr_svg_(self) -> str:
+        return self._picture.svg
+
+    def __repr__(self) -> str:
+        return f"<homebody.{self._what}: {', '.join(self.data)}>"

@@ -1,0 +1,373 @@
+"""Scenarios: opened, made and changed by code, looked at, and lived."""
+
+from __future__ import annotations
+
+import atexit
+import json
+import shutil
+import tempfile
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any
+
+from homebody import _homebody
+from homebody.driver import Driver, MakeDriver, wrapped
+from homebody.errors import Problem
+from homebody.live import Live
+from homebody.log import Log
+from homebody.picture import Answer, Picture
+from homebody.progress import Progress
+
+#: What a scenario's own file is called.
+ENTRY = "scenario.json"
+
+
+def temporary_folder() -> Path:
+    """A new folder that goes when the program ends."""
+    folder = Path(tempfile.mkdtemp(prefix="homebody-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder
+
+
+class Run(Log):
+    """A run that was lived: its log, with the truth beside it.
+
+    >>> import homebody as hb
+    >>> run = hb.scenario("studio").run(days=1, seed=7)
+    >>> run.seed, run.stopped
+    (7, False)
+    """
+
+    def __init__(self, scenario: Scenario, told: dict[str, Any]) -> None:
+        #: The folder that it is in; it goes when the program ends, unless another was asked for.
+        self.folder = Path(told["folder"])
+        super().__init__(self.folder)
+        self.scenario = scenario
+        #: What became of it: rows by sensor, sentences that were not lived as they are written, a digest of the firings.
+        self.summary = told
+
+    @property
+    def seed(self) -> int:
+        """The number that all its randomness came from."""
+        return int(self.summary["seed"])
+
+    @property
+    def stopped(self) -> bool:
+        """Whether it was ended early."""
+        return bool(self.summary["stopped"])
+
+    def save(self, folder: str | PathLike[str]) -> Path:
+        """Copies all of it into a new folder, which the command and the page know as well."""
+        return Path(shutil.copytree(self.folder, folder))
+
+
+class Plan:
+    """The floor plan of a home."""
+
+    def __init__(self, scenario: _homebody.Scenario) -> None:
+        self._scenario = scenario
+
+    def plot(self) -> Picture:
+        """The picture."""
+        return Picture(self._scenario.plan_svg())
+
+    @property
+    def rooms(self) -> list[str]:
+        """The names of its rooms."""
+        return self._scenario.rooms
+
+    @property
+    def places(self) -> dict[str, tuple[float, float]]:
+        """Points that have a name, in metres: rooms, furniture, places."""
+        return self._scenario.places
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """Left, bottom, right and top, in metres."""
+        return self._scenario.bounds
+
+    def room_at(self, x: float, y: float) -> str | None:
+        """The room that a point is in."""
+        return self._scenario.room_at(x, y)
+
+    def _repr_svg_(self) -> str:
+        return self._scenario.plan_svg()
+
+
+class Scenario:
+    """A scenario that has passed every check: a home, its sensors, and who lives there. :func:`scenario` opens one.
+
+    >>> import homebody as hb
+    >>> home = hb.scenario("tigerplace")
+    >>> home.residents
+    ['margaret']
+    """
+
+    def __init__(self, inner: _homebody.Scenario) -> None:
+        self._scenario = inner
+
+    @property
+    def name(self) -> str:
+        """What it is called."""
+        return self._scenario.name
+
+    @property
+    def residents(self) -> list[str]:
+        """Who lives there."""
+        return self._scenario.residents
+
+    @property
+    def rooms(self) -> list[str]:
+        """The names of its rooms."""
+        return self._scenario.rooms
+
+    @property
+    def sensors(self) -> list[str]:
+        """The names of its sensors."""
+        return self._scenario.sensors
+
+    @property
+    def things(self) -> list[str]:
+        """What can be used: doors, furniture, lamps."""
+        return self._scenario.things
+
+    @property
+    def texts(self) -> dict[str, str]:
+        """Its files, by their names."""
+        return self._scenario.texts
+
+    @cached_property
+    def plan(self) -> Plan:
+        """The floor plan."""
+        return Plan(self._scenario)
+
+    def coverage(self) -> Answer:
+        """Where in the home the sensors see."""
+        return Answer("Coverage", *self._scenario.coverage())
+
+    def remarks(self, days: float | None = None) -> list[Problem]:
+        """What is right in it and hardly meant."""
+        told = json.loads(self._scenario.remarks(self._scenario.days if days is None else days))
+        return [Problem(t["file"], t["line"], t["column"], t["what"], t.get("hint")) for t in told]
+
+    def data(self, name: str = "home.json") -> Any:
+        """A file of JSON as Python has it, to be changed and given to :meth:`change`.
+
+        >>> import homebody as hb
+        >>> sorted(hb.scenario("studio").data("scenario.json"))[:2]
+        ['$schema', 'about']
+        """
+        return json.loads(self._scenario.text(name))
+
+    def change(self, files: Mapping[str, object]) -> Scenario:
+        """The same scenario with some of its files changed or added, and checked: texts, or what becomes JSON.
+
+        >>> import homebody as hb
+        >>> home = hb.scenario("studio")
+        >>> data = home.data("home.json")
+        >>> data["sensors"][0]["name"]
+        'hall motion'
+        >>> data["sensors"].append({**data["sensors"][0], "name": "another"})
+        >>> "another" in home.change({"home.json": data}).sensors
+        True
+        """
+        return of_files({**self.texts, **files}, self._scenario.entry)
+
+    def add_sensor(self, **sensor: object) -> Scenario:
+        """The same scenario with one more sensor, in the words of ``home.json``.
+
+        >>> import homebody as hb
+        >>> home = hb.scenario("studio")
+        >>> area = [[1.7, 0.2], [3.4, 0.2], [3.4, 1.8], [1.7, 1.8]]
+        >>> home = home.add_sensor(kind="ceiling_motion", name="bathroom ceiling", area=area)
+        >>> "bathroom ceiling" in home.sensors
+        True
+        """
+        return self._with("sensors", sensor)
+
+    def add_room(self, **room: object) -> Scenario:
+        """The same scenario with one more room, in the words of ``home.json``."""
+        return self._with("rooms", room)
+
+    def _with(self, key: str, value: object) -> Scenario:
+        name = self.data(self._scenario.entry)["home"]
+        home = self.data(name)
+        home.setdefault(key, []).append(value)
+        return self.change({name: home})
+
+    def without_sensor(self, *names: str) -> Scenario:
+        """The same scenario without these sensors; what they are called in the log goes with them.
+
+        >>> import homebody as hb
+        >>> home = hb.scenario("studio")
+        >>> fewer = home.without_sensor("bed motion", "table motion")
+        >>> len(home.sensors) - len(fewer.sensors)
+        2
+        """
+        for name in names:
+            if name not in self.sensors:
+                raise ValueError(f"name {name!r}: there is no such sensor; there are {', '.join(self.sensors)}")
+        own = self.data(self._scenario.entry)
+        home = self.data(own["home"])
+        home["sensors"] = [sensor for sensor in home["sensors"] if sensor["name"] not in names]
+        files: dict[str, object] = {own["home"]: home}
+        if own.get("logger") is not None:
+            logger = self.data(own["logger"])
+            logger["ids"] = {name: known for name, known in logger.get("ids", {}).items() if name not in names}
+            files[own["logger"]] = logger
+        return self.change(files)
+
+    def routine(self, resident: str) -> str:
+        """The routine that somebody lives by: plain sentences."""
+        return self._scenario.text(self._routine_file(resident))
+
+    def with_routine(self, resident: str, text: str) -> Scenario:
+        """The same scenario in which somebody lives by another routine."""
+        return self.change({self._routine_file(resident): text})
+
+    def _routine_file(self, resident: str) -> str:
+        for file in self.data(self._scenario.entry)["residents"]:
+            data = self.data(file)
+            if data["name"] == resident:
+                routine = data["driver"].get("routine")
+                if routine is None:
+                    raise ValueError(f"resident {resident!r} lives by no routine")
+                return str(routine)
+        raise ValueError(f"resident {resident!r}: there are {', '.join(self.residents)}")
+
+    def save(self, folder: str | PathLike[str]) -> Path:
+        """Writes its files into a new folder, which the command and the page know as well."""
+        folder = Path(folder)
+        folder.mkdir(parents=True)
+        for name, text in self.texts.items():
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return folder
+
+    def run(
+        self,
+        days: float | None = None,
+        seed: int | None = None,
+        *,
+        into: str | PathLike[str] | None = None,
+        start: str | None = None,
+        without: Sequence[str] = (),
+        numbers: Mapping[str, float] | None = None,
+        one_of_many: bool = False,
+        drivers: Mapping[str, MakeDriver] | None = None,
+        progress: bool | None = None,
+    ) -> Run:
+        """Lives it, and stores what its sensors say, with the truth apart.
+
+        Other threads of Python go on meanwhile; Ctrl-C stops it. ``into`` is a folder in which a new one is made for the run, such as
+        ``runs``; without it, the run goes when the program ends. ``without`` leaves conditions out, ``numbers`` sets numbers of the models,
+        ``one_of_many`` lets residents differ as people do, ``drivers`` moves residents by drivers in Python.
+
+        >>> import homebody as hb
+        >>> hb.scenario("tigerplace").run(days=0.5, seed=7).events
+        <homebody.Table: ... rows of time, device, value>
+        """
+        wanted = wanted_run(days, seed, start, without, numbers, one_of_many, drivers, self)
+        runs = temporary_folder() if into is None else Path(into)
+        with Progress(f"living {self.name}", progress) as told:
+            lived = self._scenario.run(runs, wanted, told)
+        return Run(self, json.loads(lived))
+
+    def live(
+        self,
+        days: float | None = None,
+        seed: int | None = None,
+        *,
+        start: str | None = None,
+        without: Sequence[str] = (),
+        numbers: Mapping[str, float] | None = None,
+        drivers: Mapping[str, MakeDriver] | None = None,
+    ) -> Live:
+        """A run at its beginning, that is lived step by step.
+
+        >>> import homebody as hb
+        >>> live = hb.scenario("studio").live(days=1, seed=7)
+        >>> said = live.step("8h")
+        >>> live.now[-8:]
+        '08:00:00'
+        """
+        return Live(self._scenario.live(wanted_run(days, seed, start, without, numbers, False, drivers, self)))
+
+    def __repr__(self) -> str:
+        return f"<homebody.Scenario {self.name}: {', '.join(self.residents)}; {len(self.sensors)} sensors>"
+
+
+def wanted_run(
+    days: float | None,
+    seed: int | None,
+    start: str | None,
+    without: Sequence[str],
+    numbers: Mapping[str, float] | None,
+    one_of_many: bool,
+    drivers: Mapping[str, MakeDriver] | None,
+    scenario: Scenario,
+) -> dict[str, Any]:
+    """What a run is to be, with its types checked: a wrong one says which argument it is."""
+    if days is not None and (isinstance(days, bool) or not isinstance(days, (int, float))):
+        raise TypeError(f"days is {days!r}: it is a number")
+    if seed is not None and (isinstance(seed, bool) or not isinstance(seed, int)):
+        raise TypeError(f"seed is {seed!r}: it is a whole number")
+    if seed is not None and not 0 <= seed < 2**64:
+        raise ValueError(f"seed is {seed}: it is from 0 to {2**64 - 1}")
+    if isinstance(without, str):
+        raise TypeError(f"without is {without!r}: it is a list of conditions")
+    made = {name: wrapped(make, scenario.residents) for name, make in (drivers or {}).items()}
+    return {
+        "days": None if days is None else float(days),
+        "seed": seed,
+        "start": start,
+        "without": list(without),
+        "numbers": {name: float(value) for name, value in (numbers or {}).items()},
+        "one_of_many": one_of_many,
+        "drivers": made,
+    }
+
+
+def of_files(files: Mapping[str, object], entry: str = ENTRY) -> Scenario:
+    """A scenario of files in memory, by their names: texts, or what becomes JSON."""
+    texts = {name: file if isinstance(file, str) else json.dumps(file, indent=2) for name, file in files.items()}
+    return Scenario(_homebody.Scenario.of_texts(texts, entry))
+
+
+def scenario(what: str | PathLike[str] | Mapping[str, object], *, trusted: bool = False) -> Scenario:
+    """Opens a scenario: a folder, the name of one that came with the program, or files in memory, by their names.
+
+    A folder goes before a template of the same name. Everything that is wrong with it is in one :class:`ScenarioError`.
+
+    >>> import homebody as hb
+    >>> hb.scenario("tigerplace")
+    <homebody.Scenario tigerplace: margaret; ...
+    >>> hb.scenario("tigerplce")
+    Traceback (most recent call last):
+    homebody.errors.ScenarioError: there is no template "tigerplce"
+    ...
+    """
+    if isinstance(what, Mapping):
+        return of_files(what)
+    if not isinstance(what, (str, PathLike)):
+        raise TypeError(f"what is {what!r}: it is a folder, the name of a template, or a mapping of files")
+    text = fspath(what)
+    is_path = not isinstance(what, str) or "/" in text or Path(text).exists()
+    if is_path:
+        return Scenario(_homebody.Scenario.at(text, trusted))
+    return Scenario(_homebody.Scenario.template(text))
+
+
+def templates() -> list[str]:
+    """The names of the scenarios that came with the program.
+
+    >>> "tigerplace" in templates()
+    True
+    """
+    return _homebody.templates()
+
+
+__all__ = ["Driver", "Plan", "Run", "Scenario", "scenario", "templates"]

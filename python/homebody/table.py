@@ -1,0 +1,88 @@
+"""Tables: Arrow's columns in memory, which pandas, polars and pyarrow take."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from homebody._homebody import Stream
+from homebody.errors import needs
+
+if TYPE_CHECKING:
+    import pandas
+    import polars
+    import pyarrow
+
+
+class Table:
+    """A table. Whatever knows Arrow's PyCapsule interface takes it as it is: ``polars.DataFrame(table)``, ``pyarrow.table(table)``.
+
+    >>> import homebody as hb
+    >>> run = hb.scenario("studio").run(days=1, seed=7)
+    >>> run.events.columns
+    ['time', 'device', 'value']
+    >>> len(run.events) > 100
+    True
+    """
+
+    def __init__(self, stream: Stream) -> None:
+        self._stream = stream
+
+    def __len__(self) -> int:
+        return self._stream.rows
+
+    @property
+    def columns(self) -> list[str]:
+        """The names of its columns."""
+        return self._stream.columns
+
+    @property
+    def types(self) -> dict[str, str]:
+        """The types of its columns, by Arrow's names."""
+        return dict(zip(self._stream.columns, self._stream.types))
+
+    @property
+    def nbytes(self) -> int:
+        """How much memory it takes."""
+        return self._stream.bytes
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        return self._stream.__arrow_c_stream__(requested_schema)
+
+    def to_pyarrow(self) -> pyarrow.Table:
+        """The same as a table of pyarrow, over the same memory."""
+        try:
+            import pyarrow
+        except ImportError:
+            raise needs("pyarrow", "Table.to_pyarrow") from None
+        return pyarrow.table(self)
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The same as a frame of pandas: times know their zone, texts are categories."""
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            raise needs("pandas", "Table.to_pandas", "pandas") from None
+        try:
+            import pyarrow  # noqa: F401
+        except ImportError:
+            raise needs("pyarrow", "Table.to_pandas", "pandas") from None
+        return self.to_pyarrow().to_pandas()
+
+    def to_polars(self) -> polars.DataFrame:
+        """The same as a frame of polars."""
+        try:
+            import polars
+        except ImportError:
+            raise needs("polars", "Table.to_polars", "polars") from None
+        return polars.DataFrame(self)
+
+    def __repr__(self) -> str:
+        return f"<homebody.Table: {len(self):,} rows of {', '.join(self.columns)}>"
+
+    def _repr_html_(self) -> str | None:
+        """Its first rows in a notebook, where pandas is there."""
+        try:
+            html: Any = self.to_pandas().head(10).to_html()
+        except ImportError:
+            return None
+        return f"{html}<p>{len(self):,} rows</p>"

@@ -1,0 +1,208 @@
+"""Runs, their tables, and what is wrong with what is asked."""
+
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import homebody as hb
+import pandas
+import polars
+import pyarrow
+import pytest
+
+
+@pytest.fixture(scope="module")
+def run() -> hb.Run:
+    return hb.scenario("tigerplace").run(days=2, seed=7)
+
+
+def test_the_same_seed_is_the_same_run_and_another_is_another(run: hb.Run) -> None:
+    home = hb.scenario("tigerplace")
+    again, other = home.run(days=2, seed=7), home.run(days=2, seed=8)
+    assert again.summary["sha256"] == run.summary["sha256"] != other.summary["sha256"]
+    assert again.events.to_pandas().equals(run.events.to_pandas())
+
+
+def test_tables_have_the_shapes_that_people_know(run: hb.Run) -> None:
+    events = run.events.to_pandas()
+    assert list(events.columns) == ["time", "device", "value"]
+    assert str(events["time"].dt.tz) == run.time_zone == "America/Chicago"
+    assert len(events) == run.summary["rows"] > 1000
+    assert events["time"].is_monotonic_increasing
+    activities = run.activities.to_pandas()
+    assert list(activities.columns) == ["start_time", "end_time", "activity", "resident"]
+    of_one = activities[activities["resident"] == "margaret"]
+    assert (of_one["start_time"].iloc[1:].array >= of_one["end_time"].iloc[:-1].array).all(), "none overlap"
+    assert len(run.movement) > len(activities)
+    known = run.to_pyadlml()
+    assert known.devices["time"].dt.tz is None and known.devices["value"].isin([True, False]).any()
+
+
+def test_pandas_polars_and_pyarrow_have_the_same_rows(run: hb.Run) -> None:
+    events = run.events
+    assert len(events.to_pandas()) == len(events.to_polars()) == events.to_pyarrow().num_rows == len(events)
+    assert events.to_polars()["time"].to_list() == events.to_pandas()["time"].to_list()
+    frame = polars.DataFrame(events)
+    assert frame["device"].cast(str).to_list() == events.to_pandas()["device"].astype(str).to_list()
+
+
+def test_two_streams_are_over_the_same_memory(run: hb.Run) -> None:
+    def address(table: pyarrow.Table) -> int:
+        return table["time"].chunk(0).buffers()[1].address
+
+    one, other = pyarrow.table(run.events), pyarrow.table(run.events)
+    assert address(one) == address(other)
+    in_polars = polars.DataFrame(run.events)["time"].to_physical().to_numpy(allow_copy=False).__array_interface__["data"][0]
+    assert in_polars == address(one), "polars takes it without a copy"
+    assert address(pyarrow.table(hb.read(run.folder).events)) != address(one)
+
+
+def test_windows_count_what_was_said(run: hb.Run) -> None:
+    windows = run.windows("1h").to_pandas()
+    sensors = [column for column in windows.columns if column in run.sensors]
+    assert len(sensors) == len(run.sensors)
+    begins = run.events.to_pandas()
+    begins = begins[~begins["value"].isin(["OFF", "OUT", "CLOSE"])]
+    assert windows[sensors].to_numpy().sum() == len(begins)
+    assert set(windows["label"].dropna()) <= set(run.activities.to_pandas()["activity"])
+    assert set(windows["resident"]) == {"margaret"}
+    with pytest.raises(ValueError, match="span"):
+        run.windows("60 parsecs")
+
+
+def test_labels_are_those_of_the_command(run: hb.Run, tmp_path: Path) -> None:
+    labelled = run.labelled().to_pandas()
+    assert len(labelled) == len(run.events)
+    assert list(labelled.columns)[:3] == ["time", "device", "value"]
+    assert labelled["time"].tolist() == run.events.to_pandas()["time"].tolist()
+    command = [sys.executable, "-m", "homebody", "label", str(run.folder), "--to", f"csv:{tmp_path / 'labelled.csv'}"]
+    subprocess.run(command, check=True, capture_output=True)
+    told = pandas.read_csv(tmp_path / "labelled.csv", keep_default_na=False)
+    assert labelled["activity"].astype(object).fillna("").tolist() == told["activity"].tolist()
+
+
+def test_pictures_are_drawn(run: hb.Run, tmp_path: Path) -> None:
+    home = run.scenario
+    pictures = [run.day(0).plot(), run.density().plot(), home.coverage().plot(), home.plan.plot(), run.measures().plot()]
+    for number, picture in enumerate(pictures):
+        assert picture.save(tmp_path / f"{number}.png").read_bytes().startswith(b"\x89PNG")
+        assert picture._repr_svg_().startswith("<svg")
+    with pytest.raises(ValueError, match="path"):
+        pictures[0].save(tmp_path / "a.gif")
+    with pytest.raises(hb.LogError, match="no day"):
+        run.day(99)
+
+
+def test_a_log_of_another_place_is_read_and_compared(run: hb.Run, tmp_path: Path) -> None:
+    text = tmp_path / "home.txt"
+    lines = ["2011-06-15 00:05:32.000000\tM003\tON", "2011-06-15 00:05:36.500000\tM003\tOFF"]
+    text.write_text("\n".join(lines) + "\n")
+    log = hb.read(text)
+    assert log.time_zone is None and log.events.to_pandas()["time"].dt.tz is None, "nobody knows the zone"
+    there = hb.read(text, time_zone="America/Los_Angeles").events.to_pandas()
+    assert str(there["time"][0]) == "2011-06-15 00:05:32-07:00"
+    assert hb.compare(run, run).data["agreement_by_sensor"] == 1
+    with pytest.raises(hb.LogError):
+        hb.read(tmp_path / "nowhere.txt")
+    with pytest.raises(hb.ScenarioError, match="zone"):
+        hb.read(text, time_zone="Mars/Olympus").events  # noqa: B018
+
+
+def test_a_log_is_walked_back(run: hb.Run, tmp_path: Path) -> None:
+    short = hb.scenario("tigerplace").run(days=0.2, seed=7, into=tmp_path)
+    walked = hb.translate(short, run.scenario)
+    assert walked.report["mean_chance"] > 0.5 and (walked.folder / "where.csv").is_file()
+    assert len(walked.movement) > 0
+
+
+def test_a_scenario_is_made_and_changed_by_code(tmp_path: Path) -> None:
+    home = hb.scenario("tigerplace")
+    fewer = home.without_sensor(home.sensors[0])
+    assert len(fewer.sensors) == len(home.sensors) - 1
+    copied = hb.scenario(home.save(tmp_path / "home"))
+    assert copied.run(days=0.5, seed=1).summary["sha256"] == home.run(days=0.5, seed=1).summary["sha256"]
+    assert "coffee" not in home.with_routine("margaret", "# A life\n- Sleeps from 22:00 to 6:00.\n").routine("margaret")
+
+
+def test_all_that_is_wrong_comes_at_once() -> None:
+    home = hb.scenario("tigerplace")
+    data = home.data("home.json")
+    data["sensors"][0]["room"] = data["sensors"][0]["name"] = 7
+    data["sensors"][1]["kind"] = "no sensor"
+    with pytest.raises(hb.ScenarioError) as told:
+        home.change({"home.json": data, "scenario.json": {**home.data("scenario.json"), "time_zone": "Mars/Olympus"}})
+    problems = told.value.problems
+    assert {problem.file for problem in problems} >= {"home.json"} and all(problem.what for problem in problems)
+    assert any(problem.line > 0 for problem in problems) and any(problem.hint for problem in problems)
+
+
+def test_a_wrong_type_says_which_argument() -> None:
+    home = hb.scenario("studio")
+    for keys, argument in [({"days": "ten"}, "days"), ({"seed": 1.5}, "seed"), ({"without": "flu"}, "without")]:
+        with pytest.raises(TypeError, match=argument):
+            home.run(**keys)  # type: ignore[arg-type]
+    with pytest.raises(hb.ScenarioError, match="lasts"):
+        home.run(days=0)
+    with pytest.raises(TypeError, match="what"):
+        hb.scenario(7)  # type: ignore[arg-type]
+
+
+def test_other_threads_go_on_while_a_run_is_lived() -> None:
+    counted = 0
+    over = threading.Event()
+
+    def count() -> None:
+        nonlocal counted
+        while not over.is_set():
+            counted += 1
+            time.sleep(0.001)
+
+    counting = threading.Thread(target=count)
+    counting.start()
+    hb.scenario("tigerplace").run(days=20, seed=1)
+    over.set()
+    counting.join()
+    assert counted > 20
+
+
+def test_an_interrupt_stops_a_run_and_what_was_lived_stays(tmp_path: Path) -> None:
+    code = f"""
+import homebody as hb, os, signal, threading
+threading.Timer(1.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+try:
+    hb.scenario("tigerplace").run(days=3000, seed=1, into={str(tmp_path)!r})
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert told.stdout == "interrupted\n", told.stderr
+    (left,) = tmp_path.iterdir()
+    assert len(hb.read(left).events) > 0
+
+
+def test_a_run_that_is_stepped_is_the_run() -> None:
+    home = hb.scenario("tigerplace")
+    live, said = home.live(days=1, seed=3), 0
+    while not live.done:
+        said += len(live.step("7h"))
+    assert said == len(home.run(days=1, seed=3).events)
+    half = home.live(days=1, seed=3)
+    half.step("12h")
+    scene = half.scene()
+    assert "margaret" in scene.bodies and half.now.endswith("12:00:00")
+
+
+def test_the_command_is_in_the_package() -> None:
+    told = subprocess.run([sys.executable, "-m", "homebody", "--version"], capture_output=True, text=True)
+    assert told.stdout.strip() == f"homebody {hb.__version__}"
+    wrong = subprocess.run([sys.executable, "-m", "homebody", "check", "nowhere"], capture_output=True, text=True)
+    assert wrong.returncode == 1 and "nowhere" in wrong.stderr
+
+
+def test_importing_it_is_quick() -> None:
+    # By the processor's time: others may be at work on the machine.
+    code = "import time; a = time.process_time(); import homebody; print(time.process_time() - a)"
+    took = min(float(subprocess.check_output([sys.executable, "-c", code])) for _ in range(3))
+    assert took < 0.1
