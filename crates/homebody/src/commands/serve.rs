@@ -48,7 +48,10 @@ impl Arguments {
             is_trusted: self.trust.is_given(),
             runs: Path::new(RUNS).into(),
         };
-        source.open()?;
+        // What is wrong with it is shown in the page, and mended there.
+        if let Err(problems) = source.open() {
+            tell(format_args!("warning: no run can be begun yet; the page shows what is wrong\n{problems}"));
+        }
         let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into()).to_canonical();
         if ip.is_unspecified() {
             return Err(Failure::Usage(format!(
