@@ -63,8 +63,9 @@ struct Board {
     next_note: u64,
     /// Why the run has ended, if it failed: a page that comes later is told, too.
     failure: Option<String>,
-    /// Why no run could be begun when that was last tried.
+    /// Why no run could be begun when that was last tried, and how often none could.
     unbegun: Option<Tell>,
+    unbegun_count: u64,
 }
 
 /// What there is to be seen of a run.
@@ -85,6 +86,7 @@ impl Lived {
 pub struct Seen {
     run: u64,
     number: Option<u64>,
+    unbegun: u64,
     row: u64,
     note: Option<u64>,
 }
@@ -118,6 +120,7 @@ impl Stage {
             notes: VecDeque::new(),
             next_note: 0,
             failure: None,
+            unbegun_count: u64::from(unbegun.is_some()),
             unbegun,
         };
         let board = Arc::new(Mutex::new(board));
@@ -172,6 +175,9 @@ impl Stage {
         if seen.number != Some(board.number) {
             seen.number = Some(board.number);
             tells.extend(board.lived.as_ref().map(|lived| Tell::Run { run: Box::new((*lived.view).clone()) }));
+        }
+        if seen.unbegun != board.unbegun_count {
+            seen.unbegun = board.unbegun_count;
             tells.extend(board.unbegun.clone());
         }
         if let (None, Some(text)) = (seen.note, board.failure.clone()) {
@@ -404,7 +410,7 @@ impl Director {
             Unbegun::Problems(_) => {
                 let mut board = locked(&self.board);
                 board.unbegun = Some(why.tell());
-                board.number += 1;
+                board.unbegun_count += 1;
                 drop(board);
                 self.change.send_modify(|change| *change += 1);
             }

@@ -41,24 +41,45 @@ enum Kind {
 struct Linked<'a> {
     files: &'a Overlay<'a>,
     kinds: Vec<(String, Kind)>,
-    /// The names of the home's things that are spoken of, and how many things have each.
-    names: BTreeMap<String, usize>,
+    /// The names of the home's things that are spoken of, and in which lists each is.
+    names: BTreeMap<String, Vec<&'static str>>,
+    /// Whether sentences count that may mean another thing of the name.
+    even_shared: bool,
 }
 
 impl Desk {
     /// A thing is called otherwise: all texts in which that changes something.
-    pub fn rename(&self, Rename { draft, kind, from, to }: Rename) -> NamesView {
-        let files = self.with(draft);
-        let linked = Linked::of(&files, &self.shelf.entry);
+    pub fn rename(&self, asked: Rename) -> NamesView {
+        let Rename { draft, kind, .. } = &asked;
+        let view = self.renamed(&asked, false);
+        let is_shared = *kind != Named::Resident && {
+            let files = self.with(draft.clone());
+            Linked::of(&files, &self.shelf.entry).others(*kind, &asked.from) > 0
+        };
+        if !is_shared {
+            return view;
+        }
+        // Sentences that may mean another thing of the name are left, unless they mean nothing then.
+        let wrong = |texts: &BTreeMap<String, String>| {
+            let mut draft = draft.clone();
+            draft.texts.extend(texts.clone());
+            self.check(draft).problems.len()
+        };
+        if wrong(&view.texts) > wrong(&BTreeMap::new()) { self.renamed(&asked, true) } else { view }
+    }
+
+    fn renamed(&self, Rename { draft, kind, from, to }: &Rename, even_shared: bool) -> NamesView {
+        let files = self.with(draft.clone());
+        let linked = Linked { even_shared, ..Linked::of(&files, &self.shelf.entry) };
         let mut view = NamesView::default();
         for (file, of) in &linked.kinds {
             let Ok(text) = files.read(file) else { continue };
-            let found = linked.mentions(&text, *of, kind, &from);
+            let found = linked.mentions(&text, *of, *kind, from);
             let mut fresh = text.clone();
             for Mention { name, .. } in found.iter().rev() {
                 let said = &text[name.clone()];
-                let written =
-                    if said.starts_with('"') { Value::from(to.as_str()).to_string() } else { as_said(said, &to) };
+                let is_quoted = said.starts_with('"');
+                let written = if is_quoted { Value::from(to.as_str()).to_string() } else { as_said(said, to) };
                 fresh.replace_range(name.clone(), &written);
             }
             view.add(file, &text, &found, fresh);
@@ -74,7 +95,7 @@ impl Desk {
         // A sensor that hangs on what goes goes as well, and so does what is said of that.
         let mut gone: Vec<(Named, String)> = names.into_iter().map(|name| (kind, name)).collect();
         if kind != Named::Sensor
-            && let Some((home, text)) = linked.text_of(Kind::Home)
+            && let Some((_, text)) = linked.text_of(Kind::Home)
         {
             let all = entries(&text);
             for (_, name) in gone.clone() {
@@ -84,7 +105,6 @@ impl Desk {
                     .filter_map(|entry| entry.path.get(1));
                 gone.extend(on.filter_map(|index| Some((Named::Sensor, sensor_name(&all, index)?))));
             }
-            let _ = home;
         }
         for (file, of) in &linked.kinds {
             let Ok(text) = files.read(file) else { continue };
@@ -180,12 +200,13 @@ impl<'a> Linked<'a> {
             add(&driver["live"]["keys"], Kind::Path);
         }
         let home = json(root["home"].as_str().unwrap_or_default());
-        let mut names = BTreeMap::new();
-        let things = SPOKEN_OF.iter().flat_map(|list| home[*list].as_array().into_iter().flatten());
-        for name in things.filter_map(|thing| thing["name"].as_str()) {
-            *names.entry(name.to_lowercase()).or_default() += 1;
+        let mut names: BTreeMap<String, Vec<&'static str>> = BTreeMap::new();
+        for list in SPOKEN_OF {
+            for name in home[list].as_array().into_iter().flatten().filter_map(|thing| thing["name"].as_str()) {
+                names.entry(name.to_lowercase()).or_default().push(list);
+            }
         }
-        Linked { files, kinds, names }
+        Linked { files, kinds, names, even_shared: false }
     }
 
     /// The first file of a kind.
@@ -197,7 +218,7 @@ impl<'a> Linked<'a> {
     /// Where a thing is named in a text, in order.
     fn mentions(&self, text: &str, of: Kind, named: Named, name: &str) -> Vec<Mention> {
         // Of several things of a name sentences and paths may mean another.
-        let is_alone = named == Named::Resident || self.names.get(&name.to_lowercase()).is_none_or(|count| *count < 2);
+        let is_alone = named == Named::Resident || self.even_shared || self.others(named, name) == 0;
         match of {
             Kind::Routine if named != Named::Sensor && is_alone => self.in_sentences(text, named, name),
             Kind::Script if is_alone => {
@@ -223,16 +244,15 @@ impl<'a> Linked<'a> {
         }
     }
 
+    /// How many other things of the home have the name of one.
+    fn others(&self, named: Named, name: &str) -> usize {
+        let all = self.names.get(&name.to_lowercase()).map_or(&[][..], Vec::as_slice);
+        all.len() - usize::from(all.contains(&list_of(named)))
+    }
+
     /// The entries of a file of JSON that name the thing.
     fn mentions_in_json<'e>(&self, all: &'e [Entry], of: Kind, named: Named, name: &str) -> Vec<&'e Entry> {
-        let list = match named {
-            Named::Room => "rooms",
-            Named::Door => "doors",
-            Named::Furniture => "furniture",
-            Named::Place => "places",
-            Named::Sensor => "sensors",
-            Named::Resident => "",
-        };
+        let list = list_of(named);
         let says = |entry: &Entry| entry.text() == Some(name);
         let has = |list: &str| all.iter().any(|entry| entry.is(&[list, "*", "name"]) && says(entry));
         let is_it = |entry: &&Entry| match (of, named) {
@@ -297,6 +317,18 @@ impl<'a> Linked<'a> {
             begin += line.len();
         }
         found
+    }
+}
+
+/// The list of `home.json` that things of a kind are in.
+fn list_of(named: Named) -> &'static str {
+    match named {
+        Named::Room => "rooms",
+        Named::Door => "doors",
+        Named::Furniture => "furniture",
+        Named::Place => "places",
+        Named::Sensor => "sensors",
+        Named::Resident => "",
     }
 }
 

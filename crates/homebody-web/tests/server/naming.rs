@@ -28,7 +28,8 @@ fn a_thing_that_is_called_otherwise_is_so_in_all_files() {
     for (kind, from, to, changed) in [
         ("sensor", "stove motion", "cooker \"motion\"", &["home.json", "logger.json"][..]),
         ("furniture", "armchair", "recliner", &["home.json", "margaret.routine"]),
-        ("furniture", "stove", "cooker", &["home.json"]),
+        ("furniture", "stove", "cooker", &["home.json", "margaret.routine"]),
+        ("furniture", "wardrobe", "closet", &["home.json"]),
         ("room", "kitchen", "galley", &["home.json"]),
         ("resident", "margaret", "joan", &["margaret.json", "margaret.routine"]),
     ] {
