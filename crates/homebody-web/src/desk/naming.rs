@@ -102,6 +102,7 @@ impl Desk {
                 let on = linked
                     .mentions_in_json(&all, Kind::Home, kind, &name)
                     .into_iter()
+                    .filter(|entry| entry.path[0] == "sensors")
                     .filter_map(|entry| entry.path.get(1));
                 gone.extend(on.filter_map(|index| Some((Named::Sensor, sensor_name(&all, index)?))));
             }

@@ -67,6 +67,8 @@ fn what_speaks_of_a_thing_that_goes_is_told_and_goes_with_it() {
     assert_eq!(files(&bed), ["home.json", "logger.json"]);
     let home: Value = serde_json::from_str(bed["texts"]["home.json"].as_str().unwrap()).unwrap();
     assert_eq!(home["sensors"].as_array().unwrap().len(), 17, "the sensor on it goes as well, and its id");
+    let logger: Value = serde_json::from_str(bed["texts"]["logger.json"].as_str().unwrap()).unwrap();
+    assert!(logger["ids"].as_object().unwrap().len() == 17 && logger["ids"]["bed sensor"].is_null());
     assert!(home["furniture"].as_array().unwrap().iter().any(|piece| piece["name"] == "bed"));
 
     let chair = forget("furniture", &["armchair"]);
