@@ -6,7 +6,7 @@ import { Firings } from './firings';
 import { Throttle } from './plan/glow';
 import { Server } from './server';
 import { Socket, type Status, type Wire } from './socket';
-import type { FiringView, Frame, RunView, Say, Tell } from './wire';
+import type { FiringView, Frame, ProblemView, RunView, Say, Tell } from './wire';
 
 type Note = { id: number; text: string; bad: boolean };
 
@@ -25,6 +25,8 @@ export class Live {
   spoken = $state('');
   /** Grows when `firings` has changed. */
   heard = $state(0);
+  /** Why no run could be begun, and what is wrong with the scenario; until one is begun or that is read. */
+  unbegun = $state.raw<{ why: string; problems: ProblemView[] } | null>(null);
   /** The last run that was stored in a folder and has ended. */
   stored = $state<string | null>(null);
 
@@ -125,15 +127,22 @@ export class Live {
   }
 
   private hear(tell: Tell): void {
-    if (tell.tell === 'run' || tell.bad) {
+    if (tell.tell === 'run' || (tell.tell === 'note' && tell.bad)) {
       this.begun?.(tell.tell === 'run');
       this.begun = null;
+    }
+    if (tell.tell === 'unbegun') {
+      this.begun?.(false);
+      this.begun = null;
+      this.unbegun = { why: tell.why, problems: tell.problems };
+      return;
     }
     if (tell.tell === 'note') {
       this.note(tell.text, tell.bad);
       return;
     }
     this.run = tell.run;
+    this.unbegun = null;
     this.frame = null;
     this.latest = null;
     this.firings.clear(tell.run.home.sensors.length);

@@ -126,6 +126,20 @@ export function storedPath(name: string, day?: number): string {
   return day === undefined ? run : `${run}/days/${day}`;
 }
 
+/** The path of what a run is called, and of a run that was put aside. */
+export function aboutPath(name: string): string {
+  return `${storedPath(name)}/about`;
+}
+
+export function asidePath(key: string): string {
+  return `/api/put-aside/${encodeURIComponent(key)}`;
+}
+
+/** The path of what a day's answer had no time for. */
+export function restPath(name: string, day: number, from_us: number): string {
+  return `${storedPath(name, day)}/from/${from_us}`;
+}
+
 /** The path on which a log is sent to be walked back through the home of a stored run, or of the scenario. */
 export function walkPath(log: string, run: string | null): string {
   const path = `/api/walk/${encodeURIComponent(log)}`;

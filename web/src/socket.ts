@@ -107,7 +107,7 @@ export class Socket {
     try {
       if (typeof data === 'string') {
         const tell = JSON.parse(data) as Tell;
-        if (tell.tell !== 'run' && tell.tell !== 'note') throw new Error('unknown');
+        if (tell.tell !== 'run' && tell.tell !== 'note' && tell.tell !== 'unbegun') throw new Error('unknown');
         this.hears.tell(tell);
         return;
       }

@@ -46,7 +46,11 @@ from: [number, number], to: [number, number], open: boolean,
  */
 outside: boolean, };
 
-export type ThingView = { name: string, kind: ThingKind, at: [number, number], };
+export type ThingView = { name: string, kind: ThingKind, at: [number, number], 
+/**
+ * What is done to it, and what undoes that: `Turn on`, `Turn off`.
+ */
+verbs: [string, string], };
 
 export type ThingKind = "door" | "furniture" | "lamp";
 
@@ -104,7 +108,11 @@ log: Array<string>,
 /**
  * Whether a recording is being lived again.
  */
-replay: boolean, };
+replay: boolean, 
+/**
+ * The versions of the scenario's files that it goes by: what has another one now was saved since. Of a replay there are none.
+ */
+files: { [key in string]: string }, };
 
 export type ResidentView = { name: string, radius_m: number, };
 
@@ -182,7 +190,39 @@ walked_back: string | null,
 /**
  * Why it cannot be played back.
  */
-problem: string | null, };
+problem: string | null, 
+/**
+ * When its files were begun, in milliseconds since 1970, where that is known.
+ */
+made_ms: number | null, 
+/**
+ * A number below 2^53.
+ */
+seed: number | null, 
+/**
+ * Conditions that are left out of it.
+ */
+without: Array<string>, 
+/**
+ * What somebody has called it, and noted about it.
+ */
+about: RunAbout, };
+
+export type RunAbout = { 
+/**
+ * At most 100 letters; none where it is known by its folder alone.
+ */
+title: string, 
+/**
+ * At most 2,000 letters.
+ */
+note: string, };
+
+export type PutAside = { 
+/**
+ * The name under which it is fetched back.
+ */
+key: string, };
 
 export type PlaybackView = { name: string, scenario: string, home: HomeView, 
 /**
@@ -373,7 +413,11 @@ rows: Array<[number, number, number]>,
 /**
  * By resident; of none where there is no truth.
  */
-lives: Array<LifeView>, };
+lives: Array<LifeView>, 
+/**
+ * Up to here movements are told; where that is not the day's end, the rest is asked for next.
+ */
+until_us: number, };
 
 export type LifeView = { 
 /**
@@ -424,7 +468,7 @@ seed: number | null, } | { "say": "stop" } | { "say": "replay", run: string, };
 
 export type Key = "up" | "down" | "left" | "right" | "fast" | "slow";
 
-export type Tell = { "tell": "run", run: RunView, } | { "tell": "note", text: string, bad: boolean, };
+export type Tell = { "tell": "run", run: RunView, } | { "tell": "note", text: string, bad: boolean, } | { "tell": "unbegun", why: string, problems: Array<ProblemView>, };
 
 export type FilesView = { 
 /**
@@ -479,6 +523,42 @@ saved: { [key in string]: string },
 changed: Array<FileView>, };
 
 export type CheckView = { problems: Array<ProblemView>, warnings: Array<ProblemView>, };
+
+export type Named = "room" | "door" | "furniture" | "place" | "sensor" | "resident";
+
+export type Rename = { draft: Draft, kind: Named, from: string, to: string, };
+
+export type Forget = { draft: Draft, kind: Named, names: Array<string>, };
+
+export type NamesView = { mentions: Array<MentionView>, 
+/**
+ * The texts that change, as they are then.
+ */
+texts: { [key in string]: string }, };
+
+export type MentionView = { file: string, 
+/**
+ * From 1.
+ */
+line: number, 
+/**
+ * The line, cut where it is long.
+ */
+said: string, 
+/**
+ * Whether it goes with the thing in `texts`; what does not is left to whoever writes the file.
+ */
+goes: boolean, };
+
+export type MendView = { 
+/**
+ * What is done, as a button says it.
+ */
+what: string, 
+/**
+ * The texts that change, as they are then.
+ */
+texts: { [key in string]: string }, };
 
 export type ProblemView = { file: string, 
 /**

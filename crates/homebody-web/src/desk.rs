@@ -1,9 +1,11 @@
 //! The desk: where the scenario's files are written in the page. What is asked about a draft never touches the disk; saving
 //! replaces only what the page has seen.
 
+mod entries;
 mod life;
 mod lived_draft;
 mod log;
+mod naming;
 mod plan;
 
 use crate::shelf::Shelf;
@@ -165,7 +167,7 @@ fn gone(name: &str) -> FileView {
 }
 
 /// A sign of a text.
-fn version(text: &str) -> String {
+pub fn version(text: &str) -> String {
     Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

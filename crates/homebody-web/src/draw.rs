@@ -6,7 +6,8 @@ use crate::wire::{
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::bake;
 use homebody_core::home::plan::{Origin, Plan};
-use homebody_core::scenario::home::{HomeFile, SensorFile};
+use homebody_core::role::Role;
+use homebody_core::scenario::home::{FurnitureFile, HomeFile, SensorFile};
 use homebody_core::scenario::path;
 use homebody_core::sensors::form::{Bearer, Mount};
 use homebody_core::sensors::{Kind, Sensor};
@@ -62,10 +63,36 @@ pub fn home(file: &HomeFile, plan: &Plan, sensors: &[Sensor]) -> HomeView {
             .things
             .iter()
             .enumerate()
-            .map(|(index, thing)| ThingView { name: thing.name.clone(), kind: kind(index), at: at(thing.at) })
+            .map(|(index, thing)| ThingView {
+                name: thing.name.clone(),
+                kind: kind(index),
+                at: at(thing.at),
+                verbs: verbs(kind(index), index.checked_sub(doors).and_then(|piece| file.furniture.get(piece))),
+            })
             .collect(),
         sensors: sensors.iter().zip(&file.sensors).map(|(sensor, file)| self::sensor(sensor, file, plan)).collect(),
     }
+}
+
+/// What is done to a thing, and what undoes that. A wardrobe is opened and a stove turned on; of what has no such role nobody has
+/// said which it is.
+fn verbs(kind: ThingKind, piece: Option<&FurnitureFile>) -> [String; 2] {
+    const IS_ON: [Role; 5] = [Role::Stove, Role::FoodWarmer, Role::Television, Role::WashingMachine, Role::Dryer];
+    const OPENS: [Role; 4] = [Role::Fridge, Role::Wardrobe, Role::Drawers, Role::Medicine];
+    let roles = |piece: &FurnitureFile| match piece.role {
+        Some(role) => vec![role],
+        None => Role::of_name(&piece.name.to_lowercase()).collect(),
+    };
+    let roles = piece.map(roles).unwrap_or_default();
+    let is_one = |of: &[Role]| roles.iter().any(|role| of.contains(role));
+    let [on, off] = match kind {
+        ThingKind::Door => ["Open", "Close"],
+        ThingKind::Lamp => ["Turn on", "Turn off"],
+        ThingKind::Furniture if is_one(&IS_ON) => ["Turn on", "Turn off"],
+        ThingKind::Furniture if is_one(&OPENS) => ["Open", "Close"],
+        ThingKind::Furniture => ["Use", "Stop using"],
+    };
+    [on.to_owned(), off.to_owned()]
 }
 
 fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {

@@ -28,6 +28,9 @@ mod stored_log;
 mod walked;
 pub mod playback;
 
+/// What stored runs are called, and what becomes of them.
+mod keeping;
+
 /// Logs that are opened in the page, and what they hold.
 pub mod walks;
 mod told;

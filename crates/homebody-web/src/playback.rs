@@ -5,9 +5,10 @@
 
 use crate::dates;
 use crate::draw;
+use crate::keeping;
 use crate::shelf::Shelf;
 pub use crate::stored_log::Refusal;
-use crate::stored_log::{MOST_ROWS, damaged, first_rows, numbers, rows_of, shortened};
+use crate::stored_log::{MOST_ROWS, StoredRows, damaged, numbers, shortened, tell_of};
 use crate::walked::{Walked, chances_of, reported};
 use crate::wire::{
     Chance, DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ResidentView, StoredView,
@@ -18,13 +19,13 @@ use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::scheme::{self, Scheme};
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::places::RECORDING;
-use homebody_log::{Event, Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
+use homebody_log::{Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
 use homebody_routine::household::Household;
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::SystemTime;
+use std::time::{Duration, Instant, SystemTime};
 
 /// So many runs stay open: two side by side, and the one looked at before (ours).
 const MOST_OPEN: usize = 3;
@@ -36,6 +37,13 @@ const MOST_SPANS: usize = 6000;
 const PAUSE: Micros = 60 * SECOND;
 
 const HOUR: Micros = 3600 * SECOND;
+
+/// An answer about a day is on its way after no longer than this and an hour's reading (ours); what it had no time for is asked for
+/// next.
+const PIECE: Duration = Duration::from_millis(150);
+
+/// So many movements are in an answer, and an hour's more (ours).
+const MOST_MOVEMENTS: usize = 20_000;
 
 /// What a run's truth is called in its folder.
 const TRUTH: &str = "truth.db";
@@ -56,7 +64,7 @@ struct Opened {
     state: State,
     view: Arc<PlaybackView>,
     /// In the order of time, each with the sensor's number in the view.
-    rows: Vec<Event>,
+    rows: Option<Mutex<StoredRows>>,
     /// By resident; none where there is no truth.
     rooms: Vec<Vec<(i64, i64, u32)>>,
     activities: Vec<Vec<(i64, i64, u32)>>,
@@ -82,10 +90,16 @@ impl Playback {
         let has_truth = self.shelf.file_of_run(&name, TRUTH).is_some();
         let scenario = self.shelf.recording(&name).and_then(|recording| {
             let scenario = recording.scenario().map_err(|problems| problems.render())?;
-            Ok((scenario, recording.length_us))
+            Ok((scenario, recording.length_us, recording.seed, recording.without))
         });
+        let about = keeping::about(&self.shelf, &name);
+        let made_ms = self.shelf.run(&name).and_then(|folder| made_ms(&folder));
         match scenario {
-            Ok((scenario, length)) => StoredView {
+            Ok((scenario, length, seed, without)) => StoredView {
+                made_ms,
+                about,
+                seed: Some(seed),
+                without,
                 scenario: scenario.file.name,
                 start: scenario.calendar.wall_clock(0),
                 days: dates::last(&scenario.calendar, length) + 1,
@@ -95,6 +109,10 @@ impl Playback {
                 problem: None,
             },
             Err(why) => StoredView {
+                made_ms,
+                about,
+                seed: None,
+                without: Vec::new(),
                 name,
                 scenario: String::new(),
                 start: String::new(),
@@ -118,23 +136,28 @@ impl Playback {
         let count = if days == 1 { "one day".into() } else { format!("{days} days") };
         let unknown = || Refusal::Unknown(format!("{name:?} has {count}, numbered from 0."));
         let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(unknown)?;
-        // What the last instant of a run says belongs to its last day.
-        let until = if day + 1 == days { Micros::MAX } else { end_us };
-        let rows = between(&run.rows, |row| row.at, if day == 0 { Micros::MIN } else { begin_us }, until);
+        let rows = match &run.rows {
+            Some(rows) => rows.lock().unwrap_or_else(PoisonError::into_inner).of(day).map_err(damaged)?,
+            None => Vec::new(),
+        };
         let mut lives = vec![LifeView::default(); run.rooms.len()];
-        if let Some(movements) = &run.movements {
-            let mut movements = movements.lock().unwrap_or_else(PoisonError::into_inner);
-            let of = movements.of(begin_us, end_us).map_err(damaged)?;
-            for (life, of) in lives.iter_mut().zip(of) {
-                life.movements = of.iter().map(told).collect();
-            }
-        }
+        let until_us = run.moved(begin_us, end_us, &mut lives)?;
         for (index, life) in lives.iter_mut().enumerate() {
             life.rooms = overlapping(&run.rooms[index], begin_us, end_us);
             life.activities = overlapping(&run.activities[index], begin_us, end_us);
             life.chances = run.chances.get(index).map_or(Vec::new(), |all| chances_of(all, begin_us, end_us));
         }
-        Ok(DayView { rows: rows.iter().map(|row| (row.at, row.sensor, row.value)).collect(), lives })
+        Ok(DayView { rows: rows.iter().map(|row| (row.at, row.sensor, row.value)).collect(), lives, until_us })
+    }
+
+    /// Of a day whose movements are too many for one answer those from an instant on, again as many as there is time for.
+    pub fn rest_of_day(&self, name: &str, day: usize, from: Micros) -> Result<DayView, Refusal> {
+        let run = self.open(name)?;
+        let unknown = || Refusal::Unknown(format!("{name:?} has no such day."));
+        let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(unknown)?;
+        let mut lives = vec![LifeView::default(); run.rooms.len()];
+        let until_us = run.moved(from.clamp(begin_us, end_us), end_us, &mut lives)?;
+        Ok(DayView { rows: Vec::new(), lives, until_us })
     }
 
     /// The run in memory, read anew where its files have changed.
@@ -176,21 +199,23 @@ impl Playback {
         let state = state(&files);
 
         let rows = match (&walked, &log) {
-            (Some(walked), _) => walked.rows(&scenario, &mut view)?,
-            (None, Some(url)) => rows_of_run(url, &scenario, recording.is_complete(), &mut view)?,
+            (Some(walked), _) => Some(walked.rows(&scenario, &mut view, &self.shelf.runs)?),
+            (None, Some(url)) => {
+                Some(rows_of_run(url, &scenario, recording.is_complete(), &mut view, &self.shelf.runs)?)
+            }
             (None, None) => {
                 view.remarks.push("There is no log in its folder.".into());
-                Vec::new()
+                None
             }
         };
-        view.hours = hours(&rows, &view.days);
+        view.hours = rows.as_ref().map_or_else(|| vec![vec![0; 24]; view.days.len()], |rows| rows.hours.clone());
 
         let mut run = Opened {
             name: name.into(),
             files,
             state,
             view: Arc::new(view.clone()),
-            rows,
+            rows: rows.map(Mutex::new),
             rooms: Vec::new(),
             activities: Vec::new(),
             movements: None,
@@ -228,6 +253,42 @@ impl Playback {
 }
 
 impl Opened {
+    /// Tells lives what bodies did in a span, hour by hour, as long as there is time for an answer. Returns up to when.
+    fn moved(&self, begin: Micros, end: Micros, lives: &mut [LifeView]) -> Result<Micros, Refusal> {
+        let Some(movements) = &self.movements else { return Ok(end) };
+        let mut movements = movements.lock().unwrap_or_else(PoisonError::into_inner);
+        let begun = Instant::now();
+        let mut until = begin;
+        let mut last: Vec<Option<Movement>> = vec![None; lives.len()];
+        loop {
+            let next = (until - until.rem_euclid(HOUR) + HOUR).min(end);
+            let of = movements.of(until, next).map_err(damaged)?;
+            for ((life, of), last) in lives.iter_mut().zip(of).zip(&mut last) {
+                for movement in of {
+                    match last {
+                        // One that goes on over the hour is found in both.
+                        Some(before) if before.begin >= movement.begin || before.end >= movement.end => {}
+                        Some(before) if goes_on(before, &movement) => {
+                            before.end = movement.end;
+                            if let Some(told) = life.movements.last_mut() {
+                                told.1 = movement.end;
+                            }
+                        }
+                        _ => {
+                            life.movements.push(told(&movement));
+                            *last = Some(movement);
+                        }
+                    }
+                }
+            }
+            until = next;
+            let told: usize = lives.iter().map(|life| life.movements.len()).sum();
+            if until >= end || begun.elapsed() >= PIECE || told > MOST_MOVEMENTS {
+                return Ok(until);
+            }
+        }
+    }
+
     /// Reads what the truth tells of the whole run.
     fn learn(&mut self, truth: &Path, scenario: &Scenario, view: &mut PlaybackView) -> Result<(), LogError> {
         let clock = RunClock::of(scenario, view.length_us);
@@ -257,6 +318,21 @@ impl Opened {
     }
 }
 
+/// When a run's folder was made, in milliseconds since 1970.
+fn made_ms(folder: &Path) -> Option<i64> {
+    let known = fs::metadata(folder).ok()?;
+    let made = known.created().or_else(|_| known.modified()).ok()?;
+    i64::try_from(made.duration_since(SystemTime::UNIX_EPOCH).ok()?.as_millis()).ok()
+}
+
+/// Whether a body keeps still where it has kept still: who is moved by keys is told of sixty times a second.
+fn goes_on(before: &Movement, next: &Movement) -> bool {
+    let is_still = matches!(next.kind, MovementKind::Rest | MovementKind::Away);
+    is_still
+        && before.end == next.begin
+        && (before.kind, before.to, before.posture) == (next.kind, next.to, next.posture)
+}
+
 pub fn state(files: &[PathBuf]) -> State {
     let look = |path: &PathBuf| fs::metadata(path).and_then(|meta| Ok((meta.modified()?, meta.len()))).ok();
     files.iter().map(look).collect()
@@ -268,8 +344,10 @@ fn rows_of_run(
     scenario: &Scenario,
     is_complete: bool,
     view: &mut PlaybackView,
-) -> Result<Vec<Event>, Refusal> {
-    let log = match first_rows(url, &scenario.logger, MOST_ROWS) {
+    beside: &Path,
+) -> Result<StoredRows, Refusal> {
+    let mut rows = StoredRows::new(beside, view, &scenario.calendar, Micros::MAX).map_err(damaged)?;
+    let log = match rows.read(url, &scenario.logger, MOST_ROWS) {
         // A run that was killed before its first row, or has only just begun.
         Err(LogError::NoTables { .. }) if !is_complete => Log::default(),
         log => log.map_err(damaged)?,
@@ -277,9 +355,9 @@ fn rows_of_run(
     if log.rows == 0 && !is_complete {
         view.remarks.push("The run has no rows yet.".into());
     }
-    let clock = RunClock::new(&scenario.calendar, view.length_us, log.clock);
-    let numbers = numbers(&log, url, scenario, view);
-    Ok(rows_of(log, &numbers, &clock, view))
+    rows.numbers = numbers(&log, url, scenario, view);
+    tell_of(log, view);
+    Ok(rows)
 }
 
 /// What is known of a run before its log is read.
@@ -306,24 +384,6 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
     }
 }
 
-/// How many rows there are in each hour of each day's clock.
-fn hours(rows: &[Event], days: &[DateView]) -> Vec<Vec<u32>> {
-    let mut begin = 0;
-    let count = |(index, day): (usize, &DateView)| {
-        let mut hours = vec![0; 24];
-        let rest = &rows[begin..];
-        let end = if index + 1 == days.len() { rest.len() } else { rest.partition_point(|row| row.at < day.end_us) };
-        for row in &rest[..end] {
-            let turned = day.turn.filter(|turn| row.at >= turn.0).map_or(0, |turn| turn.1);
-            let clock = row.at - day.begin_us + day.clock_us + turned;
-            hours[clock.div_euclid(HOUR).clamp(0, 23) as usize] += 1;
-        }
-        begin += end;
-        hours
-    };
-    days.iter().enumerate().map(count).collect()
-}
-
 /// Spans of activities, no more than [`MOST_SPANS`] in all: what goes on after a pause is one, and the shortest are left out.
 fn few(activities: &[Vec<(i64, i64, u32)>]) -> Vec<Vec<(i64, i64, u32)>> {
     let mut few: Vec<Vec<(i64, i64, u32)>> = Vec::new();
@@ -344,13 +404,6 @@ fn few(activities: &[Vec<(i64, i64, u32)>]) -> Vec<Vec<(i64, i64, u32)>> {
         few.iter_mut().for_each(|spans| spans.retain(|span| span.1 - span.0 > least));
     }
     few
-}
-
-/// The part of what is in the order of time that lies between two instants.
-fn between<T>(all: &[T], at: impl Fn(&T) -> Micros, begin: Micros, end: Micros) -> &[T] {
-    let first = all.partition_point(|one| at(one) < begin);
-    let last = all.partition_point(|one| at(one) < end);
-    &all[first..last.max(first)]
 }
 
 /// Spans in the order of time that are not over before a span and begin in it.

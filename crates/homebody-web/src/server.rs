@@ -4,6 +4,7 @@ use crate::connections;
 use crate::desk::Desk;
 use crate::doorway::Doorway;
 use crate::guard::{self, Guard};
+use crate::keeping;
 use crate::notes::{Notes, Unnoted};
 use crate::page;
 use crate::playback::{Playback, Refusal};
@@ -13,7 +14,7 @@ use crate::stage::Stage;
 use crate::told::{Logs, Which};
 use crate::visit::{LONGEST_UNTAKEN, Visit};
 use crate::walks::{HomeOf, LARGEST_LOG_BYTES, Unwalked, Walks};
-use crate::wire::{Connect, Draft, Explain, Month, NoteIt, Save, WalkingView};
+use crate::wire::{Connect, Draft, Explain, Forget, Month, NoteIt, Rename, RunAbout, Save, WalkingView};
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, State};
@@ -205,6 +206,9 @@ fn routes(house: House) -> Router {
         .route("/api/underlay", get(underlay))
         .route("/api/underlay/picture", get(picture))
         .route("/api/check", post(check))
+        .route("/api/rename", post(rename))
+        .route("/api/forget", post(forget))
+        .route("/api/mends", post(mends))
         .route("/api/plan", post(plan))
         .route("/api/import", post(import))
         .route("/api/explain", post(explain))
@@ -213,8 +217,11 @@ fn routes(house: House) -> Router {
         .route("/api/connect", post(connect))
         .route("/api/growth", get(growth))
         .route("/api/runs", get(runs))
-        .route("/api/runs/{run}", get(stored_run))
+        .route("/api/runs/{run}", get(stored_run).delete(put_aside))
+        .route("/api/put-aside/{key}", post(fetch_back))
+        .route("/api/runs/{run}/about", post(call))
         .route("/api/runs/{run}/days/{day}", get(stored_day))
+        .route("/api/runs/{run}/days/{day}/from/{from}", get(rest_of_day))
         .route("/api/runs/{run}/look", get(look))
         .route("/api/runs/{run}/care", get(care))
         .route("/api/runs/{run}/notes", get(notes).post(note))
@@ -313,6 +320,18 @@ async fn check(State(house): State<House>, Json(draft): Json<Draft>) -> Response
     json(found(move || house.desk.check(draft)).await)
 }
 
+async fn rename(State(house): State<House>, Json(asked): Json<Rename>) -> Response {
+    json(found(move || house.desk.rename(asked)).await)
+}
+
+async fn forget(State(house): State<House>, Json(asked): Json<Forget>) -> Response {
+    json(found(move || house.desk.forget(asked)).await)
+}
+
+async fn mends(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
+    json(found(move || house.desk.mends(draft)).await)
+}
+
 async fn plan(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
     packed(found(move || house.desk.plan(draft)).await)
 }
@@ -366,6 +385,31 @@ async fn stored_day(State(house): State<House>, Path((run, day)): Path<(String, 
         return (StatusCode::NOT_FOUND, "The days of a run are numbered from 0.").into_response();
     };
     packed(found(move || house.playback.day(&run, day)).await.and_then(|day| day.map_err(refused)))
+}
+
+/// What a day's answer had no time for: movements from an instant on.
+async fn rest_of_day(State(house): State<House>, Path((run, day, from)): Path<(String, String, String)>) -> Response {
+    let (Ok(day), Ok(from)) = (day.parse(), from.parse()) else {
+        return (StatusCode::NOT_FOUND, "The days of a run are numbered from 0, its instants counted in microseconds.")
+            .into_response();
+    };
+    packed(found(move || house.playback.rest_of_day(&run, day, from)).await.and_then(|day| day.map_err(refused)))
+}
+
+/// A run is called something.
+async fn call(State(house): State<House>, Path(run): Path<String>, Json(about): Json<RunAbout>) -> Response {
+    json(found(move || keeping::call(&house.shelf, &run, about)).await.and_then(|about| about.map_err(refused)))
+}
+
+async fn put_aside(State(house): State<House>, Path(run): Path<String>) -> Response {
+    if house.stage.records(&run) {
+        return (StatusCode::CONFLICT, "This run is being lived: stop it first.").into_response();
+    }
+    json(found(move || keeping::put_aside(&house.shelf, &run)).await.and_then(|aside| aside.map_err(refused)))
+}
+
+async fn fetch_back(State(house): State<House>, Path(key): Path<String>) -> Response {
+    json(found(move || keeping::fetch_back(&house.shelf, &key)).await.and_then(|run| run.map_err(refused)))
 }
 
 fn refused(refusal: Refusal) -> Refused {

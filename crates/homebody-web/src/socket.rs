@@ -110,7 +110,8 @@ async fn talk(socket: WebSocket, mut held: Held<'_>) -> Option<()> {
                     for tell in news.tells {
                         feed(&mut out, Message::Text(serde_json::to_string(&tell).ok()?.into())).await?;
                     }
-                    feed(&mut out, Message::Binary(rmp_serde::to_vec_named(&news.frame).ok()?.into())).await
+                    let Some(frame) = news.frame else { return Some(()) };
+                    feed(&mut out, Message::Binary(rmp_serde::to_vec_named(&frame).ok()?.into())).await
                 };
                 timeout(LONGEST_UNREAD, sending).await.ok()??;
             }

@@ -8,7 +8,7 @@
 
 use crate::growth::Growth;
 use crate::shelf::Shelf;
-use crate::staged_run::{StagedRun, Start};
+use crate::staged_run::{StagedRun, Start, Unbegun};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
 use homebody_core::time::{Micros, micros};
 use homebody_kit::pace::{Pace, Speed};
@@ -55,21 +55,29 @@ struct Board {
     run: u64,
     /// Grows with each run and each change of what is told of it.
     number: u64,
-    view: Arc<RunView>,
-    growth: Arc<Mutex<Growth>>,
-    frame: Frame,
+    /// Nothing as long as no run could be begun.
+    lived: Option<Lived>,
     rows: VecDeque<FiringView>,
     /// What was told, numbered from 0.
     notes: VecDeque<(u64, Tell)>,
     next_note: u64,
     /// Why the run has ended, if it failed: a page that comes later is told, too.
     failure: Option<String>,
+    /// Why no run could be begun when that was last tried, and how often none could.
+    unbegun: Option<Tell>,
+    unbegun_count: u64,
 }
 
-impl Board {
-    fn tell_again(&mut self, view: Arc<RunView>, growth: Arc<Mutex<Growth>>) {
-        (self.view, self.growth) = (view, growth);
-        self.number += 1;
+/// What there is to be seen of a run.
+struct Lived {
+    view: Arc<RunView>,
+    growth: Arc<Mutex<Growth>>,
+    frame: Frame,
+}
+
+impl Lived {
+    fn of(act: &mut StagedRun, state: State, speed: Speed) -> Lived {
+        Lived { view: Arc::new(act.view()), growth: act.growth(), frame: act.frame(state, times(speed)) }
     }
 }
 
@@ -78,6 +86,7 @@ impl Board {
 pub struct Seen {
     run: u64,
     number: Option<u64>,
+    unbegun: u64,
     row: u64,
     note: Option<u64>,
 }
@@ -85,28 +94,34 @@ pub struct Seen {
 /// What a page has not seen yet.
 pub struct News {
     pub tells: Vec<Tell>,
-    pub frame: Frame,
+    /// Nothing as long as there is no run.
+    pub frame: Option<Frame>,
 }
 
 impl Stage {
-    /// Opens the scenario on the shelf, and keeps its run at its start until somebody says so.
+    /// Opens the scenario on the shelf, and keeps its run at its start until somebody says so. Of a scenario with problems there is
+    /// no run until they are mended and one is begun.
     pub fn open(shelf: Shelf) -> Result<Stage, String> {
-        let act = caught(|| StagedRun::new(&shelf, &shelf.entry, Start::default()))?;
+        let act = caught(|| StagedRun::new(&shelf, &shelf.entry, Start::default()));
         Stage::of(shelf, act)
     }
 
     /// Keeps this run at its start.
-    fn of(shelf: Shelf, mut act: StagedRun) -> Result<Stage, String> {
+    fn of(shelf: Shelf, act: Result<StagedRun, Unbegun>) -> Result<Stage, String> {
+        let (mut act, unbegun) = match act {
+            Ok(act) => (Some(act), None),
+            Err(why) => (None, Some(why.tell())),
+        };
         let board = Board {
             run: 0,
             number: 0,
-            view: Arc::new(act.view()),
-            growth: act.growth(),
-            frame: act.frame(State::Paused, times(Speed::Times(1.0))),
+            lived: act.as_mut().map(|act| Lived::of(act, State::Paused, Speed::Times(1.0))),
             rows: VecDeque::new(),
             notes: VecDeque::new(),
             next_note: 0,
             failure: None,
+            unbegun_count: u64::from(unbegun.is_some()),
+            unbegun,
         };
         let board = Arc::new(Mutex::new(board));
         let (wishes, heard) = channel();
@@ -134,10 +149,18 @@ impl Stage {
 
     /// What the log of the run has got so far.
     pub fn growth(&self) -> GrowthView {
-        let growth = locked(&self.board).growth.clone();
+        let growth = locked(&self.board).lived.as_ref().map(|lived| lived.growth.clone());
+        let Some(growth) = growth else { return GrowthView::default() };
         // The run is not kept waiting while this is put into words.
         let growth = locked(&growth).clone();
         growth.view()
+    }
+
+    /// Whether this run is being recorded now.
+    pub fn records(&self, run: &str) -> bool {
+        let board = locked(&self.board);
+        let lived = board.lived.as_ref().filter(|lived| lived.frame.state != State::Over && !lived.view.replay);
+        lived.is_some_and(|lived| lived.view.id.as_deref() == Some(run))
     }
 
     /// Changes whenever there is something new to be seen.
@@ -151,7 +174,11 @@ impl Stage {
         let mut tells = Vec::new();
         if seen.number != Some(board.number) {
             seen.number = Some(board.number);
-            tells.push(Tell::Run { run: Box::new((*board.view).clone()) });
+            tells.extend(board.lived.as_ref().map(|lived| Tell::Run { run: Box::new((*lived.view).clone()) }));
+        }
+        if seen.unbegun != board.unbegun_count {
+            seen.unbegun = board.unbegun_count;
+            tells.extend(board.unbegun.clone());
         }
         if let (None, Some(text)) = (seen.note, board.failure.clone()) {
             tells.push(Tell::Note { text, bad: true });
@@ -159,7 +186,9 @@ impl Stage {
         let first = seen.note.unwrap_or(board.next_note);
         tells.extend(board.notes.iter().filter(|(number, _)| *number >= first).map(|(_, tell)| tell.clone()));
         seen.note = Some(board.next_note);
-        let mut frame = board.frame.clone();
+        let Some(mut frame) = board.lived.as_ref().map(|lived| lived.frame.clone()) else {
+            return News { tells, frame: None };
+        };
         // Each run counts its rows from 0.
         if seen.run != board.run {
             (seen.run, seen.row) = (board.run, 0);
@@ -168,7 +197,7 @@ impl Stage {
         frame.firings = fresh.cloned().collect();
         frame.firings.reverse();
         seen.row = frame.told;
-        News { tells, frame }
+        News { tells, frame: Some(frame) }
     }
 }
 
@@ -186,9 +215,11 @@ fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// What is made, or why not in words, also where making it panics.
-fn caught<T>(make: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
-    catch_unwind(AssertUnwindSafe(make))
-        .unwrap_or_else(|broken| Err(format!("That cannot be begun, by a mistake of the program: {}.", said(&*broken))))
+fn caught<T>(make: impl FnOnce() -> Result<T, Unbegun>) -> Result<T, Unbegun> {
+    let broken = |broken: Box<dyn Any + Send>| {
+        Unbegun::Why(format!("That cannot be begun, by a mistake of the program: {}.", said(&*broken)))
+    };
+    catch_unwind(AssertUnwindSafe(make)).unwrap_or_else(|why| Err(broken(why)))
 }
 
 /// The message of a panic.
@@ -200,7 +231,8 @@ fn said(broken: &(dyn Any + Send)) -> String {
 /// Who decides when the run is advanced, and how far.
 struct Director {
     shelf: Shelf,
-    act: StagedRun,
+    /// Nothing where the scenario had problems when the program began.
+    act: Option<StagedRun>,
     /// The run panicked: it is neither advanced nor looked at any more.
     is_broken: bool,
     pace: Pace,
@@ -230,15 +262,24 @@ impl Director {
             wish = self.heard.try_recv().ok();
         }
         self.go_on();
-        if let Err(why) = self.act.keep_input() {
+        if let Some(Err(why)) = self.act.as_mut().map(StagedRun::keep_input) {
             self.fail(why);
         }
         self.show();
     }
 
+    fn now(&self) -> Micros {
+        self.act.as_ref().map_or(0, StagedRun::now)
+    }
+
+    /// Whether there is a run that has not come to its end.
+    fn is_under_way(&self) -> bool {
+        self.act.as_ref().is_some_and(|act| !act.is_over())
+    }
+
     fn wait(&self) -> Duration {
-        let runs = !self.is_paused() && !self.act.is_over();
-        match (runs, self.pace.hurries(self.act.now())) {
+        let runs = !self.is_paused() && self.is_under_way();
+        match (runs, self.pace.hurries(self.now())) {
             (false, _) => IDLE,
             (true, true) => Duration::ZERO,
             (true, false) => FRAME,
@@ -246,7 +287,7 @@ impl Director {
     }
 
     fn is_paused(&self) -> bool {
-        self.pace.is_paused(self.act.now())
+        self.pace.is_paused(self.now())
     }
 
     fn state(&self) -> State {
@@ -265,10 +306,36 @@ impl Director {
     }
 
     fn obey(&mut self, say: Say) {
-        let now = self.act.now();
-        self.pace.count_from(now);
         match say {
-            Say::Hello { .. } => {}
+            Say::Start { seed: Some(seed), .. } if seed >= 1 << 53 => {
+                self.note("a seed is below 2 to the power of 53".into(), true);
+            }
+            Say::Start { driven, without, seed } => {
+                let is_driven = driven.is_some();
+                let start = Start { driven, without, seed, input: Vec::new() };
+                let act = caught(|| StagedRun::new(&self.shelf, &self.shelf.entry, start));
+                if self.change_act(act) && is_driven {
+                    // At any other speed a key that is held for a moment is a walk through the home.
+                    self.pace.set_speed(0, Speed::Times(1.0));
+                }
+            }
+            Say::Replay { run } => {
+                let recording = self.shelf.recording(&run);
+                let act = caught(|| StagedRun::again(recording?));
+                if self.change_act(act) {
+                    self.pace.resume(0);
+                }
+            }
+            say => self.obey_in_run(say),
+        }
+    }
+
+    /// What is said to the run that there is.
+    fn obey_in_run(&mut self, say: Say) {
+        let now = self.now();
+        self.pace.count_from(now);
+        let Some(act) = &mut self.act else { return };
+        match say {
             // Where a jump pauses, it does so all the same.
             Say::Play if self.pace.is_jumping(now) => {}
             Say::Play => self.pace.resume(now),
@@ -282,69 +349,81 @@ impl Director {
                 Some(speed) => self.pace.set_speed(now, speed),
                 None => self.note("a speed is from 0.1 to 1000 times".into(), true),
             },
-            Say::Jump { to_us } => self.jump(to_us.clamp(0, self.act.length())),
-            Say::Hold { keys } => self.act.hold(&keys),
-            Say::Be { posture } => self.act.be(posture),
-            Say::Use { thing, on } => self.act.use_thing(thing, on),
-            Say::Start { seed: Some(seed), .. } if seed >= 1 << 53 => {
-                self.note("a seed is below 2 to the power of 53".into(), true);
+            Say::Jump { to_us } => {
+                let to = to_us.clamp(0, act.length());
+                self.jump(to);
             }
-            Say::Start { driven, without, seed } => {
-                let start = Start { driven, without, seed, input: Vec::new() };
-                let act = caught(|| StagedRun::new(&self.shelf, &self.shelf.entry, start));
-                self.change_act(act);
-            }
+            Say::Hold { keys } => act.hold(&keys),
+            Say::Be { posture } => act.be(posture),
+            Say::Use { thing, on } => act.use_thing(thing, on),
             Say::Stop => self.finish(),
-            Say::Replay { run } => {
-                let act = caught(|| self.shelf.recording(&run).and_then(StagedRun::again));
-                if self.change_act(act) {
-                    self.pace.resume(0);
-                }
-            }
+            Say::Hello { .. } | Say::Start { .. } | Say::Replay { .. } => {}
         }
     }
 
     /// Forward as fast as it goes; back by living it again from a moment that was kept, or from the start with the same input.
     fn jump(&mut self, to: Micros) {
         let was_paused = self.is_paused();
-        if to < self.act.now() {
-            if self.act.go_back(to) {
+        let Some(act) = &mut self.act else { return };
+        if to < act.now() {
+            if act.go_back(to) {
                 self.pace = Pace::paused(self.pace.speed());
                 self.begin_anew();
             } else {
-                let act = caught(|| self.act.anew(to));
+                let ends = act.goes_on_in();
+                let act = caught(|| act.anew(to));
                 if !self.change_act(act) {
                     return;
                 }
+                if let Some(name) = ends {
+                    let text = format!(
+                        "Going back ended {name}, which is kept as far as it came; from here on another run is recorded."
+                    );
+                    self.note(text, false);
+                }
             }
         }
-        self.pace.jump(self.act.now(), to, was_paused);
+        self.pace.jump(self.now(), to, was_paused);
     }
 
     /// Another run takes the stage, if there is one; the files of this one are completed before.
-    fn change_act(&mut self, act: Result<StagedRun, String>) -> bool {
+    fn change_act(&mut self, act: Result<StagedRun, Unbegun>) -> bool {
         match act {
             Ok(act) => {
                 self.finish();
-                self.act = act;
+                self.act = Some(act);
                 self.pace = Pace::paused(self.pace.speed());
                 self.begin_anew();
                 true
             }
             Err(why) => {
-                self.note(why, true);
+                self.unbegun(why);
                 false
             }
         }
     }
 
-    fn finish(&mut self) {
-        match self.act.finish() {
-            Ok(Some(text)) => self.note(text, false),
-            Ok(None) => {}
-            Err(why) => self.note(why, true),
+    /// No run is begun; what there was goes on.
+    fn unbegun(&mut self, why: Unbegun) {
+        match why {
+            Unbegun::Why(why) => self.note(why, true),
+            Unbegun::Problems(_) => {
+                let mut board = locked(&self.board);
+                board.unbegun = Some(why.tell());
+                board.unbegun_count += 1;
+                drop(board);
+                self.change.send_modify(|change| *change += 1);
+            }
         }
-        self.pace.pause(self.act.now());
+    }
+
+    fn finish(&mut self) {
+        match self.act.as_mut().map(StagedRun::finish) {
+            Some(Ok(Some(text))) => self.note(text, false),
+            Some(Ok(None)) | None => {}
+            Some(Err(why)) => self.note(why, true),
+        }
+        self.pace.pause(self.now());
     }
 
     /// The run cannot go on; what it has stored is completed.
@@ -357,7 +436,7 @@ impl Director {
     /// The run broke in the middle. What it has stored is completed, and everybody is told.
     fn give_up(&mut self, why: &str) {
         // What is asked of it now may break as well.
-        let kept = catch_unwind(AssertUnwindSafe(|| self.act.give_up()));
+        let kept = catch_unwind(AssertUnwindSafe(|| self.act.as_mut().map_or(Ok(None), StagedRun::give_up)));
         let kept = kept.unwrap_or_else(|broken| Err(said(&*broken)));
         let kept = match kept {
             Ok(Some(stored)) => format!("What it had come to is kept: {stored}"),
@@ -366,10 +445,12 @@ impl Director {
         };
         let text = format!("The run broke, by a mistake of the program: {why}. {kept} Another run can be begun.");
         self.is_broken = true;
-        self.pace.pause(self.act.now());
+        self.pace.pause(self.now());
         let mut board = locked(&self.board);
         board.failure = Some(text.clone());
-        board.frame.state = State::Over;
+        if let Some(lived) = &mut board.lived {
+            lived.frame.state = State::Over;
+        }
         drop(board);
         self.note(text, true);
         self.change.send_modify(|change| *change += 1);
@@ -377,36 +458,38 @@ impl Director {
 
     /// Lives what is due by now.
     fn go_on(&mut self) {
-        if self.is_paused() || self.act.is_over() {
+        if self.is_paused() || !self.is_under_way() {
             return;
         }
+        let Some(length) = self.act.as_ref().map(StagedRun::length) else { return };
         let begun = Instant::now();
-        let due = self.pace.due().min(self.act.length());
-        while self.act.now() < due && !self.is_paused() {
-            match self.act.advance(due, &self.shelf) {
-                Ok(true) => self.tell_run_again(),
-                Ok(false) => {}
-                Err(why) => self.fail(why),
+        let due = self.pace.due().min(length);
+        while self.now() < due && !self.is_paused() {
+            match self.act.as_mut().map(|act| act.advance(due, &self.shelf)) {
+                Some(Ok(true)) => self.tell_run_again(),
+                Some(Ok(false)) | None => {}
+                Some(Err(why)) => self.fail(why),
             }
             if begun.elapsed() >= FRAME {
                 break;
             }
         }
-        self.pace.arrive(self.act.now());
-        if self.act.now() >= self.act.length() {
+        self.pace.arrive(self.now());
+        if self.now() >= length {
             self.finish();
         }
     }
 
     /// Puts on the board what there is to be seen.
     fn show(&mut self) {
-        if self.is_broken {
-            return;
-        }
-        let frame = self.act.frame(self.state(), times(self.pace.speed()));
+        let (state, speed) = (self.state(), times(self.pace.speed()));
+        let Some(act) = self.act.as_mut().filter(|_| !self.is_broken) else { return };
+        let frame = act.frame(state, speed);
         let mut board = locked(&self.board);
-        board.frame = frame;
-        board.rows.extend(self.act.take_rows());
+        if let Some(lived) = &mut board.lived {
+            lived.frame = frame;
+        }
+        board.rows.extend(act.take_rows());
         let superfluous = board.rows.len().saturating_sub(MOST_ROWS);
         board.rows.drain(..superfluous);
         drop(board);
@@ -416,20 +499,25 @@ impl Director {
     /// Nobody sees a frame of the run before under the name of this one.
     fn begin_anew(&mut self) {
         self.is_broken = false;
-        let (view, frame) = (Arc::new(self.act.view()), self.act.frame(self.state(), times(self.pace.speed())));
+        let (state, speed) = (self.state(), self.pace.speed());
+        let lived = self.act.as_mut().map(|act| Lived::of(act, state, speed));
         let mut board = locked(&self.board);
         board.run += 1;
+        board.number += 1;
         board.rows.clear();
-        board.failure = None;
-        board.frame = frame;
-        board.tell_again(view, self.act.growth());
+        (board.failure, board.unbegun) = (None, None);
+        board.lived = lived;
         drop(board);
         self.change.send_modify(|change| *change += 1);
     }
 
     fn tell_run_again(&mut self) {
-        let view = Arc::new(self.act.view());
-        locked(&self.board).tell_again(view, self.act.growth());
+        let told = self.act.as_ref().map(|act| (Arc::new(act.view()), act.growth()));
+        let mut board = locked(&self.board);
+        if let (Some(lived), Some((view, growth))) = (&mut board.lived, told) {
+            (lived.view, lived.growth) = (view, growth);
+            board.number += 1;
+        }
     }
 
     fn note(&mut self, text: String, bad: bool) {
@@ -444,134 +532,4 @@ impl Director {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use homebody_core::drivers::{Driver, MotionSegment, Next, Surroundings};
-    use homebody_core::event::{Events, MotionState};
-    use homebody_core::geometry::Point;
-    use homebody_core::home::Home;
-    use homebody_core::recording::{Recording, RunDigest};
-    use homebody_core::run::{DriverProvider, Guest};
-    use homebody_core::scenario::path::Posture;
-    use homebody_core::time::SECOND;
-    use homebody_kit::Template;
-    use homebody_routine::household::Household;
-    use tempfile::TempDir;
-
-    /// How long everything goes well.
-    const WELL: Micros = 9 * 3600 * SECOND;
-
-    /// Lives as the routine says, and then does what nobody can, or nothing that a program should.
-    #[derive(Clone, Debug)]
-    struct Doomed {
-        routine: Box<dyn Driver>,
-        panics: bool,
-    }
-
-    impl Driver for Doomed {
-        fn next(&mut self, around: &Surroundings) -> Next {
-            if around.now() < WELL {
-                return self.routine.next(around);
-            }
-            assert!(!self.panics, "nobody has thought of this");
-            let nowhere = MotionState::Rest { at: Point::new(f64::NAN, 0.0) };
-            let (begin, posture) = (around.now(), Posture::Standing);
-            Next::Segment(MotionSegment { begin, end: begin + SECOND, doing: nowhere, posture })
-        }
-
-        fn copy(&self) -> Box<dyn Driver> {
-            Box::new(self.clone())
-        }
-    }
-
-    struct AllDoomed<'h> {
-        household: &'h Household,
-        panics: bool,
-    }
-
-    impl DriverProvider for AllDoomed<'_> {
-        fn guests(&self) -> Vec<Guest> {
-            self.household.guests()
-        }
-
-        fn driver(&self, body: usize, home: &Arc<Home>, seed: u64) -> Option<Box<dyn Driver>> {
-            let routine = self.household.driver(body, home, seed)?;
-            Some(Box::new(Doomed { routine, panics: self.panics }))
-        }
-    }
-
-    fn shelf(folder: &TempDir) -> Shelf {
-        let scenario = folder.path().join("home");
-        std::fs::create_dir(&scenario).unwrap();
-        for (file, text) in Template::named("tigerplace").unwrap().files() {
-            std::fs::write(scenario.join(file), text).unwrap();
-        }
-        Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") }
-    }
-
-    /// Looks until there is what is wished.
-    fn look(stage: &Stage, seen: &mut Seen, is_wished: impl Fn(&News) -> bool) -> News {
-        let begun = Instant::now();
-        loop {
-            let news = stage.news(seen, 10);
-            if is_wished(&news) {
-                return news;
-            }
-            assert!(begun.elapsed() < Duration::from_secs(60), "{:?} at {}", news.frame.state, news.frame.now_us);
-            thread::sleep(Duration::from_millis(5));
-        }
-    }
-
-    fn told(news: &News) -> Option<&str> {
-        news.tells.iter().find_map(|tell| match tell {
-            Tell::Note { text, bad: true } => Some(text.as_str()),
-            _ => None,
-        })
-    }
-
-    /// A run whose driver panics, or says what no body can do, is over; what it stored is a whole run up to there, whoever looks
-    /// is told, and another begins.
-    #[test]
-    fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
-        for panics in [true, false] {
-            let folder = tempfile::tempdir().unwrap();
-            let shelf = shelf(&folder);
-            let act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
-            let household = Household::load(&shelf, &shelf.entry, &[]).unwrap().1;
-            let act = act.driven_by(&AllDoomed { household: &household, panics });
-            let stage = Stage::of(shelf.clone(), act).unwrap();
-            let mut seen = Seen::default();
-            stage.say(Say::Speed { times: None });
-            stage.say(Say::Play);
-            let news = look(&stage, &mut seen, |news| told(news).is_some());
-            let why = told(&news).unwrap().to_owned();
-            assert!(why.contains(if panics { "nobody has thought of this" } else { "margaret" }), "{why}");
-            look(&stage, &mut seen, |news| news.frame.state == State::Over);
-            let late = stage.news(&mut Seen::default(), 10);
-            assert_eq!(told(&late), Some(&why[..]), "who comes later is told, too");
-            assert!(stage.changed().has_changed().is_ok(), "nobody's socket is closed");
-
-            // What is kept is the run up to there.
-            let run = shelf.runs().pop().unwrap();
-            let recording: Recording = shelf.recording(&run).unwrap();
-            assert!(recording.is_complete() && recording.firings > 0, "{recording:?}");
-            assert!(recording.length_us <= WELL + 3600 * SECOND && recording.length_us > WELL / 2);
-            let (scenario, household) = Household::recorded(&recording).unwrap();
-            let mut again = recording.run(&scenario, &household);
-            let (mut events, mut digest) = (Events::default(), RunDigest::default());
-            again.advance(recording.length_us, &mut events).unwrap();
-            digest.add(&events.firings);
-            assert_eq!((digest.firings(), digest.hex()), (recording.firings, recording.sha256.clone()));
-            let log = rusqlite::Connection::open(shelf.runs.join(&run).join("log.db")).unwrap();
-            let rows: i64 = log.query_row("SELECT count(*) FROM event", [], |row| row.get(0)).unwrap();
-            assert_eq!(rows as u64, recording.firings);
-
-            stage.say(Say::Start { driven: None, without: Vec::new(), seed: None });
-            stage.say(Say::Speed { times: None });
-            stage.say(Say::Play);
-            look(&stage, &mut seen, |news| news.frame.state == State::Playing && news.frame.now_us > WELL + SECOND);
-            assert_eq!(told(&stage.news(&mut Seen::default(), 10)), None, "what was, is over");
-            stage.close();
-        }
-    }
-}
+mod tests;

@@ -1,17 +1,19 @@
 //! One run on the stage: the scenario that it is of, who is driven in it, and the files that it leaves.
 
 use crate::dates;
+use crate::desk;
 use crate::draw;
 use crate::effort::AT_ONCE;
 use crate::growth::Growth;
 use crate::input_keeper::{InputKeeper, input_text};
 use crate::shelf::Shelf;
-use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State};
+use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State, Tell};
 use homebody_core::drivers::input::Input;
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;
 use homebody_core::ids::ResidentId;
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::edit::ScenarioEdit;
@@ -25,7 +27,7 @@ use homebody_core::time::{DAY, Micros, SECOND, micros, seconds};
 use homebody_kit::Stretch;
 use homebody_log::{How, LogError, Places, RowText, Rows, RunLog, Stored};
 use homebody_routine::household::Household;
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -38,6 +40,42 @@ pub struct Start {
     pub seed: Option<u64>,
     /// What was done at the keys already, to be done again.
     pub input: Vec<KeysFile>,
+}
+
+/// Why a run cannot be begun.
+#[derive(Clone, Debug)]
+pub enum Unbegun {
+    /// What is wrong with the scenario.
+    Problems(Vec<Problem>),
+    /// In a sentence.
+    Why(String),
+}
+
+impl From<Problems> for Unbegun {
+    fn from(problems: Problems) -> Unbegun {
+        Unbegun::Problems(problems.0)
+    }
+}
+
+impl From<String> for Unbegun {
+    fn from(why: String) -> Unbegun {
+        Unbegun::Why(why)
+    }
+}
+
+impl Unbegun {
+    pub fn tell(&self) -> Tell {
+        match self {
+            Unbegun::Why(why) => Tell::Unbegun { why: why.clone(), problems: Vec::new() },
+            Unbegun::Problems(problems) => {
+                let why = match problems.len() {
+                    1 => "No run can be begun: something is wrong with the scenario.".to_owned(),
+                    count => format!("No run can be begun: {count} things are wrong with the scenario."),
+                };
+                Tell::Unbegun { why, problems: desk::problems(problems) }
+            }
+        }
+    }
 }
 
 /// A run that is being lived, with everything that belongs to it.
@@ -156,15 +194,14 @@ impl Written {
 
 impl StagedRun {
     /// A run of the scenario of these files, from its start. It leaves files from when it is first advanced.
-    pub fn new(files: &dyn Files, entry: &str, start: Start) -> Result<StagedRun, String> {
-        let load =
-            |files: &dyn Files| Household::load(files, entry, &start.without).map_err(|problems| problems.render());
+    pub fn new(files: &dyn Files, entry: &str, start: Start) -> Result<StagedRun, Unbegun> {
+        let load = |files: &dyn Files| Household::load(files, entry, &start.without);
         let mut keys = None;
         let (scenario, household) = match start.driven {
             None => load(files)?,
             Some(driven) => {
                 // Who is moved by keys lives by no routine: it need not be understood.
-                let first = Scenario::load(files, entry).map_err(|problems| problems.render())?;
+                let first = Scenario::load(files, entry)?;
                 let (edit, name) = drive(&first, driven as usize, &start.input)?;
                 keys = Some(name);
                 load(&edit.over(files))?
@@ -178,15 +215,15 @@ impl StagedRun {
         if let Some(driven) = start.driven {
             run.open_input(ResidentId(driven));
         }
-        StagedRun::of(scenario, &household, run, recording, keys, start, false)
+        Ok(StagedRun::of(scenario, &household, run, recording, keys, start, false)?)
     }
 
     /// A recording, to be lived again.
-    pub fn again(recording: Recording) -> Result<StagedRun, String> {
-        let (scenario, household) = Household::recorded(&recording).map_err(|problems| problems.render())?;
+    pub fn again(recording: Recording) -> Result<StagedRun, Unbegun> {
+        let (scenario, household) = Household::recorded(&recording)?;
         let run = recording.run(&scenario, &household);
         let start = Start { without: recording.without.clone(), ..Start::default() };
-        StagedRun::of(scenario, &household, run, recording, None, start, true)
+        Ok(StagedRun::of(scenario, &household, run, recording, None, start, true)?)
     }
 
     fn of(
@@ -266,7 +303,25 @@ impl StagedRun {
             seed: self.recording.seed,
             log: self.files.iter().flat_map(|files| &files.places.log).map(ToString::to_string).collect(),
             replay: self.is_replay,
+            files: self.versions(),
         }
+    }
+
+    /// The versions of the files that it goes by, as the desk has them.
+    fn versions(&self) -> BTreeMap<String, String> {
+        let made = |name: &String| Some(name) == self.keys.as_ref();
+        let files = self.recording.files.iter().filter(|(name, _)| !self.is_replay && !made(name));
+        // Who is driven lives by another driver than their file says.
+        let files = files.filter(|(name, _)| {
+            self.start.driven.is_none_or(|who| self.scenario.file.residents.get(who as usize) != Some(name))
+        });
+        files.map(|(name, text)| (name.clone(), desk::version(text))).collect()
+    }
+
+    /// The name of the folder into which it is being recorded, until its files are complete.
+    pub fn goes_on_in(&self) -> Option<String> {
+        let is_open = self.files.as_ref().is_some_and(|files| files.log.is_some());
+        self.folder().filter(|_| is_open).and_then(|folder| Some(folder.file_name()?.to_string_lossy().into_owned()))
     }
 
     /// Lives a stretch: at most until `until`, and at most as far as it had come before somebody went back. True if files have
@@ -396,7 +451,7 @@ impl StagedRun {
 
     /// The same run from its start, whatever its files have become since, with what was done at the keys before an instant;
     /// from then on no key is held.
-    pub fn anew(&self, until: Micros) -> Result<StagedRun, String> {
+    pub fn anew(&self, until: Micros) -> Result<StagedRun, Unbegun> {
         if self.is_replay {
             return StagedRun::again(self.recording.clone());
         }

@@ -1,15 +1,20 @@
-//! The rows of a stored log, as playback has them in memory.
+//! The rows of a stored log, as playback has them.
 
-use crate::wire::PlaybackView;
+use crate::wire::{DateView, PlaybackView};
+use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::Micros;
+use homebody_core::time::{Micros, SECOND};
 use homebody_log::{Event, Log, LogError, RunClock, Source, Url};
 use std::collections::HashMap;
 use std::fmt::Display;
+use std::fs::File;
+use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
+use std::ops::Range;
+use std::path::Path;
 
-/// So many rows of a log are kept in memory (ours): some years of a home's.
-pub const MOST_ROWS: usize = 5_000_000;
+/// So many rows of a log are kept (ours): 1.6 GB on disk, forty years of a home's.
+pub const MOST_ROWS: u64 = 100_000_000;
 
 /// Why there is no answer, in a sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,17 +35,115 @@ pub fn shortened(why: &str) -> String {
     why.chars().take(LONGEST).collect()
 }
 
-/// A log with so many of its rows at most, and a remark if there are more.
-pub fn first_rows(from: impl Into<Source>, logger: &LoggerFile, most: usize) -> Result<Log, LogError> {
-    let mut events = Vec::new();
-    let mut log = homebody_log::stream(from, logger, &mut |part| {
-        events.extend(part.events.iter().take(most - events.len()));
-        Ok(())
-    })?;
-    if log.rows > events.len() as u64 {
-        log.remarks.push(format!("The log has {} rows, of which the first {most} are shown.", log.rows));
+/// The rows of a log by day, on the run's own clock. They are in a file without a name, which is gone with this: a log of ten years
+/// takes no memory.
+pub struct StoredRows {
+    file: BufWriter<File>,
+    days: Vec<DateView>,
+    calendar: Calendar,
+    length: Micros,
+    /// What comes later is left out.
+    until: Micros,
+    /// For each day the places of its first row and behind its last: rows of other days may lie between.
+    spans: Vec<Range<u64>>,
+    /// How many rows there are in each hour of each day's clock.
+    pub hours: Vec<Vec<u32>>,
+    /// The numbers of sensors in the view, by sensor of the log.
+    pub numbers: Vec<u32>,
+    count: u64,
+}
+
+/// How a row lies in the file: instant, sensor and value.
+const ROW_BYTES: usize = 16;
+
+const HOUR: Micros = 3600 * SECOND;
+
+impl StoredRows {
+    /// No rows yet; their file is to be in this folder, or else where temporary files are.
+    pub fn new(beside: &Path, view: &PlaybackView, calendar: &Calendar, until: Micros) -> io::Result<StoredRows> {
+        let file = tempfile::tempfile_in(beside).or_else(|_| tempfile::tempfile())?;
+        Ok(StoredRows {
+            file: BufWriter::with_capacity(1 << 20, file),
+            days: view.days.clone(),
+            calendar: calendar.clone(),
+            length: view.length_us,
+            until,
+            spans: vec![0..0; view.days.len()],
+            hours: vec![vec![0; 24]; view.days.len()],
+            numbers: Vec::new(),
+            count: 0,
+        })
     }
-    Ok(Log { events, ..log })
+
+    /// Reads a log with so many of its rows at most, and remarks if there are more.
+    pub fn read(&mut self, from: impl Into<Source>, logger: &LoggerFile, most: u64) -> Result<Log, LogError> {
+        let mut clock = None;
+        let mut last = Micros::MIN;
+        let mut failed = None;
+        let mut log = homebody_log::stream(from, logger, &mut |part| {
+            let clock = clock.get_or_insert_with(|| RunClock::new(&self.calendar, self.length, part.clock));
+            for row in &part.events {
+                if self.count >= most {
+                    break;
+                }
+                last = clock.instant(row.at, last);
+                if let Err(error) = self.add(last, row) {
+                    failed.get_or_insert(error);
+                }
+            }
+            Ok(())
+        })?;
+        if let Some(source) = failed.or_else(|| self.file.flush().err()) {
+            return Err(LogError::File { place: "the file of its rows".into(), source });
+        }
+        if log.rows > self.count && self.count >= most {
+            log.remarks.push(format!("The log has {} rows, of which the first {most} are shown.", log.rows));
+        }
+        Ok(log)
+    }
+
+    fn add(&mut self, at: Micros, row: &Event) -> io::Result<()> {
+        if at > self.until || self.days.is_empty() {
+            return Ok(());
+        }
+        let number = self.day_of(at);
+        let day = &self.days[number];
+        let turned = day.turn.filter(|turn| at >= turn.0).map_or(0, |turn| turn.1);
+        let hour = (at - day.begin_us + day.clock_us + turned).div_euclid(HOUR).clamp(0, 23);
+        self.hours[number][hour as usize] += 1;
+        let span = &mut self.spans[number];
+        let start = if span.is_empty() { self.count } else { span.start };
+        *span = start..self.count + 1;
+        self.count += 1;
+        self.file.write_all(&at.to_le_bytes())?;
+        self.file.write_all(&row.sensor.to_le_bytes())?;
+        self.file.write_all(&row.value.to_le_bytes())
+    }
+
+    /// What the last instant of a run says belongs to its last day.
+    fn day_of(&self, at: Micros) -> usize {
+        self.days.partition_point(|day| day.end_us <= at).min(self.days.len().saturating_sub(1))
+    }
+
+    /// The rows of a day in the order of time, with the view's sensors.
+    pub fn of(&mut self, day: usize) -> io::Result<Vec<Event>> {
+        let span = self.spans.get(day).cloned().unwrap_or_default();
+        let mut bytes = vec![0; (span.end - span.start) as usize * ROW_BYTES];
+        let file = self.file.get_mut();
+        file.seek(SeekFrom::Start(span.start * ROW_BYTES as u64))?;
+        file.read_exact(&mut bytes)?;
+        let number = |bytes: &[u8]| u32::from_le_bytes(bytes.try_into().expect("four bytes"));
+        let row = |bytes: &[u8]| Event {
+            at: Micros::from_le_bytes(bytes[..8].try_into().expect("eight bytes")),
+            sensor: self.numbers.get(number(&bytes[8..12]) as usize).copied().unwrap_or(0),
+            value: number(&bytes[12..]),
+        };
+        let mut rows: Vec<Event> = bytes.chunks_exact(ROW_BYTES).map(row).collect();
+        rows.retain(|row| self.day_of(row.at) == day);
+        // Where messages overtake each other, the log's order is another.
+        rows.sort_by_key(|row| row.at);
+        Ok(rows)
+    }
 }
 
 /// The numbers of a run's sensors in its view, by sensor of its log; those that stand nowhere in the home come last there.
@@ -58,44 +161,58 @@ pub fn stranger(id: &str, view: &mut PlaybackView) -> u32 {
     view.sensors.len() as u32 - 1
 }
 
-/// A log's rows on the run's own clock, with the view's sensors, whose numbers are known by sensor of the log.
-pub fn rows_of(log: Log, numbers: &[u32], clock: &RunClock, view: &mut PlaybackView) -> Vec<Event> {
+/// Tells a view what else is known of a log.
+pub fn tell_of(log: Log, view: &mut PlaybackView) {
     view.remarks.extend(log.remarks);
     if let Some(first) = log.problems.first() {
         let why = shortened(&first.why);
         view.remarks.push(format!("{} lines of the log were skipped; line {}: {why}", log.skipped, first.line));
     }
     view.values = log.values;
-    let mut rows = log.events;
-    let mut last = Micros::MIN;
-    for row in &mut rows {
-        row.at = clock.instant(row.at, last);
-        row.sensor = numbers[row.sensor as usize];
-        last = row.at;
-    }
-    // Where messages overtake each other, the log's order is another.
-    if !rows.is_sorted_by_key(|row| row.at) {
-        rows.sort_by_key(|row| row.at);
-    }
-    rows
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use homebody_core::scenario::load::Files;
+    use homebody_kit::Template;
+    use std::collections::BTreeMap;
     use std::fs;
 
     #[test]
     fn of_a_log_that_is_too_long_the_first_rows_are_kept_and_it_is_said() {
         let folder = tempfile::tempdir().unwrap();
+        let texts: BTreeMap<String, String> = Template::named("by-hand")
+            .unwrap()
+            .files()
+            .map(|(name, text)| (name.to_owned(), text.to_owned()))
+            .collect();
+        let scenario = Scenario::load(&texts as &dyn Files, "scenario.json").unwrap();
         let file = folder.path().join("log.csv");
-        let rows: String = (10..30).map(|s| format!("2026-01-05T09:00:{s},hall motion,ON\n")).collect();
+        let start = scenario.calendar.wall_clock(0);
+        let rows: String = (10..30).map(|s| format!("{} 09:00:{s},hall motion,ON\n", &start[..10])).collect();
         fs::write(&file, format!("time,sensor,value\n{rows}")).unwrap();
         let url: Url = format!("csv:{}", file.display()).parse().unwrap();
-        let all = first_rows(&url, &LoggerFile::default(), 20).unwrap();
-        assert_eq!((all.events.len(), all.remarks.len()), (20, 0), "{:?}", all.remarks);
-        let some = first_rows(&url, &LoggerFile::default(), 7).unwrap();
-        assert_eq!(some.events, all.events[..7]);
-        assert_eq!(some.remarks, ["The log has 20 rows, of which the first 7 are shown."]);
+        for (most, remarks) in [(20, vec![]), (7, vec!["The log has 20 rows, of which the first 7 are shown."])] {
+            let days = crate::dates::all(&scenario.calendar, 86_400 * SECOND);
+            let count = days.len();
+            let mut all = StoredRows {
+                file: BufWriter::new(tempfile::tempfile().unwrap()),
+                days,
+                calendar: scenario.calendar.clone(),
+                length: 86_400 * SECOND,
+                until: Micros::MAX,
+                spans: vec![0..0; count],
+                hours: vec![vec![0; 24]; count],
+                numbers: vec![5],
+                count: 0,
+            };
+            let log = all.read(&url, &LoggerFile::default(), most).unwrap();
+            assert_eq!(log.remarks, remarks);
+            let rows: Vec<Event> = (0..count).flat_map(|day| all.of(day).unwrap()).collect();
+            assert_eq!(rows.len() as u64, most);
+            assert!(rows.iter().all(|row| row.sensor == 5) && rows.is_sorted_by_key(|row| row.at));
+            assert_eq!(all.hours.iter().flatten().sum::<u32>() as u64, most);
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::playback::{Refusal, State, state};
 use crate::shelf::Shelf;
-use crate::stored_log::{MOST_ROWS, damaged, shortened};
+use crate::stored_log::{damaged, shortened};
 use crate::walked::given;
 use crate::wire::{CareView, KeptLogView, WalksView};
 use homebody_analysis::alerts::{Rules, USUAL};
@@ -17,6 +17,9 @@ use homebody_kit::{LogWithRun, NamedLog, home_sensors, sensors_of_home};
 use homebody_log::places::TRUTH;
 use homebody_picture::{density_map, look_page, realism_page};
 use std::sync::{Arc, Mutex, PoisonError};
+
+/// So many rows of a log are judged (ours): some years of a home's. They are in memory meanwhile.
+const MOST_ROWS: usize = 5_000_000;
 
 /// The logs of a shelf's runs. A clone is the same.
 #[derive(Clone)]

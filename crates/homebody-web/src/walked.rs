@@ -1,6 +1,6 @@
 //! A log that was walked back, as playback shows it: its rows as they were, and how likely everybody was in each room.
 
-use crate::stored_log::{MOST_ROWS, Refusal, damaged, first_rows, rows_of, shortened, stranger};
+use crate::stored_log::{MOST_ROWS, Refusal, StoredRows, damaged, shortened, stranger, tell_of};
 use crate::wire::{BETWEEN, Chance, OUT, PlaybackView, WalkView};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{Micros, SECOND};
@@ -8,7 +8,7 @@ use homebody_kit::walked::{GIVEN, REPORT, ROOMS, Reported, doubts};
 use homebody_kit::{Doubt, NamedLog, Place, sensors_of_home};
 use homebody_log::limits::LARGEST_RECORDING_BYTES;
 use homebody_log::source::Clock;
-use homebody_log::{Event, RunClock, plain};
+use homebody_log::{RunClock, plain};
 use std::path::{Path, PathBuf};
 
 /// A shorter stay in a room is none that anybody goes to (ours).
@@ -57,17 +57,16 @@ impl Walked {
     }
 
     /// The rows of the log as it was given, with the view's sensors, by their names in the home.
-    pub fn rows(&self, scenario: &Scenario, view: &mut PlaybackView) -> Result<Vec<Event>, Refusal> {
+    pub fn rows(&self, scenario: &Scenario, view: &mut PlaybackView, beside: &Path) -> Result<StoredRows, Refusal> {
         view.sensors = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
-        let log = first_rows(self.given.place.clone(), &self.given.mapping, MOST_ROWS);
+        // Of a way that is too long for a path only the first days are there.
+        let mut rows = StoredRows::new(beside, view, &scenario.calendar, view.length_us).map_err(damaged)?;
+        let log = rows.read(self.given.place.clone(), &self.given.mapping, MOST_ROWS);
         let log = log.map_err(|error| damaged(without(&self.folder, &error)))?;
         let known = sensors_of_home(&log, scenario).into_iter().zip(&log.sensors);
         let number = |(number, id): (Option<usize>, &String)| number.map_or_else(|| stranger(id, view), |of| of as u32);
-        let numbers: Vec<u32> = known.map(number).collect();
-        let clock = RunClock::new(&scenario.calendar, view.length_us, log.clock);
-        let mut rows = rows_of(log, &numbers, &clock, view);
-        // Of a way that is too long for a path only the first days are there.
-        rows.retain(|row| row.at <= view.length_us);
+        rows.numbers = known.map(number).collect();
+        tell_of(log, view);
         view.remarks.extend(self.reported.remarks.iter().map(|remark| shortened(remark)));
         Ok(rows)
     }

@@ -14,6 +14,7 @@ pub use care::*;
 pub use draft::*;
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use ts_rs::TS;
 
 /// A point on the plan, in metres.
@@ -77,6 +78,8 @@ pub struct ThingView {
     pub name: String,
     pub kind: ThingKind,
     pub at: At,
+    /// What is done to it, and what undoes that: `Turn on`, `Turn off`.
+    pub verbs: [String; 2],
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
@@ -128,6 +131,8 @@ pub struct RunView {
     pub log: Vec<String>,
     /// Whether a recording is being lived again.
     pub replay: bool,
+    /// The versions of the scenario's files that it goes by: what has another one now was saved since. Of a replay there are none.
+    pub files: BTreeMap<String, String>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
@@ -219,6 +224,33 @@ pub struct StoredView {
     pub walked_back: Option<String>,
     /// Why it cannot be played back.
     pub problem: Option<String>,
+    /// When its files were begun, in milliseconds since 1970, where that is known.
+    #[ts(type = "number | null")]
+    pub made_ms: Option<i64>,
+    /// A number below 2^53.
+    #[ts(type = "number | null")]
+    pub seed: Option<u64>,
+    /// Conditions that are left out of it.
+    pub without: Vec<String>,
+    /// What somebody has called it, and noted about it.
+    pub about: RunAbout,
+}
+
+/// What somebody calls a stored run, and notes about it.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, TS)]
+#[serde(deny_unknown_fields)]
+pub struct RunAbout {
+    /// At most 100 letters; none where it is known by its folder alone.
+    pub title: String,
+    /// At most 2,000 letters.
+    pub note: String,
+}
+
+/// A run that was put aside, and can be fetched back.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, TS)]
+pub struct PutAside {
+    /// The name under which it is fetched back.
+    pub key: String,
 }
 
 /// A stored run as a whole. Of what is told here and in its days, the truth is only there where the run has left one.
@@ -299,6 +331,9 @@ pub struct DayView {
     pub rows: Vec<(i64, u32, u32)>,
     /// By resident; of none where there is no truth.
     pub lives: Vec<LifeView>,
+    /// Up to here movements are told; where that is not the day's end, the rest is asked for next.
+    #[ts(type = "number")]
+    pub until_us: i64,
 }
 
 /// Begin, end, what it was, in which posture, from where, to where.
@@ -430,4 +465,6 @@ pub enum Tell {
     Run { run: Box<RunView> },
     /// Something to read: what was done, or why it could not be.
     Note { text: String, bad: bool },
+    /// No run could be begun, and what is wrong with the scenario. The run that there was, if there was one, is there still.
+    Unbegun { why: String, problems: Vec<ProblemView> },
 }

@@ -40,10 +40,10 @@ test('a door leads out of the home inwards', () => {
 test('what can be reached, the nearest first', () => {
   const home = madeUpHome();
   home.things = [
-    { name: 'far', kind: 'lamp', at: [1, 2] },
-    { name: 'near', kind: 'furniture', at: [3.9, 2] },
-    { name: 'nearest', kind: 'door', at: [5, 2.4] },
-    { name: 'beyond the wall', kind: 'furniture', at: [5.8, 2] },
+    { name: 'far', kind: 'lamp', at: [1, 2], verbs: ['Open', 'Close'] },
+    { name: 'near', kind: 'furniture', at: [3.9, 2], verbs: ['Open', 'Close'] },
+    { name: 'nearest', kind: 'door', at: [5, 2.4], verbs: ['Open', 'Close'] },
+    { name: 'beyond the wall', kind: 'furniture', at: [5.8, 2], verbs: ['Open', 'Close'] },
   ];
   expect(within(home, [5, 2], 1.2)).toEqual([2, 1]);
   expect(within(home, [5, 2], 0.3)).toEqual([]);

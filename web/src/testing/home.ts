@@ -71,6 +71,8 @@ function centre([left, bottom, right, top]: Rect): At {
   return [(left + right) / 2, (bottom + top) / 2];
 }
 
+const VERBS: Record<ThingView['kind'], [string, string]> = { door: ['Open', 'Close'], furniture: ['Use', 'Stop using'], lamp: ['Turn on', 'Turn off'] };
+
 export function madeUpHome(sensors = 18, names: (name: string) => string = (name) => name): HomeView {
   const rooms: RoomView[] = ROOMS.map(([name, rect]) => ({ name: names(name), outline: corners(rect), middle: centre(rect) }));
   const solids: SolidView[] = [
@@ -78,7 +80,7 @@ export function madeUpHome(sensors = 18, names: (name: string) => string = (name
     ...FURNITURE.map(([name, rect, enterable]) => ({ kind: 'furniture' as const, name: names(name), outline: corners(rect), enterable })),
   ];
   const doors: DoorView[] = DOORS.map(([name, from, to, open, outside]) => ({ name: names(name), from, to, open, outside }));
-  const things: ThingView[] = THINGS.map(([name, kind]) => ({ name: names(name), kind, at: placeOf(name) }));
+  const things: ThingView[] = THINGS.map(([name, kind]) => ({ name: names(name), kind, at: placeOf(name), verbs: VERBS[kind] }));
   return {
     name: names('Made-up cottage'),
     bounds: [[-0.1, -0.1], [12.1, 8.1]],
@@ -102,6 +104,7 @@ export function madeUpRun(residents = 2, sensors = 18, driven: number | null = n
     days: daysFrom('2009-03-02', LENGTH_US, 6 * HOUR_US + 55 * 60_000_000),
     log: ['sqlite:log.db'],
     replay: false,
+    files: {},
   };
 }
 

@@ -55,7 +55,7 @@ export function storedDay(run: PlaybackView, number: number): DayView {
     movements.push([now, begin_us + DAY_US, 'away', 'standing', null, null]);
     return { movements, chances: [], rooms: [[begin_us, begin_us + 7 * HOUR_US, 4]], activities: run.spans[who]!.filter(([begin]) => begin >= begin_us && begin < begin_us + DAY_US) };
   });
-  return { rows, lives: run.has_truth ? lives : [] };
+  return { rows, lives: run.has_truth ? lives : [], until_us: run.days[number]!.end_us };
 }
 
 /** A log of some days that was walked back. */
@@ -85,7 +85,7 @@ export function fakeRuns(names: string[], make: (name: string) => PlaybackView =
     if (told !== null) return new Response(`<!doctype html><style>body{color:#123}</style><h1>${told[2]} of ${decodeURIComponent(told[1]!)}</h1><script>globalThis.broken=1</script>`);
     const [, name, day] = /^\/api\/runs\/([^/]+)(?:\/days\/(\d+))?$/.exec(path) ?? [];
     if (name === undefined) {
-      const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth, walk }) => ({ name, scenario, start, days: days.length, has_truth, walked_back: walk?.log ?? null, problem: null }));
+      const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth, walk }) => ({ name, scenario, start, days: days.length, has_truth, walked_back: walk?.log ?? null, problem: null, made_ms: null, seed: 7, without: [], about: { title: '', note: '' } }));
       return Response.json(list);
     }
     const run = runs.get(decodeURIComponent(name));

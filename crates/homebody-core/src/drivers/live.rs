@@ -10,8 +10,10 @@
 //! counted from the scenario's start, so steps never drift. A door within the home lets the body through while it is open,
 //! and is not shut on who stands in it.
 //!
-//! What is left out: turning, getting up to speed, and leaving the home: a door that leads out stops the body even when it
-//! is open. Beams, and those who are not moved by keys, find doors as the plan has them.
+//! A door that leads out lets the body out while it is open: pushed through it the body is away, until the keys point back in and the
+//! door is open.
+//!
+//! What is left out: turning and getting up to speed. Beams, and those who are not moved by keys, find doors as the plan has them.
 
 mod obstacles;
 
@@ -19,7 +21,8 @@ use super::input::Input;
 use super::{Driver, MotionSegment, Next, Surroundings};
 use crate::event::{MotionState, ThingUse};
 use crate::geometry::Point;
-use crate::home::plan::Plan;
+use crate::home::plan::{Origin, Plan};
+use crate::ids::ThingId;
 use crate::scenario::input::InputFile;
 use crate::scenario::path::Posture;
 use crate::time::{Micros, NEVER, SECOND, micros, seconds};
@@ -40,12 +43,16 @@ pub struct LiveDriver {
     pace_mps: f64,
     at: Point,
     obstacles: Obstacles,
+    exits: Vec<Exit>,
+    /// The door by which the body has left.
+    out: Option<Exit>,
 }
 
 impl LiveDriver {
     /// The driver of a body that stands at `start`.
     pub fn new(plan: &Plan, start: Point, radius_m: f64, pace_mps: f64, keys: KeyTrack) -> LiveDriver {
-        LiveDriver { keys, pace_mps, at: start, obstacles: Obstacles::new(plan, radius_m) }
+        let exits = Exit::all(plan, radius_m);
+        LiveDriver { keys, pace_mps, at: start, obstacles: Obstacles::new(plan, radius_m), exits, out: None }
     }
 }
 
@@ -63,6 +70,18 @@ impl Driver for LiveDriver {
         } else {
             self.keys.next_change().map_or(NEVER, step_from)
         };
+        if let Some(exit) = self.out {
+            let comes = velocity.dot(exit.outward) < 0.0 && around.is_on(exit.door);
+            if !comes {
+                return Next::Segment(MotionSegment {
+                    begin: now,
+                    end,
+                    doing: MotionState::Away,
+                    posture: Posture::Standing,
+                });
+            }
+            self.out = None;
+        }
         let mut doing = MotionState::Rest { at: self.at };
         if velocity != Point::ZERO {
             self.obstacles.set_doors(self.at, |door| around.is_on(door));
@@ -71,6 +90,11 @@ impl Driver for LiveDriver {
             if from.distance(to) >= STILL_M {
                 self.at = to;
                 doing = MotionState::Stride { from, to };
+            } else if let Some(exit) =
+                self.exits.iter().find(|exit| exit.takes(self.at, velocity) && around.is_on(exit.door))
+            {
+                self.out = Some(*exit);
+                doing = MotionState::Away;
             }
         }
         Next::Segment(MotionSegment { begin: now, end, doing, posture })
@@ -88,6 +112,51 @@ impl Driver for LiveDriver {
     /// Whatever else was to come is forgotten. Who rests until the next line of a file is not asked before.
     fn input(&mut self, at: Micros, input: Input) {
         self.keys.input(at, input);
+    }
+}
+
+/// A door that leads out, as a body finds it from within.
+#[derive(Clone, Copy, Debug)]
+struct Exit {
+    door: ThingId,
+    /// The jambs on the inner side.
+    from: Point,
+    to: Point,
+    /// Across the door, of length 1.
+    outward: Point,
+    radius_m: f64,
+}
+
+/// How much farther from a door than its radius a body may be that pushes against it (ours): the gap that the physics keeps, and
+/// the noise of a step.
+const REACH_M: f64 = 0.03;
+
+impl Exit {
+    fn all(plan: &Plan, radius_m: f64) -> Vec<Exit> {
+        let shut = plan.solids.iter().filter_map(|solid| match solid.origin {
+            Origin::Door(door) => Some((door, &solid.outline)),
+            _ => None,
+        });
+        let open = plan.openings.iter().map(|opening| (opening.door, &opening.outline));
+        let exit = |(door, outline): (usize, &Vec<Point>)| {
+            let &[a, b, c, d] = &outline[..] else { return None };
+            let (near, far) = ((a + b) / 2.0, (c + d) / 2.0);
+            let across = (far - near).normalize_or_zero();
+            // One side of it is in the home.
+            let (is_near, is_far) = (plan.is_inside(near - across * radius_m), plan.is_inside(far + across * radius_m));
+            let (from, to, outward) = if is_near { (a, b, across) } else { (c, d, -across) };
+            (is_near != is_far).then_some(Exit { door: ThingId::of(door), from, to, outward, radius_m })
+        };
+        shut.chain(open).filter_map(exit).collect()
+    }
+
+    /// Whether a body that pushes so is let out: mostly outward, and between the jambs.
+    fn takes(&self, at: Point, velocity: Point) -> bool {
+        let along = self.to - self.from;
+        let share = (at - self.from).dot(along) / along.length_squared();
+        let far = (self.from - at).dot(self.outward);
+        let pushes = velocity.dot(self.outward) > 0.5 * velocity.length();
+        pushes && (0.0..=1.0).contains(&share) && (0.0..=self.radius_m + REACH_M).contains(&far)
     }
 }
 
@@ -154,7 +223,7 @@ mod tests {
     use crate::drivers::input::Held;
     use crate::geometry::{self, point};
     use crate::home::Build;
-    use crate::ids::{ResidentId, ThingId};
+    use crate::ids::ResidentId;
     use crate::scenario::input::Key;
     use rand_chacha::ChaCha8Rng;
     use rand_core::{Rng, SeedableRng};
@@ -363,10 +432,30 @@ mod tests {
         let mut at_open = standing_at(2.45, 3.5);
         walk(&mut at_open, &[Key::Up], 0, 3 * SECOND, &[]);
         assert!((at_open.at.y - 5.3).abs() < 0.01);
+    }
 
+    /// Out by the open front door, and in again by the same; a door that is shut is no way in or out.
+    #[test]
+    fn who_pushes_through_the_open_front_door_is_away_until_the_keys_point_back() {
         let mut at_front = standing_at(1.0, 5.05);
-        walk(&mut at_front, &[Key::Left], 0, 5 * SECOND, &[]);
-        assert!((at_front.at.x - (0.05 + RADIUS_M)).abs() < 0.01, "an open door that leads out stops it too");
+        let went = walk(&mut at_front, &[Key::Left], 0, 5 * SECOND, &[]);
+        assert_eq!(went.last().map(|span| span.doing.clone()), Some(MotionState::Away));
+        let out = walk(&mut at_front, &[], 5 * SECOND, 6 * SECOND, &[]);
+        assert!(out.iter().all(|span| span.doing == MotionState::Away && span.end - span.begin <= SECOND / 60 + 1));
+        let mut copy = at_front.clone();
+        let back = walk(&mut at_front, &[Key::Right], 6 * SECOND, 8 * SECOND, &[]);
+        assert!(matches!(back.last().map(|span| &span.doing), Some(MotionState::Stride { .. })));
+        assert!(at_front.at.x > 1.0, "{}", at_front.at);
+        // Somebody has shut it meanwhile.
+        let mut shut = doors_as_planned();
+        shut[plan().thing("front door").unwrap()] = false;
+        copy.input(6 * SECOND, holding(&[Key::Right]));
+        let Next::Segment(waits) = ask(&mut copy, 7 * SECOND, &[], &shut) else { panic!("no move") };
+        assert_eq!(waits.doing, MotionState::Away);
+        // Beside the door there is a wall.
+        let mut beside = standing_at(1.0, 4.3);
+        let pushed = walk(&mut beside, &[Key::Left], 0, 5 * SECOND, &[]);
+        assert!(pushed.iter().all(|span| span.doing != MotionState::Away));
     }
 
     #[test]

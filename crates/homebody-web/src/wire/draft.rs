@@ -84,6 +84,65 @@ pub struct CheckView {
     pub warnings: Vec<ProblemView>,
 }
 
+/// What has a name in a scenario.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, TS)]
+#[serde(rename_all = "snake_case")]
+pub enum Named {
+    Room,
+    Door,
+    Furniture,
+    Place,
+    Sensor,
+    Resident,
+}
+
+/// A thing is to be called otherwise.
+#[derive(Clone, Debug, PartialEq, Deserialize, TS)]
+#[serde(deny_unknown_fields)]
+pub struct Rename {
+    pub draft: Draft,
+    pub kind: Named,
+    pub from: String,
+    pub to: String,
+}
+
+/// Things that are to go.
+#[derive(Clone, Debug, PartialEq, Deserialize, TS)]
+#[serde(deny_unknown_fields)]
+pub struct Forget {
+    pub draft: Draft,
+    pub kind: Named,
+    pub names: Vec<String>,
+}
+
+/// Where things are named.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
+pub struct NamesView {
+    pub mentions: Vec<MentionView>,
+    /// The texts that change, as they are then.
+    pub texts: BTreeMap<String, String>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct MentionView {
+    pub file: String,
+    /// From 1.
+    pub line: u32,
+    /// The line, cut where it is long.
+    pub said: String,
+    /// Whether it goes with the thing in `texts`; what does not is left to whoever writes the file.
+    pub goes: bool,
+}
+
+/// A mend of what is wrong and has one answer.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct MendView {
+    /// What is done, as a button says it.
+    pub what: String,
+    /// The texts that change, as they are then.
+    pub texts: BTreeMap<String, String>,
+}
+
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct ProblemView {
     pub file: String,
@@ -314,7 +373,7 @@ pub struct ConnectView {
 }
 
 /// What the log of the run that is being lived has got so far.
-#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, TS)]
 pub struct GrowthView {
     /// How often motion sensors fired in each hour of the clock, by day.
     pub hours: Vec<Vec<u32>>,

@@ -4,6 +4,7 @@ mod desk;
 mod guard;
 mod limits;
 mod living;
+mod naming;
 mod served;
 mod slow;
 mod underlay;

@@ -4,9 +4,12 @@ use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::print::{print_text, tell};
 use crate::signals::{Signals, begin_other};
+use homebody_core::scenario::load::{Files, NoText};
+use homebody_kit::Error;
 use homebody_log::places::RUNS;
 use homebody_web::shelf::Shelf;
 use homebody_web::{Address, Options, ServeError};
+use serde_json::Value;
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -16,7 +19,7 @@ use std::process::{Command, Stdio};
 /// The page is served to this machine alone, and only to who has the address that is printed: it holds a token. A browser is led
 /// there by a file that only you can read, and which is removed when it has come. Programs send the token, which is what stands
 /// behind `#token=` in the address, in the header `X-Homebody-Token`. Runs go into new folders under runs/, as those
-/// of homebody run. Ctrl-C ends the run and the server, and that is no failure: the exit code is 0.
+/// of homebody run. A scenario with problems is served as well: the page says what is wrong, and mends it. Ctrl-C ends the run and the server, and that is no failure: the exit code is 0.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody serve scenarios/tigerplace
@@ -48,7 +51,15 @@ impl Arguments {
             is_trusted: self.trust.is_given(),
             runs: Path::new(RUNS).into(),
         };
-        source.open()?;
+        match source.open() {
+            Err(Error::Problems(problems)) if can_be_mended(&shelf) => {
+                let count = problems.0.len();
+                tell(format_args!(
+                    "warning: no run can be begun yet; the page shows what is wrong, and mends it ({count} problems)"
+                ));
+            }
+            opened => drop(opened?),
+        }
         let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into()).to_canonical();
         if ip.is_unspecified() {
             return Err(Failure::Usage(format!(
@@ -71,6 +82,16 @@ impl Arguments {
         };
         Ok(homebody_web::serve(options, signals.cancel(), ready)?)
     }
+}
+
+/// Whether what is wrong with a scenario is in files that the page can show: what cannot be read, or leads out of the folder, it cannot.
+fn can_be_mended(shelf: &Shelf) -> bool {
+    let Ok(text) = shelf.read(&shelf.entry) else { return false };
+    let Ok(root) = serde_json::from_str::<Value>(&text) else { return false };
+    let residents = root["residents"].as_array().into_iter().flatten();
+    let mut named =
+        [&root["home"], &root["logger"], &root["link"]].into_iter().chain(residents).filter_map(Value::as_str);
+    !named.any(|name| matches!(shelf.read(name), Err(NoText::Unreadable { .. })))
 }
 
 /// Opens the file that leads to the page in the browser that this machine has, if it has one: everybody may read what a

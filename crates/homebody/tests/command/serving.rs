@@ -97,3 +97,25 @@ fn a_scenario_of_ones_own_is_served_by_its_links() {
     served.wait().unwrap();
     assert!(said.starts_with("http://"), "{said}");
 }
+
+/// A scenario with problems is served, so that the page can mend it; one whose files the page could not show is not.
+#[test]
+fn a_scenario_with_problems_is_served_and_what_cannot_be_shown_is_not() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    let logger = folder.read("tigerplace/logger.json");
+    folder.write("tigerplace/logger.json", &logger.replace("hall motion", "corridor motion"));
+    let mut command = folder.command("serve tigerplace --no-open --port 0");
+    let mut served = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let mut said = String::new();
+    BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();
+    served.kill().unwrap();
+    let mut warned = String::new();
+    served.stderr.take().unwrap().read_to_string(&mut warned).unwrap();
+    served.wait().unwrap();
+    assert!(said.starts_with("http://"), "{said}");
+    assert!(warned.contains("no run can be begun yet"), "{warned}");
+    folder.write("tigerplace/scenario.json", "{");
+    folder.run("serve tigerplace --no-open").fails(2, "scenario.json");
+    folder.run("serve nowhere --no-open").fails(2, "nowhere");
+}

@@ -35,7 +35,7 @@ const care = (name: string, walks: WalksView = 'lived'): CareView => ({
   ],
 });
 
-const stored = (name: string): StoredView => ({ name, walked_back: null, scenario: name, start: '2009-03-02 00:00:00', days: 30, has_truth: false, problem: null });
+const stored = (name: string): StoredView => ({ name, walked_back: null, scenario: name, start: '2009-03-02 00:00:00', days: 30, has_truth: false, problem: null, made_ms: null, seed: null, without: [], about: { title: '', note: '' } });
 
 let view: Record<string, unknown>;
 let answers: Record<string, unknown>;

@@ -4,12 +4,13 @@
 import { type CompletionContext, type CompletionResult, autocompletion, insertCompletionText, pickedCompletion } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { type Diagnostic, forEachDiagnostic, lintKeymap, setDiagnostics } from '@codemirror/lint';
-import { Annotation, EditorState, type Extension, type Range, type Text } from '@codemirror/state';
+import { Annotation, EditorState, type Extension, type Range, StateEffect, StateField, type Text } from '@codemirror/state';
 import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from '@codemirror/view';
 import type { ProblemView, WordView } from '../../wire';
 import { instead, offers } from './complete';
 import { placeOf } from './marks';
 import { look } from './look';
+import { MOST_ROWS } from './rows';
 
 /** What the editor asks of whoever shows it, at the time at which it needs it. */
 type Host = {
@@ -96,6 +97,11 @@ export class RoutineEditor {
   follow(lines: readonly number[]): void {
     const { doc } = this.view.state;
     this.anchors = lines.map((line) => doc.line(Math.min(Math.max(line, 1), doc.lines)).from);
+    // A line that means several things is as high as what is told beside it.
+    const rows = new Map<number, number>();
+    for (const at of this.anchors) rows.set(at, (rows.get(at) ?? 0) + 1);
+    const high = [...rows].filter(([, count]) => count > 1).sort(([a], [b]) => a - b);
+    this.view.dispatch({ effects: setRows.of(Decoration.set(high.map(([at, count]) => Decoration.line({ class: `rows-${Math.min(count, MOST_ROWS)}` }).range(at)))) });
   }
 
   /** How far below the top of the text the lines that are followed begin, in pixels, and in which lines they are now. */
@@ -154,6 +160,7 @@ export class RoutineEditor {
       autocompletion({ override: [(context) => this.complete(context)], selectOnOpen: false, icons: false, activateOnTypingDelay: 60, interactionDelay: 0 }),
       keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap]),
       comments,
+      rowsOf,
       look,
       EditorView.updateListener.of((update) => this.changed(update)),
     ];
@@ -230,6 +237,17 @@ function difference(old: Text, fresh: Text): { from: number; to: number; insert:
   while (to > from && end > from && a[to - 1] === b[end - 1]) [to, end] = [to - 1, end - 1];
   return { from, to, insert: fresh.slice(from, end) };
 }
+
+const setRows = StateEffect.define<DecorationSet>();
+
+/** Lines that are higher than a line, since more than one row stands beside them. */
+const rowsOf = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(rows, { changes, effects }) {
+    return effects.reduce((all, effect) => (effect.is(setRows) ? effect.value : all), rows.map(changes));
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
 
 const comment = Decoration.mark({ class: 'comment' });
 

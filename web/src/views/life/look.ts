@@ -1,7 +1,7 @@
 // How the editor looks: as the rest of the page, whose colours reach into its shadow root.
 
 import { EditorView } from '@codemirror/view';
-import { LINE_PX } from './rows';
+import { LINE_PX, MOST_ROWS } from './rows';
 
 export const look = EditorView.theme({
   '&': { height: '100%', backgroundColor: 'var(--raised)', color: 'var(--text)', fontSize: '14px' },
@@ -9,6 +9,7 @@ export const look = EditorView.theme({
   '.cm-scroller': { fontFamily: 'inherit', lineHeight: `${LINE_PX}px`, overflow: 'auto' },
   '.cm-content': { padding: '8px 0 96px', caretColor: 'var(--text)' },
   '.cm-line': { padding: '0 8px 0 6px' },
+  ...Object.fromEntries(Array.from({ length: MOST_ROWS - 1 }, (_, index) => [`.rows-${index + 2}`, { minHeight: `${(index + 2) * LINE_PX}px` }])),
   '.cm-cursor': { borderLeftColor: 'var(--text)' },
   '.cm-gutters': { backgroundColor: 'var(--raised)', color: 'var(--quiet)', border: 'none', fontSize: '12px', fontVariantNumeric: 'tabular-nums' },
   '.cm-lineNumbers .cm-gutterElement': { minWidth: '30px', padding: '0 6px 0 4px' },

@@ -3,6 +3,9 @@
 /** The height of a line; what stands beside it goes by the same one. */
 export const LINE_PX = 24;
 
+/** So many rows stand beside a line at most without pushing those below it. */
+export const MOST_ROWS = 12;
+
 /** Beside their lines, or below the row before where that is still in the way. */
 export function stacked(tops: readonly number[], height: number): number[] {
   let next = 0;

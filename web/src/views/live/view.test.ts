@@ -46,6 +46,8 @@ const plan = () => document.querySelector<HTMLElement>('[role="application"]')!;
 const button = (name: string) => [...document.querySelectorAll('button')].find((one) => (one.getAttribute('aria-label') ?? one.textContent!).trim().startsWith(name))!;
 
 beforeEach(() => {
+  // Whether a file was saved is asked of a server that there is not.
+  vi.stubGlobal('fetch', () => Promise.reject(new TypeError('no server')));
   vi.useFakeTimers();
   begin(madeUpRun(2, 18, 0));
 });
@@ -53,12 +55,89 @@ beforeEach(() => {
 afterEach(async () => {
   await unmount(view);
   live.close();
+  vi.unstubAllGlobals();
   vi.useRealTimers();
 });
 
-test('keys walk only while the plan has the focus', () => {
+test('keys walk after any button of the panel, and not while something is written or chosen', () => {
+  for (const at of [button('Sit'), button('10×')]) {
+    at.focus();
+    key('keydown', 'KeyW');
+    key('keyup', 'KeyW');
+    expect(sent.splice(0)).toEqual([{ say: 'hold', keys: ['up'] }, { say: 'hold', keys: [] }]);
+  }
+  for (const at of ['#walks', 'input[type="datetime-local"]', 'input[type="range"]']) {
+    document.querySelector<HTMLElement>(at)!.focus();
+    key('keydown', 'KeyW');
+    expect(sent).toEqual([]);
+  }
+  void unmount(view);
+  begin(madeUpRun(2, 18, null));
   key('keydown', 'KeyW', document.body);
   expect(sent).toEqual([]);
+});
+
+test('without a run it is said what is wrong, and a run is begun once that is mended', () => {
+  void unmount(view);
+  live.close();
+  live = new Live('token', () => {}, () => wire);
+  live.open();
+  wire.onopen!();
+  view = mount(LiveView, { target: document.body, props: { live } });
+  const problem = { file: 'logger.json', line: 5, column: 3, width: 4, what: 'there is no sensor "hall motion"', hint: null };
+  const unbegun = { tell: 'unbegun', why: 'No run can be begun: something is wrong with the scenario.', problems: [problem] };
+  wire.onmessage!({ data: JSON.stringify(unbegun) });
+  flushSync();
+  const card = () => document.querySelector('[aria-label="No run"]')!;
+  expect(card().textContent).toContain('No run can be begun');
+  expect(card().textContent).toContain('there is no sensor');
+  live.drafts.check = { problems: [], warnings: [] };
+  flushSync();
+  expect(card().textContent).toContain('What was wrong is mended.');
+  wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: madeUpRun(2, 18, 0) }) });
+  flushSync();
+  expect(card()).toBeNull();
+  show({});
+  // Beside a run that goes on it is said as well, and goes when it is read.
+  wire.onmessage!({ data: JSON.stringify(unbegun) });
+  flushSync();
+  expect(plan()).not.toBeNull();
+  button('Dismiss').click();
+  flushSync();
+  expect(card()).toBeNull();
+});
+
+test('what has been saved since the run began is told, and a run is begun anew on request', () => {
+  void unmount(view);
+  begin({ ...madeUpRun(2, 18, null), files: { 'home.json': 'old', 'logger.json': 'same', 'gone.json': 'x' } });
+  const said = () => document.querySelector('[aria-label="Run"]')!.textContent!.replace(/\s+/g, ' ');
+  const files = (home: string) => {
+    const file = (name: string, version: string) => ({ name, version, text: '' });
+    live.drafts.files = { entry: 'scenario.json', home: 'home.json', logger: null, lives: [], files: [file('home.json', home), file('logger.json', 'same')] };
+    flushSync();
+  };
+  files('old');
+  expect(said()).not.toContain('since this run began');
+  files('new');
+  expect(said()).toContain('home.json has been saved since this run began: it goes by what they were.');
+  button('Begin anew').click();
+  expect(sent).toEqual([{ say: 'start', driven: null, without: [], seed: null }]);
+});
+
+test('a stove is turned on and a wardrobe opened, and who is out finds the door', () => {
+  const things = live.run!.home.things;
+  expect(things.length).toBeGreaterThan(0);
+  const verbs = new Set([...document.querySelectorAll('[aria-label="Within reach"] button')].map((one) => one.textContent!.trim()));
+  for (const verb of verbs) expect(['Open', 'Close', 'Turn on', 'Turn off', 'Use', 'Stop using']).toContain(verb);
+  const near = live.run!.home.doors.find(({ outside }) => outside)!;
+  const at = things.find(({ name }) => name === near.name)!.at;
+  show({ bodies: [{ at, heading_deg: 0, posture: 'standing', room: null, activity: null }, null] });
+  show({ bodies: [null, null] });
+  const reach = () => document.querySelector('[aria-label="Within reach"]')!.textContent!;
+  expect(reach()).toContain(near.name);
+});
+
+test('keys of the plan are its own', () => {
   plan().focus();
   const event = key('keydown', 'KeyW');
   key('keydown', 'KeyW');

@@ -2,6 +2,7 @@
 // of the home; all else is read from it.
 
 import type { Drafts } from '../../drafts.svelte';
+import type { Forget, Named, NamesView, Rename } from '../../wire';
 import { History } from '../../history.svelte';
 import { type Change, type Fault, apply, insert } from '../../json';
 import type { At } from '../../plan/geometry';
@@ -20,7 +21,12 @@ export type Tool =
   | { tool: 'sensor'; kind: SensorKind }
   | { tool: 'scale' };
 
-type Former = { text: string; selected: string[] };
+/** Texts of other files that a step has changed, with what they were and what it made of them. */
+type Others = Record<string, { was: string; is: string }>;
+
+type Former = { text: string; selected: string[]; others?: Others };
+
+const KINDS: Partial<Record<List, Named>> = { rooms: 'room', doors: 'door', furniture: 'furniture', places: 'place', sensors: 'sensor' };
 
 const SHIFT_M: At = [0.3, -0.3];
 
@@ -32,6 +38,8 @@ export class Editor {
   /** What is said about the last thing done. */
   said = $state('');
   copied = $state.raw<{ list: List; value: Value }[]>([]);
+  /** What still speaks of things that were deleted, and the texts without that. */
+  left = $state.raw<NamesView | null>(null);
   private readonly history = new History<Former>();
   private known: string | undefined;
   /** The text as it was when a drag began. */
@@ -81,6 +89,64 @@ export class Editor {
     this.history.keep({ text: before, selected: this.selected }, tag);
     this.put(text);
     this.selected = selected;
+  }
+
+  /** Texts of several files take the places of those there are, as one step. */
+  writeAll(texts: Record<string, string>): void {
+    const { [this.file ?? '']: own, ...rest } = texts;
+    const before = this.text;
+    if (before === undefined) return;
+    const others: Others = Object.fromEntries(Object.entries(rest).flatMap(([name, is]) => {
+      const was = this.drafts.text(name);
+      return was === undefined || was === is ? [] : [[name, { was, is }]];
+    }));
+    this.history.keep({ text: before, selected: this.selected, others });
+    for (const [name, { is }] of Object.entries(others)) this.drafts.write(name, is);
+    if (own !== undefined) this.put(own);
+  }
+
+  /** A thing is called otherwise, in all files at once. */
+  async rename(element: Element, name: string, alone: () => void): Promise<void> {
+    const kind = KINDS[element.list];
+    if (kind === undefined || element.name === '' || element.name === name) return alone();
+    const { text } = this;
+    try {
+      const asked = { draft: this.drafts.draft, kind, from: element.name, to: name } satisfies Rename;
+      const { mentions, texts } = await this.drafts.server.post<NamesView>('/api/rename', asked);
+      // Somebody has drawn on meanwhile, or there is no more than the thing itself.
+      if (this.text !== text || this.file === null || texts[this.file] === undefined) return alone();
+      this.writeAll(texts);
+      const files = new Set(mentions.map(({ file }) => file).filter((file) => file !== this.file));
+      this.said = `Renamed${files.size > 0 ? `, in ${[...files].join(', ').slice(0, 200)} as well` : ''}.`;
+    } catch {
+      alone();
+    }
+  }
+
+  /** Asks what still speaks of what was deleted. */
+  private async forget(gone: Element[]): Promise<void> {
+    const { text } = this;
+    const left: NamesView = { mentions: [], texts: {} };
+    for (const [list, kind] of Object.entries(KINDS)) {
+      const names = gone.filter((element) => element.list === list && element.name !== '').map(({ name }) => name);
+      if (names.length === 0 || kind === undefined) continue;
+      try {
+        const draft = { texts: { ...this.drafts.texts, ...left.texts } };
+        const found = await this.drafts.server.post<NamesView>('/api/forget', { draft, kind, names } satisfies Forget);
+        left.mentions.push(...found.mentions);
+        Object.assign(left.texts, found.texts);
+      } catch {
+        return;
+      }
+    }
+    if (this.text === text && left.mentions.length > 0) this.left = left;
+  }
+
+  /** What still speaks of what was deleted goes as well. */
+  forgetAll(): void {
+    const { left } = this;
+    this.left = null;
+    if (left) this.writeAll(left.texts);
   }
 
   change(changes: Change[], tag = ''): void {
@@ -139,6 +205,8 @@ export class Editor {
     const { home, chosen } = this;
     if (home === null || chosen.length === 0) return;
     this.write(apply(home.text, chosen.map(({ list, index }) => ({ path: [list, index], value: undefined }))), '', []);
+    this.left = null;
+    void this.forget(chosen);
   }
 
   copy(): void {
@@ -183,9 +251,18 @@ export class Editor {
 
   private step(way: 'undo' | 'redo'): void {
     if (this.text === undefined) return;
-    const former = this.history[way](this.held ?? { text: this.text, selected: this.selected });
+    const now: Former = { ...(this.held ?? { text: this.text, selected: this.selected }) };
+    const former = this.history[way](now);
     if (former === undefined) return;
     this.held = null;
+    this.left = null;
+    now.others = {};
+    for (const [name, { was, is }] of Object.entries(former.others ?? {})) {
+      // What was written there since stays.
+      if (this.drafts.text(name) !== is) continue;
+      this.drafts.write(name, was);
+      now.others[name] = { was: is, is: was };
+    }
     this.put(former.text);
     this.selected = former.selected.filter((id) => this.home?.byId.has(id));
     this.drawn = [];

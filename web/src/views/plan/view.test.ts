@@ -86,6 +86,66 @@ function type(label: string, typed: string): void {
   flushSync();
 }
 
+test('another name is followed into other files, as one step that is undone', async () => {
+  const renamed = vi.fn(({ draft, from, to }: { draft: { texts: Record<string, string> }; from: string; to: string }) => ({
+    mentions: [{ file: 'logger.json', line: 1, said: from, goes: true }],
+    texts: { 'home.json': (draft.texts['home.json'] ?? FLAT).replaceAll(JSON.stringify(from), JSON.stringify(to)), 'logger.json': `{"ids":{"${to}":"A1"}}` },
+  }));
+  await begin(FLAT, { '/api/rename': renamed as never });
+  files.texts['logger.json'] = '{"ids":{"room motion":"A1"}}';
+  await vi.advanceTimersByTimeAsync(3000);
+  const home = text();
+  live.drafts.write('home.json', home);
+  click('List');
+  click('room motion');
+  click('Element');
+  type('Name', 'parlour motion');
+  await settle();
+  expect(renamed).toHaveBeenCalledOnce();
+  expect(text()).toBe(home.replaceAll('"room motion"', '"parlour motion"'));
+  expect(live.drafts.text('logger.json')).toBe('{"ids":{"parlour motion":"A1"}}');
+  click('Undo');
+  expect([text(), live.drafts.text('logger.json')]).toEqual([home, '{"ids":{"room motion":"A1"}}']);
+  click('Redo');
+  expect(live.drafts.text('logger.json')).toBe('{"ids":{"parlour motion":"A1"}}');
+  // What was written there since is nobody's to undo.
+  live.drafts.write('logger.json', '{"ids":{}}');
+  click('Undo');
+  expect([text(), live.drafts.text('logger.json')]).toEqual([home, '{"ids":{}}']);
+});
+
+test('what speaks of a thing that is deleted is told, and goes as well on request', async () => {
+  await begin(FLAT, { '/api/forget': () => ({ mentions: [{ file: 'logger.json', line: 1, said: '"room motion": "A1"', goes: true }], texts: { 'logger.json': '{"ids":{}}' } }) });
+  files.texts['logger.json'] = '{"ids":{"room motion":"A1"}}';
+  await vi.advanceTimersByTimeAsync(3000);
+  const home = text();
+  click('List');
+  click('room motion');
+  click('Element');
+  click('Delete');
+  await settle();
+  expect(document.querySelector('[role="alertdialog"]')!.textContent).toContain('One line still speaks of what you have deleted');
+  click('Remove it as well');
+  expect(live.drafts.text('logger.json')).toBe('{"ids":{}}');
+  expect(document.querySelector('[role="alertdialog"]')).toBeNull();
+  click('Undo');
+  click('Undo');
+  expect([text(), live.drafts.text('logger.json')]).toEqual([home, '{"ids":{"room motion":"A1"}}']);
+});
+
+test('what has one answer is mended by a button', async () => {
+  const mend = { what: 'Remove the 2 ids of sensors that are gone', texts: { 'logger.json': '{"ids":{}}' } };
+  await begin(FLAT, { '/api/mends': () => [mend] });
+  files.texts['logger.json'] = '{"ids":{"a":"1","b":"2"}}';
+  files.check = { problems: [{ file: 'logger.json', line: 1, column: 8, width: 3, what: 'there is no sensor "a"', hint: null }], warnings: [] };
+  await vi.advanceTimersByTimeAsync(3000);
+  await settle();
+  click('Problems');
+  await settle();
+  click('Remove the 2 ids');
+  expect(live.drafts.text('logger.json')).toBe('{"ids":{}}');
+});
+
 test('all can be selected, moved, turned and deleted by keys', async () => {
   await begin(FLAT);
   plan().focus();
@@ -215,6 +275,7 @@ test('another name is taken over by the sensors', async () => {
   click('bed');
   click('Element');
   type('Name', EVIL);
+  await settle();
   expect(value().furniture[0].name).toBe(EVIL);
   expect(value().sensors[1].on).toBe(EVIL);
   type('Name', '  ');

@@ -25,6 +25,8 @@ export class Player {
   heat = $state(false);
   /** The instant as text shows it; drawings have every one. */
   shown_us = $state(0);
+  /** How much has come of the day that is shown, where it comes in pieces. */
+  share = $state<number | null>(null);
   /** Grows when a day has come. */
   came = $state(0);
 
@@ -80,6 +82,13 @@ export class Player {
     }
   }
 
+  /** The run that is shown is gone. */
+  close(): void {
+    this.pause();
+    this.asked += 1;
+    this.first = this.ticker = null;
+  }
+
   async beside(name: string | null): Promise<void> {
     const asked = ++this.askedBeside;
     this.second = null;
@@ -124,6 +133,11 @@ export class Player {
     else this.ticker.play();
     this.show();
     this.load();
+  }
+
+  /** What comes in pieces is left as it is. */
+  stop(): void {
+    this.first?.stop();
   }
 
   pause(): void {
@@ -187,7 +201,7 @@ export class Player {
     if (number < 0 || number >= run.view.days.length) return false;
     const isNew = !run.has(number);
     try {
-      await run.day(number);
+      await run.day(number, (share) => now && run === this.first && (this.share = share));
     } catch (error) {
       if (now && (run === this.first || run === this.second)) {
         this.problem = said(error);
@@ -195,6 +209,7 @@ export class Player {
       }
       return false;
     }
+    if (now && run === this.first) this.share = null;
     if (isNew) this.came += 1;
     return true;
   }

@@ -39,6 +39,40 @@ beforeEach(async () => {
   await settle();
 });
 
+test('a day of a very large truth comes in pieces, with how much of it has come, and can be stopped', async () => {
+  const day = storedDay(storedRun('large', DAYS), 0);
+  const shares: (number | null)[] = [];
+  let asked = 0;
+  const pieces = {
+    json: server.json,
+    packed: async <T>(path: string) => {
+      const from = Number(/\/from\/(\d+)$/.exec(path)?.[1] ?? 0);
+      if (!path.includes('/days/0')) return server.packed<T>(path);
+      asked += 1;
+      const until_us = Math.min(from + 6 * 3600e6, 86_400e6);
+      const movements = (all: typeof day.lives[number]['movements']) => all.filter(([begin, end]) => begin < until_us && end > from);
+      await settle();
+      shares.push(player.share);
+      return { ...day, rows: from === 0 ? day.rows : [], lives: day.lives.map((life) => ({ ...life, movements: movements(life.movements) })), until_us } as T;
+    },
+  };
+  player = new Player(pieces);
+  await player.open('large');
+  for (let turn = 0; turn < 20; turn++) await settle();
+  expect(asked).toBe(4);
+  expect(shares).toEqual([null, 0.25, 0.5, 0.75]);
+  expect(player.share).toBeNull();
+  expect(player.first!.at(0)!.view.lives.map(({ movements }) => movements)).toEqual(day.lives.map(({ movements }) => movements));
+
+  [asked, player] = [0, new Player(pieces)];
+  await player.open('large');
+  while (player.share === null) await settle();
+  player.stop();
+  for (let turn = 0; turn < 20; turn++) await settle();
+  expect(asked).toBeLessThan(4);
+  expect(player.first!.at(0)).not.toBeNull();
+});
+
 test('who goes back to the run that is shown does not get another one that comes late', async () => {
   holds.add(storedPath('b'));
   void player.open('b');

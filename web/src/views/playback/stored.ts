@@ -2,7 +2,7 @@
 
 import type { DayDrawing } from '../../charts/lanes';
 import { dayAt } from '../../localtime';
-import { type Server, storedPath } from '../../server';
+import { type Server, restPath, storedPath } from '../../server';
 import type { DayView, PlaybackView } from '../../wire';
 import { type Day, prepare } from './day';
 import { OUT, placeName, spansIn } from './doubt';
@@ -13,6 +13,8 @@ const KEPT = 12;
 export class Stored {
   private readonly days = new Map<number, Day>();
   private readonly coming = new Map<number, Promise<Day>>();
+  /** Nothing more of a day that is on its way is asked for. */
+  private stopped = false;
 
   constructor(
     readonly view: PlaybackView,
@@ -32,8 +34,33 @@ export class Stored {
     return this.days.has(number);
   }
 
+  /** What has come of days that are on their way is all that is shown of them. */
+  stop(): void {
+    if (this.coming.size > 0) this.stopped = true;
+  }
+
+  /** A day of a very large truth comes in pieces. */
+  private async pieces(number: number, onshare: (share: number) => void): Promise<DayView> {
+    this.stopped = false;
+    const { begin_us, end_us } = this.view.days[number]!;
+    const view = await this.server.packed<DayView>(storedPath(this.view.name, number));
+    while (view.until_us < end_us && !this.stopped) {
+      onshare((view.until_us - begin_us) / Math.max(end_us - begin_us, 1));
+      const more = await this.server.packed<DayView>(restPath(this.view.name, number, view.until_us));
+      // A server that does not come on would be asked for ever.
+      if (more.until_us <= view.until_us) break;
+      view.until_us = more.until_us;
+      more.lives.forEach(({ movements }, who) => {
+        const known = view.lives[who]?.movements;
+        const last = known?.at(-1)?.[1] ?? -Infinity;
+        for (const movement of movements) if (movement[1] > last) known?.push(movement);
+      });
+    }
+    return view;
+  }
+
   /** A day, fetched if need be. */
-  async day(number: number): Promise<Day> {
+  async day(number: number, onshare: (share: number) => void = () => {}): Promise<Day> {
     const known = this.days.get(number);
     if (known !== undefined) {
       // It is the last one that was wanted now.
@@ -43,7 +70,7 @@ export class Stored {
     }
     const before = this.coming.get(number);
     if (before !== undefined) return before;
-    const fetched = this.server.packed<DayView>(storedPath(this.view.name, number)).then((view) => {
+    const fetched = this.pieces(number, onshare).then((view) => {
       const day = prepare(this.view, number, view);
       this.days.set(number, day);
       for (const old of [...this.days.keys()].slice(0, -KEPT)) this.days.delete(old);

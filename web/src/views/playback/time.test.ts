@@ -67,7 +67,7 @@ test('strides are walked evenly, and who rests faces where the last one led', ()
 
 test('a sensor is lit for two seconds of the run, and OFF lights none', () => {
   const run = storedRun('one', 1, { sensors: ['a', 'b'] });
-  const day = prepare(run, 0, { rows: [[10e6, 0, 0], [11e6, 1, 1], [20e6, 0, 0]], lives: [] });
+  const day = prepare(run, 0, { rows: [[10e6, 0, 0], [11e6, 1, 1], [20e6, 0, 0]], lives: [], until_us: DAY });
   expect([9e6, 10e6, 11.9e6, 12e6, 20.5e6].map((at) => lit(day, at))).toEqual([[], [0], [0], [], [0]]);
   expect(counts(day, 20e6)).toEqual([2, 0]);
 });
@@ -77,6 +77,7 @@ test('stillness is more than a minute in which nothing fires and nobody strides'
   const run = storedRun('one', 1);
   const day = prepare(run, 0, {
     rows: [[100e6, 0, 0]],
+    until_us: DAY,
     lives: [{ movements: [[300e6, 400e6, 'stride', 'standing', [0, 0], [1, 1]], [400e6, 900e6, 'in_place', 'lying', [0, 0], [0, 0]]], rooms: [], activities: [], chances: [] }],
   });
   expect(day.quiet).toEqual([[0, 100e6], [100e6, DAY]]);

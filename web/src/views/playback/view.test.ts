@@ -44,6 +44,7 @@ beforeEach(() => {
 });
 
 afterEach(async () => {
+  window.history.replaceState(null, '', '#/playback');
   await unmount(view);
   vi.useRealTimers();
 });
@@ -108,6 +109,18 @@ test('a second run is shown beside the first', async () => {
   choose('#second-run', 'cottage-1');
   for (let turn = 0; turn < 5; turn++) await settle();
   expect(document.querySelectorAll('[role="application"]')).toHaveLength(2);
+});
+
+test('the address keeps the time, and a page that is loaded anew is there again', async () => {
+  await begin();
+  press('PageUp', slider('Time of the day'));
+  press('ArrowRight', slider('Time of the day'));
+  for (let turn = 0; turn < 3; turn++) await settle();
+  await vi.advanceTimersByTimeAsync(400);
+  expect(window.location.hash).toBe('#/playback/cottage-2@2009-03-03T00:01:00');
+  await unmount(view);
+  await begin();
+  expect(said()).toBe('3 March, 00:01:00');
 });
 
 test('a run that is not there is told', async () => {

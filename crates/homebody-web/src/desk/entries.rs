@@ -1,0 +1,234 @@
+//! Where everything stands in a text of JSON, so that a part of it is written otherwise or taken out and all the rest stays.
+
+use std::ops::Range;
+
+/// No text is nested deeper; what is, has no entries.
+const GREATEST_DEPTH: usize = 64;
+
+/// A property of an object, or an item of a list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Keys and numbers from the outside in.
+    pub path: Vec<String>,
+    /// The key with its quotes; nothing of an item.
+    key: Option<Range<usize>>,
+    value: Range<usize>,
+    /// Key and value.
+    pub whole: Range<usize>,
+    /// Of a string.
+    said: Option<String>,
+}
+
+impl Entry {
+    /// Whether it stands there; a star is any part.
+    pub fn is(&self, path: &[&str]) -> bool {
+        self.path.len() == path.len()
+            && self.path.iter().zip(path).all(|(part, sought)| *sought == "*" || part == sought)
+    }
+
+    /// What a string says.
+    pub fn text(&self) -> Option<&str> {
+        self.said.as_deref()
+    }
+
+    /// Where the name stands: the string, or the key of what is no string, and of an id by a sensor's name.
+    pub fn name_range(&self) -> Range<usize> {
+        let by_key = matches!(self.path[0].as_str(), "ids" | "sensors") && self.path.len() == 2;
+        match &self.key {
+            Some(key) if by_key || self.said.is_none() => key.clone(),
+            _ => self.value.clone(),
+        }
+    }
+}
+
+/// All entries of a text, in order; none where it is no JSON.
+pub fn entries(text: &str) -> Vec<Entry> {
+    let mut reader = Reader { text, at: 0, path: Vec::new(), entries: Vec::new() };
+    // A byte order mark is no part of it.
+    reader.at = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+    match reader.value() {
+        Some(_) => reader.entries,
+        None => Vec::new(),
+    }
+}
+
+/// The text without some entries, or lines of a text that is none of JSON, and without the commas that they leave.
+pub fn without(text: &str, cut: &[Range<usize>]) -> String {
+    let mut cut = cut.to_vec();
+    cut.sort_by_key(|range| (range.start, std::cmp::Reverse(range.end)));
+    let mut fresh = text.to_owned();
+    let mut last = usize::MAX;
+    for Range { start, end } in cut.into_iter().rev() {
+        // What lies within another that goes, or goes twice, is gone with it.
+        if end > last {
+            continue;
+        }
+        last = start;
+        let before = fresh[..start].trim_end();
+        let after = fresh[end..].trim_start();
+        let is_line = fresh[..end].ends_with('\n');
+        let range = if is_line {
+            start..end
+        } else if let Some(rest) = after.strip_prefix(',') {
+            // The next one takes its place.
+            start..fresh.len() - rest.trim_start().len()
+        } else if before.ends_with(',') {
+            before.len() - 1..end
+        } else {
+            start..end
+        };
+        fresh.replace_range(range, "");
+    }
+    fresh
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    at: usize,
+    path: Vec<String>,
+    entries: Vec<Entry>,
+}
+
+impl Reader<'_> {
+    fn blank(&mut self) {
+        let rest = &self.text[self.at..];
+        self.at += rest.len() - rest.trim_start().len();
+    }
+
+    fn eat(&mut self, letter: char) -> bool {
+        self.blank();
+        let is_it = self.text[self.at..].starts_with(letter);
+        self.at += usize::from(is_it);
+        is_it
+    }
+
+    /// Reads a value; where it is a string, what that says.
+    fn value(&mut self) -> Option<(Range<usize>, Option<String>)> {
+        self.blank();
+        let start = self.at;
+        match self.text[start..].chars().next()? {
+            '{' => self.all('}', true)?,
+            '[' => self.all(']', false)?,
+            '"' => {
+                let said = self.string()?;
+                return Some((start..self.at, Some(said)));
+            }
+            _ => {
+                let rest = &self.text[start..];
+                let length = rest.find([',', ']', '}', ' ', '\n', '\r', '\t']).unwrap_or(rest.len());
+                if length == 0 {
+                    return None;
+                }
+                self.at += length;
+            }
+        }
+        Some((start..self.at, None))
+    }
+
+    fn string(&mut self) -> Option<String> {
+        let start = self.at;
+        let mut letters = self.text[start..].char_indices().skip(1);
+        while let Some((place, letter)) = letters.next() {
+            match letter {
+                '\\' => {
+                    letters.next();
+                }
+                '"' => {
+                    self.at = start + place + 1;
+                    return serde_json::from_str(&self.text[start..self.at]).ok();
+                }
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// Reads what is between two brackets.
+    fn all(&mut self, end: char, has_keys: bool) -> Option<()> {
+        if self.path.len() > GREATEST_DEPTH {
+            return None;
+        }
+        self.at += 1;
+        if self.eat(end) {
+            return Some(());
+        }
+        for index in 0.. {
+            self.blank();
+            let start = self.at;
+            let key = if has_keys {
+                let name = self.string()?;
+                let key = start..self.at;
+                self.path.push(name);
+                if !self.eat(':') {
+                    return None;
+                }
+                Some(key)
+            } else {
+                self.path.push(index.to_string());
+                None
+            };
+            let place = self.entries.len();
+            let (value, said) = self.value()?;
+            let entry = Entry { path: self.path.clone(), key, whole: start..value.end, value, said };
+            self.entries.insert(place, entry);
+            self.path.pop();
+            if self.eat(end) {
+                return Some(());
+            }
+            if !self.eat(',') {
+                return None;
+            }
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str =
+        "{\n  \"ids\": {\n    \"a\": \"1\",\n    \"b\": \"2\"\n  },\n  \"faults\": [{ \"sensor\": \"a\" }, 3.5]\n}\n";
+
+    #[test]
+    fn everything_has_its_place() {
+        let all = entries(TEXT);
+        let paths: Vec<String> = all.iter().map(|entry| entry.path.join("/")).collect();
+        assert_eq!(paths, ["ids", "ids/a", "ids/b", "faults", "faults/0", "faults/0/sensor", "faults/1"]);
+        assert_eq!(&TEXT[all[1].name_range()], "\"a\"");
+        assert_eq!(&TEXT[all[5].name_range()], "\"a\"");
+        for broken in ["", "{", "[1,", "{\"a\" 1}", "{\"a\": \"b}", "[1 2]"] {
+            assert_eq!(entries(broken), [], "{broken}");
+        }
+    }
+
+    #[test]
+    fn what_is_taken_out_leaves_no_comma() {
+        let all = entries(TEXT);
+        let cut = |paths: &[&str]| {
+            let ranges: Vec<_> = all
+                .iter()
+                .filter(|entry| paths.contains(&entry.path.join("/").as_str()))
+                .map(|entry| entry.whole.clone())
+                .collect();
+            without(TEXT, &ranges)
+        };
+        for paths in [
+            &["ids/a"][..],
+            &["ids/b"],
+            &["ids/a", "ids/b"],
+            &["faults/0"],
+            &["faults/1"],
+            &["ids", "ids/a"],
+            &["faults"],
+        ] {
+            let left = cut(paths);
+            let value: serde_json::Value =
+                serde_json::from_str(&left).unwrap_or_else(|error| panic!("{paths:?}: {error}: {left}"));
+            for path in paths {
+                assert!(value.pointer(&format!("/{path}")).is_none() || path.starts_with("faults/0"), "{path}: {left}");
+            }
+        }
+        assert_eq!(cut(&[]), TEXT);
+    }
+}

@@ -1,0 +1,148 @@
+//! What becomes of stored runs: they are called something, noted about, put aside and fetched back.
+//!
+//! What somebody calls a run is a small file of JSON in its folder. A run that is put aside is moved into a hidden folder beside the
+//! others, where no listing finds it, until it is fetched back or somebody removes that folder.
+
+use crate::shelf::Shelf;
+use crate::stored_log::{Refusal, damaged};
+use crate::wire::{PutAside, RunAbout};
+use homebody_kit::walked::RELIVED;
+use homebody_log::fresh::FreshFile;
+use homebody_log::plain;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What the file is called.
+pub const ABOUT: &str = "about-run.json";
+
+/// The folder of runs that are put aside, beside the others.
+const ASIDE: &str = ".put-aside";
+
+/// How many letters there are at most (ours).
+const LONGEST_TITLE: usize = 100;
+const LONGEST_NOTE: usize = 2000;
+/// No such file is larger: a letter has four bytes at most, and six as JSON escapes it.
+const LARGEST_BYTES: u64 = 32 << 10;
+
+fn unknown(run: &str) -> Refusal {
+    Refusal::Unknown(format!("There is no run {run:?}."))
+}
+
+/// Where that is kept; a link may lead to what its author was never to see.
+fn place(shelf: &Shelf, run: &str) -> Result<PathBuf, Refusal> {
+    let folder = shelf.run(run).ok_or_else(|| unknown(run))?;
+    plain::within(&folder, Path::new(ABOUT)).ok_or_else(|| damaged(format!("{ABOUT} leads out of the run's folder.")))
+}
+
+/// What a run is called; nothing where nobody has said, or where that cannot be read.
+pub fn about(shelf: &Shelf, run: &str) -> RunAbout {
+    let read = |place: PathBuf| plain::read_text(&place, LARGEST_BYTES).ok();
+    let text = place(shelf, run).ok().filter(|place| place.is_file()).and_then(read);
+    text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
+}
+
+/// Calls a run something.
+pub fn call(shelf: &Shelf, run: &str, about: RunAbout) -> Result<RunAbout, Refusal> {
+    let letters = |text: &str| text.chars().count();
+    if letters(&about.title) > LONGEST_TITLE || letters(&about.note) > LONGEST_NOTE {
+        let what = format!("A run's name has {LONGEST_TITLE} letters at most, and a note about it {LONGEST_NOTE}.");
+        return Err(Refusal::Damaged(what));
+    }
+    let place = place(shelf, run)?;
+    let text = serde_json::to_string_pretty(&about).map_err(damaged)? + "\n";
+    let written = FreshFile::create(&place, true).and_then(|mut file| {
+        file.write(text.as_bytes())?;
+        file.finish()
+    });
+    written.map_err(|error| damaged(format!("{ABOUT} cannot be written: {error}")))?;
+    Ok(about)
+}
+
+/// Puts a run aside; of a log that was walked back all that was made of it.
+pub fn put_aside(shelf: &Shelf, run: &str) -> Result<PutAside, Refusal> {
+    let name =
+        shelf.run(run).map(|_| run.strip_suffix(RELIVED).and_then(|folder| folder.strip_suffix('/')).unwrap_or(run));
+    let name = name.ok_or_else(|| unknown(run))?;
+    let failed = |error: std::io::Error| damaged(format!("{name} cannot be put aside: {error}"));
+    let aside = shelf.runs.join(ASIDE);
+    fs::create_dir_all(&aside).map_err(failed)?;
+    let is_free = |key: &String| fs::symlink_metadata(aside.join(key)).is_err();
+    let flat = name.replace('/', "+");
+    let key = (1..).map(|number| format!("{flat}~{number}")).find(is_free).expect("a number that is not taken");
+    fs::rename(shelf.runs.join(name), aside.join(&key)).map_err(failed)?;
+    Ok(PutAside { key })
+}
+
+/// Fetches back what was put aside under a key, and says which run it is.
+pub fn fetch_back(shelf: &Shelf, key: &str) -> Result<String, Refusal> {
+    let gone = || Refusal::Unknown(format!("Nothing is put aside as {key:?}."));
+    let aside = shelf.runs.join(ASIDE);
+    let listed = fs::read_dir(&aside).map_err(|_| gone())?.flatten();
+    let found = listed.map(|entry| entry.file_name()).find(|name| name.to_str() == Some(key)).ok_or_else(gone)?;
+    let name = key.rsplit_once('~').ok_or_else(gone)?.0.replace('+', "/");
+    let failed = |error: std::io::Error| damaged(format!("{name} cannot be fetched back: {error}"));
+    let to = shelf.runs.join(&name);
+    if fs::symlink_metadata(&to).is_ok() {
+        return Err(damaged(format!("There is another run called {name} now.")));
+    }
+    let folder = to.parent().unwrap_or(&shelf.runs);
+    fs::create_dir_all(folder).and_then(|()| fs::rename(aside.join(found), &to)).map_err(failed)?;
+    Ok(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_log::places::RECORDING;
+
+    fn shelf(runs: &[&str]) -> (tempfile::TempDir, Shelf) {
+        let folder = tempfile::tempdir().unwrap();
+        let shelf = Shelf {
+            scenario: folder.path().join("a"),
+            entry: "scenario.json".into(),
+            is_trusted: true,
+            runs: folder.path().join("runs"),
+        };
+        for run in runs {
+            fs::create_dir_all(shelf.runs.join(run)).unwrap();
+            fs::write(shelf.runs.join(run).join(RECORDING), run).unwrap();
+        }
+        (folder, shelf)
+    }
+
+    #[test]
+    fn a_run_is_called_something_and_what_is_too_long_is_refused() {
+        let (_folder, shelf) = shelf(&["a-1"]);
+        let called = RunAbout { title: "with pets".into(), note: "the cat was let out".into() };
+        assert_eq!(about(&shelf, "a-1"), RunAbout::default());
+        call(&shelf, "a-1", called.clone()).unwrap();
+        assert_eq!(about(&shelf, "a-1"), called);
+        assert!(call(&shelf, "a-1", RunAbout { title: "ä".repeat(101), ..called.clone() }).is_err());
+        assert!(matches!(call(&shelf, "..", called.clone()), Err(Refusal::Unknown(_))));
+        assert_eq!(about(&shelf, "a-1"), called);
+    }
+
+    #[test]
+    fn a_run_that_is_put_aside_is_fetched_back_as_it_was() {
+        let (_folder, shelf) = shelf(&["a-1", "cohort-1/0001"]);
+        for run in ["a-1", "cohort-1/0001"] {
+            let PutAside { key } = put_aside(&shelf, run).unwrap();
+            assert!(!shelf.runs().contains(&run.to_owned()));
+            assert!(matches!(put_aside(&shelf, run), Err(Refusal::Unknown(_))));
+            assert_eq!(fetch_back(&shelf, &key), Ok(run.to_owned()));
+            assert_eq!(fs::read_to_string(shelf.runs.join(run).join(RECORDING)).unwrap(), run);
+            assert!(matches!(fetch_back(&shelf, &key), Err(Refusal::Unknown(_))));
+        }
+    }
+
+    #[test]
+    fn what_has_taken_its_name_meanwhile_is_not_replaced() {
+        let (_folder, shelf) = shelf(&["a-1"]);
+        let PutAside { key } = put_aside(&shelf, "a-1").unwrap();
+        fs::create_dir_all(shelf.runs.join("a-1")).unwrap();
+        assert!(matches!(fetch_back(&shelf, &key), Err(Refusal::Damaged(_))));
+        for key in ["..", "", "../a-1~1", "b~1"] {
+            assert!(fetch_back(&shelf, key).is_err(), "{key}");
+        }
+    }
+}

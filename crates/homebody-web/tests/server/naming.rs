@@ -1,0 +1,95 @@
+//! Things are called otherwise, and go, in all files at once; and what has one answer is mended.
+
+use super::served::Served;
+use serde_json::{Value, json};
+use std::fs;
+
+fn text(served: &Served, name: &str) -> String {
+    fs::read_to_string(served.file("tigerplace", name)).unwrap()
+}
+
+fn rename(served: &Served, kind: &str, from: &str, to: &str) -> Value {
+    served.told("/api/rename", &json!({ "draft": { "texts": {} }, "kind": kind, "from": from, "to": to }))
+}
+
+fn files(view: &Value) -> Vec<&str> {
+    view["texts"].as_object().unwrap().keys().map(String::as_str).collect()
+}
+
+fn problems(served: &Served, texts: &Value) -> usize {
+    let check = served.told("/api/check", &json!({ "texts": texts }));
+    check["problems"].as_array().unwrap().len()
+}
+
+/// Each kind of thing is followed into each file that names it, and the scenario is as right as it was.
+#[test]
+fn a_thing_that_is_called_otherwise_is_so_in_all_files() {
+    let served = Served::scenario("tigerplace");
+    for (kind, from, to, changed) in [
+        ("sensor", "stove motion", "cooker \"motion\"", &["home.json", "logger.json"][..]),
+        ("furniture", "armchair", "recliner", &["home.json", "margaret.routine"]),
+        ("furniture", "stove", "cooker", &["home.json", "margaret.routine"]),
+        ("furniture", "wardrobe", "closet", &["home.json"]),
+        ("room", "kitchen", "galley", &["home.json"]),
+        ("resident", "margaret", "joan", &["margaret.json", "margaret.routine"]),
+    ] {
+        let view = rename(&served, kind, from, to);
+        assert_eq!(files(&view), changed, "{kind} {from}");
+        assert_eq!(problems(&served, &view["texts"]), 0, "{kind} {from}");
+    }
+    let chair = rename(&served, "furniture", "armchair", "recliner");
+    let routine = chair["texts"]["margaret.routine"].as_str().unwrap();
+    assert_eq!(routine, text(&served, "margaret.routine").replace("the armchair", "the recliner"));
+    let joan = rename(&served, "resident", "margaret", "joan");
+    assert!(joan["texts"]["margaret.routine"].as_str().unwrap().contains("\nJoan is 82."));
+    // To go to bed is no piece of furniture.
+    let bed = rename(&served, "furniture", "bed", "divan");
+    assert_eq!(files(&bed), ["home.json"]);
+    assert!(bed["texts"]["home.json"].as_str().unwrap().contains(r#""on": "divan""#));
+    // The control: by the home's file alone the logger is wrong.
+    let alone = text(&served, "home.json").replace("\"stove motion\"", "\"cooker motion\"");
+    assert!(problems(&served, &json!({ "home.json": alone })) > 0);
+}
+
+#[test]
+fn what_speaks_of_a_thing_that_goes_is_told_and_goes_with_it() {
+    let served = Served::scenario("tigerplace");
+    let forget = |kind: &str, names: &[&str]| {
+        served.told("/api/forget", &json!({ "draft": { "texts": {} }, "kind": kind, "names": names }))
+    };
+    let sensors = forget("sensor", &["stove motion", "bedroom motion", "stove temperature"]);
+    assert_eq!(sensors["mentions"].as_array().unwrap().len(), 3);
+    let logger: Value = serde_json::from_str(sensors["texts"]["logger.json"].as_str().unwrap()).unwrap();
+    assert_eq!(logger["ids"].as_object().unwrap().len(), 15);
+    assert!(sensors["texts"]["home.json"].is_null(), "the thing itself is left to the plan");
+
+    let bed = forget("furniture", &["bed"]);
+    assert_eq!(files(&bed), ["home.json", "logger.json"]);
+    let home: Value = serde_json::from_str(bed["texts"]["home.json"].as_str().unwrap()).unwrap();
+    assert_eq!(home["sensors"].as_array().unwrap().len(), 17, "the sensor on it goes as well, and its id");
+    let logger: Value = serde_json::from_str(bed["texts"]["logger.json"].as_str().unwrap()).unwrap();
+    assert!(logger["ids"].as_object().unwrap().len() == 17 && logger["ids"]["bed sensor"].is_null());
+    assert!(home["furniture"].as_array().unwrap().iter().any(|piece| piece["name"] == "bed"));
+
+    let chair = forget("furniture", &["armchair"]);
+    let said = chair["mentions"][0]["said"].as_str().unwrap();
+    assert!(said.starts_with("Often she naps in the armchair") && chair["mentions"][0]["goes"] == true);
+    assert!(!chair["texts"]["margaret.routine"].as_str().unwrap().contains("armchair"));
+    assert_eq!(forget("place", &["bedside"])["mentions"], json!([]));
+}
+
+#[test]
+fn what_has_one_answer_is_mended() {
+    let served = Served::scenario("tigerplace");
+    let mends = |draft: &Value| served.told("/api/mends", &json!({ "texts": draft }));
+    assert_eq!(mends(&json!({})), json!([]));
+    let mut home: Value = serde_json::from_str(&text(&served, "home.json")).unwrap();
+    home["sensors"].as_array_mut().unwrap().drain(..8);
+    let mut texts = json!({ "home.json": home.to_string() });
+    assert_eq!(problems(&served, &texts), 8);
+    let found = mends(&texts);
+    assert_eq!(found[0]["what"], "Remove the 8 ids of sensors that are gone");
+    texts["logger.json"] = found[0]["texts"]["logger.json"].clone();
+    assert_eq!(problems(&served, &texts), 0);
+    assert_eq!(mends(&json!({ "home.json": "{" })), json!([]), "what is no JSON has no one answer");
+}
