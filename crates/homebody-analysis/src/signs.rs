@@ -166,9 +166,12 @@ impl Tally {
 /// At least half of the spans of what is brief are shorter (ours).
 const BRIEF: Micros = 20 * SECOND;
 
+/// From when to when something goes on, each time.
+pub type Spans = Vec<(Micros, Micros)>;
+
 /// The spans over which each sensor says that something goes on, in order. Where a sensor never says that it ends, a span
 /// is an instant; what has not ended when the log does ends as it begins.
-pub fn spans(log: &Log) -> Vec<Vec<(Micros, Micros)>> {
+pub fn spans(log: &Log) -> Vec<Spans> {
     let mut order: Vec<usize> = (0..log.events.len()).collect();
     // Real logs are not always in order.
     order.sort_by_key(|&index| log.events[index].at);

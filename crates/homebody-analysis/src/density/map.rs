@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use super::{Absence, Cell, Entrance, LEAST, Sign, State, Sum, absences, is_seat};
 use crate::dates::{date_of, midnight};
-use crate::signs::{Kind, Says, kinds, says, spans};
+use crate::signs::{Kind, Says, Spans, kinds, says, spans};
 
 const HOUR: Micros = 3600 * SECOND;
 /// A longer silence of all sensors is no recording.
@@ -114,12 +114,7 @@ impl Map {
 
     /// The same where no sensor may look for movement: when the log was recorded, and when nobody was at home. By sensor, what it is
     /// taken for, and the spans over which it says that something goes on.
-    pub fn of_any(
-        name: &str,
-        log: &Log,
-        (kinds, spans): (&[Kind], &[Vec<(Micros, Micros)>]),
-        asked: &Asked,
-    ) -> Result<Map, NoMap> {
+    pub fn of_any(name: &str, log: &Log, (kinds, spans): (&[Kind], &[Spans]), asked: &Asked) -> Result<Map, NoMap> {
         let called = log.called();
         let sensors = || log.sensors.iter().map(String::as_str).zip(kinds.iter().copied());
         let entrance =

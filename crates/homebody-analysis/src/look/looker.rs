@@ -108,7 +108,7 @@ impl Looker {
         let kinds = kinds_of(&of_sensors);
         for (index, ((id, course), kind)) in about.sensors.iter().zip(&self.sensors).zip(kinds).enumerate() {
             let by_day = by_day.get(index).cloned().unwrap_or_default();
-            sensors.push(course.look(id, kind, named(id), &about.values, by_day, self.latest, &text));
+            sensors.push(course.look((id, kind), named(id), &about.values, by_day, self.latest, &text));
         }
         let home = home.map(|(name, sensors_of_home)| of_home(name, sensors_of_home, &sensors, about.rows));
         sensors.sort_by_cached_key(|sensor| {

@@ -92,8 +92,7 @@ impl Course {
 
     pub fn look(
         &self,
-        id: &str,
-        kind: Kind,
+        (id, kind): (&str, Kind),
         name: Option<String>,
         values: &[String],
         by_day: Vec<u32>,

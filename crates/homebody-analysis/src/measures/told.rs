@@ -55,7 +55,7 @@ impl Tells {
             return Some(Tells::Leaves);
         }
         let fits = |begins: &&str| said.iter().any(|word| word.starts_with(begins));
-        TELLS.iter().find(|(_, begins)| begins.iter().any(|begins| fits(&begins))).map(|(tells, _)| *tells)
+        TELLS.iter().find(|(_, begins)| begins.iter().any(fits)).map(|(tells, _)| *tells)
     }
 }
 

@@ -439,7 +439,7 @@ mod tests {
     fn who_pushes_through_the_open_front_door_is_away_until_the_keys_point_back() {
         let mut at_front = standing_at(1.0, 5.05);
         let went = walk(&mut at_front, &[Key::Left], 0, 5 * SECOND, &[]);
-        assert_eq!(went.last().map(|span| span.doing.clone()), Some(MotionState::Away));
+        assert_eq!(went.last().map(|span| span.doing), Some(MotionState::Away));
         let out = walk(&mut at_front, &[], 5 * SECOND, 6 * SECOND, &[]);
         assert!(out.iter().all(|span| span.doing == MotionState::Away && span.end - span.begin <= SECOND / 60 + 1));
         let mut copy = at_front.clone();

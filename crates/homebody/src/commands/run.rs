@@ -13,7 +13,6 @@ use crate::start::Start;
 use crate::watched::Watched;
 use homebody_core::time::Micros;
 use homebody_kit::{CohortLayout, Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort, Url};
-use homebody_log::LogError;
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 

@@ -147,7 +147,7 @@ fn noted(leaves: &str) -> String {
 #[test]
 fn logs_of_real_homes_are_held_beside_what_people_noted() {
     let folder = Folder::new();
-    folder.write("noted.txt", &noted("Leaving_home"));
+    folder.write("noted.txt", noted("Leaving_home"));
     let real = folder.run("experiment measures --data noted.txt --json").ok().json();
     let errors = real["logs"][0]["errors"].as_array().unwrap();
     for (measure, truly) in [("time_out", 3.0), ("time_in_bed", 8.0)] {
@@ -155,7 +155,7 @@ fn logs_of_real_homes_are_held_beside_what_people_noted() {
         let [mean, apart] = ["mean_true", "mean_error"].map(|name| error[name].as_f64().unwrap());
         assert!((mean - truly).abs() < 0.01 && apart < 0.01, "{error}");
     }
-    folder.write("noted.txt", &noted("Gardening").replace("Sleep", "Reading"));
+    folder.write("noted.txt", noted("Gardening").replace("Sleep", "Reading"));
     folder.run("experiment measures --data noted.txt").fails(2, "it notes no activity that any measure is about");
     folder.run("experiment measures --data noted.txt --homes 3").fails(2, "cannot be used with");
 }

@@ -24,6 +24,9 @@ export interface Month {
 /** What an alert is known by. */
 export const keyOf = ({ day, rule }: Pick<AlertView, 'day' | 'rule'>) => `${day} ${rule}`;
 
+/** What tells alerts apart: those of several sensors on one day share what is noted of them. */
+export const apart = (alert: Pick<AlertView, 'day' | 'rule' | 'words'>) => `${keyOf(alert)} ${alert.words}`;
+
 /** All months of a log, in order. */
 export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonly NoteView[]): Month[] {
   const [first, last] = [care.days[0]?.day, care.days.at(-1)?.day];
