@@ -127,7 +127,7 @@ test('a run is named, deleted, and fetched back; the address knows the time', { 
   await page.getByLabel('Name', { exact: true }).fill('out and back');
   await page.keyboard.press('Tab');
   await page.getByLabel('Run', { exact: true }).getByText('out and back').waitFor({ state: 'attached' });
-  assert.match(page.url(), new RegExp(`${run}@2009-`));
+  await page.waitForURL((url) => url.hash.includes(`${run}@2009-`));
   await page.getByRole('button', { name: 'Delete this run' }).click();
   await page.getByText('is deleted.').waitFor();
   assert.ok(!existsSync(join(served.folder, 'runs', run)));
