@@ -104,7 +104,7 @@ fn a_scenario_with_problems_is_served_and_what_cannot_be_shown_is_not() {
     let folder = Folder::new();
     folder.copy_scenario("tigerplace");
     let logger = folder.read("tigerplace/logger.json");
-    folder.write("tigerplace/logger.json", &logger.replace("hall motion", "corridor motion"));
+    folder.write("tigerplace/logger.json", logger.replace("hall motion", "corridor motion"));
     let mut command = folder.command("serve tigerplace --no-open --port 0");
     let mut served = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     let mut said = String::new();
