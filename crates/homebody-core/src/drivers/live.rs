@@ -437,25 +437,35 @@ mod tests {
     /// Out by the open front door, and in again by the same; a door that is shut is no way in or out.
     #[test]
     fn who_pushes_through_the_open_front_door_is_away_until_the_keys_point_back() {
+        let mut open = doors_as_planned();
+        open[plan().thing("front door").unwrap()] = true;
+        let hold = |driver: &mut LiveDriver, keys: &[Key], from: Micros, to: Micros, on: &[bool]| {
+            driver.input(from, holding(keys));
+            let (mut now, mut spans) = (from, Vec::new());
+            while now < to {
+                let Next::Segment(span) = ask(driver, now, &[], on) else { panic!("live movement has ended") };
+                now = span.end;
+                spans.push(span);
+            }
+            spans
+        };
+        let is_away = |span: &MotionSegment| span.doing == MotionState::Away;
+        let shut = doors_as_planned();
+        let mut stays = standing_at(1.0, 5.05);
+        assert!(!hold(&mut stays, &[Key::Left], 0, 5 * SECOND, &shut).iter().any(is_away));
         let mut at_front = standing_at(1.0, 5.05);
-        let went = walk(&mut at_front, &[Key::Left], 0, 5 * SECOND, &[]);
-        assert_eq!(went.last().map(|span| span.doing), Some(MotionState::Away));
-        let out = walk(&mut at_front, &[], 5 * SECOND, 6 * SECOND, &[]);
-        assert!(out.iter().all(|span| span.doing == MotionState::Away && span.end - span.begin <= SECOND / 60 + 1));
+        assert!(hold(&mut at_front, &[Key::Left], 0, 5 * SECOND, &open).last().is_some_and(is_away));
+        let out = hold(&mut at_front, &[], 5 * SECOND, 6 * SECOND, &open);
+        assert!(out.iter().all(|span| is_away(span) && span.end - span.begin <= SECOND / 60 + 1));
+        // Somebody has shut it meanwhile.
         let mut copy = at_front.clone();
-        let back = walk(&mut at_front, &[Key::Right], 6 * SECOND, 8 * SECOND, &[]);
+        assert!(hold(&mut copy, &[Key::Right], 6 * SECOND, 7 * SECOND, &shut).iter().all(is_away));
+        let back = hold(&mut at_front, &[Key::Right], 6 * SECOND, 8 * SECOND, &open);
         assert!(matches!(back.last().map(|span| &span.doing), Some(MotionState::Stride { .. })));
         assert!(at_front.at.x > 1.0, "{}", at_front.at);
-        // Somebody has shut it meanwhile.
-        let mut shut = doors_as_planned();
-        shut[plan().thing("front door").unwrap()] = false;
-        copy.input(6 * SECOND, holding(&[Key::Right]));
-        let Next::Segment(waits) = ask(&mut copy, 7 * SECOND, &[], &shut) else { panic!("no move") };
-        assert_eq!(waits.doing, MotionState::Away);
         // Beside the door there is a wall.
         let mut beside = standing_at(1.0, 4.3);
-        let pushed = walk(&mut beside, &[Key::Left], 0, 5 * SECOND, &[]);
-        assert!(pushed.iter().all(|span| span.doing != MotionState::Away));
+        assert!(!hold(&mut beside, &[Key::Left], 0, 5 * SECOND, &open).iter().any(is_away));
     }
 
     #[test]

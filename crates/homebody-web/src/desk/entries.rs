@@ -54,16 +54,17 @@ pub fn entries(text: &str) -> Vec<Entry> {
 
 /// The text without some entries, or lines of a text that is none of JSON, and without the commas that they leave.
 pub fn without(text: &str, cut: &[Range<usize>]) -> String {
-    let mut cut = cut.to_vec();
-    cut.sort_by_key(|range| (range.start, std::cmp::Reverse(range.end)));
-    let mut fresh = text.to_owned();
-    let mut last = usize::MAX;
-    for Range { start, end } in cut.into_iter().rev() {
+    let mut sorted = cut.to_vec();
+    sorted.sort_by_key(|range| (range.start, std::cmp::Reverse(range.end)));
+    let mut cut: Vec<Range<usize>> = Vec::new();
+    for range in sorted {
         // What lies within another that goes, or goes twice, is gone with it.
-        if end > last {
-            continue;
+        if cut.last().is_none_or(|outer| range.start >= outer.end) {
+            cut.push(range);
         }
-        last = start;
+    }
+    let mut fresh = text.to_owned();
+    for Range { start, end } in cut.into_iter().rev() {
         let before = fresh[..start].trim_end();
         let after = fresh[end..].trim_start();
         let is_line = fresh[..end].ends_with('\n');

@@ -117,5 +117,5 @@ fn a_scenario_with_problems_is_served_and_what_cannot_be_shown_is_not() {
     assert!(warned.contains("no run can be begun yet"), "{warned}");
     folder.write("tigerplace/scenario.json", "{");
     folder.run("serve tigerplace --no-open").fails(2, "scenario.json");
-    folder.run("serve nowhere --no-open").fails(2, "nowhere");
+    folder.run("serve nowhere --no-open").fails(1, "nowhere");
 }
