@@ -172,8 +172,7 @@ fn however_a_place_fails_each_policy_does_what_it_says() {
     }
     println!("{seeds} seeds: {ends:?}");
     assert!(
-        seeds < USUAL_SEEDS
-            || ["retry whole", "retry ended", "spool whole", "error ended"].iter().all(|end| ends.contains_key(*end)),
+        seeds < USUAL_SEEDS || ["retry whole", "spool whole", "error ended"].iter().all(|end| ends.contains_key(*end)),
         "{ends:?}"
     );
     // The control: one that keeps twice what nobody heard that it had is found out.
