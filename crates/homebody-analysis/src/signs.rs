@@ -69,11 +69,8 @@ pub fn says(value: &str) -> Says {
 /// What the sensors of a log are taken for, in its order.
 pub fn kinds(log: &Log) -> Vec<Kind> {
     let looks: Vec<(Says, bool)> = log.values.iter().map(|value| (says(value), is_number(value))).collect();
-    let mut order: Vec<usize> = (0..log.events.len()).collect();
-    // Real logs are not always in order.
-    order.sort_by_key(|&index| log.events[index].at);
     let mut tallies = vec![Tally::default(); log.sensors.len()];
-    for event in order.into_iter().map(|index| &log.events[index]) {
+    for event in log.in_order() {
         let (says, is_number) = looks[event.value as usize];
         tallies[event.sensor as usize].take(event.at, says, is_number);
     }
@@ -172,16 +169,13 @@ pub type Spans = Vec<(Micros, Micros)>;
 /// The spans over which each sensor says that something goes on, in order. Where a sensor never says that it ends, a span
 /// is an instant; what has not ended when the log does ends as it begins.
 pub fn spans(log: &Log) -> Vec<Spans> {
-    let mut order: Vec<usize> = (0..log.events.len()).collect();
-    // Real logs are not always in order.
-    order.sort_by_key(|&index| log.events[index].at);
     let mut ends = vec![false; log.sensors.len()];
     for event in &log.events {
         ends[event.sensor as usize] |= matches!(says(log.value(event)), Says::Ends | Says::Closes);
     }
     let mut spans = vec![Vec::new(); log.sensors.len()];
     let mut since: Vec<Option<Micros>> = vec![None; log.sensors.len()];
-    for event in order.into_iter().map(|index| &log.events[index]) {
+    for event in log.in_order() {
         let sensor = event.sensor as usize;
         match says(log.value(event)) {
             Says::Begins | Says::Opens if ends[sensor] => since[sensor] = since[sensor].or(Some(event.at)),

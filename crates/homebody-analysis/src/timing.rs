@@ -155,9 +155,7 @@ pub fn timing(log: &Log) -> Timing {
     let kinds = kinds(log);
     let said: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
     let mut samples = vec![Samples::default(); log.sensors.len()];
-    let mut events: Vec<_> = log.events.iter().collect();
-    events.sort_by_key(|event| event.at);
-    for event in events {
+    for event in log.in_order() {
         let (sensor, said) = (event.sensor as usize, said[event.value as usize]);
         if kinds[sensor] == Kind::Motion && matches!(said, Says::Begins | Says::Ends) {
             samples[sensor].take(event.at, said);

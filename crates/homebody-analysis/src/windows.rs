@@ -50,8 +50,7 @@ pub fn windows(log: &Log, lives: &[Life], span: Micros) -> Result<Windows, Strin
     if span <= 0 {
         return Err("a window is longer than nothing".into());
     }
-    let mut events: Vec<_> = log.events.iter().collect();
-    events.sort_by_key(|event| event.at);
+    let events = log.in_order();
     let (Some(first), Some(last)) = (events.first(), events.last()) else {
         return Ok(Windows { sensors: log.sensors.clone(), rows: Vec::new() });
     };

@@ -28,8 +28,6 @@ pub(super) struct Silence {
 
 /// The silences of motion sensors and of contacts, up to `last`.
 pub(super) fn silences(log: &Log, kinds: &[Kind], away: &[Span], last: Micros) -> Vec<Silence> {
-    let mut order: Vec<usize> = (0..log.events.len()).collect();
-    order.sort_by_key(|&index| log.events[index].at);
     let mut before: Vec<Option<Micros>> = vec![None; log.sensors.len()];
     let mut longest: Vec<Micros> = vec![0; log.sensors.len()];
     // By sensor: the first day on which it spoke, and on how many it has.
@@ -58,7 +56,7 @@ pub(super) fn silences(log: &Log, kinds: &[Kind], away: &[Span], last: Micros) -
             longest[sensor] = longest[sensor].max(quiet);
         }
     };
-    for event in order.into_iter().map(|index| &log.events[index]) {
+    for event in log.in_order() {
         let sensor = event.sensor as usize;
         ends(sensor, event.at, before[sensor].replace(event.at));
     }

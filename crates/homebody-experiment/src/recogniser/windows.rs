@@ -48,11 +48,9 @@ pub fn ons(log: &Log, sensors: &[String]) -> Vec<On> {
     let index: Vec<Option<usize>> =
         log.sensors.iter().map(|name| sensors.iter().position(|wanted| wanted == name)).collect();
     let mut open: Vec<Option<Micros>> = vec![None; sensors.len()];
-    let mut events: Vec<_> = log.events.iter().collect();
-    events.sort_by_key(|event| event.at);
     let mut ons: Vec<On> = Vec::new();
     let mut last: Vec<Option<usize>> = vec![None; sensors.len()];
-    for event in events {
+    for event in log.in_order() {
         let Some(sensor) = index[event.sensor as usize] else { continue };
         match log.value(event) {
             "ON" | "OPEN" => open[sensor] = open[sensor].or(Some(event.at)),

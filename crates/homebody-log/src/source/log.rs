@@ -59,6 +59,13 @@ impl Log {
         &self.sensors[event.sensor as usize]
     }
 
+    /// Its rows in order of time; of one instant as they were read. Real logs are not always in order.
+    pub fn in_order(&self) -> Vec<&Event> {
+        let mut events: Vec<&Event> = self.events.iter().collect();
+        events.sort_by_key(|event| event.at);
+        events
+    }
+
     /// What its sensors are called, in their order: by room and name, as far as they are known, or else by their ids.
     pub fn called(&self) -> Vec<String> {
         let called = |id: &String| {
