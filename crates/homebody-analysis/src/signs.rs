@@ -66,6 +66,23 @@ pub fn says(value: &str) -> Says {
     known.map_or(Says::Else, |&(says, _)| says)
 }
 
+/// What a log tells of its sensors before anything else is asked of it; all in its order.
+pub struct LogSensors {
+    /// What they are called.
+    pub called: Vec<String>,
+    /// What they are taken for.
+    pub kinds: Vec<Kind>,
+    /// Over which spans each says that something goes on.
+    pub spans: Vec<Spans>,
+}
+
+impl LogSensors {
+    /// Those of a log.
+    pub fn of(log: &Log) -> LogSensors {
+        LogSensors { called: log.called(), kinds: kinds(log), spans: spans(log) }
+    }
+}
+
 /// What the sensors of a log are taken for, in its order.
 pub fn kinds(log: &Log) -> Vec<Kind> {
     let looks: Vec<(Says, bool)> = log.values.iter().map(|value| (says(value), is_number(value))).collect();

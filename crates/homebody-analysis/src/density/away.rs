@@ -1,9 +1,9 @@
 //! When nobody was at home, by the sensors alone: Wang and Skubic's *time away from home*.
 //!
 //! An absence begins and ends at the entrance, and in between there is next to nothing. Firings no more than two minutes apart
-//! make a bout. A bout of three firings or more is somebody's, and one in which something was opened or used. A shorter one of motion
-//! sensors is stray: in an empty home they fire now and then, by the sun or a heater. Nobody is at home between two bouts of somebody, however many stray ones lie
-//! between, if
+//! make a bout. A bout of three firings or more is somebody's, and one in which something was opened or used. A shorter one of
+//! motion sensors is stray: in an empty home they fire now and then, by the sun or a heater. Nobody is at home between two bouts of
+//! somebody, however many stray ones lie between, if
 //!
 //! - they are longer apart than the least absence, 30 minutes unless asked otherwise,
 //! - an entrance sensor fired in the last minute of the first bout, and in the first minute of the second, and

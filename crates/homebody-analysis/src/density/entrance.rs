@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::signs::Kind;
+use crate::signs::{Kind, LogSensors};
 use homebody_core::names::words;
 
 /// The sensors by which somebody leaves and comes home.
@@ -30,26 +30,23 @@ pub enum Chosen {
 
 impl Entrance {
     /// Those of the names that are asked for; else those that speak of an entrance, with all contacts but those of drawers
-    /// and the like; else those that speak of a door or a hall. A name that speaks of another room is of a door in there. Each sensor
-    /// has its id, its kind, and what it is called.
-    pub fn find(sensors: &[((&str, Kind), &str)], asked: &[String]) -> Entrance {
-        let with = |chosen, takes: &dyn Fn(&str, Kind) -> bool| {
-            let taken =
-                sensors.iter().filter(|&&((_, kind), called)| takes(called, kind)).map(|((id, _), _)| (*id).to_owned());
+    /// and the like; else those that speak of a door or a hall. A name that speaks of another room is of a door in there.
+    pub fn find(ids: &[String], sensors: &LogSensors, asked: &[String]) -> Entrance {
+        let with = |chosen, takes: &dyn Fn(usize) -> bool| {
+            let taken = ids.iter().enumerate().filter(|(sensor, _)| takes(*sensor)).map(|(_, id)| id.clone());
             Some(Entrance { sensors: taken.collect(), chosen }).filter(|entrance| !entrance.sensors.is_empty())
         };
+        let none = Entrance { sensors: Vec::new(), chosen: Chosen::None };
         if !asked.is_empty() {
-            let sensors: Vec<String> =
-                sensors.iter().map(|((id, _), _)| (*id).to_owned()).filter(|id| asked.contains(id)).collect();
-            let chosen = if sensors.is_empty() { Chosen::None } else { Chosen::Asked };
-            return Entrance { sensors, chosen };
+            return with(Chosen::Asked, &|sensor| asked.contains(&ids[sensor])).unwrap_or(none);
         }
-        let senses = |kind| matches!(kind, Kind::Motion | Kind::Contact);
-        with(Chosen::Known, &|name, kind| {
-            senses(kind) && !is_inner(name) && (kind == Kind::Contact || speaks(name, &ENTRANCES))
-        })
-        .or_else(|| with(Chosen::Guessed, &|name, kind| senses(kind) && !is_inner(name) && speaks(name, &WAYS)))
-        .unwrap_or(Entrance { sensors: Vec::new(), chosen: Chosen::None })
+        let LogSensors { called, kinds, .. } = sensors;
+        let leads_out =
+            |sensor: usize| matches!(kinds[sensor], Kind::Motion | Kind::Contact) && !is_inner(&called[sensor]);
+        let is_known = |sensor: usize| kinds[sensor] == Kind::Contact || speaks(&called[sensor], &ENTRANCES);
+        with(Chosen::Known, &|sensor| leads_out(sensor) && is_known(sensor))
+            .or_else(|| with(Chosen::Guessed, &|sensor| leads_out(sensor) && speaks(&called[sensor], &WAYS)))
+            .unwrap_or(none)
     }
 }
 
@@ -108,8 +105,9 @@ mod tests {
 
     fn found(sensors: &[(&str, Kind)], asked: &[&str]) -> (Vec<String>, Chosen) {
         let asked: Vec<String> = asked.iter().map(|name| (*name).into()).collect();
-        let called: Vec<((&str, Kind), &str)> = sensors.iter().map(|&(id, kind)| ((id, kind), id)).collect();
-        let entrance = Entrance::find(&called, &asked);
+        let (called, kinds): (Vec<String>, Vec<Kind>) =
+            sensors.iter().map(|&(called, kind)| (called.to_owned(), kind)).unzip();
+        let entrance = Entrance::find(&called.clone(), &LogSensors { called, kinds, spans: Vec::new() }, &asked);
         (entrance.sensors, entrance.chosen)
     }
 

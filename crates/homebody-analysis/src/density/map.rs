@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use super::{Absence, Cell, Entrance, LEAST, Sign, State, Sum, absences, is_seat};
 use crate::dates::{date_of, midnight};
-use crate::signs::{Kind, Says, Spans, kinds, says, spans};
+use crate::signs::{Kind, LogSensors, Says, says};
 
 const HOUR: Micros = 3600 * SECOND;
 /// A longer silence of all sensors is no recording.
@@ -108,23 +108,20 @@ pub struct Hour {
 impl Map {
     /// The map of the days that are asked for.
     pub fn of(name: &str, log: &Log, asked: &Asked) -> Result<Map, NoMap> {
-        let map = Map::of_any(name, log, (&kinds(log), &spans(log)), asked)?;
+        let map = Map::of_any(name, log, &LogSensors::of(log), asked)?;
         if map.motion_sensors > 0 { Ok(map) } else { Err(NoMap::NoMotion) }
     }
 
-    /// The same where no sensor may look for movement: when the log was recorded, and when nobody was at home. By sensor, what it is
-    /// taken for, and the spans over which it says that something goes on.
-    pub fn of_any(name: &str, log: &Log, (kinds, spans): (&[Kind], &[Spans]), asked: &Asked) -> Result<Map, NoMap> {
-        let called = log.called();
-        let sensors = || log.sensors.iter().map(String::as_str).zip(kinds.iter().copied());
-        let entrance =
-            Entrance::find(&sensors().zip(called.iter().map(String::as_str)).collect::<Vec<_>>(), &asked.doors);
+    /// The same where no sensor may look for movement: when the log was recorded, and when nobody was at home.
+    pub fn of_any(name: &str, log: &Log, sensors: &LogSensors, asked: &Asked) -> Result<Map, NoMap> {
+        let LogSensors { called, kinds, spans } = sensors;
+        let entrance = Entrance::find(&log.sensors, sensors, &asked.doors);
         let Heard { rows, events, signs } = Heard::of(log, kinds, &entrance);
         let (&[first, ..], &[.., last]) = (&rows[..], &rows[..]) else { return Err(NoMap::NoMotion) };
         if signs.is_empty() {
             return Err(NoMap::NoMotion);
         }
-        let seats = spans.iter().zip(&called).filter(|(_, name)| is_seat(name));
+        let seats = spans.iter().zip(called).filter(|(_, name)| is_seat(name));
         let taken: Vec<(Micros, Micros)> = seats.flat_map(|(spans, _)| spans).copied().collect();
         let absences = absences(&signs, &taken, asked.away_after);
         let recorded: Vec<Range<Micros>> = match &asked.recorded {
@@ -147,8 +144,8 @@ impl Map {
         }
         let shown = |absence: &&Absence| absence.begin < days.span().end && absence.end > days.span().start;
         let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();
-        let left_out = sensors().filter(|(_, kind)| *kind != Kind::Motion).map(|(name, _)| name.to_owned());
-        let left_out = left_out.collect();
+        let left_out = log.sensors.iter().zip(kinds).filter(|(_, kind)| **kind != Kind::Motion);
+        let left_out = left_out.map(|(name, _)| name.clone()).collect();
         let absences = absences.iter().filter(shown).copied().collect();
         Ok(Map::sum(name, days.first, cells, Found { motion_sensors, left_out, entrance, absences }))
     }

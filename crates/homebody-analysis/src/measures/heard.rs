@@ -8,7 +8,7 @@ use super::timeline::{Span, Stay, Timeline, joined, without};
 use super::walking::{passages, walks};
 use crate::dates::midnight;
 use crate::density::{Absence, Asked, Map, NoMap};
-use crate::signs::{Kind, Says, says, spans};
+use crate::signs::{Kind, LogSensors, Says, says};
 use homebody_core::names::words;
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::Log;
@@ -47,25 +47,29 @@ impl Timeline {
     /// # Errors
     ///
     /// Those of the log's density map.
-    pub(super) fn heard(log: &Log, kinds: &[Kind], known: &Known, asked: &Asked) -> Result<(Timeline, Map), NoMap> {
-        let spans = spans(log);
+    pub(super) fn heard(
+        log: &Log,
+        sensors: &LogSensors,
+        known: &Known,
+        asked: &Asked,
+    ) -> Result<(Timeline, Map), NoMap> {
         let rooms = Rooms::of(&log.sensors, known.rooms);
         let told = || {
-            let signs = signs(log, kinds, &rooms);
+            let signs = signs(log, &sensors.kinds, &rooms);
             let seen: Vec<Sign> = signs.iter().filter(|sign| sign.is_seen).copied().collect();
             let walks = known.ways.and_then(|ways| walks(&seen, &log.sensors, ways));
             (agreed(&signs), passages(&seen), walks, 2 * seen.len() < signs.len(), signs)
         };
         // They know nothing of each other, and take as long.
         let (map, (agreed, passages, walks, is_unwatched, signs)) =
-            rayon::join(|| Map::of_any("", log, (kinds, &spans), asked), told);
+            rayon::join(|| Map::of_any("", log, sensors, asked), told);
         let map = map?;
         let begin = midnight(map.from);
         let end = begin + map.cells.len() as Micros * DAY;
         let away: Vec<Span> = map.absences.iter().map(|Absence { begin, end, .. }| (*begin, *end)).collect();
         let last = signs.last().map_or(end, |sign| sign.at).min(end);
         let stays = stays(&agreed, &away, last);
-        let door = used_door(log, kinds, &map.entrance.sensors);
+        let door = used_door(log, &sensors.kinds, &map.entrance.sensors);
         let mut timeline = Timeline {
             first: map.from,
             begin,
@@ -80,14 +84,13 @@ impl Timeline {
             rooms,
             ..Timeline::default()
         };
-        timeline.lie_down(log, (kinds, &spans), &signs);
-        timeline.wash_and_eat(log, (kinds, &spans), &signs);
+        timeline.lie_down(sensors, &signs);
+        timeline.wash_and_eat(sensors, &signs);
         Ok((timeline, map))
     }
 
     /// Finds the times in bed: by what is in the bed, or else by silence in the bedroom.
-    fn lie_down(&mut self, log: &Log, (kinds, spans): (&[Kind], &[Vec<Span>]), signs: &[Sign]) {
-        let called = log.called();
+    fn lie_down(&mut self, LogSensors { called, kinds, spans }: &LogSensors, signs: &[Sign]) {
         let is_bed = |sensor: usize| kinds[sensor] == Kind::Used && is_named(&called[sensor], &BEDS);
         let mut lain: Vec<Span> = Vec::new();
         for (_, spans) in spans.iter().enumerate().filter(|(sensor, _)| is_bed(*sensor)) {
@@ -126,9 +129,9 @@ impl Timeline {
     }
 
     /// Finds showers and meals.
-    fn wash_and_eat(&mut self, log: &Log, (kinds, spans): (&[Kind], &[Vec<Span>]), signs: &[Sign]) {
+    fn wash_and_eat(&mut self, LogSensors { called, kinds, spans }: &LogSensors, signs: &[Sign]) {
         let shower = |(name, kind): (&String, &Kind)| *kind != Kind::Reading && is_named(name, &SHOWERS);
-        let is_shower: Vec<bool> = log.called().iter().zip(kinds).map(shower).collect();
+        let is_shower: Vec<bool> = called.iter().zip(kinds).map(shower).collect();
         let begins = |spans: Vec<Span>, least: Micros| {
             let long = spans.into_iter().filter(|span| span.1 - span.0 >= least);
             Some(long.map(|span| span.0).collect())

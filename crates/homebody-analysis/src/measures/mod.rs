@@ -26,7 +26,7 @@ mod wandering;
 mod ways;
 
 use crate::density::{Asked, Chosen, NoMap};
-use crate::signs::kinds;
+use crate::signs::LogSensors;
 use homebody_log::{Life, Log};
 use of_day::Common;
 
@@ -46,8 +46,8 @@ impl Measures {
     ///
     /// [`NoMap`] where no sensor tells of motion, or the days are too many.
     pub fn heard(name: &str, log: &Log, known: &Known, asked: &Asked) -> Result<Measures, NoMap> {
-        let kinds = kinds(log);
-        let (timeline, map) = Timeline::heard(log, &kinds, known, asked)?;
+        let sensors = LogSensors::of(log);
+        let (timeline, map) = Timeline::heard(log, &sensors, known, asked)?;
         let mut remarks = Vec::new();
         // A door out is in no room.
         let of_sensors = log.sensors.iter().zip(&timeline.rooms.of_sensors);
@@ -106,7 +106,7 @@ impl Measures {
         let mut measures = Measures { guesses, ..Measures::of(name, &timeline, remarks) };
         let away = timeline.away.clone().unwrap_or_default();
         let last = log.events.iter().map(|event| event.at).max().unwrap_or(timeline.begin);
-        let silences = silent::silences(log, &kinds, &away, last);
+        let silences = silent::silences(log, &sensors.kinds, &away, last);
         measures.leave_out(&silences, log, &timeline.rooms, &map.entrance);
         Ok(measures)
     }
