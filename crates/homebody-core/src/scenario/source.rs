@@ -42,11 +42,13 @@ struct Places {
     chars: Vec<usize>,
 }
 
-/// A JSON value and where it starts in the text.
+/// A JSON value and where it stands in the text.
 #[derive(Debug)]
 pub struct Node {
     /// Byte offset of its first character in the text.
     pub start: usize,
+    /// Byte offset behind its last character.
+    pub end: usize,
     /// What it says.
     pub value: Value,
 }
@@ -71,11 +73,13 @@ pub enum Value {
 /// Keys that are none, by where they start, and which were meant, if that is known.
 pub type Misspelt = BTreeMap<usize, Option<String>>;
 
-/// A key of an object and where it starts in the text.
+/// A key of an object and where it stands in the text.
 #[derive(Debug)]
 pub struct Key {
     /// Byte offset of its opening quote in the text.
     pub start: usize,
+    /// Byte offset behind its closing quote.
+    pub end: usize,
     /// The key, its escapes resolved.
     pub name: String,
 }
@@ -351,11 +355,12 @@ fn node(ast: &ast::Value) -> Node {
         ast::Value::Array(list) => Value::List(list.elements.iter().map(node).collect()),
         ast::Value::Object(object) => Value::Object(object.properties.iter().map(entry).collect()),
     };
-    Node { start: ast.start(), value }
+    Node { start: ast.start(), end: ast.end(), value }
 }
 
 fn entry(property: &ast::ObjectProp) -> (Key, Node) {
-    let key = Key { start: property.start(), name: property.name.as_str().into() };
+    let name = &property.name;
+    let key = Key { start: name.start(), end: name.end(), name: name.as_str().into() };
     (key, node(&property.value))
 }
 

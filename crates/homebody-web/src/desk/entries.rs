@@ -1,9 +1,7 @@
 //! Where everything stands in a text of JSON, so that a part of it is written otherwise or taken out and all the rest stays.
 
+use homebody_core::scenario::source::{Key, Node, Source, Value};
 use std::ops::Range;
-
-/// No text is nested deeper; what is, has no entries.
-const GREATEST_DEPTH: usize = 64;
 
 /// A property of an object, or an item of a list.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,12 +41,41 @@ impl Entry {
 
 /// All entries of a text, in order; none where it is no JSON.
 pub fn entries(text: &str) -> Vec<Entry> {
-    let mut reader = Reader { text, at: 0, path: Vec::new(), entries: Vec::new() };
-    // A byte order mark is no part of it.
-    reader.at = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
-    match reader.value() {
-        Some(_) => reader.entries,
-        None => Vec::new(),
+    let Ok(source) = Source::parse("", text) else { return Vec::new() };
+    // A byte order mark is no part of what has been read.
+    let mut found = Found { mark: text.len() - source.text.len(), path: Vec::new(), entries: Vec::new() };
+    found.within(&source.root);
+    found.entries
+}
+
+struct Found {
+    /// How many bytes there are before the text.
+    mark: usize,
+    path: Vec<String>,
+    entries: Vec<Entry>,
+}
+
+impl Found {
+    fn within(&mut self, node: &Node) {
+        match &node.value {
+            Value::List(items) => {
+                items.iter().enumerate().for_each(|(index, item)| self.add(index.to_string(), None, item))
+            }
+            Value::Object(all) => all.iter().for_each(|(key, value)| self.add(key.name.clone(), Some(key), value)),
+            _ => {}
+        }
+    }
+
+    fn add(&mut self, part: String, key: Option<&Key>, node: &Node) {
+        let in_text = |start: usize, end: usize| self.mark + start..self.mark + end;
+        let key = key.map(|key| in_text(key.start, key.end));
+        let value = in_text(node.start, node.end);
+        let whole = key.as_ref().map_or(value.start, |key| key.start)..value.end;
+        let said = if let Value::Text(said) = &node.value { Some(said.clone()) } else { None };
+        self.path.push(part);
+        self.entries.push(Entry { path: self.path.clone(), key, value, whole, said });
+        self.within(node);
+        self.path.pop();
     }
 }
 
@@ -81,107 +108,6 @@ pub fn without(text: &str, cut: &[Range<usize>]) -> String {
         fresh.replace_range(range, "");
     }
     fresh
-}
-
-struct Reader<'t> {
-    text: &'t str,
-    at: usize,
-    path: Vec<String>,
-    entries: Vec<Entry>,
-}
-
-impl Reader<'_> {
-    fn blank(&mut self) {
-        let rest = &self.text[self.at..];
-        self.at += rest.len() - rest.trim_start().len();
-    }
-
-    fn eat(&mut self, letter: char) -> bool {
-        self.blank();
-        let is_it = self.text[self.at..].starts_with(letter);
-        self.at += usize::from(is_it);
-        is_it
-    }
-
-    /// Reads a value; where it is a string, what that says.
-    fn value(&mut self) -> Option<(Range<usize>, Option<String>)> {
-        self.blank();
-        let start = self.at;
-        match self.text[start..].chars().next()? {
-            '{' => self.all('}', true)?,
-            '[' => self.all(']', false)?,
-            '"' => {
-                let said = self.string()?;
-                return Some((start..self.at, Some(said)));
-            }
-            _ => {
-                let rest = &self.text[start..];
-                let length = rest.find([',', ']', '}', ' ', '\n', '\r', '\t']).unwrap_or(rest.len());
-                if length == 0 {
-                    return None;
-                }
-                self.at += length;
-            }
-        }
-        Some((start..self.at, None))
-    }
-
-    fn string(&mut self) -> Option<String> {
-        let start = self.at;
-        let mut letters = self.text[start..].char_indices().skip(1);
-        while let Some((place, letter)) = letters.next() {
-            match letter {
-                '\\' => {
-                    letters.next();
-                }
-                '"' => {
-                    self.at = start + place + 1;
-                    return serde_json::from_str(&self.text[start..self.at]).ok();
-                }
-                _ => {}
-            }
-        }
-        None
-    }
-
-    /// Reads what is between two brackets.
-    fn all(&mut self, end: char, has_keys: bool) -> Option<()> {
-        if self.path.len() > GREATEST_DEPTH {
-            return None;
-        }
-        self.at += 1;
-        if self.eat(end) {
-            return Some(());
-        }
-        for index in 0.. {
-            self.blank();
-            let start = self.at;
-            let key = if has_keys {
-                let name = self.string()?;
-                let key = start..self.at;
-                self.path.push(name);
-                if !self.eat(':') {
-                    return None;
-                }
-                Some(key)
-            } else {
-                self.path.push(index.to_string());
-                None
-            };
-            let place = self.entries.len();
-            let (value, said) = self.value()?;
-            let entry = Entry { path: self.path.clone(), key, whole: start..value.end, value, said };
-            self.entries.insert(place, entry);
-            self.path.pop();
-            if self.eat(end) {
-                return Some(());
-            }
-            if !self.eat(',') {
-                return None;
-            }
-        }
-        None
-    }
 }
 
 #[cfg(test)]
