@@ -502,10 +502,7 @@ impl Cohort {
         };
         let (path, file) = (folder.join(LIST), CohortFile { list, form: self.layout.form(), asked, recording });
         let text = serde_json::to_string_pretty(&file).map_err(|error| Error::file(&path, error.to_string()))?;
-        let mut written = FreshFile::create(&path, how != How::New)?;
-        written.write(text.as_bytes())?;
-        written.write(b"\n")?;
-        written.finish()?;
+        FreshFile::write_whole(&path, (text + "\n").as_bytes(), how != How::New)?;
         Ok(file.list)
     }
 

@@ -279,7 +279,5 @@ fn table<const N: usize>(header: [&str; N], rows: impl Iterator<Item = [String; 
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let mut file = FreshFile::create(path, false)?;
-    file.write(bytes)?;
-    Ok(file.finish()?)
+    Ok(FreshFile::write_whole(path, bytes, false)?)
 }

@@ -101,6 +101,13 @@ impl FreshFile {
         Ok(FreshFile { path: path.into(), place, part, out: BufWriter::with_capacity(1 << 16, file) })
     }
 
+    /// Writes a whole file under its name or not at all; `force` allows that one with its name is replaced.
+    pub fn write_whole(path: &Path, bytes: &[u8], force: bool) -> Result<(), LogError> {
+        let mut file = FreshFile::create(path, force)?;
+        file.write(bytes)?;
+        file.finish()
+    }
+
     /// Opens what a program that died has left of a file, be it whole already or not; None where there is nothing. Its
     /// text is read from its beginning, and may be cut and added to.
     pub fn reopen(path: &Path) -> Result<Option<(FreshFile, File)>, LogError> {

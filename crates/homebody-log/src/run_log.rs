@@ -329,10 +329,8 @@ pub fn write_over(path: &Path, recording: &Recording) -> Result<(), LogError> {
 
 /// Writes a recording in one piece.
 fn write_recording(path: &Path, recording: &Recording, how: How) -> Result<(), LogError> {
-    let mut file = FreshFile::create(path, how != How::New)?;
-    file.write(serde_json::to_string_pretty(recording)?.as_bytes())?;
-    file.write(b"\n")?;
-    file.finish()
+    let text = serde_json::to_string_pretty(recording)? + "\n";
+    FreshFile::write_whole(path, text.as_bytes(), how != How::New)
 }
 
 /// Writes a row for each sensor: its id in the log, its name in the home, its kind, its room and its place.
@@ -347,9 +345,7 @@ fn write_sensors(path: &Path, run: &RunInfo) -> Result<(), LogError> {
         writer.write_record([&*id, &*name, &sensor.kind, &*room, &x, &y]).map_err(wrong)?;
     }
     let written = writer.into_inner().map_err(|error| LogError::file(path, error.into_error()))?;
-    let mut file = FreshFile::create(path, true)?;
-    file.write(&written)?;
-    file.finish()
+    FreshFile::write_whole(path, &written, true)
 }
 
 #[cfg(test)]

@@ -50,10 +50,7 @@ pub fn call(shelf: &Shelf, run: &str, about: RunAbout) -> Result<RunAbout, Refus
     }
     let place = place(shelf, run)?;
     let text = serde_json::to_string_pretty(&about).map_err(damaged)? + "\n";
-    let written = FreshFile::create(&place, true).and_then(|mut file| {
-        file.write(text.as_bytes())?;
-        file.finish()
-    });
+    let written = FreshFile::write_whole(&place, text.as_bytes(), true);
     written.map_err(|error| damaged(format!("{ABOUT} cannot be written: {error}")))?;
     Ok(about)
 }

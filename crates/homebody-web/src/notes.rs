@@ -115,10 +115,7 @@ fn read(place: &Path) -> Result<Vec<NoteView>, Refusal> {
 
 fn write(place: &Path, notes: &[NoteView]) -> Result<(), Refusal> {
     let text = serde_json::to_string_pretty(&NotesFile { notes: notes.to_vec() }).map_err(damaged)? + "\n";
-    let written = FreshFile::create(place, true).and_then(|mut file| {
-        file.write(text.as_bytes())?;
-        file.finish()
-    });
+    let written = FreshFile::write_whole(place, text.as_bytes(), true);
     written.map_err(|error| damaged(format!("{NOTES} cannot be written: {error}")))
 }
 

@@ -28,9 +28,7 @@ pub fn print_text(text: &str) -> Result<(), Failure> {
 
 /// Writes a whole file under its name or not at all; one that exists is replaced with `force` only.
 pub fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
-    let mut file = FreshFile::create(path, force)?;
-    file.write(bytes)?;
-    Ok(file.finish()?)
+    Ok(FreshFile::write_whole(path, bytes, force)?)
 }
 
 /// Tells people something on standard error; that nobody listens there is no error.
