@@ -133,7 +133,7 @@ impl Desk {
             return Vec::new();
         }
         let mut mends = Vec::new();
-        for (kind, one, many) in [(Kind::Logger, "id", "ids"), (Kind::Link, "line about", "lines about")] {
+        for (kind, one, many) in [(Kind::Logger, "id of", "ids of"), (Kind::Link, "line about", "lines about")] {
             let Some((file, text)) = linked.text_of(kind) else { continue };
             let all = entries(&text);
             let gone: Vec<(String, Range<usize>)> = all
@@ -145,11 +145,7 @@ impl Desk {
                 .collect();
             let what = match &gone[..] {
                 [] => continue,
-                [(name, _)] if kind == Kind::Logger => {
-                    format!("Remove the {one} of \u{201c}{name}\u{201d}, a sensor that is gone")
-                }
                 [(name, _)] => format!("Remove the {one} \u{201c}{name}\u{201d}, a sensor that is gone"),
-                all if kind == Kind::Logger => format!("Remove the {} {many} of sensors that are gone", all.len()),
                 all => format!("Remove the {} {many} sensors that are gone", all.len()),
             };
             let cut: Vec<Range<usize>> = gone.into_iter().map(|(_, whole)| whole).collect();
