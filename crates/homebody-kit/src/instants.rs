@@ -8,7 +8,7 @@ use homebody_core::time::Micros;
 use homebody_log::source::{Clock, Value, truth_rows};
 use homebody_log::table::ColumnKind;
 use homebody_log::truth::{Truth, tables};
-use homebody_log::{Activity, Life, Log, LogError, RunClock, activities, lives};
+use homebody_log::{Activity, Life, Log, LogError, RunClock, Url, activities, lives};
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
 
@@ -94,16 +94,23 @@ impl NamedLog {
         Ok(Instants { log, lives, zone })
     }
 
+    /// The truth beside it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Log`] if there is none.
+    pub fn truth_that_is_there(&self) -> Result<Url, Error> {
+        let why = || "no truth lies beside the log".to_owned();
+        Ok(self.truth().ok_or_else(|| LogError::NoTruth { place: self.place.to_string(), why: why() })?)
+    }
+
     /// Gives the rows of a table of the truth beside it, with instants as [`Instants`] has them.
     ///
     /// # Errors
     ///
     /// [`Error::Log`] if there is no such table, or no truth.
     pub fn truth_rows(&self, table: &str, take: &mut dyn FnMut(&[Value<'_>])) -> Result<(), Error> {
-        let Some(truth) = self.truth() else {
-            let why = "no truth lies beside the log".to_owned();
-            return Err(LogError::NoTruth { place: self.place.to_string(), why }.into());
-        };
+        let truth = self.truth_that_is_there()?;
         let all = tables();
         let Some(index) = all.iter().position(|known| known.name == table) else {
             let names: Vec<&str> = all.iter().map(|table| table.name.as_str()).collect();

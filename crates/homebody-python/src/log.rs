@@ -81,13 +81,7 @@ impl Log {
 
     fn labelled_into(&self, to: &Path) -> Result<(), Error> {
         let named = self.named()?;
-        let Some(truth) = named.truth() else {
-            return Err(homebody_log::LogError::NoTruth {
-                place: named.place.to_string(),
-                why: "no truth lies beside the log".into(),
-            }
-            .into());
-        };
+        let truth = named.truth_that_is_there()?;
         let about = named.survey()?;
         let to: Url = Url::new(homebody_core::scenario::scheme::Scheme::Arrow, to);
         let zone = self.zone.as_deref().unwrap_or("UTC");
