@@ -53,10 +53,12 @@ struct Got {
 }
 
 impl Place {
-    /// Each call has a chance of its own; a seed of seven ends it for good somewhere.
+    /// Each call has a chance of its own; a seed of seven ends it for good somewhere, and one of fourteen at the first or second call,
+    /// which there are always.
     fn fate(&self, number: u64) -> Fate {
         let mut of_all = Stream::named(self.seed, "place");
-        let (failing, last) = (of_all.between(0.0, 0.6), of_all.between(0.0, 80.0) as u64);
+        let latest = if self.seed.is_multiple_of(14) { 3.0 } else { 80.0 };
+        let (failing, last) = (of_all.between(0.0, 0.6), of_all.between(0.0, latest) as u64);
         let mut stream = Stream::named(self.seed, &format!("call/{number}"));
         match stream.unit() {
             _ if self.seed.is_multiple_of(7) && number >= last => Fate::Over,
@@ -172,7 +174,8 @@ fn however_a_place_fails_each_policy_does_what_it_says() {
     }
     println!("{seeds} seeds: {ends:?}");
     assert!(
-        seeds < USUAL_SEEDS || ["retry whole", "spool whole", "error ended"].iter().all(|end| ends.contains_key(*end)),
+        seeds < USUAL_SEEDS
+            || ["retry whole", "retry ended", "spool whole", "error ended"].iter().all(|end| ends.contains_key(*end)),
         "{ends:?}"
     );
     // The control: one that keeps twice what nobody heard that it had is found out.
