@@ -2,8 +2,7 @@
 
 use crate::VERSION;
 use crate::error::Error;
-use crate::live_home::has_no_end;
-use crate::recorded::{Recorded, recording};
+use crate::recorded::{Recorded, has_no_end, recording};
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;

@@ -8,18 +8,13 @@ use crate::pace::Pace;
 use crate::recorded::Unfinished;
 use crate::run::{LiveRun, Progress, RunSetup};
 use crate::store::Lived;
-use homebody_core::recording::{LONGEST, Recording};
+use homebody_core::recording::LONGEST;
 use homebody_core::scenario::load::Scenario;
 use homebody_log::places::RECORDING;
 use homebody_log::{How, LogError, Places, Url, WhenDown};
 use jiff::Timestamp;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Whether a run has no end of its own, as a home on the world's clock has none.
-pub fn has_no_end(recording: &Recording) -> bool {
-    recording.stopped_of_us.unwrap_or(recording.length_us) == LONGEST
-}
 
 /// A home on the world's clock.
 ///

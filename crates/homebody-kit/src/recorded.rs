@@ -95,6 +95,11 @@ pub struct Unfinished {
     pub(crate) places: Places,
 }
 
+/// Whether a run has no end of its own, as a home on the world's clock has none.
+pub(crate) fn has_no_end(recording: &Recording) -> bool {
+    recording.stopped_of_us.unwrap_or(recording.length_us) == LONGEST
+}
+
 impl Unfinished {
     /// Finds out what is left to do in a run's folder.
     ///
@@ -152,7 +157,7 @@ impl Unfinished {
 
     /// Whether it is a home on the world's clock, which has no end that it could be lived to: see [`LiveHome`](crate::LiveHome).
     pub fn has_no_end(&self) -> bool {
-        self.run.recording.length_us == LONGEST
+        has_no_end(&self.run.recording)
     }
 
     /// Lives it to its end, or until it is cancelled; `progress` is called after each batch.
