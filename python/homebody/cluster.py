@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from homebody import _homebody
+from homebody._cohort import LIST
 from homebody.errors import ClusterError, HomebodyError, needs
 from homebody.progress import Progress
 
@@ -35,7 +36,7 @@ def _begun(folder: str, changed: int) -> _homebody.Cohort:
 def live_member(folder: str, index: int) -> str:
     """Lives one member; what became of them, as JSON. This is the task."""
     try:
-        changed = (Path(folder) / "cohort.json").stat().st_mtime_ns
+        changed = (Path(folder) / LIST).stat().st_mtime_ns
     except OSError as error:
         raise ClusterError(
             f"a worker does not see {folder}: {error.strerror}\n"
