@@ -8,7 +8,7 @@
 
 mod rule;
 
-use crate::measures::{Day, Measure, Measures};
+use crate::measures::{Day, Measure, Measures, Silent};
 use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
@@ -82,7 +82,7 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
     if let Some(several) = rules.several {
         alerts.extend(at_once(several, rules, measures, &counts));
     }
-    alerts.extend(measures.silent.iter().map(|silent| Alert {
+    alerts.extend(Silent::told(&measures.silent).into_iter().map(|(silent, words)| Alert {
         date: silent.told,
         rule: SENSOR.into(),
         measures: Vec::new(),
@@ -91,7 +91,7 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
         usual: None,
         sd: None,
         shown_by: vec![silent.since],
-        words: format!("The sensor {} has said nothing since {}", silent.sensor, silent.since),
+        words,
     }));
     alerts.sort_by(|a, b| (a.date, &a.rule).cmp(&(b.date, &b.rule)));
     let mut remarks = measures.remarks.clone();

@@ -97,7 +97,12 @@ fn a_change_is_found_with_the_day_since_when_it_is_so() {
 #[test]
 fn a_silent_sensor_is_told_of() {
     let mut measures = days_of("meals", &then(&[2.0; 5]));
-    measures.silent.push(Silent { sensor: "kitchen motion".into(), since: date(2024, 1, 15), told: date(2024, 1, 17) });
+    measures.silent.push(Silent {
+        sensor: "kitchen motion".into(),
+        since: date(2024, 1, 15),
+        told: date(2024, 1, 17),
+        until: None,
+    });
     let found = alerts(&measures, &rules(NIGHTS));
     let [alert] = &found.alerts[..] else { panic!("{found}") };
     assert_eq!((alert.rule.as_str(), alert.date), ("sensor", date(2024, 1, 17)));

@@ -60,4 +60,57 @@ pub struct Silent {
     pub since: Date,
     /// The day on which that can be said.
     pub told: Date,
+    /// The day on which it speaks again; `None` if it never does.
+    pub until: Option<Date>,
+}
+
+impl Silent {
+    /// In words, those of the same days together: each time the first of them, and the sentence.
+    pub fn told(silent: &[Silent]) -> Vec<(&Silent, String)> {
+        let mut told: Vec<(&Silent, Vec<&str>)> = Vec::new();
+        for one in silent {
+            let same = |(other, _): &&mut (&Silent, Vec<&str>)| {
+                (other.since, other.told, other.until) == (one.since, one.told, one.until)
+            };
+            match told.iter_mut().find(same) {
+                Some((_, sensors)) => sensors.push(&one.sensor),
+                None => told.push((one, vec![&one.sensor])),
+            }
+        }
+        let in_words = |(first, sensors): (&'_ Silent, Vec<&str>)| {
+            let (noun, has) = if sensors.len() == 1 { ("sensor", "has") } else { ("sensors", "have") };
+            let said = match first.until {
+                Some(until) => format!("said nothing from {} to {until}", first.since),
+                None => format!("{has} said nothing since {}", first.since),
+            };
+            format!("The {noun} {} {said}", sensors.join(", "))
+        };
+        told.into_iter().map(|(first, sensors)| (first, in_words((first, sensors)))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jiff::civil::date;
+
+    #[test]
+    fn sensors_that_fall_silent_together_are_told_in_one_sentence() {
+        let one = |sensor: &str, until: Option<Date>| Silent {
+            sensor: sensor.into(),
+            since: date(2024, 1, 15),
+            told: date(2024, 1, 17),
+            until,
+        };
+        let back = Some(date(2024, 1, 30));
+        let silent = [one("kitchen", back), one("hall", None), one("bed", back)];
+        let told: Vec<String> = Silent::told(&silent).into_iter().map(|(_, words)| words).collect();
+        assert_eq!(
+            told,
+            [
+                "The sensors kitchen, bed said nothing from 2024-01-15 to 2024-01-30",
+                "The sensor hall has said nothing since 2024-01-15"
+            ]
+        );
+    }
 }

@@ -14,7 +14,7 @@ use homebody_log::Log;
 /// (ours), as of `look`.
 const SILENT: Micros = 2 * DAY;
 const SILENT_TIMES: Micros = 3;
-/// Only of a contact that has spoken on so many days before, and on three of four, silence says anything (ours): a drawer may stay
+/// Only of a sensor of what is used or opened that has spoken on so many days before, and on three of four, silence says anything (ours): a drawer may stay
 /// closed for a week.
 const LEAST_DAYS: i64 = 4;
 const OF_DAYS: (i64, i64) = (3, 4);
@@ -24,16 +24,17 @@ pub(super) struct Silence {
     sensor: usize,
     span: Span,
     told: Micros,
+    speaks_again: bool,
 }
 
-/// The silences of motion sensors and of contacts, up to `last`.
+/// The silences of sensors of movements and of what is used, up to `last`.
 pub(super) fn silences(log: &Log, kinds: &[Kind], away: &[Span], last: Micros) -> Vec<Silence> {
     let mut before: Vec<Option<Micros>> = vec![None; log.sensors.len()];
     let mut longest: Vec<Micros> = vec![0; log.sensors.len()];
     // By sensor: the first day on which it spoke, and on how many it has.
     let mut spoken: Vec<(i64, i64)> = vec![(0, 0); log.sensors.len()];
     let mut found = Vec::new();
-    let mut ends = |sensor: usize, at: Micros, before: Option<Micros>| {
+    let mut ends = |sensor: usize, at: Micros, before: Option<Micros>, speaks_again: bool| {
         let day = |at: Micros| at.div_euclid(DAY);
         let (first, days) = spoken[sensor];
         let is_regular = before.is_some_and(|since| {
@@ -51,19 +52,19 @@ pub(super) fn silences(log: &Log, kinds: &[Kind], away: &[Span], last: Micros) -
         let quiet = at - since - away;
         let least = SILENT.max(longest[sensor] * SILENT_TIMES);
         if quiet >= least && is_regular {
-            found.push(Silence { sensor, span: (since, at), told: since + least + away });
+            found.push(Silence { sensor, span: (since, at), told: since + least + away, speaks_again });
         } else {
             longest[sensor] = longest[sensor].max(quiet);
         }
     };
     for event in log.in_order() {
         let sensor = event.sensor as usize;
-        ends(sensor, event.at, before[sensor].replace(event.at));
+        ends(sensor, event.at, before[sensor].replace(event.at), true);
     }
     for (sensor, at) in before.into_iter().enumerate() {
-        ends(sensor, last, at);
+        ends(sensor, last, at, false);
     }
-    found.retain(|silence| matches!(kinds[silence.sensor], Kind::Motion | Kind::Contact));
+    found.retain(|silence| kinds[silence.sensor] != Kind::Reading);
     found
 }
 
@@ -93,7 +94,8 @@ impl Measures {
                     }
                 }
             }
-            self.silent.push(Silent { sensor: name.clone(), since, told });
+            let until = silence.speaks_again.then_some(until);
+            self.silent.push(Silent { sensor: name.clone(), since, told, until });
         }
     }
 }

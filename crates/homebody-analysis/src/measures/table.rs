@@ -1,6 +1,6 @@
 //! Measures as tables, for people and for programs.
 
-use super::held::Measures;
+use super::held::{Measures, Silent};
 use super::kinds::MEASURES;
 use std::fmt;
 use std::fmt::Write;
@@ -54,12 +54,8 @@ impl fmt::Display for Measures {
             write!(f, "{:>9.2}{:>9.2}{:>9.2}", at(0.1), at(0.5), at(0.9))?;
             writeln!(f, "   {}", recent.join("  "))?;
         }
-        for silent in &self.silent {
-            writeln!(
-                f,
-                "\nThe sensor {} has said nothing since {}; what needs it has no value.",
-                silent.sensor, silent.since
-            )?;
+        for (_, words) in Silent::told(&self.silent) {
+            writeln!(f, "\n{words}; what needs it has no value meanwhile.")?;
         }
         for (number, remark) in self.remarks.iter().enumerate() {
             if number == 0 {

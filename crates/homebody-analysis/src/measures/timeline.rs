@@ -134,7 +134,9 @@ impl Timeline {
                 None => nights.push((end - begin, (begin, end))),
             }
         }
-        let (lain, night) = nights.into_iter().max_by_key(|(lain, _)| *lain)?;
+        // What ends before midnight is of the day before.
+        let of_day = nights.into_iter().filter(|(_, night)| night.1 > midnight);
+        let (lain, night) = of_day.max_by_key(|(lain, _)| *lain)?;
         (lain >= LEAST_NIGHT).then_some(night)
     }
 }
@@ -199,6 +201,9 @@ mod tests {
         let timeline = Timeline { recorded_h: vec![[1.0; 24]; 2], in_bed: Some(in_bed), ..Timeline::default() };
         assert_eq!(timeline.night(1), Some((22 * H, 31 * H)));
         assert_eq!(timeline.night(0), None);
+        // What ends at eleven in the evening is no night that ends on the next day.
+        let by_day = Timeline { in_bed: Some(vec![(14 * H, 23 * H)]), ..timeline.clone() };
+        assert_eq!((by_day.night(0), by_day.night(1)), (None, None));
         assert!((timeline.known_h((12 * H, 36 * H)) - 24.0).abs() < 1e-9);
         assert!((timeline.known_h((-12 * H, 12 * H)) - 12.0).abs() < 1e-9);
     }
