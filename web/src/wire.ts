@@ -277,6 +277,10 @@ person: string,
  */
 day: string | null, 
 /**
+ * Whether enough days lie before the last two weeks to say what has changed.
+ */
+is_compared: boolean, 
+/**
  * What cannot be said.
  */
 remarks: Array<string>, 

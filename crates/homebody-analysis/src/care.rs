@@ -4,6 +4,7 @@
 //! days before it that count, as alerts have it.
 
 use crate::alerts::{Alert, Rules, alerts, counts, usual_before};
+use crate::dates::clock_of_hours;
 use crate::measures::{Day, Measures};
 use crate::summaries::{About, Sentence, summarise};
 use jiff::civil::Date;
@@ -15,6 +16,8 @@ pub struct Care {
     pub day: Option<Date>,
     /// What cannot be said, in sentences.
     pub remarks: Vec<String>,
+    /// Whether enough days lie before the last two weeks to say what has changed.
+    pub is_compared: bool,
     /// All days in order, each by what carers ask about.
     pub days: Vec<DayTold>,
     /// Sentences about the last two weeks: what has changed first.
@@ -117,6 +120,8 @@ pub const LAST_DAYS: usize = 14;
 /// A day is told as unusual that is so many standard deviations from the mean (ours), and what is less than these apart is
 /// usual all the same (ours).
 const UNUSUAL_SD: f64 = 2.0;
+/// What is less percent apart is the same pace (ours).
+const SAME_PACE_PERCENT: f64 = 5.0;
 const ASKED: [Asked; 11] = [
     Asked { measure: "time_in_bed", title: "In bed", unit: Unit::Hours, least_sd: 0.5, said: "Was in bed for {}" },
     Asked { measure: "sleep", title: "Sleep", unit: Unit::Hours, least_sd: 0.5, said: "Slept {}" },
@@ -138,13 +143,7 @@ const ASKED: [Asked; 11] = [
     },
     Asked { measure: "meals", title: "Meals", unit: Unit::Times, least_sd: 0.6, said: "Meals in the kitchen: {}" },
     Asked { measure: "time_out", title: "Out of the home", unit: Unit::Hours, least_sd: 0.7, said: "Was out for {}" },
-    Asked {
-        measure: "pace",
-        title: "Walking pace",
-        unit: Unit::OfUsual,
-        least_sd: 0.04,
-        said: "Walked at {} of the pace of all days",
-    },
+    Asked { measure: "pace", title: "Walking pace", unit: Unit::OfUsual, least_sd: 0.04, said: "" },
     Asked {
         measure: "walking_speed",
         title: "Walking speed",
@@ -188,7 +187,15 @@ pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
     let mut alerts = alerts(measures, rules).alerts;
     alerts.reverse();
     let day = last.map(|last| measures.days[last].date);
-    Care { day, remarks: summary.remarks, days, sentences: summary.sentences, alerts, charts }
+    Care {
+        day,
+        is_compared: summary.is_compared,
+        remarks: summary.remarks,
+        days,
+        sentences: summary.sentences,
+        alerts,
+        charts,
+    }
 }
 
 fn nothing_told(day: &Day) -> DayTold {
@@ -217,6 +224,8 @@ fn chart(asked: &Asked, measures: &Measures) -> Chart {
 fn of_day(asked: &Asked, value: f64, usual: Option<(f64, f64)>) -> Today {
     let told = match (asked.measure, value) {
         ("time_out", value) if value < 0.05 => "Was not out".to_owned(),
+        // It is beside the whole log, so it says something where there is no usual yet.
+        ("pace", value) => of_pace(value),
         (_, value) => asked.said.replace("{}", &said(asked.unit, value)),
     };
     let Some((mean, sd)) = usual else {
@@ -242,15 +251,22 @@ fn of_day(asked: &Asked, value: f64, usual: Option<(f64, f64)>) -> Today {
     Today { measure: asked.measure, words: format!("{told}, {beside}"), is_more }
 }
 
+/// The pace of a day beside that of all days, in words.
+fn of_pace(of_usual: f64) -> String {
+    let percent = ((of_usual - 1.0) * 100.0).round();
+    match percent {
+        percent if percent.abs() < SAME_PACE_PERCENT => "Walked as fast as on most days".to_owned(),
+        percent if percent > 0.0 => format!("Walked {percent:.0} % faster than on most days"),
+        percent => format!("Walked {:.0} % more slowly than on most days", -percent),
+    }
+}
+
 /// A value in words.
 fn said(unit: Unit, value: f64) -> String {
     match unit {
         Unit::Hours if (value - 1.0).abs() < 0.05 => "1 hour".to_owned(),
         Unit::Hours => format!("{value:.1} hours"),
-        Unit::Clock => {
-            let minutes = (value * 60.0).round() as i64;
-            format!("{:02}:{:02}", minutes.div_euclid(60).rem_euclid(24), minutes.rem_euclid(60))
-        }
+        Unit::Clock => clock_of_hours(value),
         Unit::Times if value == 1.0 => "once".to_owned(),
         Unit::Times if value.fract() == 0.0 => format!("{value:.0} times"),
         Unit::Times => format!("{value:.1} times"),
@@ -290,6 +306,8 @@ mod tests {
         assert_eq!((short.charts.len(), short.charts[0].days.len()), (1, 21));
         assert_eq!(short.charts[0].days[20].usual, Some((6.5, 7.5)));
         assert_eq!(short.charts[0].days[3].usual, None, "three days are no usual");
+        assert!(!same.is_compared);
+        assert!(short.is_compared, "seven days lie before");
     }
 
     #[test]

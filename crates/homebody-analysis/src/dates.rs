@@ -29,6 +29,12 @@ pub fn clock(since_midnight: Micros) -> String {
     format!("{:02}:{:02}", minutes / 60, minutes % 60)
 }
 
+/// A time of day from hours since midnight, as `07:12`: 24.5 is half past midnight.
+pub fn clock_of_hours(hours: f64) -> String {
+    let minutes = (hours * 60.0).round() as i64;
+    format!("{:02}:{:02}", minutes.div_euclid(60).rem_euclid(24), minutes.rem_euclid(60))
+}
+
 /// The time of day to the second, as `07:12:03`.
 pub fn clock_s(at: Micros) -> String {
     format!("{}:{:02}", clock(at.rem_euclid(DAY)), at.div_euclid(SECOND).rem_euclid(60))

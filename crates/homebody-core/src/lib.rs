@@ -10,7 +10,8 @@ pub mod time;
 pub mod geometry;
 pub mod random;
 
-// What "about" and "most" mean in numbers.
+// Means and quantiles, and what "about" and "most" mean in numbers.
+pub mod statistics;
 pub mod fuzzy;
 
 // The numbers that models are made of.

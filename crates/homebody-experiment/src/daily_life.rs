@@ -13,7 +13,6 @@ mod person;
 mod published;
 mod report;
 mod sensing;
-mod statistics;
 
 #[cfg(test)]
 mod tests;
@@ -25,10 +24,10 @@ pub use person::Person;
 pub use sensing::Sensing;
 
 use homebody_core::activity::TimeUse;
+use homebody_core::statistics::{mean, sd};
 use homebody_picture::{Hours, Measured, hour_chart, range_chart};
 use published::{LINES, Published};
 use serde::Serialize;
-use statistics::{mean, sd};
 
 /// Everything the experiment found.
 #[derive(Clone, Debug, PartialEq, Serialize)]

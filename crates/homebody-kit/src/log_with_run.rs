@@ -7,6 +7,7 @@ use homebody_analysis::density::{Asked, NoMap};
 use homebody_analysis::look::HomeSensor;
 use homebody_analysis::measures::{Known, Measures, Ways};
 use homebody_analysis::signs::{Kind, Says, says};
+use homebody_core::names::capitalised;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
@@ -160,13 +161,40 @@ impl LogWithRun {
     pub fn measures(&self) -> Result<Measures, NoMap> {
         let asked = Asked { recorded: self.recorded.clone(), ..Asked::default() };
         let ways = self.ways();
-        Measures::heard(&self.name, &self.log, &Known { rooms: &self.rooms, ways: ways.as_ref() }, &asked)
+        let known = Known { rooms: &self.rooms, ways: ways.as_ref() };
+        let mut measures = Measures::heard(&self.name, &self.log, &known, &asked)?;
+        let residents = self.residents();
+        if residents.len() > 1 {
+            measures.remarks.push(format!(
+                "It is of all who live there, {}: sensors do not tell who it was; --resident NAME tells of one where there is a truth",
+                residents.join(", ")
+            ));
+        }
+        Ok(measures)
+    }
+
+    /// Those who live in its home, where that or a truth tells it.
+    pub fn residents(&self) -> Vec<&str> {
+        match &self.home {
+            Some(home) => home.residents.iter().map(|resident| resident.file.name.as_str()).collect(),
+            None => self.lives.iter().map(|life| life.resident.as_str()).collect(),
+        }
+    }
+
+    /// What sentences call whom it is about: by name where one alone lives there.
+    pub fn subject(&self) -> String {
+        match self.residents()[..] {
+            [] => "the resident".to_owned(),
+            [one] => capitalised(one),
+            _ => "somebody".to_owned(),
+        }
     }
 
     /// When guests were in the home, as the truth tells it; `None` where it is not known who lives there.
     pub fn company(&self) -> Option<Vec<(Micros, Micros)>> {
-        let residents = &self.home.as_ref()?.residents;
-        let is_guest = |life: &&Life| !residents.iter().any(|resident| resident.file.name == life.resident);
+        self.home.as_ref()?;
+        let residents = self.residents();
+        let is_guest = |life: &&Life| !residents.contains(&life.resident.as_str());
         let guests = self.lives.iter().filter(is_guest);
         Some(guests.flat_map(|guest| guest.rooms.iter().map(|room| (room.begin, room.end))).collect())
     }

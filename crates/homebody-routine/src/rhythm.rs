@@ -16,6 +16,7 @@
 use crate::explain::words::number;
 use crate::language::activities::phrase;
 use crate::routine::{Activity, Meal};
+use homebody_core::statistics;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use std::ops::Range;
 
@@ -271,22 +272,16 @@ fn counted(value: f64, what: &str) -> String {
 }
 
 fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
+    statistics::mean(values).unwrap_or(0.0)
 }
 
 /// The standard deviation; of one value nothing.
 fn spread(values: &[f64]) -> f64 {
-    let mean = mean(values);
-    let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
-    (squares / (values.len().max(2) - 1) as f64).sqrt()
+    statistics::sd(values).unwrap_or(0.0)
 }
 
 fn quantile(values: &[f64], share: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let at = share * (sorted.len() - 1) as f64;
-    let (low, high) = (sorted[at.floor() as usize], sorted[at.ceil() as usize]);
-    low + (high - low) * at.fract()
+    statistics::quantile(values, share).unwrap_or(0.0)
 }
 
 #[cfg(test)]

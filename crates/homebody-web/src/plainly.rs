@@ -1,6 +1,7 @@
 //! Alerts and sentences in everyday words, for who knows nothing of sensors or statistics.
 
 use homebody_analysis::alerts::{Alert, Method, Rules, SENSOR};
+use homebody_analysis::dates::clock_of_hours;
 use homebody_analysis::measures::Measure;
 use homebody_analysis::summaries::Sentence;
 
@@ -174,10 +175,7 @@ fn beside(measure: &str, (of, value): (&str, f64), other: f64, when: &str) -> St
 fn told(measure: &str, value: f64) -> Option<String> {
     match spoken(measure)?.kind {
         Kind::Hours => Some(format!("{value:.1} hours")),
-        Kind::Clock => {
-            let minutes = (value * 60.0).round() as i64;
-            Some(format!("at {:02}:{:02}", minutes.div_euclid(60).rem_euclid(24), minutes.rem_euclid(60)))
-        }
+        Kind::Clock => Some(format!("at {}", clock_of_hours(value))),
         Kind::Times if value.fract() == 0.0 => Some(format!("{value:.0} times")),
         Kind::Times => Some(format!("{value:.1} times")),
         Kind::Pace | Kind::Amount => None,

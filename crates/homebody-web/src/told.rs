@@ -10,7 +10,6 @@ use homebody_analysis::care::care;
 use homebody_analysis::density::{Asked, density};
 use homebody_analysis::look::{HomeSensor, Looker};
 use homebody_analysis::realism::{NotComparable, Told, realism};
-use homebody_core::names::capitalised;
 use homebody_core::scenario::load::Scenario;
 use homebody_kit::walked::GIVEN;
 use homebody_kit::{LogWithRun, NamedLog, home_sensors, sensors_of_home};
@@ -90,14 +89,9 @@ impl Logs {
         scenario.iter().for_each(|scenario| _ = read.place_in(scenario));
         let measures = read.measures().map_err(|why| Refusal::Damaged(shortened(&why.to_string())))?;
         let rules = Rules::read(USUAL).map_err(|problems| Refusal::Damaged(shortened(&problems.join("; "))))?;
-        let residents = scenario.iter().flat_map(|scenario| &scenario.residents);
-        let residents: Vec<&str> = residents.map(|resident| resident.file.name.as_str()).collect();
-        let person = match residents[..] {
-            [one] => capitalised(one),
-            [] => "the resident".to_owned(),
-            _ => "the residents".to_owned(),
-        };
-        let care = CareView::of(&care(&measures, &rules, &person), &rules, (run, &person), self.walks(run));
+        let subject = read.subject();
+        let person = if read.residents().len() > 1 { "the residents" } else { &subject };
+        let care = CareView::of(&care(&measures, &rules, &subject), &rules, (run, person), self.walks(run));
         told.retain(|known| known.care.name != run);
         told.truncate(MOST_TOLD - 1);
         told.insert(0, ToldCare { files, care: care.clone() });

@@ -9,6 +9,7 @@
 mod rule;
 
 use crate::measures::{Day, Measure, Measures, Silent};
+use homebody_core::problem::counted;
 use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
@@ -63,6 +64,8 @@ pub struct Alert {
 struct Usual {
     mean: f64,
     sd: f64,
+    /// Of how many days it is.
+    days: usize,
 }
 
 /// All alerts of the measures of a log.
@@ -99,7 +102,8 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
     let least = rules.rules.iter().map(|rule| rule.min_days).min().unwrap_or(0);
     if days_that_count <= least {
         remarks.push(format!(
-            "{days_that_count} days that count are too few to know what is usual: {} are needed",
+            "{} count, too few to know what is usual: {} are needed",
+            counted(days_that_count, "day", "days"),
             least + 1
         ));
     }
@@ -130,7 +134,7 @@ fn of_before(values: &[Option<f64>], day: usize, (baseline, least): (usize, usiz
     let mean = before.iter().sum::<f64>() / count;
     let variance = before.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0);
     let sd = variance.sqrt().max(least_sd);
-    (sd > 0.0).then_some(Usual { mean, sd })
+    (sd > 0.0).then_some(Usual { mean, sd, days: before.len() })
 }
 
 /// By how many standard deviations a value differs in a direction that counts; 0 where it does not.
@@ -305,20 +309,28 @@ fn usual_of(rule: &Rule, before: &[Option<f64>]) -> Option<Usual> {
 fn alert(rule: &Rule, measure: &'static Measure, (value, usual): (f64, Usual), shown: &[usize], days: &[Day]) -> Alert {
     let shown_by: Vec<Date> = shown.iter().map(|&day| days[day].date).collect();
     let date = shown_by.last().copied().unwrap_or_default();
-    let (is_more, title, unit) = (value > usual.mean, measure.title, measure.unit);
-    let (mean, sd) = (usual.mean, usual.sd);
-    let much = if is_more { "more" } else { "less" };
+    let (is_more, title) = (value > usual.mean, measure.title);
+    let much = match (measure.is_clock(), is_more) {
+        (true, true) => "later",
+        (true, false) => "earlier",
+        (false, true) => "more",
+        (false, false) => "less",
+    };
+    let told = |value: f64| measure.told(value, if rule.method == Method::Deviation { 1 } else { 2 });
+    let (value_told, mean_told) = (told(value), told(usual.mean));
     let words = match rule.method {
         Method::Deviation => format!(
-            "{title}: {value:.1} {unit} on {date}, {much} than the usual {mean:.1} (give or take {sd:.1}) of the {} days before",
-            rule.baseline_days
+            "{title}: {value_told} on {date}, {much} than the usual {mean_told} (give or take {:.1}{}) of {} before",
+            usual.sd,
+            if measure.is_clock() { " h" } else { "" },
+            counted(usual.days, "day", "days")
         ),
         Method::Cusum => format!(
-            "{title}: {value:.2} {unit} on average since {}, {much} than the {mean:.2} of before",
+            "{title}: {value_told} on average since {}, {much} than the {mean_told} of before",
             shown_by.first().copied().unwrap_or_default()
         ),
         Method::Ewma => format!(
-            "{title}: the average of the last days has come to {value:.2} {unit} on {date}, {much} than the {mean:.2} of before"
+            "{title}: the average of the last days has come to {value_told} on {date}, {much} than the {mean_told} of before"
         ),
     };
     Alert {
@@ -327,8 +339,8 @@ fn alert(rule: &Rule, measure: &'static Measure, (value, usual): (f64, Usual), s
         measures: vec![measure.name],
         is_more: Some(is_more),
         value: Some(value),
-        usual: Some(mean),
-        sd: Some(sd),
+        usual: Some(usual.mean),
+        sd: Some(usual.sd),
         shown_by,
         words,
     }
@@ -379,11 +391,11 @@ impl fmt::Display for Alerts {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(
             f,
-            "{}: {} days, of which {} count; {} alerts",
+            "{}: {}, of which {} count; {}",
             self.name,
-            self.days,
+            counted(self.days, "day", "days"),
             self.days_that_count,
-            self.alerts.len()
+            counted(self.alerts.len(), "alert", "alerts")
         )?;
         for alert in &self.alerts {
             writeln!(f, "\n{}  {}\n  {}", alert.date, alert.rule, alert.words)?;

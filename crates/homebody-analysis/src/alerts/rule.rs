@@ -8,7 +8,7 @@ pub const USUAL: &str = include_str!("rules.json");
 
 /// A file of rules.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an object with \"rules\", a list of rules")]
 pub struct Rules {
     /// One measure each.
     pub rules: Vec<Rule>,
@@ -18,7 +18,7 @@ pub struct Rules {
 
 /// When a measure is worth an alert.
 #[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a rule: an object with name, measure and when")]
 pub struct Rule {
     /// What the alert is called.
     pub name: String,
@@ -54,7 +54,7 @@ pub struct Rule {
 
 /// Several measures at once.
 #[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an object with at_least and k_sd")]
 pub struct Several {
     /// So many measures of the rules on one day.
     pub at_least: usize,
@@ -123,8 +123,26 @@ impl Rules {
     /// A sentence for each problem.
     pub fn read(text: &str) -> Result<Rules, Vec<String>> {
         let rules: Rules = serde_json::from_str(text).map_err(|error| vec![error.to_string()])?;
-        let problems: Vec<String> = rules.rules.iter().flat_map(Rule::problems).collect();
+        let mut problems: Vec<String> = rules.rules.iter().flat_map(Rule::problems).collect();
+        let twice = rules.rules.iter().enumerate().filter(|(number, rule)| {
+            rules.rules[..*number].iter().filter(|other| other.name == rule.name).count() == 1
+        });
+        problems.extend(twice.map(|(_, rule)| format!("two rules are called {:?}: give each its own name", rule.name)));
+        problems.extend(rules.several.iter().flat_map(Several::problems));
         if problems.is_empty() { Ok(rules) } else { Err(problems) }
+    }
+}
+
+impl Several {
+    fn problems(&self) -> Vec<String> {
+        let mut problems = Vec::new();
+        if self.at_least < 2 {
+            problems.push("several: at_least has to be 2 or more, such as 3".to_owned());
+        }
+        if !(self.k_sd > 0.0 && self.k_sd <= 100.0) {
+            problems.push("several: k_sd has to be above 0 and at most 100, such as 2".to_owned());
+        }
+        problems
     }
 }
 
@@ -146,7 +164,7 @@ impl Rule {
             self.measure().is_none(),
             format!("there is no measure {:?}\n  hint: the measures are {}", self.measure, known.join(", ")),
         );
-        wrong(!(self.k_sd > 0.0 && self.k_sd <= 100.0), "k_sd has to be from 0 to 100, such as 3".into());
+        wrong(!(self.k_sd > 0.0 && self.k_sd <= 100.0), "k_sd has to be above 0 and at most 100, such as 3".into());
         wrong(!(self.least_sd >= 0.0 && self.least_sd.is_finite()), "least_sd must not be below 0".into());
         wrong(!(2..=366).contains(&self.baseline_days), "baseline_days has to be from 2 to 366, such as 14".into());
         wrong(
@@ -182,5 +200,18 @@ mod tests {
         assert_eq!(problems.len(), 4, "{problems:?}");
         assert!(problems[0].contains("meals"), "{problems:?}");
         assert!(Rules::read(r#"{ "rules": [], "many": 1 }"#).unwrap_err()[0].contains("many"));
+        assert!(Rules::read("[]").unwrap_err()[0].contains("an object with \"rules\""));
+    }
+
+    #[test]
+    fn a_name_is_of_one_rule_and_several_are_two_or_more() {
+        let text = r#"{ "rules": [
+            { "name": "a", "measure": "meals", "when": "less" },
+            { "name": "a", "measure": "sleep", "when": "less" },
+            { "name": "a", "measure": "sleep", "when": "more" }
+        ], "several": { "at_least": 0, "k_sd": 0 } }"#;
+        let problems = Rules::read(text).unwrap_err();
+        assert_eq!(problems.len(), 3, "{problems:?}");
+        assert!(problems[0].contains("\"a\"") && problems[1].contains("at_least") && problems[2].contains("k_sd"));
     }
 }

@@ -49,6 +49,16 @@ fn what_is_far_from_usual_on_days_in_a_row_is_told_once() {
 }
 
 #[test]
+fn times_of_day_are_told_as_such_and_so_many_days_as_there_are() {
+    let values: Vec<Option<f64>> = [22.0, 22.5, 22.0, 22.5, 22.0, 22.5, 22.0, 24.5].into_iter().map(Some).collect();
+    let found =
+        alerts(&days_of("bedtime", &values), &rules(r#"{ "name": "late", "measure": "bedtime", "when": "either" }"#));
+    let [alert] = &found.alerts[..] else { panic!("{found}") };
+    let words = "To bed at: 00:30 on 2024-01-08, later than the usual 22:13 (give or take 0.3 h) of 7 days before";
+    assert_eq!(alert.words, words);
+}
+
+#[test]
 fn without_enough_days_nothing_is_usual() {
     let short: Vec<Option<f64>> = vec![Some(1.0), Some(2.0), Some(9.0), Some(9.0)];
     let found = alerts(&days_of("bathroom_night", &short), &rules(NIGHTS));

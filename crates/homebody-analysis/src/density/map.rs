@@ -40,6 +40,9 @@ impl Default for Asked {
 /// Why there is no map.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoMap {
+    /// The log has no row.
+    #[error("it has no row, so nothing can be said of it")]
+    Empty,
     /// The log has no sensor that is taken for a motion sensor.
     #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
     NoMotion,
@@ -117,7 +120,7 @@ impl Map {
         let LogSensors { called, kinds, spans } = sensors;
         let entrance = Entrance::find(&log.sensors, sensors, &asked.doors);
         let Heard { rows, events, signs } = Heard::of(log, kinds, &entrance);
-        let (&[first, ..], &[.., last]) = (&rows[..], &rows[..]) else { return Err(NoMap::NoMotion) };
+        let (&[first, ..], &[.., last]) = (&rows[..], &rows[..]) else { return Err(NoMap::Empty) };
         if signs.is_empty() {
             return Err(NoMap::NoMotion);
         }

@@ -100,9 +100,10 @@ fn a_part_of_the_days_is_cut_out() {
 
 #[test]
 fn without_motion_there_is_no_map() {
-    for rows in [&[][..], &[(0, "T1", "21.5")], &[(0, "D1", "OPEN")], &[(0, "M1", "OFF")]] {
-        assert_eq!(Map::of("log", &log(rows), &Asked::default()), Err(NoMap::NoMotion));
+    for rows in [[(0, "T1", "21.5")], [(0, "D1", "OPEN")], [(0, "M1", "OFF")]] {
+        assert_eq!(Map::of("log", &log(&rows), &Asked::default()), Err(NoMap::NoMotion));
     }
+    assert_eq!(Map::of("log", &log(&[]), &Asked::default()), Err(NoMap::Empty));
     let far = [(0, "M1", "ON"), (3661 * 86_400, "M1", "ON")];
     assert_eq!(Map::of("log", &log(&far), &Asked::default()), Err(NoMap::TooLong(3662)));
 }

@@ -1,10 +1,11 @@
 //! Measures as HL7 FHIR R4: a bundle of observations, one for each measure of each day.
 //!
 //! Codes are our own, under [`SYSTEM`], as no terminology has most of these measures; units are UCUM's. A day is an
-//! `effectivePeriod` by dates, as a clock on the wall has no zone. What was guessed says so in a note.
+//! `effectivePeriod` by dates, as a clock on the wall has no zone; times of day are a `valueTime`. What was guessed says so in a note.
 
 use super::held::{Day, Measures};
 use super::kinds::Measure;
+use crate::dates::clock_of_hours;
 use serde_json::{Value, json};
 
 /// The system of the codes of measures.
@@ -30,7 +31,6 @@ impl Measures {
 
     fn observation(&self, patient: &str, day: &Day, measure: &Measure, value: f64) -> Value {
         let date = day.date.to_string();
-        let (unit, code) = ucum(measure.unit);
         let mut observation = json!({
             "resourceType": "Observation",
             "status": "final",
@@ -44,9 +44,15 @@ impl Measures {
             },
             "subject": { "display": patient },
             "effectivePeriod": { "start": date, "end": date },
-            "valueQuantity": { "value": value, "unit": unit, "system": "http://unitsofmeasure.org", "code": code },
             "device": { "display": "Homebody, by the sensors of the home" }
         });
+        if measure.is_clock() {
+            observation["valueTime"] = format!("{}:00", clock_of_hours(value)).into();
+        } else {
+            let (unit, code) = ucum(measure.unit);
+            observation["valueQuantity"] =
+                json!({ "value": value, "unit": unit, "system": "http://unitsofmeasure.org", "code": code });
+        }
         if self.guesses.contains(&measure.name) {
             observation["note"] = json!([{ "text": "Guessed: no sensor of the home tells of it." }]);
         }

@@ -102,7 +102,9 @@ impl Timeline {
         if lain.is_empty() && !self.rooms.has(Purpose::Bedroom) {
             return;
         }
+        let sees_bedroom = in_bedroom.iter().any(|sign| sign.is_seen);
         if lain.is_empty() {
+            self.guesses_nights = !sees_bedroom;
             let of_bedroom = self.stays.iter().filter(|stay| self.rooms.purpose(stay.room) == Purpose::Bedroom);
             lain = nights(&of_bedroom.copied().collect::<Vec<Stay>>(), &in_bedroom);
         }
@@ -123,7 +125,7 @@ impl Timeline {
         }
         self.in_bed = Some(lain);
         // Without a movement in the bedroom, or of who lies in bed, nobody knows who is awake.
-        if in_bedroom.iter().any(|sign| sign.is_seen) {
+        if sees_bedroom {
             (self.asleep, self.stirs) = (Some(asleep), Some(stirs));
         }
     }

@@ -92,7 +92,10 @@ impl Measures {
         if timeline.is_unwatched {
             remarks.push("Most sensors tell what is used, not who moves, so nothing is known of ways from room to room and of sitting".to_owned());
         }
-        if timeline.in_bed.is_some() && timeline.asleep.is_none() {
+        if timeline.guesses_nights {
+            guesses.extend(["time_in_bed", "bedtime", "rising", "bathroom_night"]);
+            remarks.push("Nights are a guess by what is used in the bedroom: no motion sensor is there, and none tells of the bed".to_owned());
+        } else if timeline.in_bed.is_some() && timeline.asleep.is_none() {
             remarks.push("No motion sensor is in the bedroom, so time in bed is known, and sleep is not".to_owned());
         }
         if timeline.guesses_showers {

@@ -2,6 +2,8 @@
 
 use super::held::{Measures, Silent};
 use super::kinds::MEASURES;
+use homebody_core::problem::counted;
+use homebody_core::statistics::quantile;
 use std::fmt;
 use std::fmt::Write;
 
@@ -32,26 +34,27 @@ impl fmt::Display for Measures {
             (Some(first), Some(last)) => (first.date, last.date),
             _ => return writeln!(f, "{}: no day", self.name),
         };
-        writeln!(f, "{}: {} days from {first} to {last}, {whole} of them whole\n", self.name, self.days.len())?;
+        let days = counted(self.days.len(), "day", "days");
+        writeln!(f, "{}: {days} from {first} to {last}, {whole} of them whole\n", self.name)?;
         writeln!(
             f,
             "  {:24}{:10}{:>6}{:>9}{:>9}{:>9}   last days",
             "measure", "unit", "days", "tenth", "median", "nine tenths"
         )?;
         for (number, measure) in MEASURES.iter().enumerate() {
-            let mut known = self.known(number);
+            let known = self.known(number);
             let recent: Vec<String> = self.days[self.days.len().saturating_sub(LAST)..]
                 .iter()
                 .map(|day| day.values[number].map_or("-".to_owned(), |value| format!("{value:.1}")))
                 .collect();
-            known.sort_by(f64::total_cmp);
             write!(f, "  {:24}{:10}{:>6}", measure.name, measure.unit, known.len())?;
             if known.is_empty() {
                 writeln!(f)?;
                 continue;
             }
-            let at = |share: f64| known[((known.len() - 1) as f64 * share).round() as usize];
-            write!(f, "{:>9.2}{:>9.2}{:>9.2}", at(0.1), at(0.5), at(0.9))?;
+            for value in [0.1, 0.5, 0.9].iter().filter_map(|share| quantile(&known, *share)) {
+                write!(f, "{value:>9.2}")?;
+            }
             writeln!(f, "   {}", recent.join("  "))?;
         }
         for (_, words) in Silent::told(&self.silent) {

@@ -207,6 +207,15 @@ fn a_home_of_contacts_is_measured_as_far_as_they_tell() {
     for name in ["sleep", "restlessness", "showers", "room_changes", "sedentary", "pacing", "density_morning"] {
         assert_eq!(on_day_5(name), None, "{name}");
     }
+    assert!(!measures.guesses.contains(&"time_in_bed"));
+    // Where the bed has no sensor, and no motion sensor sees the bedroom, a night is a guess.
+    let mut without_bed = of_contacts(9);
+    let bed = without_bed.sensors.iter().position(|name| name == "bed pressure").unwrap();
+    without_bed.sensors[bed] = "bedroom drawer".into();
+    let guessed = measured(&without_bed).0;
+    for name in ["time_in_bed", "bedtime", "rising", "bathroom_night"] {
+        assert!(guessed.guesses.contains(&name), "{name}: {:?}", guessed.remarks);
+    }
     // Where nobody opens the door there is no outing: who sits on for four hours has not left.
     let mut indoors = of_contacts(9);
     let door = indoors.sensors.iter().position(|name| name == "Frontdoor").unwrap();

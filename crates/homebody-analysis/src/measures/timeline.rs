@@ -70,6 +70,8 @@ pub struct Timeline {
     pub stirs: Option<Vec<Micros>>,
     /// Whether showers are guessed.
     pub guesses_showers: bool,
+    /// Whether the times in bed are a guess by what is used in the bedroom.
+    pub guesses_nights: bool,
     /// When showers and baths began.
     pub showers: Option<Vec<Micros>>,
     /// When meals began, or their cooking where only that is known.

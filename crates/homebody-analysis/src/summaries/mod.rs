@@ -15,6 +15,7 @@ mod words;
 
 use crate::alerts::counts;
 use crate::measures::{Day, Measures};
+use homebody_core::problem::counted;
 use jiff::civil::Date;
 use protoform::{Found, change, level};
 use words::{SPOKEN, Spoken};
@@ -38,11 +39,12 @@ pub fn summarise(measures: &Measures, about: About) -> Summary {
     let days_that_count = days.iter().filter(|day| counts(day)).count();
     let mut remarks = measures.remarks.clone();
     let (mut sentences, mut changes) = (Vec::new(), Vec::new());
+    let is_compared = before.iter().filter(|day| counts(day)).count() >= LEAST_BEFORE;
     if days_that_count < LEAST_DAYS {
-        remarks.push(format!("{days_that_count} days that count are too few to summarise: {LEAST_DAYS} are needed"));
+        let known = counted(days_that_count, "day", "days");
+        remarks.push(format!("{known} that count: too few to summarise, {LEAST_DAYS} are needed"));
     } else {
-        let is_enough = before.iter().filter(|day| counts(day)).count() >= LEAST_BEFORE;
-        if !is_enough {
+        if !is_compared {
             remarks
                 .push(format!("Fewer than {LEAST_BEFORE} days that count lie before, so nothing is said of changes"));
         }
@@ -56,7 +58,7 @@ pub fn summarise(measures: &Measures, about: About) -> Summary {
             let sentence = |found: Found| found.told(spoken, &values, days.len(), about);
             sentences.extend(level(spoken, &values).map(sentence));
             let past = of(before);
-            if is_enough && past.len() >= LEAST_BEFORE {
+            if is_compared && past.len() >= LEAST_BEFORE {
                 changes.extend(change(spoken, &values, &past).map(sentence));
             }
         }
@@ -67,6 +69,7 @@ pub fn summarise(measures: &Measures, about: About) -> Summary {
         from: days.first().map(|day| day.date),
         days: days.len(),
         days_that_count,
+        is_compared,
         remarks,
         sentences,
     }

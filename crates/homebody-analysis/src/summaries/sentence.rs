@@ -19,6 +19,8 @@ pub struct Summary {
     pub days: usize,
     /// Those that are whole, with somebody at home.
     pub days_that_count: usize,
+    /// Whether enough days that count lie before to say what has changed.
+    pub is_compared: bool,
     /// What cannot be said, in sentences.
     pub remarks: Vec<String>,
     /// The sentences, those that say most first.

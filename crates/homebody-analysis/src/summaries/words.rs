@@ -2,6 +2,7 @@
 
 use super::sentence::About;
 use super::set::Set;
+use crate::dates::clock_of_hours;
 use homebody_core::fuzzy::Quantifier;
 
 /// What kind of sets a measure's values are told by.
@@ -106,7 +107,7 @@ pub(super) fn plain(spoken: &Spoken, quantifier: Quantifier, set: Set, about: Ab
         Set::Exactly(times) => spoken.did.replace("{}", &so_often(times)),
         Set::AtLeast(times) => spoken.did.replace("{}", &format!("{} or more", so_often(times))),
         Set::Between(from, to) if spoken.kind == Kind::Clock => {
-            spoken.did.replace("{}", &format!("between {} and {}", clock(from), clock(to)))
+            spoken.did.replace("{}", &format!("between {} and {}", clock_of_hours(from), clock_of_hours(to)))
         }
         Set::Between(from, to) => spoken.did.replace("{}", &hours(from, to)),
         Set::Beyond { is_more: true, .. } => format!("{} than before", spoken.more),
@@ -136,7 +137,7 @@ pub(super) fn expert(
     truth: f64,
 ) -> String {
     let value = |value: f64| match spoken.kind {
-        Kind::Clock => clock(value),
+        Kind::Clock => clock_of_hours(value),
         Kind::Hours => format!("{value:.1} h"),
         Kind::Count | Kind::Change => format!("{value:.2}"),
     };
@@ -151,12 +152,6 @@ fn so_often(times: u32) -> String {
         2 => "twice".into(),
         times => format!("{times} times"),
     }
-}
-
-/// A time of day, from hours since midnight: 24.5 is half past midnight.
-fn clock(hours: f64) -> String {
-    let minutes = (hours * 60.0).round() as i64;
-    format!("{:02}:{:02}", minutes.div_euclid(60) % 24, minutes.rem_euclid(60))
 }
 
 fn hours(from: f64, to: f64) -> String {

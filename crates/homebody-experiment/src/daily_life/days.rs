@@ -2,12 +2,12 @@
 
 use super::life::{HALF_HOUR, Lived, Moved, Span, overlap_h, speed_mps};
 use super::nights::IN_BED;
-use super::statistics::{mean, sd};
 use homebody_core::activity::{
     AWAY, DRINKING, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, HAVING_A_SNACK, NAPPING, TimeUse, USING_BATHROOM,
 };
 use homebody_core::ids::RoomId;
 use homebody_core::scenario::path::Posture;
+use homebody_core::statistics::{mean, sd};
 use homebody_core::time::Micros;
 use serde::Serialize;
 use std::ops::Range;

@@ -4,9 +4,9 @@
 //! between, such as going to the toilet, is part of it.
 
 use super::life::{Lived, Moved, Span};
-use super::statistics::{mean, sd, share};
 use homebody_core::activity::{GOING_TO_BED, LYING_AWAKE, SLEEPING, USING_BATHROOM};
 use homebody_core::scenario::path::Posture;
+use homebody_core::statistics::{mean, sd, share};
 use homebody_core::time::{DAY, Micros, seconds};
 use serde::Serialize;
 

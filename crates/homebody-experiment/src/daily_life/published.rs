@@ -482,7 +482,7 @@ fn hours(person: &Person, of: TimeUse) -> Option<f64> {
 /// The share of people who nap on every other day at least: regular nappers (the bound is ours).
 fn nappers(persons: &[Person]) -> Option<f64> {
     const REGULAR: f64 = 0.5;
-    super::statistics::share(persons, |person| person.days.naps >= REGULAR).map(|share| share * 100.0)
+    homebody_core::statistics::share(persons, |person| person.days.naps >= REGULAR).map(|share| share * 100.0)
 }
 
 /// The middle of the hour and a half in which most time is napped, all people taken together.

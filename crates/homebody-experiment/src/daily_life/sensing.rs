@@ -1,8 +1,8 @@
 //! What motion sensors say of a life, as logs with ON and OFF have it.
 
 use super::life::Lived;
-use super::statistics::{lag_1_autocorrelation, mean, quantile, sd};
 use homebody_core::ids::SensorId;
+use homebody_core::statistics::{lag_1_autocorrelation, mean, quantile, sd};
 use homebody_core::time::seconds;
 use serde::Serialize;
 

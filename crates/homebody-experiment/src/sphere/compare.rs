@@ -6,6 +6,7 @@
 use super::comparison::{Comparison, Figures, RoomComparison};
 use super::words;
 use super::{AnnotatedRun, Interval, at_moment, moments};
+use homebody_core::statistics::quantile;
 
 /// Compares one recording; `rooms` are those that have a sensor.
 pub fn compare_run(run: &AnnotatedRun, simulated: &[Interval], rooms: &[String]) -> Comparison {
@@ -149,7 +150,7 @@ impl Tally {
             intervals: self.intervals,
             on_s: self.on_s,
             visits_seen: self.latencies_s.len(),
-            latency_s: median(&self.latencies_s),
+            latency_s: quantile(&self.latencies_s, 0.5),
             precision: share(self.on_in_room_s, self.on_s),
             recall: share(self.on_in_room_s, in_room_s),
         }
@@ -158,17 +159,6 @@ impl Tally {
 
 fn share(part: f64, whole: f64) -> Option<f64> {
     (whole > 0.0).then(|| part / whole)
-}
-
-fn median(values: &[f64]) -> Option<f64> {
-    let mut values = values.to_vec();
-    values.sort_by(f64::total_cmp);
-    let middle = values.len() / 2;
-    match values.len() {
-        0 => None,
-        odd if odd % 2 == 1 => Some(values[middle]),
-        _ => Some((values[middle - 1] + values[middle]) / 2.0),
-    }
 }
 
 /// Agreement beyond chance (Cohen 1960).

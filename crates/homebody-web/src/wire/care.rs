@@ -16,6 +16,8 @@ pub struct CareView {
     pub person: String,
     /// The day that is told of, as `2009-03-02`.
     pub day: Option<String>,
+    /// Whether enough days lie before the last two weeks to say what has changed.
+    pub is_compared: bool,
     /// What cannot be said.
     pub remarks: Vec<String>,
     /// Who walks when it is played back.
@@ -161,6 +163,7 @@ impl CareView {
             name: name.to_owned(),
             person: person.to_owned(),
             day: care.day.map(|day| day.to_string()),
+            is_compared: care.is_compared,
             remarks: care.remarks.iter().map(|remark| plainly::remark(remark)).collect(),
             walks,
             days: care.days.iter().map(CareDayView::from).collect(),

@@ -8,6 +8,7 @@ use crate::print::print_text;
 use homebody_analysis::alerts::{Alert, Rules, USUAL, alerts};
 use homebody_log::records::Records;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -53,7 +54,6 @@ impl Arguments {
         let read = self.measured.read()?;
         let answer = self.answer.check([], &read.sources)?;
         self.programs.check(false, &read.sources, self.answer.replaces())?;
-        self.measured.tell_of_all(&read);
         let measures = self.measured.measures(&read)?;
         let alerts = alerts(&measures, &rules);
         self.programs.store(&records(&alerts.name, &alerts.alerts), &Default::default, self.answer.replaces())?;
@@ -113,7 +113,12 @@ pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
         return Rules::read(USUAL).map_err(|problems| Failure::Io(problems.join("; ")));
     };
     let name = path.display();
-    let text = fs::read_to_string(path).map_err(|error| Failure::usage(format!("{name}: {error}")))?;
+    let text = fs::read_to_string(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => {
+            Failure::usage(format!("{name}: there is no such file\n  hint: the usual rules stand in docs/measures.md"))
+        }
+        _ => Failure::io(path, error),
+    })?;
     Rules::read(&text).map_err(|problems| {
         let told: Vec<String> = problems.iter().map(|problem| format!("{name}: {problem}")).collect();
         Failure::usage(told.join("\nerror: "))

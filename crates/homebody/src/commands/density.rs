@@ -85,7 +85,7 @@ impl Arguments {
             tell("The entrance is told by names; --door SENSOR names others");
         }
         for log in &known {
-            let people: Vec<&str> = log.lives.iter().map(|life| life.resident.as_str()).collect();
+            let people = log.residents();
             if people.len() > 1 {
                 tell(format_args!("{}: its firings are of all who are there: {}", log.name, people.join(", ")));
             }
@@ -96,7 +96,7 @@ impl Arguments {
     fn no_map(&self, why: &NoMap) -> Failure {
         let hint = match why {
             NoMap::TooLong(_) => "\n  hint: choose a part with --from and --days",
-            NoMap::NoMotion | NoMap::NoDay(..) => "",
+            NoMap::Empty | NoMap::NoMotion | NoMap::NoDay(..) => "",
         };
         Failure::usage(format!("{}: {why}{hint}", self.log))
     }

@@ -8,7 +8,6 @@ use crate::print::tell;
 use homebody_analysis::measures::{Beside, Day, Measures};
 use homebody_core::names::capitalised;
 use homebody_kit::LogWithRun;
-use homebody_log::Life;
 use homebody_log::records::Records;
 use homebody_picture::measures_picture;
 use serde_json::{Map, Value, json};
@@ -49,9 +48,8 @@ impl Arguments {
         let read = self.measured.read()?;
         let answer = self.answer.check_beside([""], self.csv.as_deref(), &read.sources)?;
         self.programs.check(true, &read.sources, self.answer.replaces())?;
-        self.measured.tell_of_all(&read);
         let measures = self.measured.measures(&read)?;
-        let patient = subject(self.measured.resident(), &read.lives);
+        let patient = self.measured.subject(&read);
         self.programs.store(&records(&measures), &|| measures.fhir(&patient), self.answer.replaces())?;
         let picture = || measures_picture(&measures);
         match self.programs.is_printed() {
@@ -81,13 +79,6 @@ fn records(measures: &Measures) -> Records {
     Records { kind: "measure", columns, rows: measures.days.iter().flat_map(of_day).collect() }
 }
 
-/// What the resident is called: by name where there is one alone.
-pub fn subject(asked: Option<&str>, lives: &[Life]) -> String {
-    let residents: Vec<&str> = lives.iter().map(|life| life.resident.as_str()).collect();
-    let name = asked.or(residents.first().copied().filter(|_| residents.len() == 1));
-    name.map_or("the resident".into(), capitalised)
-}
-
 /// A log that is measured.
 #[derive(clap::Args)]
 pub struct Measured {
@@ -105,9 +96,9 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// The resident from whose life the measures are taken, if one is asked for.
-    pub fn resident(&self) -> Option<&str> {
-        self.resident.as_deref()
+    /// Whom they are about.
+    pub fn subject(&self, read: &LogWithRun) -> String {
+        self.resident.as_deref().map_or_else(|| read.subject(), capitalised)
     }
 
     /// Whether there is anything where the log is looked for.
@@ -119,24 +110,19 @@ impl Measured {
     /// Reads the log, with its sensors in their rooms.
     pub fn read(&self) -> Result<LogWithRun, Failure> {
         let mut read = read_log(&self.log, self.time_zone.as_deref())?;
-        if let Some(home) = &self.home
-            && read.place_in(&homebody_kit::Source::at(home)?.scenario()?) == 0
-        {
-            let (log, home) = (&self.log, home.display());
-            let hint = format!("homebody look {log} --home {home} tells what each has");
+        let Some(home) = &self.home else { return Ok(read) };
+        let placed = read.place_in(&homebody_kit::Source::at(home)?.scenario()?);
+        let (log, home, sensors) = (&self.log, home.display(), read.log.sensors.len());
+        let hint = format!("homebody look {log} --home {home} tells what each has");
+        if placed == 0 {
             return Err(Failure::usage(format!("{log}: none of its sensors is one of this home\n  hint: {hint}")));
         }
-        Ok(read)
-    }
-
-    /// Says whose measures they are, where there are several and none is asked for.
-    pub fn tell_of_all(&self, read: &LogWithRun) {
-        let residents: Vec<&str> = read.lives.iter().map(|life| life.resident.as_str()).collect();
-        if self.resident.is_none() && residents.len() > 1 {
-            let all = residents.join(", ");
-            let hint = "--resident NAME tells of one";
-            tell(format_args!("{}: its measures are of all who are there: {all}; {hint}", read.name));
+        if placed * 2 < sensors {
+            tell(format_args!(
+                "warning: {log}: only {placed} of its {sensors} sensors are of this home\n  hint: {hint}"
+            ));
         }
+        Ok(read)
     }
 
     /// Measures it.

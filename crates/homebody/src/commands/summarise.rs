@@ -2,7 +2,7 @@
 
 use super::answer::Answer;
 use super::for_programs::{ForPrograms, row};
-use super::measure::{Measured, subject};
+use super::measure::Measured;
 use super::read_log::read_log;
 use crate::failure::{EXIT_CODES, Failure};
 use homebody_analysis::summaries::{About, Sentence, Summary, of_summaries, summarise};
@@ -51,9 +51,8 @@ impl Arguments {
         let read = self.measured.read()?;
         let answer = self.answer.check([], &read.sources)?;
         self.programs.check(false, &read.sources, self.answer.replaces())?;
-        self.measured.tell_of_all(&read);
         let measures = self.measured.measures(&read)?;
-        let subject = subject(self.measured.resident(), &read.lives);
+        let subject = self.measured.subject(&read);
         let about = About { subject: &subject, last: self.last.into() };
         let summary = summarise(&measures, about);
         let distance = match &self.beside {

@@ -21,6 +21,14 @@ test('days that are not known have no dot, and the usual range has gaps', () => 
   expect(first.y).toBeGreaterThan(last.y);
 });
 
+test('the ends of a chart are round', () => {
+  const texts = (unit: ChartView['unit'], values: number[]) => drawn({ ...chart(values), unit }).values.map(({ text }) => text);
+  expect(texts('times', [0.7, 2.4])).toEqual(['3', '0']);
+  expect(texts('metres_a_second', [0.63, 0.8])).toEqual(['0.80 m/s', '0.60 m/s']);
+  expect(texts('clock', [22.2, 24.4])).toEqual(['00:30', '22:00']);
+  expect(texts('of_usual', [0.94, 1.07])).toEqual(['110 %', '90 %']);
+});
+
 test('one value, and none, are drawn all the same', () => {
   expect(drawn(chart([7])).values.length).toBe(1);
   expect(drawn(chart([null])).dots).toEqual([]);

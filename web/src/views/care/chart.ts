@@ -11,6 +11,8 @@ const BOTTOM = 20;
 const TOP = 8;
 /** Dates are so far apart that they can be read. */
 const DATE_APART = 52;
+/** The ends of a chart are whole multiples of these, in its unit. */
+const STEPS: Record<CareUnit, number> = { hours: 0.5, clock: 0.5, times: 1, of_usual: 0.1, metres_a_second: 0.1 };
 
 export interface Drawn {
   /** The usual range, as paths: one for each stretch of days that have a usual. */
@@ -44,10 +46,17 @@ export function said(unit: CareUnit, value: number): string {
   }
 }
 
+/** The largest multiple of a step that is not above a value. */
+function floored(value: number, step: number): number {
+  // A multiple that is a hair off is one all the same.
+  return Math.floor(value / step + 1e-6) * step;
+}
+
 /** Where everything of a chart goes. */
 export function drawn(chart: ChartView, width = WIDTH): Drawn {
   const values = chart.days.flatMap(({ value, usual }) => [...(value === null ? [] : [value]), ...(usual ?? [])]);
-  const [low, high] = values.length > 0 ? [Math.min(...values), Math.max(...values)] : [0, 1];
+  const whole = STEPS[chart.unit];
+  const [low, high] = values.length > 0 ? [floored(Math.min(...values), whole), -floored(-Math.max(...values), whole)] : [0, 1];
   const span = high - low || 1;
   const step = (width - LEFT - 12) / Math.max(chart.days.length - 1, 1);
   const x = (day: number) => LEFT + day * step;

@@ -14,6 +14,7 @@ const care = (name: string, walks: WalksView = 'lived'): CareView => ({
   name,
   person: 'Ada',
   day: '2009-03-30',
+  is_compared: true,
   remarks: ['No sensor is at an entrance, so nothing is known of outings'],
   walks,
   days: days.map((day) => ({
@@ -187,6 +188,23 @@ test('without a usual nothing is called usual or unusual', async () => {
   expect(text()).toContain('What is usual is not known yet');
   expect(text()).toContain('Too little is known to say what has changed');
   expect(text()).not.toContain('All was as usual');
+});
+
+test('where too little lies before, nothing is said to be as before', async () => {
+  const alone = care('a');
+  answers['/api/runs/a/care'] = { ...alone, is_compared: false, sentences: alone.sentences.filter((sentence) => !sentence.is_change) };
+  await begin();
+  expect(text()).toContain('Too little is known to say what has changed');
+  expect(text()).not.toContain('stands out');
+});
+
+test('several alerts about sensors of one day are all told', async () => {
+  const of = care('a');
+  const silent = (sensor: string) => ({ day: '2009-03-29', rule: 'sensor', words: `The sensor ${sensor} has said nothing`, numbers: '', measures: [], days: ['2009-03-27'] });
+  answers['/api/runs/a/care'] = { ...of, alerts: [silent('hall'), silent('bed')] };
+  await begin();
+  expect(text()).toContain('The sensor hall has said nothing');
+  expect(text()).toContain('The sensor bed has said nothing');
 });
 
 test('what goes wrong is said', async () => {
