@@ -41,7 +41,7 @@ impl Default for Asked {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoMap {
     /// The log has no row.
-    #[error("it has no row, so nothing can be said of it")]
+    #[error("it has no rows")]
     Empty,
     /// The log has no sensor that is taken for a motion sensor.
     #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]

@@ -156,9 +156,10 @@ fn so_often(times: u32) -> String {
 
 fn hours(from: f64, to: f64) -> String {
     let told = |hours: f64| if hours.fract() == 0.0 { format!("{hours:.0}") } else { format!("{hours:.1}") };
+    let noun = if to == 1.0 { "hour" } else { "hours" };
     if from == 0.0 {
-        format!("for {} hours at most", told(to))
+        format!("for {} {noun} at most", told(to))
     } else {
-        format!("for {} to {} hours", told(from), told(to))
+        format!("for {} to {} {noun}", told(from), told(to))
     }
 }

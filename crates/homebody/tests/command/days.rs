@@ -146,7 +146,7 @@ fn a_day_or_a_log_that_is_not_there_is_refused() {
         ("day runs/flat-1 first --time-zone Mars/Olympus", 2, "Mars/Olympus"),
         ("density nowhere", 1, "nowhere does not exist"),
         ("density room.txt", 2, "no sensor in it tells of motion"),
-        ("density empty.txt", 2, "no sensor in it tells of motion"),
+        ("density empty.txt", 2, "it has no rows"),
         ("density runs/flat-1 --days 0", 2, "1..=3660"),
         ("density runs/flat-1 --away-after 30", 2, "write a number with its unit"),
         ("density runs/flat-1 --from 2", 2, "write a date"),
