@@ -6,10 +6,18 @@ usage() {
     cat <<'END'
 Usage: packaging/release.sh [FOLDER]
 
-Builds into FOLDER (target/packages without it): the wheel for Python, the program,
-stripped, as a file of its own, and a package for Debian and Ubuntu. Each is then
-installed where nothing else is, and asked for its version and for a short run: the
-wheel in a new environment, the package unpacked into a new folder.
+Builds into FOLDER (target/packages without it):
+
+  homebody                     the program, stripped, which needs the C library
+  homebody-static              the same with all that it needs, for any Linux
+  homebody-VERSION-*.whl       the wheel for Python, with the program and its page
+  homebody-VERSION.tar.gz      the source, from which pip builds the same wheel
+  homebody_VERSION_*.deb       a package for Debian and Ubuntu
+
+Each is then installed where nothing else is, and asked for its version and for a
+short run: the wheels in new environments, the package unpacked into a new folder.
+So is what cargo install makes of the checkout. The static program needs musl-gcc
+and rustup's target for musl; without them it is left out, and that is said.
 
 The checkout must have no changes that are not committed, unless ANYWAY=1.
 END
@@ -45,13 +53,49 @@ strip -o "$to/homebody" target/release/homebody
 ls -l "$to/homebody"
 lives "$to/homebody"
 
+echo "== the static program"
+musl="$(uname -m)-unknown-linux-musl"
+if command -v musl-gcc >/dev/null && rustup target list --installed 2>/dev/null | grep -qx "$musl"; then
+    cargo build --release --features all --target "$musl"
+    strip -o "$to/homebody-static" "target/$musl/release/homebody"
+    if ldd "$to/homebody-static" 2>&1 | grep -q '=>'; then
+        echo "release: homebody-static needs libraries" >&2
+        exit 1
+    fi
+    lives "$to/homebody-static"
+else
+    echo "left out: it needs musl-gcc (musl-tools) and rustup target add $musl"
+fi
+
+echo "== cargo install"
+cargo install -q --path crates/homebody --features all --locked --root "$scratch/cargo" --target-dir target
+lives "$scratch/cargo/bin/homebody"
+
+# Whether a wheel that is installed alone in a new environment lives.
+wheel_lives() {
+    local wheel="$1" empty
+    empty="$(mktemp -d "$scratch/empty.XXXX")"
+    python3 -m venv "$empty"
+    "$empty/bin/pip" install -q --no-index "$wheel"
+    (cd "$scratch" && "$empty/bin/python" -c 'import homebody as hb; print(hb.scenario("studio").run(days=1, seed=7).events)')
+    lives "$empty/bin/homebody"
+}
+
 echo "== the wheel"
 python3 -m venv "$scratch/builds"
 "$scratch/builds/bin/pip" wheel -q --no-deps --wheel-dir "$to" ./python
-python3 -m venv "$scratch/empty"
-"$scratch/empty/bin/pip" install -q --no-index "$to"/homebody-"$version"-*.whl
-(cd "$scratch" && empty/bin/python -c 'import homebody as hb; print(hb.scenario("studio").run(days=1, seed=7).events)')
-lives "$scratch/empty/bin/homebody"
+wheel_lives "$to"/homebody-"$version"-*.whl
+
+echo "== the source for Python"
+source="$scratch/homebody-$version"
+git archive --prefix="homebody-$version/" HEAD | tar -x -C "$scratch"
+# pip wants the description at the root of what it unpacks.
+sed -e 's#"\.\./crates/#"crates/#' -e 's#^python-source = "\."#python-source = "python"#' -e 's#^readme = "#readme = "python/#' \
+    python/pyproject.toml >"$source/pyproject.toml"
+printf 'Metadata-Version: 2.1\nName: homebody\nVersion: %s\n' "$version" >"$source/PKG-INFO"
+tar -czf "$to/homebody-$version.tar.gz" -C "$scratch" "homebody-$version"
+CARGO_TARGET_DIR="$PWD/target" "$scratch/builds/bin/pip" wheel -q --no-deps --wheel-dir "$scratch/from-source" "$to/homebody-$version.tar.gz"
+wheel_lives "$scratch"/from-source/homebody-"$version"-*.whl
 
 if command -v dpkg-deb >/dev/null; then
     echo "== the package of Debian"

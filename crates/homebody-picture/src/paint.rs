@@ -25,8 +25,8 @@ pub const QUIET: &str = "#ffffff";
 /// most of the nights are.
 pub const DENSITY: [&str; 8] = ["#fbf1a9", "#d3e25b", "#8fd14f", "#48c06f", "#22a884", "#21918c", "#2f6c8e", "#414487"];
 
-/// Okabe & Ito's palette in the order in which lines of a chart take it; the yellow is too pale for lines.
-pub const SERIES: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"];
+/// Okabe & Ito's palette in the order in which lines of a chart take it; instead of the yellow, which is too pale for lines, a grey.
+pub const SERIES: [&str; 8] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#7d7d7d"];
 
 /// How a shape is filled and outlined.
 #[derive(Clone, Copy)]
