@@ -21,26 +21,26 @@ const MUCH_BYTES: u64 = 100_000_000;
 
 /// Says how much a cohort is going to write, if it is much.
 pub fn foretell_size(opened: &OpenScenario, layout: CohortLayout, count: usize, length: Micros) {
+    if let Some(words) = foretold(opened, layout, count, length) {
+        tell(words);
+    }
+}
+
+/// How much a cohort is going to write, in words; `None` where it is little, or where there is no place for a sample.
+fn foretold(opened: &OpenScenario, layout: CohortLayout, count: usize, length: Micros) -> Option<String> {
     if length.saturating_mul(count as Micros) < SAMPLE * WORTH_A_SAMPLE {
-        return;
+        return None;
     }
-    let folder = std::env::temp_dir().join(format!("homebody-sample-{}", std::process::id()));
+    let scratch = tempfile::tempdir().ok()?;
+    let folder = scratch.path().join("sample");
     let sample = length.min(SAMPLE);
-    let lived = opened.cohort(1).length(sample).layout(layout).start().and_then(|one| one.store_in(&folder, |_| ()));
-    let bytes = lived.map(|_| bytes_in(&folder)).unwrap_or(0);
-    // What is left of it there is no harm.
-    let _ = fs::remove_dir_all(&folder);
-    let all = bytes as f64 / sample as f64 * length as f64 * count as f64;
-    if all >= MUCH_BYTES as f64 {
-        let each = bytes as f64 / sample as f64 * length as f64;
-        let lives = counted(count, "life", "lives");
-        tell(format_args!(
-            "{lives}: about {}, {} each, by what one of them writes in {} days",
-            in_words(all),
-            in_words(each),
-            sample / DAY
-        ));
-    }
+    opened.cohort(1).length(sample).layout(layout).start().and_then(|one| one.store_in(&folder, |_| ())).ok()?;
+    let each = bytes_in(&folder) as f64 / sample as f64 * length as f64;
+    let all = each * count as f64;
+    let (lives, days) = (counted(count, "life", "lives"), sample / DAY);
+    (all >= MUCH_BYTES as f64).then(|| {
+        format!("{lives}: about {}, {} each, by what one of them writes in {days} days", in_words(all), in_words(each))
+    })
 }
 
 fn in_words(bytes: f64) -> String {
@@ -86,4 +86,21 @@ pub fn report(output: &Output, lived: &LivedCohort) -> Result<(), Failure> {
         folder.display(),
         folder.join(LIST).display(),
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_large_cohort_writes_is_foretold_by_a_sample_and_of_a_small_one_nothing_is_said() {
+        let studio = homebody_kit::open("../../scenarios/studio").unwrap();
+        let of = |count: usize, days: Micros| foretold(&studio, CohortLayout::Folders, count, days * DAY);
+        let words = of(10_000, 365).unwrap();
+        assert!(
+            words.starts_with("10000 lives: about ") && words.contains(" GB, ") && words.ends_with("in 3 days"),
+            "{words}"
+        );
+        assert_eq!((of(2, 3), of(30, 2)), (None, None));
+    }
 }
