@@ -5,8 +5,9 @@ import { Refused, type Server } from '../../server';
 import type { StoredView } from '../../wire';
 import { read } from '../../clock';
 import { dayAt, follow, instantOf } from '../../localtime';
-import { Stored } from './stored';
+import { type Other, Stored } from './stored';
 import { Ticker } from './ticker';
+import { dayBeside } from './twin';
 
 /** What is read as text need not change more often than one can read. */
 const TEXT_MS = 100;
@@ -23,6 +24,8 @@ export class Player {
   skip = $state(false);
   truth = $state(true);
   heat = $state(false);
+  /** Of two runs what the second has more of and less is drawn instead of what it has. */
+  differ = $state(true);
   /** The instant as text shows it; drawings have every one. */
   shown_us = $state(0);
   /** How much has come of the day that is shown, where it comes in pieces. */
@@ -113,6 +116,14 @@ export class Player {
   /** Where the second run is. */
   get second_us(): number | null {
     return this.first && this.second && this.ticker ? follow(this.first.view, this.ticker.now_us, this.second.view) : null;
+  }
+
+  /** What the second run has of a day of the first; its day may be on its way. */
+  besideOn(number: number): Other | null {
+    if (this.first === null || this.second === null) return null;
+    const { view } = this.second;
+    const beside = dayBeside(this.first.view, number, view);
+    return { view, day: beside === null ? null : this.second.at(view.days[beside.number]!.begin_us), later_us: beside?.later_us ?? 0 };
   }
 
   /** Time goes by. */

@@ -1,11 +1,13 @@
 // A stored run as the page knows it, and the days of it that have been fetched.
 
-import type { DayDrawing } from '../../charts/lanes';
+import type { Band, Drawing } from '../../charts/lanes';
+import type { Shade } from '../../charts/shades';
 import { dayAt } from '../../localtime';
 import { type Server, restPath, storedPath } from '../../server';
 import type { DayView, PlaybackView } from '../../wire';
 import { type Day, prepare } from './day';
 import { OUT, placeName, spansIn } from './doubt';
+import { pairsOf, sensorName } from './twin';
 
 /** So many days are kept; those that were wanted longest ago go first. */
 const KEPT = 12;
@@ -85,29 +87,41 @@ export class Stored {
   }
 }
 
+/** What else is drawn beside a day: the same of another run, on the first run's time. */
+export type Other = { view: PlaybackView; day: Day | null; later_us: number };
+
 /** A day as it is drawn; nothing is in it before it has been fetched. */
-export function drawingOf(view: PlaybackView, number: number, day: Day | null, truth: boolean): DayDrawing {
+export function drawingOf(view: PlaybackView, number: number, day: Day | null, truth: boolean, other: Other | null = null): Drawing {
+  const { begin_us, end_us } = view.days[number]!;
+  const beside = other === null ? [] : bandsOf(other.view, other.day, truth, other.later_us);
+  const own = bandsOf(view, day, truth, 0);
   return {
     calendar: view,
-    number,
-    ...(view.walk === null ? done(view, day, truth) : walked(view, number, day, truth)),
-    lanes: view.sensors.map((id, index) => {
-      const sensor = view.home.sensors[index];
-      return { name: sensor?.name ?? id, kind: sensor?.kind ?? '', fired: day?.fired[index] ?? [] };
-    }),
+    sight: { from_us: begin_us, to_us: end_us },
+    // A resident's two bands stand below each other.
+    bands: other === null ? own : own.flatMap((band, index) => [band, ...beside.slice(index, index + 1)]).concat(beside.slice(own.length)),
+    shades: view.walk === null || !truth ? [] : shadesOf(view, number, day),
+    lanes:
+      other === null
+        ? view.sensors.map((_, index) => ({ name: sensorName(view, index), kind: view.home.sensors[index]?.kind ?? '', fired: day?.fired[index] ?? [] }))
+        : pairsOf(view, day, other.view, other.day, other.later_us).map(({ name, kind, first, second, onlyFirst, onlySecond }) => ({
+            name, kind, fired: first, beside: { fired: second, onlyFirst, onlySecond },
+          })),
   };
 }
 
 /** What residents did. */
-function done(view: PlaybackView, day: Day | null, truth: boolean): Pick<DayDrawing, 'bands' | 'activities'> {
-  const bands = truth ? view.residents.map(({ name }, index) => ({ name, spans: day?.view.lives[index]?.activities ?? [] })) : [];
-  return { bands, activities: view.activities };
+function bandsOf(view: PlaybackView, day: Day | null, truth: boolean, later_us: number): Band[] {
+  if (!truth || view.walk !== null || !view.has_truth) return [];
+  return view.residents.map(({ name }, who) => {
+    const spans = day?.view.lives[who]?.activities ?? [];
+    return { name, who, spans: later_us === 0 ? spans : spans.map(([begin, end, what]) => [begin - later_us, end - later_us, what] as const), names: view.activities };
+  });
 }
 
 /** How likely residents were in each room, and out. */
-function walked(view: PlaybackView, number: number, day: Day | null, truth: boolean): Pick<DayDrawing, 'bands' | 'activities' | 'shades'> {
+function shadesOf(view: PlaybackView, number: number, day: Day | null): Shade[] {
   const { end_us } = view.days[number]!;
-  const places = [...view.home.rooms.keys(), OUT];
   const shade = (place: number) => ({ name: placeName(view.home, place), by: (day?.doubts ?? []).map((doubt) => spansIn(doubt, place, end_us)) });
-  return { bands: [], activities: [], shades: truth ? places.map(shade) : [] };
+  return [...view.home.rooms.keys(), OUT].map(shade);
 }
