@@ -109,6 +109,7 @@ fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
     SensorView {
         name: sensor.name.clone(),
         kind: file.row().key.into(),
+        room: sensor.info(plan).room,
         at: at(sensor.at),
         facing_deg: match file {
             SensorFile::Motion(motion) => Some(motion.facing_deg),

@@ -3,6 +3,9 @@
 //! A run is opened once: its log is read into memory, its truth is asked day by day. The last few that were opened are kept, as
 //! long as their files stay as they are.
 
+mod finding;
+mod lanes;
+
 use crate::dates;
 use crate::draw;
 use crate::keeping;
@@ -71,6 +74,8 @@ struct Opened {
     movements: Option<Mutex<Movements>>,
     /// By resident; none but of a log that was walked back.
     chances: Vec<Vec<Chance>>,
+    truth: Option<Url>,
+    clock: RunClock,
 }
 
 /// When a run's files were written, and how long they are.
@@ -220,6 +225,8 @@ impl Playback {
             activities: Vec::new(),
             movements: None,
             chances: Vec::new(),
+            truth: truth.as_deref().map(|truth| Url::new(Scheme::Sqlite, truth)),
+            clock: RunClock::of(&scenario, length),
         };
         if let Some(truth) = &truth {
             view.has_truth = true;
@@ -376,6 +383,7 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
         values: Vec::new(),
         days: Vec::new(),
         hours: Vec::new(),
+        nights: dates::nights(|at| run.home().sun.elevation_sine(at), run.length()),
         has_truth: false,
         activities: Vec::new(),
         spans: Vec::new(),

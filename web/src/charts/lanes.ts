@@ -18,7 +18,53 @@ export type Band = { name: string; who: number | null; spans: readonly Span[]; n
 type Span = readonly [begin: number, end: number, what: number];
 
 /** A sensor, or several of one kind, and when they fired. */
-export type Lane = { name: string; kind: string; fired: ArrayLike<number>; beside?: Beside };
+export type Lane = {
+  name: string;
+  kind: string;
+  /** In order. */
+  fired: ArrayLike<number>;
+  /** The room that it is in. */
+  place?: string;
+  /** What was said, by the place in `fired`. */
+  said?: (index: number) => string;
+  /** Of a sensor that says numbers: those, by the place in `fired`. */
+  curve?: Curve;
+  /** How often it fired in each part of the run; then this is drawn instead of each firing. */
+  density?: Counts;
+  beside?: Beside;
+};
+
+export type Curve = { values: ArrayLike<number>; low: number; high: number };
+
+/** Firings, counted in parts of equal length from the run's start on. `sums` has how many there were before each part. */
+export type Counts = { bucket_us: number; counts: ArrayLike<number>; sums: Float64Array; most: number };
+
+export function countsOf(bucket_us: number, counts: ArrayLike<number>): Counts {
+  const sums = new Float64Array(counts.length + 1);
+  let most = 0;
+  for (let part = 0; part < counts.length; part++) {
+    sums[part + 1] = sums[part]! + counts[part]!;
+    most = Math.max(most, counts[part]!);
+  }
+  return { bucket_us, counts, sums, most };
+}
+
+/** About how many firings there were between two instants. */
+export function countBetween({ bucket_us, counts, sums }: Counts, from_us: number, to_us: number): number {
+  const before = (at_us: number) => {
+    const place = Math.min(Math.max(at_us / bucket_us, 0), counts.length);
+    const part = Math.min(Math.floor(place), counts.length - 1);
+    return part < 0 ? 0 : sums[part]! + (place - part) * counts[part]!;
+  };
+  return before(to_us) - before(from_us);
+}
+
+/** How often a lane fired in what is in sight. */
+export function countIn({ fired, density, beside }: Lane, { from_us, to_us }: Sight): number {
+  if (density !== undefined) return countBetween(density, from_us, to_us);
+  const of = (all: ArrayLike<number>) => firstFrom(all, to_us) - firstFrom(all, from_us);
+  return of(fired) + (beside === undefined ? 0 : of(beside.fired));
+}
 
 /** When the same sensor of another run fired, and what each of both has alone. */
 export type Beside = { fired: ArrayLike<number>; onlyFirst: ArrayLike<number>; onlySecond: ArrayLike<number> };
@@ -111,6 +157,45 @@ function drawBand(pen: Ink, width: number, top: number, { from_us, to_us }: Sigh
   }
 }
 
+/** Nights behind all else; over months they would be stripes alone, and none are drawn. */
+export function drawNights(pen: Ink, width: number, top: number, high: number, { from_us, to_us }: Sight, nights: readonly (readonly [begin: number, end: number])[], palette: Palette): void {
+  if (to_us - from_us > 45 * 86_400e6) return;
+  const x = (at: number) => xOf(from_us, to_us, width, Math.min(Math.max(at, from_us), to_us));
+  pen.fillStyle = palette.floorNight;
+  pen.globalAlpha = 0.45;
+  for (const [begin, end] of nights) {
+    if (end > from_us && begin < to_us) pen.fillRect(x(begin), top, x(end) - x(begin), high);
+  }
+  pen.globalAlpha = 1;
+}
+
+/** What somebody has marked, or has found: a flag in the row of times, and a stripe below it. */
+export type Mark = { begin_us: number; end_us: number; isOwn?: boolean };
+
+export function drawMarks(pen: Ink, width: number, top: number, high: number, { from_us, to_us }: Sight, marks: readonly Mark[], palette: Palette, flags: boolean): void {
+  let last = -Infinity;
+  for (const { begin_us, end_us, isOwn } of marks) {
+    if (end_us < from_us || begin_us > to_us) continue;
+    const begin = xOf(from_us, to_us, width, Math.max(begin_us, from_us));
+    const end = xOf(from_us, to_us, width, Math.min(end_us, to_us));
+    pen.fillStyle = isOwn ? palette.beam : palette.seen;
+    pen.globalAlpha = 0.22;
+    if (end - begin >= 1) pen.fillRect(begin, top, end - begin, high);
+    pen.globalAlpha = 0.7;
+    if (begin - last >= 1) pen.fillRect(begin - 0.5, top, 1, high);
+    pen.globalAlpha = 1;
+    if (flags && begin - last >= 2) {
+      pen.beginPath();
+      pen.moveTo(begin - 4, top);
+      pen.lineTo(begin + 4, top);
+      pen.lineTo(begin, top + 6);
+      pen.closePath();
+      pen.fill();
+      last = begin;
+    }
+  }
+}
+
 /** The lanes from `top` on. */
 export function drawFirings(pen: Ink, width: number, top: number, { sight, lanes }: Pick<Drawing, 'sight' | 'lanes'>, palette: Palette): void {
   pen.textBaseline = 'middle';
@@ -127,10 +212,63 @@ export function drawFirings(pen: Ink, width: number, top: number, { sight, lanes
     pen.fillStyle = palette.text;
     const words = fitting(lane.name, left(width) - 30, measure);
     if (words !== null) pen.fillText(isolated(words), 23, middle + 0.5);
-    if (lane.beside === undefined) ticks(pen, width, sight, lane.fired, middle - 4.5, 9, palette.text);
+    if (lane.density !== undefined) shadesOf(pen, width, sight, lane.density, middle, palette);
+    else if (lane.curve !== undefined) drawCurve(pen, width, sight, lane.fired, lane.curve, middle, palette);
+    else if (lane.beside === undefined) ticks(pen, width, sight, lane.fired, middle - 4.5, 9, palette.text);
     else besides(pen, width, sight, lane.fired, lane.beside, middle, palette);
     top += LANE;
   }
+}
+
+/** So many steps of shade are told apart; neighbours of one shade are one stroke. */
+const SHADES = 12;
+
+/** Counts as shades: the more firings a pixel has, the darker. */
+function shadesOf(pen: Ink, width: number, { from_us, to_us }: Sight, counts: Counts, middle: number, palette: Palette): void {
+  const [begin, wide] = [left(width), Math.max(Math.floor(right(width) - left(width)), 1)];
+  const a_pixel = (to_us - from_us) / wide;
+  const most = Math.max(counts.most * Math.max(a_pixel / counts.bucket_us, 0.02), 1e-9);
+  pen.fillStyle = palette.text;
+  let [shade, since] = [0, 0];
+  const flush = (until: number) => {
+    if (shade === 0) return;
+    pen.globalAlpha = 0.12 + (0.88 * shade) / SHADES;
+    pen.fillRect(begin + since, middle - 5, until - since, 10);
+  };
+  for (let column = 0; column < wide; column++) {
+    const from = from_us + column * a_pixel;
+    const count = countBetween(counts, from, from + a_pixel);
+    const now = count <= 0 ? 0 : Math.max(Math.ceil(Math.sqrt(Math.min(count / most, 1)) * SHADES), 1);
+    if (now === shade) continue;
+    flush(column);
+    [shade, since] = [now, column];
+  }
+  flush(wide);
+  pen.globalAlpha = 1;
+}
+
+/** Numbers as a line that steps from one to the next, between the lowest and the highest of all. */
+function drawCurve(pen: Ink, width: number, { from_us, to_us }: Sight, fired: ArrayLike<number>, { values, low, high }: Curve, middle: number, palette: Palette): void {
+  const x = (at: number) => xOf(from_us, to_us, width, Math.min(Math.max(at, from_us), to_us));
+  const y = (value: number) => middle + 5.5 - ((value - low) / Math.max(high - low, 1e-9)) * 11;
+  const first = Math.max(firstFrom(fired, from_us) - 1, 0);
+  pen.beginPath();
+  let [last, level] = [-Infinity, 0];
+  for (let index = first; index < fired.length && fired[index]! <= to_us; index++) {
+    const place = x(fired[index]!);
+    const next = y(values[index]!);
+    if (last === -Infinity) pen.moveTo(place, next);
+    else if (place - last < 0.5 && index + 1 < fired.length) continue;
+    else {
+      pen.lineTo(place, level);
+      pen.lineTo(place, next);
+    }
+    [last, level] = [place, next];
+  }
+  if (last !== -Infinity) pen.lineTo(x(to_us), level);
+  pen.strokeStyle = palette.beam;
+  pen.lineWidth = 1.4;
+  pen.stroke();
 }
 
 /** The first run's firings above the line, the second's below it; what one has alone is in its colour, and longer. */
@@ -144,7 +282,7 @@ function besides(pen: Ink, width: number, sight: Sight, fired: ArrayLike<number>
 }
 
 /** The place in `all`, which is in order, of the first that is not before. */
-function firstFrom(all: ArrayLike<number>, at_us: number): number {
+export function firstFrom(all: ArrayLike<number>, at_us: number): number {
   let [low, high] = [0, all.length];
   while (low < high) {
     const middle = (low + high) >> 1;

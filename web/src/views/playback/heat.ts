@@ -114,3 +114,9 @@ export function long(seconds: number): string {
   const minutes = Math.round(seconds / 60);
   return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
 }
+
+/** The same, with seconds of what is short: `4 min 12 s`. */
+export function lasting(seconds: number): string {
+  const whole = Math.round(seconds);
+  return whole >= 600 ? long(seconds) : whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${whole % 60} s`;
+}

@@ -49,7 +49,7 @@ test('lanes and bands of both runs are by the first one’s time', () => {
   expect(dayBeside(one, 0, late)).toEqual({ number: 1, later_us: DAY });
   expect(dayBeside(one, 2, late)).toBeNull();
   const there = prepare(late, 1, storedDay(late, 1));
-  const drawing = drawingOf(one, 0, day, true, { view: late, day: there, later_us: DAY });
+  const drawing = drawingOf(one, { from_us: 0, to_us: DAY }, [day], true, { others: [{ view: late, day: there, later_us: DAY }] });
   expect(drawing.bands).toHaveLength(4);
   expect(drawing.bands[1]!.spans.map(([begin]) => begin)).toEqual(drawing.bands[0]!.spans.map(([begin]) => begin));
   expect(Math.min(...drawing.lanes.flatMap(({ beside }) => [...Array.from(beside!.fired)]))).toBeLessThan(DAY);
