@@ -43,7 +43,7 @@ export function following(sight: Sight, at_us: number, whole: Sight): Sight {
 export function lengthOf(sight: Sight): string {
   const seconds = Math.round(spanOf(sight) / 1e6);
   const [days, hours, minutes] = [Math.floor(seconds / 86_400), Math.floor(seconds / 3600) % 24, Math.floor(seconds / 60) % 60];
-  if (days >= 1) return hours === 0 || days >= 10 ? `${days} d` : `${days} d ${hours} h`;
+  if (days >= 1) return days >= 10 ? `${Math.round(seconds / 86_400)} d` : hours === 0 ? `${days} d` : `${days} d ${hours} h`;
   if (hours >= 1) return minutes === 0 ? `${hours} h` : `${hours} h ${minutes} min`;
   return minutes >= 1 ? (seconds % 60 === 0 ? `${minutes} min` : `${minutes} min ${seconds % 60} s`) : `${seconds} s`;
 }
