@@ -86,7 +86,7 @@ test('what is looked for over the whole run is listed, marked on the time line, 
   await page.keyboard.press('p');
   await wait(300);
   assert.equal(await clock.innerText(), first);
-  // A slip in a name is no crash: what is asked for is chosen, and nonsense is refused in words.
+  // No hours at all are told.
   await page.getByLabel('To which hour').selectOption('0');
   await page.getByRole('button', { name: 'Find', exact: true }).click();
   await page.getByRole('alert').getByText('different times of a day').waitFor();

@@ -62,6 +62,10 @@ export class Finding {
     const asked = ++this.asked;
     const { what, name, between, least_min } = this;
     const of = ASKED[what].of === null ? null : name;
+    if (between !== null && between[0] === between[1]) {
+      [this.found, this.problem] = [null, 'From and to are different times of a day.'];
+      return;
+    }
     const query: Find = {
       what,
       name: of,

@@ -224,7 +224,9 @@ function bandsOf(view: PlaybackView, days: readonly Day[], truth: boolean, rooms
     const once = all.filter(([begin], index) => index === 0 || begin > all[index - 1]![0]);
     return later_us === 0 ? once : once.map(([begin, end, what]) => [begin - later_us, end - later_us, what] as const);
   };
-  return view.residents.flatMap(({ name }, who): Band[] => [
+  // Whoever does not come on these days takes no room.
+  const comes = (who: number) => who === 0 || days.length === 0 || days.some((day) => (day.view.lives[who]?.activities.length ?? 0) + (day.view.lives[who]?.rooms.length ?? 0) > 0);
+  return view.residents.flatMap(({ name }, who): Band[] => !comes(who) ? [] : [
     { name, who, spans: spans(who, 'activities'), names: view.activities },
     ...(rooms ? [{ name: 'where', who: null, spans: spans(who, 'rooms'), names: view.home.rooms.map((room) => room.name), isRoom: true }] : []),
   ]);
