@@ -146,3 +146,22 @@ pub fn at(p: Point) -> At {
 fn outline(points: &[Point]) -> Vec<At> {
     points.iter().map(|&p| at(p)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whosever_a_thing_is_it_is_opened_or_turned_on() {
+        let piece = |name: &str| {
+            serde_json::from_value::<FurnitureFile>(serde_json::json!({
+                "name": name, "at": [1.0, 1.0], "size_m": [1.0, 1.0], "height_m": 1.0,
+            }))
+        };
+        for (name, on) in
+            [("wardrobe", "Open"), ("Margaret's wardrobe", "Open"), ("stove", "Turn on"), ("toy stove", "Use")]
+        {
+            assert_eq!(verbs(ThingKind::Furniture, Some(&piece(name).unwrap()))[0], on, "{name}");
+        }
+    }
+}

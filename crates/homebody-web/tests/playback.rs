@@ -421,3 +421,17 @@ fn lost_messages_are_those_of_the_truth_by_their_sensor_and_without_one_nobody_k
     let by_sensors = find(&stored, FindWhat::Room, &name, None, 0.0);
     assert_eq!(by_sensors.remarks.len(), 1, "{by_sensors:?}");
 }
+
+#[test]
+fn runs_are_listed_as_their_files_are_now() {
+    let stored = Stored::lived("by-hand", HOUR, as_it_is);
+    let listed = || stored.playback.list().into_iter().next().unwrap();
+    let before = listed();
+    assert_eq!((before.problem.as_deref(), before.days, before.has_truth), (None, 1, true));
+    assert_eq!(listed(), before);
+    fs::remove_file(stored.file("truth.db")).unwrap();
+    assert!(!listed().has_truth);
+    // What has become of a recording since it was read is told.
+    fs::write(stored.file("recording.json"), "{}").unwrap();
+    assert!(listed().problem.is_some());
+}
