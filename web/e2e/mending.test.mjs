@@ -154,7 +154,7 @@ test('a resident is called otherwise in one step, which can be undone, and lives
     await page.getByText(/now called joan, in margaret\.json, margaret\.routine/).waitFor();
     await page.getByRole('button', { name: 'Undo' }).last().click();
     await page.getByRole('button', { name: 'Rename margaret' }).waitFor();
-    assert.equal(await page.getByRole('button', { name: 'Save', exact: true }).count(), 0);
+    await page.getByText('All is saved').first().waitFor();
     await rename('margaret', 'joan');
     await page.getByText(/now called joan/).waitFor();
     await page.getByRole('button', { name: 'Save', exact: true }).first().click();
