@@ -9,14 +9,14 @@ import { setTimeout as wait } from 'node:timers/promises';
 import { serve } from './served.mjs';
 
 const axe = readFileSync(new URL('../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
-const VIEWS = { live: 'live', plan: 'plan', life: 'life', log: 'log', runs: 'playback', playback: 'playback/tigerplace-depression-1', care: 'care/tigerplace-depression-1' };
+const VIEWS = { live: 'live', plan: 'plan', life: 'life', log: 'log', runs: 'playback', playback: 'playback/tigerplace-depression-1', found: 'playback/tigerplace-depression-1@2009-03-04T03:00:00', twins: 'playback/tigerplace-depression-1@2009-03-03T12:00:00', care: 'care/tigerplace-depression-1' };
 const SIZES = [[1280, 720], [1024, 768]];
 const folder = process.env.PICTURES;
 
 let served;
 before(async () => {
   served = await serve('tigerplace-depression');
-  served.homebody('run', 'tigerplace-depression', '--for', '5d', '--quiet');
+  for (const seed of ['1', '2']) served.homebody('run', 'tigerplace-depression', '--for', '5d', '--quiet', '--seed', seed);
   if (folder) mkdirSync(folder, { recursive: true });
   const { page } = served;
   // Three days and a morning of it have been lived, on however fast a machine.
@@ -30,12 +30,31 @@ before(async () => {
 });
 after(() => served.close());
 
+/** What is done in a view before it is looked at. */
+const DONE = {
+  async found(page) {
+    await page.getByText('Find in the whole run').click();
+    await page.getByRole('button', { name: 'Find', exact: true }).click();
+    await page.getByRole('region', { name: 'What was found' }).waitFor();
+    await page.getByLabel('Rooms').check();
+    await page.getByText('Keep', { exact: true }).click();
+  },
+  async twins(page) {
+    await page.getByLabel('Beside it').selectOption('tigerplace-depression-2');
+    await page.getByRole('region', { name: 'What differs on this day' }).getByRole('columnheader', { name: 'Only first' }).waitFor();
+    await page.getByLabel('Time spent, as heat').check();
+  },
+};
+
 for (const theme of ['light', 'dark']) {
   for (const [name, view] of Object.entries(VIEWS)) {
     test(`${name}, ${theme}`, { timeout: 60_000 }, async () => {
       const { page, address } = served;
       await page.emulateMedia({ colorScheme: theme });
+      // What was chosen before is not.
+      await page.goto('about:blank');
       await page.goto(`${address.split('#')[0]}#/${view}`);
+      await DONE[name]?.(page);
       for (const [width, height] of SIZES) {
         await page.setViewportSize({ width, height });
         await wait(2000);

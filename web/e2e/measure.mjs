@@ -204,4 +204,63 @@ for (let round = 0; round < 60; round += 1) {
   if (took !== null) scrubs.push(took);
 }
 say('scrubbed to a day that was not looked at', scrubs);
+
+// What is looked for over the year, from the page and back, each of them several times.
+const FINDS = {
+  'in the bathroom between 0 and 6': { what: 'room', name: 'bathroom', between_min: [0, 360], least_s: 0 },
+  'stove motion on for 30 minutes': { what: 'on', name: 'stove motion', between_min: null, least_s: 1800 },
+  'nothing stirs for 3 hours by day': { what: 'still', name: null, between_min: [480, 1200], least_s: 10_800 },
+  'falls': { what: 'fall', name: null, between_min: null, least_s: 0 },
+  'lost messages': { what: 'lost', name: null, between_min: null, least_s: 0 },
+};
+for (const [words, query] of Object.entries(FINDS)) {
+  const took = await year.page.evaluate(async (query) => {
+    const times = [];
+    for (let round = 0; round < 12; round += 1) {
+      const begun = performance.now();
+      const answer = await fetch('/api/runs/tigerplace-1/find', {
+        method: 'POST', headers: { 'content-type': 'application/json', 'x-homebody-token': sessionStorage['homebody-token'] }, body: JSON.stringify(query),
+      });
+      await answer.json();
+      if (!answer.ok) throw new Error(String(answer.status));
+      times.push(performance.now() - begun);
+    }
+    return times;
+  }, query);
+  say(`found in a year: ${words}`, took);
+}
+
+// The time line of a year, zoomed by the wheel from all of it to an hour and back.
+const line = year.page.getByRole('group', { name: /^Time line/ });
+await line.focus();
+await year.page.keyboard.press('a');
+await year.page.getByText('365 d in sight').waitFor();
+await wait(2000);
+await zoomed(year.page, `zooming the lanes of a year`);
 await year.close();
+
+/** Frame to frame while the wheel zooms in and out. */
+async function zoomed(page, what) {
+  const box = await page.getByRole('group', { name: /^Time line/ }).boundingBox();
+  await page.mouse.move(box.x + box.width * 0.6, box.y + 70);
+  await page.evaluate(() => Object.assign(window.watched, { scripts: [], gaps: [] }));
+  for (let turn = 0; turn < 160; turn += 1) {
+    await page.mouse.wheel(0, turn % 40 < 20 ? -120 : 120);
+    await wait(16);
+  }
+  const { scripts, gaps } = await page.evaluate(() => window.watched);
+  say(`script of a frame, ${what}`, scripts);
+  say(`frame to frame, ${what}`, gaps);
+}
+
+// A hundred sensors, over a year.
+const wide = await serve('tigerplace', { script, prepare: crowd });
+await wide.page.setViewportSize({ width: 1280, height: 900 });
+wide.homebody('run', 'tigerplace', '--for', process.env.WIDE_DAYS ?? '365d', '--quiet');
+await wide.page.goto(`${new URL(wide.address).origin}/#/playback/tigerplace-1`);
+await wide.page.getByText(/^Day 1 of/).waitFor({ timeout: 300_000 });
+await wide.page.getByRole('group', { name: /^Time line/ }).focus();
+await wide.page.keyboard.press('a');
+await wait(8000);
+await zoomed(wide.page, 'the same of 10 residents and 100 sensors');
+await wide.close();

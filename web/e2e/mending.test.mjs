@@ -135,3 +135,34 @@ test('a run is named, deleted, and fetched back; the address knows the time', { 
   await page.getByText('is deleted.').waitFor({ state: 'detached' });
   assert.ok(existsSync(join(served.folder, 'runs', run, 'recording.json')));
 });
+
+test('a resident is called otherwise in one step, which can be undone, and lives on under the new name', { timeout: 60_000 }, async () => {
+  const served = await serve('tigerplace');
+  try {
+    const { page, address, folder } = served;
+    const read = (name) => readFileSync(join(folder, 'tigerplace', name), 'utf8');
+    await page.goto(`${address.split('#')[0]}#/life`);
+    const rename = async (from, to) => {
+      await page.getByRole('button', { name: `Rename ${from}` }).click();
+      await page.getByRole('textbox', { name: 'Name', exact: true }).fill(to);
+      await page.getByRole('button', { name: 'Rename', exact: true }).click();
+    };
+    await rename('margaret', '  ');
+    await page.getByRole('alert').getByText('A name has a letter at least.').waitFor();
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await rename('margaret', 'joan');
+    await page.getByText(/now called joan, in margaret\.json, margaret\.routine/).waitFor();
+    await page.getByRole('button', { name: 'Undo' }).last().click();
+    await page.getByRole('button', { name: 'Rename margaret' }).waitFor();
+    await page.getByText('All is saved').first().waitFor();
+    await rename('margaret', 'joan');
+    await page.getByText(/now called joan/).waitFor();
+    await page.getByRole('button', { name: 'Save', exact: true }).first().click();
+    await page.getByRole('button', { name: 'Rename joan' }).waitFor();
+    await page.waitForFunction(() => [...document.querySelectorAll('.who option')].some((option) => option.value === 'joan'));
+    assert.equal(JSON.parse(read('margaret.json')).name, 'joan');
+    assert.match(read('margaret.routine'), /Joan is/);
+  } finally {
+    await served.close();
+  }
+});

@@ -1,6 +1,7 @@
 // Ninety finished days are opened, and their nights played.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
 import { serve } from './served.mjs';
@@ -34,4 +35,101 @@ test('a finished run is opened, and a trip of the night played', { timeout: 120_
   await page.getByRole('row', { name: /(toilet|bathroom) motion.*ON|A[57].*ON/ }).first().waitFor({ timeout: 20_000 });
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
   assert.notEqual(await clock.innerText(), begun);
+});
+
+test('of two runs that differ by a condition it is shown what one has and the other lacks', { timeout: 180_000 }, async () => {
+  const twins = await serve('tigerplace-depression');
+  try {
+    const { page, address } = twins;
+    twins.homebody('run', 'tigerplace-depression', '--for', '38d', '--quiet');
+    twins.homebody('run', 'tigerplace-depression', '--for', '38d', '--quiet', '--without', 'depression');
+    // Up to the condition's beginning both have lived the same.
+    await page.goto(`${address.split('#')[0]}#/playback/tigerplace-depression-1@2009-03-10T12:00:00`);
+    await page.getByText('Day 9 of 38').waitFor();
+    await page.getByLabel('Beside it').selectOption('tigerplace-depression-2');
+    const differs = page.getByRole('region', { name: 'What differs on this day' });
+    await differs.getByText('Every firing of one is one of the other within a minute.').waitFor();
+    await page.goto(`${address.split('#')[0]}#/playback/tigerplace-depression-1@2009-04-08T12:00:00`);
+    await page.getByText('Day 38 of 38').waitFor();
+    await differs.getByRole('rowheader', { name: 'bedroom motion' }).waitFor();
+    await differs.getByRole('columnheader', { name: 'Room' }).waitFor();
+    await page.getByLabel('Time spent, as heat').check();
+    await page.getByText('More and less time that day than in the first run').waitFor();
+    const now = page.getByRole('region', { name: 'At this time' });
+    assert.equal(await now.getByRole('rowheader', { name: /^margaret$/ }).count(), 2);
+    await page.getByLabel('as a table').check();
+    await page.getByRole('region', { name: 'Rows by day' }).getByRole('row', { name: /8 Apr 2009.*[+−]\d+/ }).waitFor();
+  } finally {
+    await twins.close();
+  }
+});
+
+test('what is looked for over the whole run is listed, marked on the time line, and gone to by a key', { timeout: 60_000 }, async () => {
+  const { page, address } = served;
+  await page.goto(`${address.split('#')[0]}#/playback/tigerplace-1@2009-03-02T12:00:00`);
+  await page.getByText('Day 1 of 90').waitFor();
+  await page.getByText('Find in the whole run').click();
+  await page.getByLabel('Room', { exact: true }).selectOption('bathroom');
+  await page.getByRole('button', { name: 'Find', exact: true }).click();
+  await page.getByText(/\d+ times/).waitFor();
+  const hits = page.getByRole('region', { name: 'What was found' }).getByRole('button');
+  assert.match(await hits.first().innerText(), /0[0-5]:\d\d:\d\d.*margaret/s);
+  const clock = page.locator('time, .clock').first();
+  await page.locator('main, body').first().press('n');
+  await wait(300);
+  const first = await clock.innerText();
+  assert.match(first, /^0[0-5]:/, `${first} is no night`);
+  await page.getByRole('row', { name: /margaret.*bathroom/ }).waitFor();
+  await page.keyboard.press('n');
+  await wait(300);
+  assert.notEqual(await clock.innerText(), first);
+  await page.keyboard.press('p');
+  await wait(300);
+  assert.equal(await clock.innerText(), first);
+  // No hours at all are told.
+  await page.getByLabel('To which hour').selectOption('0');
+  await page.getByRole('button', { name: 'Find', exact: true }).click();
+  await page.getByRole('alert').getByText('different times of a day').waitFor();
+});
+
+test('the time line goes from the whole run to seconds, is sorted, and is kept as picture, lines and table', { timeout: 60_000 }, async () => {
+  const { page, address } = served;
+  await page.goto(`${address.split('#')[0]}#/playback/tigerplace-1@2009-03-10T12:00:00`);
+  await page.getByText('Day 9 of 90').waitFor();
+  const line = page.getByRole('group', { name: /^Time line/ });
+  await line.focus();
+  await page.keyboard.press('a');
+  await page.getByText('90 d in sight').waitFor();
+  await page.keyboard.press('0');
+  await page.getByText('1 d in sight').waitFor();
+  const box = await line.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + 60);
+  for (let turn = 0; turn < 60; turn += 1) await page.mouse.wheel(0, -240);
+  await page.getByText('1 s in sight').waitFor();
+  await page.keyboard.press('0');
+  // Two hours are drawn out over the times.
+  await page.mouse.move(box.x + box.width / 2, box.y + 8);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 80, box.y + 8, { steps: 4 });
+  await page.mouse.up();
+  await page.getByText(/^[12] h \d+ min in sight$/).waitFor();
+  await page.getByRole('combobox', { name: 'Lanes' }).selectOption('active');
+  await page.keyboard.press('Escape');
+  const kept = {};
+  for (const form of ['PNG', 'SVG', 'CSV']) {
+    await page.getByText('Keep', { exact: true }).click();
+    const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: `(${form})` }).click()]);
+    kept[form] = readFileSync(await file.path());
+  }
+  assert.equal(kept.PNG.subarray(1, 4).toString(), 'PNG');
+  assert.match(kept.SVG.toString(), /^<svg [^>]*>.*margaret.*<\/svg>\s*$/s);
+  const rows = kept.CSV.toString().trim().split('\n');
+  assert.equal(rows[0], 'begin,end,what,name,said');
+  assert.ok(rows.length > 20 && rows.some((row) => /,sensor,.* motion,ON$/.test(row)), rows.slice(0, 3).join('\n'));
+  // A mark is there again when the page is.
+  await line.focus();
+  await page.keyboard.press('m');
+  await page.reload();
+  await page.getByText('Day 9 of 90').waitFor();
+  assert.equal(await page.evaluate(() => JSON.parse(localStorage['homebody-marks/tigerplace-1']).length), 1);
 });

@@ -24,6 +24,13 @@ export function date(ms: number): string {
   return Number.isFinite(ms) ? dated.format(ms) : '';
 }
 
+const short = new Intl.DateTimeFormat('en-GB', { timeZone: 'UTC', day: 'numeric', month: 'short' });
+
+/** `2 Mar`. */
+export function dayMonth(ms: number): string {
+  return Number.isFinite(ms) ? short.format(ms) : '';
+}
+
 /** `07:12:03`. */
 export function time(ms: number): string {
   return Number.isFinite(ms) ? new Date(ms).toISOString().slice(11, 19) : '';

@@ -3,6 +3,7 @@
 import { Announcer } from './announce';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
+import { Lived } from './lived';
 import { Throttle } from './plan/glow';
 import { Server } from './server';
 import { Socket, type Status, type Wire } from './socket';
@@ -31,6 +32,7 @@ export class Live {
   stored = $state<string | null>(null);
 
   readonly firings = new Firings();
+  readonly lived = new Lived();
   readonly server: Server;
   /** The scenario's files, as this page writes them. */
   readonly drafts: Drafts;
@@ -146,6 +148,7 @@ export class Live {
     this.frame = null;
     this.latest = null;
     this.firings.clear(tell.run.home.sensors.length);
+    this.lived.clear(tell.run);
     this.announcer.clear();
     this.heard += 1;
   }
@@ -156,6 +159,7 @@ export class Live {
     const turns = this.latest?.state !== frame.state;
     this.latest = frame;
     const fresh = this.firings.take(frame);
+    this.lived.take(frame);
     for (const firing of fresh) this.announcer.fired(this.run.home.sensors[firing.sensor]?.name ?? 'an unknown sensor');
     for (const watcher of this.watchers) watcher(frame, fresh);
     if (frame.state === 'over' && !this.run.replay && this.run.id !== null) this.stored = this.run.id;

@@ -135,6 +135,16 @@ export function asidePath(key: string): string {
   return `/api/put-aside/${encodeURIComponent(key)}`;
 }
 
+/** The path on which something is looked for over a whole run. */
+export function findPath(name: string): string {
+  return `${storedPath(name)}/find`;
+}
+
+/** The path of how often each sensor of a run spoke. */
+export function lanesPath(name: string): string {
+  return `${storedPath(name)}/lanes`;
+}
+
 /** The path of what a day's answer had no time for. */
 export function restPath(name: string, day: number, from_us: number): string {
   return `${storedPath(name, day)}/from/${from_us}`;

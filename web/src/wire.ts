@@ -58,7 +58,11 @@ export type SensorView = { name: string,
 /**
  * As its file says it: `motion`, `bed`, `contact`, ...
  */
-kind: string, at: [number, number], 
+kind: string, 
+/**
+ * The room that it is in.
+ */
+room: string | null, at: [number, number], 
 /**
  * Where it looks, counted from east against the clock; of sensors on walls.
  */
@@ -101,6 +105,10 @@ without: Array<string>,
  * By the clock on the wall.
  */
 days: Array<DateView>, 
+/**
+ * From when to when the sun is down.
+ */
+nights: Array<[number, number]>, 
 /**
  * Where the log goes, as URLs.
  */
@@ -244,7 +252,11 @@ values: Array<string>, days: Array<DateView>,
 /**
  * How many rows the log has in each hour of the clock, by day.
  */
-hours: Array<Array<number>>, has_truth: boolean, 
+hours: Array<Array<number>>, 
+/**
+ * From when to when the sun is down.
+ */
+nights: Array<[number, number]>, has_truth: boolean, 
 /**
  * The names of activities.
  */
@@ -262,6 +274,12 @@ walk: WalkView | null,
  * What is missing or was skipped, in sentences.
  */
 remarks: Array<string>, };
+
+export type LanesView = { bucket_us: number, 
+/**
+ * By sensor, from the run's start on.
+ */
+counts: Array<Array<number>>, };
 
 export type CareView = { 
 /**
@@ -441,6 +459,42 @@ activities: Array<[number, number, number]>,
  * number of the home's room, -1 for out, -2 for between the rooms; those that are not told of have no chance.
  */
 chances: Array<[number, number, number]>, };
+
+export type Find = { what: FindWhat, 
+/**
+ * Which room, sensor or activity; of lost messages a sensor, of alerts a rule, or null for all.
+ */
+name: string | null, 
+/**
+ * Between which minutes of the day, over midnight where the first is later; null at any time.
+ */
+between_min: [number, number] | null, 
+/**
+ * For how many seconds at least.
+ */
+least_s: number, };
+
+export type FindWhat = "room" | "on" | "still" | "doing" | "fall" | "lost" | "alert";
+
+export type FoundView = { 
+/**
+ * In the order of time; of too many the first.
+ */
+hits: Array<HitView>, 
+/**
+ * How many there are.
+ */
+all: number, 
+/**
+ * How it was looked for, where that is not what one would think.
+ */
+remarks: Array<string>, };
+
+export type HitView = { begin_us: number, end_us: number, 
+/**
+ * Whose it was, and what, as far as it is known.
+ */
+words: string, };
 
 export type WalkingView = { 
 /**

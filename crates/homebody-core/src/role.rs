@@ -116,9 +116,15 @@ impl Role {
         key.as_str().map(str::to_owned)
     }
 
+    /// Whether a name in lower case implies this role, whosever the thing is: `wardrobe`, `margaret's wardrobe`.
+    pub fn is_called(self, name: &str) -> bool {
+        let is_whole = |of: &str| of.is_empty() || of.ends_with("'s ");
+        self.row().names.iter().any(|own| name.strip_suffix(own).is_some_and(is_whole))
+    }
+
     /// The roles that a name in lower case implies, in the order of the table.
     pub fn of_name(name: &str) -> impl Iterator<Item = Role> {
-        ROLES.iter().filter(move |row| row.names.contains(&name)).map(|row| row.role)
+        ROLES.iter().map(|row| row.role).filter(move |role| role.is_called(name))
     }
 }
 
@@ -154,5 +160,8 @@ mod tests {
     fn one_name_may_imply_several_roles() {
         assert_eq!(Role::of_name("couch").collect::<Vec<_>>(), [Role::Sofa, Role::GuestSeat]);
         assert_eq!(Role::of_name("table").count(), 0);
+        assert_eq!(Role::of_name("margaret's couch").collect::<Vec<_>>(), [Role::Sofa, Role::GuestSeat]);
+        // What only ends so is another thing.
+        assert_eq!(Role::of_name("toy couch").count(), 0);
     }
 }

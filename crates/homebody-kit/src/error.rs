@@ -1,6 +1,7 @@
 //! What can go wrong with a scenario, a run or a log, in this crate's own words.
 
 use crate::VERSION;
+use crate::find::Unfindable;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::time::Micros;
@@ -30,6 +31,9 @@ pub enum Error {
         #[source]
         source: Option<io::Error>,
     },
+    /// What is looked for in a log cannot be found in any.
+    #[error(transparent)]
+    Find(#[from] Unfindable),
     /// No scenario of this name came with the program.
     #[error("there is no template {name:?}\n  hint: there are {}", known.join(", "))]
     Template {

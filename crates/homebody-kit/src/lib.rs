@@ -62,6 +62,10 @@ mod following;
 mod health;
 mod examined;
 
+/// What is looked for over a whole log or run.
+pub mod find;
+mod found_in_log;
+
 /// A log that was walked back, as a folder.
 pub mod walked;
 
@@ -77,6 +81,7 @@ pub use destination::{Destination, Policy, Sink};
 pub use error::{BoxError, Error};
 pub use examined::{Examined, Examining};
 pub use following::{Following, Learnt, Presence};
+pub use found_in_log::find_in_log;
 pub use health::{Found, Health, health};
 pub use homebody_infer::{Ailment, Ill, Kind, Spell};
 pub use homebody_log::examine::{Check, Verdict};
@@ -85,7 +90,7 @@ pub use homebody_log::{Url, WhenDown};
 pub use homebody_routine::living::account::Difference;
 pub use instants::Instants;
 pub use live_home::LiveHome;
-pub use log_with_run::{LogWithRun, NamedLog, Unended, home_sensors, sensor_rooms};
+pub use log_with_run::{LogWithRun, Lost, NamedLog, Unended, home_sensors, sensor_rooms};
 pub use meters::{Meters, Seen};
 pub use profiles::Profile;
 pub use recorded::{Recorded, Unfinished, recording};

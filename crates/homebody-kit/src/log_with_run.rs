@@ -15,8 +15,8 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::sensors::Sensor;
 use homebody_core::time::Micros;
 use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
-use homebody_log::source::Clock;
-use homebody_log::truth::tables;
+use homebody_log::source::{Clock, Value, truth_rows};
+use homebody_log::truth::{Truth, tables};
 use homebody_log::word::one_word;
 use homebody_log::{Life, Log, LogError, Places, RunClock, Source, Url, lives, read, stream, survey, truth_of};
 use homebody_walk::Mesh;
@@ -46,8 +46,23 @@ pub struct LogWithRun {
     pub sources: Vec<PathBuf>,
     /// The scenario with its home, where that is known: its run's, or the one that its sensors were placed in.
     home: Option<Scenario>,
+    /// Its truth, and the zone on whose wall what that tells is put, where it is told in UTC.
+    truth: Option<(Url, Option<TimeZone>)>,
     /// The folder of its run, if that was not lived to its end: see [`NamedLog::unfinished`].
     pub unfinished: Option<Unended>,
+}
+
+/// A message that never reached the logger.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lost {
+    /// When it was said, on the clock of the log.
+    pub at: Micros,
+    /// The sensor's name in its home, or else its id.
+    pub sensor: String,
+    /// What it said.
+    pub value: String,
+    /// How it was lost, in a word of the truth.
+    pub loss: String,
 }
 
 /// The run of a log that was killed or stopped.
@@ -109,6 +124,7 @@ impl LogWithRun {
         }
         let rooms = scenario.as_ref().map_or_else(|| rooms_told(&log), sensor_rooms);
         let zone = asked.or(known_zone);
+        let told = truth.clone().map(|truth| (truth, zone.clone().filter(|_| log.clock == Clock::Utc)));
         // One that is being lived, or was killed, says how long it is to be, and not how far it has come.
         let lived = run.as_ref().filter(|run| run.is_complete());
         let span = scenario.as_ref().zip(lived).map(|(scenario, run)| {
@@ -130,7 +146,7 @@ impl LogWithRun {
         let sources = files.iter().cloned().chain(truth).chain(beside).collect();
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
         let name = name + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
-        Ok(LogWithRun { name, log, lives, rooms, recorded, files, sources, home: scenario, unfinished })
+        Ok(LogWithRun { name, log, lives, rooms, recorded, files, sources, home: scenario, truth: told, unfinished })
     }
 
     /// Gives its sensors the names and rooms that they have in the home of a scenario. Says how many of them are in it.
@@ -188,6 +204,32 @@ impl LogWithRun {
             [one] => capitalised(one),
             _ => "somebody".to_owned(),
         }
+    }
+
+    /// The messages that never reached the logger, in order, as the truth tells them; `None` where there is none.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Log`] if the truth cannot be read.
+    pub fn lost(&self) -> Result<Option<Vec<Lost>>, Error> {
+        let Some((truth, zone)) = &self.truth else { return Ok(None) };
+        let mut all = Vec::new();
+        truth_rows(truth, Truth::Lost, &RunClock::as_told(), &mut |cells| {
+            let text = |index: usize| match cells.get(index) {
+                Some(Value::Text(text)) => (*text).to_owned(),
+                _ => String::new(),
+            };
+            if let Some(&Value::Integer(at)) = cells.get(2) {
+                let at = zone.as_ref().map_or(at, |zone| on_wall(at, zone));
+                let ids = self.home.iter().flat_map(|scenario| &scenario.logger.ids);
+                let sensor =
+                    ids.into_iter().find(|(_, id)| **id == text(0)).map_or_else(|| text(0), |(name, _)| name.clone());
+                all.push(Lost { at, sensor, value: text(1), loss: text(4) });
+            }
+            Ok(())
+        })?;
+        all.sort_by_key(|lost| lost.at);
+        Ok(Some(all))
     }
 
     /// When guests were in the home, as the truth tells it; `None` where it is not known who lives there.

@@ -95,6 +95,26 @@ fn spread(values: &[f64]) -> f64 {
 }
 
 #[test]
+fn nobody_walks_in_their_sleep() {
+    let lived = live_for("She goes to the bathroom twice as often.\n", 30);
+    let walked = |activity: &str| {
+        let spans: Vec<(Micros, Micros)> = lived.of(activity).collect();
+        let strides = lived.events.facts.iter().filter(|fact| match fact {
+            Fact::Movement { resident, begin, doing: MotionState::Stride { .. }, .. } if resident.index() == 0 => {
+                spans.iter().any(|(from, to)| (from..to).contains(&begin))
+            }
+            _ => false,
+        });
+        (spans.len(), strides.count())
+    };
+    let ((sleeps, asleep), (visits, visiting)) = (walked("sleeping"), walked("using_bathroom"));
+    assert!(sleeps > 60, "{sleeps}");
+    assert_eq!(asleep, 0, "strides in {sleeps} spans of sleep");
+    // The ways there and back are walked in the visit.
+    assert!(visiting > 4 * visits, "{visiting} strides in {visits} visits");
+}
+
+#[test]
 fn who_is_away_for_days_is_away_for_days() {
     for (said, first, days) in [
         ("From day 30, for 7 days, she is out.", 29, 7.0),

@@ -47,9 +47,7 @@ impl Spot {
 
     /// Whether it fills the role, whosever it is.
     pub fn is_of(&self, role: Role) -> bool {
-        let is_whole = |of: &str| of.is_empty() || of.ends_with("'s ");
-        let is_called_so = || role.row().names.iter().any(|name| self.name.strip_suffix(name).is_some_and(is_whole));
-        self.said.map_or_else(is_called_so, |said| said == role)
+        self.said.map_or_else(|| role.is_called(&self.name), |said| said == role)
     }
 }
 

@@ -1,8 +1,8 @@
-//! Days by the clock on the wall, as the page counts them.
+//! Days by the clock on the wall, as the page counts them, and the nights between them.
 
 use crate::wire::DateView;
 use homebody_core::scenario::calendar::Calendar;
-use homebody_core::time::Micros;
+use homebody_core::time::{Micros, SECOND};
 use homebody_log::RunClock;
 use homebody_log::source::Clock;
 use std::ops::Range;
@@ -49,4 +49,54 @@ pub fn turns(calendar: &Calendar, length: Micros) -> Vec<(Micros, Micros)> {
 /// The hour on the clock on the wall.
 pub fn hour(calendar: &Calendar, at: Micros) -> usize {
     usize::try_from(calendar.local(at).hour()).unwrap_or(0)
+}
+
+/// So often is looked at the sun (ours); between two looks its rising and setting are put in proportion.
+const STEP: Micros = 600 * SECOND;
+
+/// From when to when the sun is down, in order, over a run of this length, by the sine of its height.
+pub fn nights(height: impl Fn(Micros) -> f64, length: Micros) -> Vec<(i64, i64)> {
+    let mut nights: Vec<(i64, i64)> = Vec::new();
+    let mut before = height(0);
+    let mut since = (before < 0.0).then_some(0);
+    let mut at = 0;
+    while at < length {
+        let next = (at + STEP).min(length);
+        let now = height(next);
+        let turn = || at + ((next - at) as f64 * before / (before - now)) as Micros;
+        match (since, now < 0.0) {
+            (None, true) => since = Some(turn()),
+            (Some(begin), false) => {
+                nights.push((begin, turn()));
+                since = None;
+            }
+            _ => {}
+        }
+        (at, before) = (next, now);
+    }
+    nights.extend(since.map(|begin| (begin, length)));
+    nights
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use homebody_core::time::DAY;
+
+    const HOUR: Micros = 3600 * SECOND;
+
+    #[test]
+    fn nights_are_while_the_sun_is_down_and_end_with_the_run() {
+        // It rises at six and sets at eighteen.
+        let height = |at: Micros| -(at as f64 / DAY as f64 * std::f64::consts::TAU).cos();
+        let near = |(begin, end): (i64, i64), from: Micros, to: Micros| {
+            (begin - from).abs() < 5 * SECOND && (end - to).abs() < 5 * SECOND
+        };
+        let all = nights(height, 2 * DAY - HOUR);
+        assert_eq!(all.len(), 3);
+        assert!(near(all[0], 0, 6 * HOUR) && near(all[1], 18 * HOUR, 30 * HOUR), "{all:?}");
+        assert!(near(all[2], 42 * HOUR, 47 * HOUR), "{all:?}");
+        assert_eq!(nights(|_| 1.0, DAY), []);
+        assert_eq!(nights(|_| -1.0, DAY), [(0, DAY)]);
+    }
 }

@@ -109,6 +109,7 @@ fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
     SensorView {
         name: sensor.name.clone(),
         kind: file.row().key.into(),
+        room: sensor.info(plan).room,
         at: at(sensor.at),
         facing_deg: match file {
             SensorFile::Motion(motion) => Some(motion.facing_deg),
@@ -144,4 +145,23 @@ pub fn at(p: Point) -> At {
 
 fn outline(points: &[Point]) -> Vec<At> {
     points.iter().map(|&p| at(p)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn whosever_a_thing_is_it_is_opened_or_turned_on() {
+        let piece = |name: &str| {
+            serde_json::from_value::<FurnitureFile>(serde_json::json!({
+                "name": name, "at": [1.0, 1.0], "size_m": [1.0, 1.0], "height_m": 1.0,
+            }))
+        };
+        for (name, on) in
+            [("wardrobe", "Open"), ("Margaret's wardrobe", "Open"), ("stove", "Turn on"), ("toy stove", "Use")]
+        {
+            assert_eq!(verbs(ThingKind::Furniture, Some(&piece(name).unwrap()))[0], on, "{name}");
+        }
+    }
 }

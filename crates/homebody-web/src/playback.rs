@@ -3,6 +3,9 @@
 //! A run is opened once: its log is read into memory, its truth is asked day by day. The last few that were opened are kept, as
 //! long as their files stay as they are.
 
+mod finding;
+mod lanes;
+
 use crate::dates;
 use crate::draw;
 use crate::keeping;
@@ -30,6 +33,9 @@ use std::time::{Duration, Instant, SystemTime};
 /// So many runs stay open: two side by side, and the one looked at before (ours).
 const MOST_OPEN: usize = 3;
 
+/// So much is remembered of runs for their list (ours): some hundred bytes each.
+const MOST_LISTED: usize = 20_000;
+
 /// So many spans of activities are told of a whole run; of a year they would be tens of thousands (ours).
 const MOST_SPANS: usize = 6000;
 
@@ -54,6 +60,23 @@ pub struct Playback {
     shelf: Shelf,
     /// The last one that was asked for comes last.
     opened: Arc<Mutex<Vec<Arc<Opened>>>>,
+    /// What is listed of each, by name.
+    listed: Arc<Mutex<HashMap<String, Listed>>>,
+}
+
+/// What a recording says in a list of runs, or what is wrong with it.
+struct Listed {
+    state: State,
+    recorded: Result<Recorded, String>,
+}
+
+#[derive(Clone)]
+struct Recorded {
+    scenario: String,
+    start: String,
+    days: u32,
+    seed: u64,
+    without: Vec<String>,
 }
 
 /// A run in memory.
@@ -71,6 +94,8 @@ struct Opened {
     movements: Option<Mutex<Movements>>,
     /// By resident; none but of a log that was walked back.
     chances: Vec<Vec<Chance>>,
+    truth: Option<Url>,
+    clock: RunClock,
 }
 
 /// When a run's files were written, and how long they are.
@@ -78,7 +103,7 @@ pub type State = Vec<Option<(SystemTime, u64)>>;
 
 impl Playback {
     pub fn new(shelf: Shelf) -> Playback {
-        Playback { shelf, opened: Arc::default() }
+        Playback { shelf, opened: Arc::default(), listed: Arc::default() }
     }
 
     /// All runs, the latest first.
@@ -88,22 +113,19 @@ impl Playback {
 
     fn stored(&self, name: String) -> StoredView {
         let has_truth = self.shelf.file_of_run(&name, TRUTH).is_some();
-        let scenario = self.shelf.recording(&name).and_then(|recording| {
-            let scenario = recording.scenario().map_err(|problems| problems.render())?;
-            Ok((scenario, recording.length_us, recording.seed, recording.without))
-        });
         let about = keeping::about(&self.shelf, &name);
         let made_ms = self.shelf.run(&name).and_then(|folder| made_ms(&folder));
-        match scenario {
-            Ok((scenario, length, seed, without)) => StoredView {
+        let walked_back = self.shelf.walked(&name).map(|folder| reported(&folder).log);
+        match self.recorded(&name) {
+            Ok(Recorded { scenario, start, days, seed, without }) => StoredView {
                 made_ms,
                 about,
                 seed: Some(seed),
                 without,
-                scenario: scenario.file.name,
-                start: scenario.calendar.wall_clock(0),
-                days: dates::last(&scenario.calendar, length) + 1,
-                walked_back: self.shelf.walked(&name).map(|folder| reported(&folder).log),
+                scenario,
+                start,
+                days,
+                walked_back,
                 name,
                 has_truth,
                 problem: None,
@@ -122,6 +144,37 @@ impl Playback {
                 problem: Some(shortened(&why)),
             },
         }
+    }
+
+    /// What a run's recording says, which is read once as long as it stays as it is: of a thousand runs each has a scenario.
+    fn recorded(&self, name: &str) -> Result<Recorded, String> {
+        let path = self.shelf.file_of_run(name, RECORDING);
+        let files: Vec<PathBuf> = path.into_iter().collect();
+        let state = state(&files);
+        let known = |all: &HashMap<String, Listed>| {
+            all.get(name).filter(|listed| listed.state == state).map(|listed| listed.recorded.clone())
+        };
+        let listed =
+            |listed: &Mutex<HashMap<String, Listed>>| known(&listed.lock().unwrap_or_else(PoisonError::into_inner));
+        if let Some(recorded) = listed(&self.listed) {
+            return recorded;
+        }
+        let recorded = self.shelf.recording(name).and_then(|recording| {
+            let scenario = recording.scenario().map_err(|problems| problems.render())?;
+            Ok(Recorded {
+                start: scenario.calendar.wall_clock(0),
+                days: dates::last(&scenario.calendar, recording.length_us) + 1,
+                seed: recording.seed,
+                without: recording.without,
+                scenario: scenario.file.name,
+            })
+        });
+        let mut all = self.listed.lock().unwrap_or_else(PoisonError::into_inner);
+        if all.len() >= MOST_LISTED {
+            all.clear();
+        }
+        all.insert(name.to_owned(), Listed { state, recorded: recorded.clone() });
+        recorded
     }
 
     /// A run as a whole.
@@ -220,6 +273,8 @@ impl Playback {
             activities: Vec::new(),
             movements: None,
             chances: Vec::new(),
+            truth: truth.as_deref().map(|truth| Url::new(Scheme::Sqlite, truth)),
+            clock: RunClock::of(&scenario, length),
         };
         if let Some(truth) = &truth {
             view.has_truth = true;
@@ -376,6 +431,7 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
         values: Vec::new(),
         days: Vec::new(),
         hours: Vec::new(),
+        nights: dates::nights(|at| run.home().sun.elevation_sine(at), run.length()),
         has_truth: false,
         activities: Vec::new(),
         spans: Vec::new(),

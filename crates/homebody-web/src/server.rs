@@ -14,7 +14,7 @@ use crate::stage::Stage;
 use crate::told::{Logs, Which};
 use crate::visit::{LONGEST_UNTAKEN, Visit};
 use crate::walks::{HomeOf, LARGEST_LOG_BYTES, Unwalked, Walks};
-use crate::wire::{Connect, Draft, Explain, Forget, Month, NoteIt, Rename, RunAbout, Save, WalkingView};
+use crate::wire::{Connect, Draft, Explain, Find, Forget, Month, NoteIt, Rename, RunAbout, Save, WalkingView};
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, State};
@@ -222,6 +222,8 @@ fn routes(house: House) -> Router {
         .route("/api/runs/{run}/about", post(call))
         .route("/api/runs/{run}/days/{day}", get(stored_day))
         .route("/api/runs/{run}/days/{day}/from/{from}", get(rest_of_day))
+        .route("/api/runs/{run}/find", post(find))
+        .route("/api/runs/{run}/lanes", get(lanes))
         .route("/api/runs/{run}/look", get(look))
         .route("/api/runs/{run}/care", get(care))
         .route("/api/runs/{run}/notes", get(notes).post(note))
@@ -394,6 +396,17 @@ async fn rest_of_day(State(house): State<House>, Path((run, day, from)): Path<(S
             .into_response();
     };
     packed(found(move || house.playback.rest_of_day(&run, day, from)).await.and_then(|day| day.map_err(refused)))
+}
+
+/// What is looked for over a whole stored run.
+async fn find(State(house): State<House>, Path(run): Path<String>, Json(asked): Json<Find>) -> Response {
+    let look = move || house.playback.find(&run, &asked, || house.logs.care(&run).map(|care| care.alerts));
+    json(found(look).await.and_then(|found| found.map_err(refused)))
+}
+
+/// How often each sensor of a stored run spoke, over the whole of it.
+async fn lanes(State(house): State<House>, Path(run): Path<String>) -> Response {
+    packed(found(move || house.playback.lanes(&run)).await.and_then(|lanes| lanes.map_err(refused)))
 }
 
 /// A run is called something.

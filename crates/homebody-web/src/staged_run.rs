@@ -299,6 +299,7 @@ impl StagedRun {
             conditions: self.conditions.clone(),
             without: self.start.without.clone(),
             days: dates::all(&self.scenario.calendar, self.run.length()),
+            nights: dates::nights(|at| self.run.home().sun.elevation_sine(at), self.run.length()),
             length_us: self.run.length(),
             seed: self.recording.seed,
             log: self.files.iter().flat_map(|files| &files.places.log).map(ToString::to_string).collect(),

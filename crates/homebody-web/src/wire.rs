@@ -9,9 +9,11 @@
 
 mod care;
 mod draft;
+mod finding;
 
 pub use care::*;
 pub use draft::*;
+pub use finding::*;
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -96,6 +98,8 @@ pub struct SensorView {
     pub name: String,
     /// As its file says it: `motion`, `bed`, `contact`, ...
     pub kind: String,
+    /// The room that it is in.
+    pub room: Option<String>,
     pub at: At,
     /// Where it looks, counted from east against the clock; of sensors on walls.
     pub facing_deg: Option<f64>,
@@ -127,6 +131,9 @@ pub struct RunView {
     pub without: Vec<String>,
     /// By the clock on the wall.
     pub days: Vec<DateView>,
+    /// From when to when the sun is down.
+    #[ts(type = "Array<[number, number]>")]
+    pub nights: Vec<(i64, i64)>,
     /// Where the log goes, as URLs.
     pub log: Vec<String>,
     /// Whether a recording is being lived again.
@@ -273,6 +280,9 @@ pub struct PlaybackView {
     pub days: Vec<DateView>,
     /// How many rows the log has in each hour of the clock, by day.
     pub hours: Vec<Vec<u32>>,
+    /// From when to when the sun is down.
+    #[ts(type = "Array<[number, number]>")]
+    pub nights: Vec<(i64, i64)>,
     pub has_truth: bool,
     /// The names of activities.
     pub activities: Vec<String>,
@@ -284,6 +294,15 @@ pub struct PlaybackView {
     pub walk: Option<WalkView>,
     /// What is missing or was skipped, in sentences.
     pub remarks: Vec<String>,
+}
+
+/// How often each sensor of a stored run spoke, in parts of it of equal length.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct LanesView {
+    #[ts(type = "number")]
+    pub bucket_us: i64,
+    /// By sensor, from the run's start on.
+    pub counts: Vec<Vec<u32>>,
 }
 
 /// What is known of a log that was walked back.

@@ -4,7 +4,7 @@ use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_web::playback::{Playback, Refusal};
 use homebody_web::shelf::Shelf;
 use homebody_web::staged_run::{StagedRun, Start};
-use homebody_web::wire::{DayView, MotionState, PlaybackView, State};
+use homebody_web::wire::{DayView, Find, FindWhat, FoundView, MotionState, PlaybackView, State};
 use rusqlite::Connection;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -351,4 +351,87 @@ fn who_is_driven_does_not_go_back_to_a_moment() {
     live(&mut act, 10 * SECOND, &shelf);
     assert!(!act.go_back(SECOND));
     assert_eq!((act.now(), act.anew(SECOND).unwrap().now()), (10 * SECOND, 0));
+}
+
+/// What is asked of a run, and what is found.
+fn find(stored: &Stored, what: FindWhat, name: &str, between_min: Option<(u32, u32)>, least_s: f64) -> FoundView {
+    let name = (!name.is_empty()).then(|| name.to_owned());
+    let asked = Find { what, name, between_min, least_s };
+    stored.playback.find(&stored.name(), &asked, || Ok(Vec::new())).unwrap()
+}
+
+#[test]
+fn what_is_looked_for_over_a_run_is_what_log_and_truth_say() {
+    let stored = Stored::lived("tigerplace", 5 * DAY, as_it_is);
+    let connection = Connection::open(stored.file("truth.db")).unwrap();
+    let count = |sql: &str| connection.query_row(sql, [], |row| row.get::<_, i64>(0)).unwrap() as u64;
+    let night = Some((0, 6 * 60));
+    let visits = find(&stored, FindWhat::Room, "bathroom", night, 0.0);
+    let told = "SELECT count(*) FROM room WHERE room = 'bathroom' AND resident = 'margaret' AND time(at) < '06:00'";
+    assert!(visits.all > 3 && visits.all <= count(told), "{} of {}", visits.all, count(told));
+    assert!(visits.hits.iter().all(|hit| hit.begin_us % DAY < 6 * HOUR && hit.words == "margaret"));
+    assert!(visits.hits.is_sorted_by_key(|hit| hit.begin_us));
+    let long = find(&stored, FindWhat::Room, "bathroom", night, 300.0);
+    assert!(long.all < visits.all && long.hits.iter().all(|hit| hit.end_us - hit.begin_us >= 300 * SECOND));
+    // By day alone there is no night.
+    assert_eq!(find(&stored, FindWhat::Doing, "sleeping", Some((600, 720)), 0.0).all, 0);
+    assert_eq!(find(&stored, FindWhat::Fall, "", None, 0.0), FoundView { hits: vec![], all: 0, remarks: vec![] });
+
+    let view = stored.view();
+    let rows: Vec<Micros> = stored.days().iter().flat_map(|day| &day.rows).map(|row| row.0).collect();
+    // Readings, such as how restless somebody lies, are no signs of anybody.
+    let on = view.values.iter().position(|value| value == "ON").unwrap();
+    let days = stored.days();
+    let signs = days.iter().flat_map(|day| &day.rows).filter(|row| row.2 as usize == on).map(|row| row.0);
+    let signs: Vec<Micros> = signs.collect();
+    let still = find(&stored, FindWhat::Still, "", None, 1800.0);
+    assert!(still.all > 0);
+    for hit in &still.hits {
+        assert!(!signs.iter().any(|at| (hit.begin_us + 1..hit.end_us).contains(at)), "{hit:?}");
+    }
+    let sensor = view.home.sensors.iter().find(|sensor| sensor.name.contains("stove")).unwrap();
+    let on = find(&stored, FindWhat::On, &sensor.name, None, 60.0);
+    assert!(on.all > 0 && on.hits.iter().all(|hit| rows.contains(&hit.begin_us)));
+    for (wrong, what) in [("attic", FindWhat::Room), ("attic", FindWhat::On), ("flying", FindWhat::Doing)] {
+        let asked = Find { what, name: Some(wrong.into()), between_min: None, least_s: 0.0 };
+        let refused = stored.playback.find(&stored.name(), &asked, || Ok(Vec::new()));
+        assert!(matches!(refused, Err(Refusal::Unknown(_))), "{wrong}: {refused:?}");
+    }
+    let nonsense = Find { what: FindWhat::Still, name: None, between_min: Some((7, 7)), least_s: f64::NAN };
+    assert!(matches!(stored.playback.find(&stored.name(), &nonsense, || Ok(Vec::new())), Err(Refusal::Damaged(_))));
+}
+
+#[test]
+fn lost_messages_are_those_of_the_truth_by_their_sensor_and_without_one_nobody_knows_of_any() {
+    let stored = Stored::lived("house-two-floors", 30 * HOUR, as_it_is);
+    let lost = find(&stored, FindWhat::Lost, "", None, 0.0);
+    let connection = Connection::open(stored.file("truth.db")).unwrap();
+    let told: i64 = connection.query_row("SELECT count(*) FROM lost", [], |row| row.get(0)).unwrap();
+    assert!(lost.all > 10 && lost.all == told as u64, "{} of {told}", lost.all);
+    let sensor = lost.hits[0].words.split(" said ").next().unwrap().to_owned();
+    let own = find(&stored, FindWhat::Lost, &sensor, None, 0.0);
+    assert!(own.all > 0 && own.hits.iter().all(|hit| hit.words.starts_with(&sensor)));
+    drop(connection);
+    fs::remove_file(stored.file("truth.db")).unwrap();
+    let asked = Find { what: FindWhat::Lost, name: None, between_min: None, least_s: 0.0 };
+    let refused = stored.playback.find(&stored.name(), &asked, || Ok(Vec::new())).unwrap_err();
+    assert!(matches!(&refused, Refusal::Unknown(why) if why.contains("truth")), "{refused:?}");
+    // Where somebody is, sensors say as well.
+    let name = stored.view().home.rooms[0].name.clone();
+    let by_sensors = find(&stored, FindWhat::Room, &name, None, 0.0);
+    assert_eq!(by_sensors.remarks.len(), 1, "{by_sensors:?}");
+}
+
+#[test]
+fn runs_are_listed_as_their_files_are_now() {
+    let stored = Stored::lived("by-hand", HOUR, as_it_is);
+    let listed = || stored.playback.list().into_iter().next().unwrap();
+    let before = listed();
+    assert_eq!((before.problem.as_deref(), before.days, before.has_truth), (None, 1, true));
+    assert_eq!(listed(), before);
+    fs::remove_file(stored.file("truth.db")).unwrap();
+    assert!(!listed().has_truth);
+    // What has become of a recording since it was read is told.
+    fs::write(stored.file("recording.json"), "{}").unwrap();
+    assert!(listed().problem.is_some());
 }

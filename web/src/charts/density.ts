@@ -1,6 +1,6 @@
 // Motion density: a column for each day, its hours from the top down, and how often sensors fired in each.
 
-import { date, read, twoDigits } from '../clock';
+import { date, dayMonth, read, twoDigits } from '../clock';
 import { livedOf } from '../localtime';
 import { type Palette, viridis } from '../plan/palette';
 import { penOf, pixelRatio } from '../plan/pen';
@@ -54,6 +54,26 @@ export function drawDensity(canvas: HTMLCanvasElement, width: number, high: numb
   }
 }
 
+/** Where there is more than elsewhere, and less; null is a day that is not known there. */
+export function drawMore(canvas: HTMLCanvasElement, width: number, high: number, more: (number[] | null)[], most: number, palette: Palette): void {
+  const pen = penOf(canvas, width, high);
+  if (pen === null) return;
+  hatch(pen, width, high, palette);
+  const [wide, tall] = [width / Math.max(more.length, 1), high / HOURS];
+  more.forEach((hours, day) => {
+    if (hours === null) return;
+    pen.fillStyle = palette.halo;
+    pen.fillRect(day * wide, 0, wide + 0.5, high);
+    hours.forEach((count, hour) => {
+      if (count === 0) return;
+      pen.globalAlpha = share(Math.abs(count), most);
+      pen.fillStyle = count < 0 ? palette.seen : palette.beam;
+      pen.fillRect(day * wide, hour * tall, Math.max(wide, 1), tall);
+      pen.globalAlpha = 1;
+    });
+  });
+}
+
 /** What nothing is drawn over is not known. */
 function hatch(pen: CanvasRenderingContext2D, width: number, high: number, palette: Palette): void {
   pen.fillStyle = palette.outside;
@@ -75,15 +95,8 @@ export function datesOf(days: DateView[], width: number): { x: number; label: st
   const apart = Math.max(Math.ceil((74 * days.length) / Math.max(width, 1)), 1);
   const step = [1, 2, 7, 14, 28, 56, 91, 182, 364].find((one) => one >= apart) ?? apart;
   return days.flatMap(({ date }, index) =>
-    index % step === 0 && (index + 0.2) * (width / days.length) < width - 50 ? [{ x: (index / days.length) * width, label: dayMonth(date) }] : [],
+    index % step === 0 && (index + 0.2) * (width / days.length) < width - 50 ? [{ x: (index / days.length) * width, label: dayMonth(read(`${date} 00:00:00`)) }] : [],
   );
-}
-
-const short = new Intl.DateTimeFormat('en-GB', { timeZone: 'UTC', day: 'numeric', month: 'short' });
-
-function dayMonth(text: string): string {
-  const ms = read(`${text} 00:00:00`);
-  return Number.isFinite(ms) ? short.format(ms) : '';
 }
 
 /** `Mon, 2 March 2009, 07 to 08 h: 112 firings`. */

@@ -1,84 +1,112 @@
-// A day as lanes: what residents did as bands, below them a lane for each sensor with a tick where it fired.
+// A span of time as lanes: what residents did as bands, below them a lane for each sensor with a tick where it fired.
 
-import { type Calendar, clockOf } from '../localtime';
+import { type Calendar } from '../localtime';
 import { kindOf } from '../plan/kinds';
 import { colourOf } from '../plan/moving';
-import { type Palette, contrast, mix } from '../plan/palette';
-import { FONT, glyph, penOf } from '../plan/pen';
-import { type Shade, columns } from './shades';
+import { type Palette, contrast } from '../plan/palette';
+import { FONT, type Ink, glyph, penOf } from '../plan/pen';
 import { fitting, isolated, spoken } from '../plan/words';
+import { AXIS, type Sight, drawAxis, left, right, xOf } from './axis';
+import { activityKind } from './kinds-of-activities';
+import { type Shade, columns } from './shades';
 
 export const LANE = 15;
-const BAND = 19;
-const AXIS = 18;
+export const BAND = 19;
 
-/** Where names end and time begins, in pixels. */
-export function left(width: number): number {
-  return Math.min(150, width * 0.3);
-}
-
-function right(width: number): number {
-  return width - 12;
-}
-
-/** Where on the drawing an instant of the day is, and back. */
-export function xOf(begin_us: number, end_us: number, width: number, at_us: number): number {
-  return left(width) + ((at_us - begin_us) / Math.max(end_us - begin_us, 1)) * (right(width) - left(width));
-}
-
-export function instantAt(begin_us: number, end_us: number, width: number, x: number): number {
-  const share = Math.min(Math.max((x - left(width)) / (right(width) - left(width)), 0), 1);
-  return begin_us + share * (end_us - begin_us);
-}
-
-/** What somebody did, as a band above the lanes. */
-type Band = { name: string; spans: readonly [begin: number, end: number, activity: number][] };
+/** What somebody did, as a band above the lanes. `who` is a resident's number, whose colour stands before the name. */
+export type Band = { name: string; who: number | null; spans: readonly Span[]; names: readonly string[]; isRoom?: boolean };
+type Span = readonly [begin: number, end: number, what: number];
 
 /** A sensor, or several of one kind, and when they fired. */
-export type Lane = { name: string; kind: string; fired: ArrayLike<number> };
+export type Lane = {
+  name: string;
+  kind: string;
+  /** In order. */
+  fired: ArrayLike<number>;
+  /** The room that it is in. */
+  place?: string;
+  /** What was said, by the place in `fired`. */
+  said?: (index: number) => string;
+  /** Of a sensor that says numbers: those, by the place in `fired`. */
+  curve?: Curve;
+  /** How often it fired in each part of the run; then this is drawn instead of each firing. */
+  density?: Counts;
+  beside?: Beside;
+};
 
-/** A day of a run, and what is drawn of it: bands of what was done, shades of where it was unsure who is, lanes of firings. */
-export type DayDrawing = { calendar: Pick<Calendar, 'days'>; number: number; bands: Band[]; activities: string[]; shades?: Shade[]; lanes: Lane[] };
+export type Curve = { values: ArrayLike<number>; low: number; high: number };
 
-export function height({ bands, shades = [], lanes }: Pick<DayDrawing, 'bands' | 'shades' | 'lanes'>): number {
-  return AXIS + bands.length * BAND + shades.length * LANE + lanes.length * LANE + 4;
+/** Firings, counted in parts of equal length from the run's start on. `sums` has how many there were before each part. */
+export type Counts = { bucket_us: number; counts: ArrayLike<number>; sums: Float64Array; most: number };
+
+export function countsOf(bucket_us: number, counts: ArrayLike<number>): Counts {
+  const sums = new Float64Array(counts.length + 1);
+  let most = 0;
+  for (let part = 0; part < counts.length; part++) {
+    sums[part + 1] = sums[part]! + counts[part]!;
+    most = Math.max(most, counts[part]!);
+  }
+  return { bucket_us, counts, sums, most };
 }
 
-export function drawLanes(canvas: HTMLCanvasElement, width: number, { calendar, number, bands, activities, shades = [], lanes }: DayDrawing, palette: Palette): void {
-  const day = calendar.days[number];
-  if (day === undefined) return;
-  const high = height({ bands, shades, lanes });
-  const pen = penOf(canvas, width, high);
+/** About how many firings there were between two instants. */
+export function countBetween({ bucket_us, counts, sums }: Counts, from_us: number, to_us: number): number {
+  const before = (at_us: number) => {
+    const place = Math.min(Math.max(at_us / bucket_us, 0), counts.length);
+    const part = Math.min(Math.floor(place), counts.length - 1);
+    return part < 0 ? 0 : sums[part]! + (place - part) * counts[part]!;
+  };
+  return before(to_us) - before(from_us);
+}
+
+/** How often a lane fired in what is in sight. */
+export function countIn({ fired, density, beside }: Lane, { from_us, to_us }: Sight): number {
+  if (density !== undefined) return countBetween(density, from_us, to_us);
+  const of = (all: ArrayLike<number>) => firstFrom(all, to_us) - firstFrom(all, from_us);
+  return of(fired) + (beside === undefined ? 0 : of(beside.fired));
+}
+
+/** When the same sensor of another run fired, and what each of both has alone. */
+export type Beside = { fired: ArrayLike<number>; onlyFirst: ArrayLike<number>; onlySecond: ArrayLike<number> };
+
+/** What is drawn of a run: bands of what was done, shades of where it was unsure who is, lanes of firings. */
+export type Drawing = { calendar: Pick<Calendar, 'days'>; sight: Sight; bands: Band[]; shades?: Shade[]; lanes: Lane[] };
+
+/** How high what stands above the lanes is. */
+export function headHeight({ bands, shades = [] }: Pick<Drawing, 'bands' | 'shades'>): number {
+  return AXIS + bands.length * BAND + shades.length * LANE;
+}
+
+export function height(drawing: Pick<Drawing, 'bands' | 'shades' | 'lanes'>): number {
+  return headHeight(drawing) + drawing.lanes.length * LANE + 4;
+}
+
+export function drawLanes(canvas: HTMLCanvasElement, width: number, drawing: Drawing, palette: Palette): void {
+  const pen = penOf(canvas, width, height(drawing));
   if (pen === null) return;
-  const { begin_us, end_us } = day;
-  const x = (at: number) => xOf(begin_us, end_us, width, Math.min(Math.max(at, begin_us), end_us));
+  drawAxis(pen, drawing.calendar, drawing.sight, width, height(drawing), palette);
+  drawHead(pen, width, drawing, palette);
+  drawFirings(pen, width, headHeight(drawing), drawing, palette);
+}
+
+/** The bands and shades, below the row of times. */
+export function drawHead(pen: Ink, width: number, { sight, bands, shades = [] }: Omit<Drawing, 'lanes'>, palette: Palette): void {
   pen.textBaseline = 'middle';
-  hours(pen, calendar, number, width, high, x, palette);
   const measure = (words: string) => pen.measureText(words).width;
   let top = AXIS;
-  bands.forEach(({ name, spans }, index) => {
+  for (const band of bands) {
+    const named = band.who === null ? 8 : 22;
+    if (band.who !== null) {
+      pen.fillStyle = colourOf(band.who);
+      pen.fillRect(9, top + BAND / 2 - 4, 8, 8);
+    }
     pen.font = `600 12px ${FONT}`;
     pen.textAlign = 'left';
     pen.fillStyle = palette.text;
-    pen.fillText(isolated(fitting(name, left(width) - 16, measure) ?? ''), 8, top + BAND / 2);
-    const colour = colourOf(index);
-    for (const [from, to, activity] of spans) {
-      const [begin, wide] = [x(from), Math.max(x(to) - x(from), 1)];
-      pen.fillStyle = colour;
-      pen.globalAlpha = activity % 2 === 0 ? 0.95 : 0.6;
-      pen.fillRect(begin, top + 2, Math.max(wide - 0.6, 0.6), BAND - 4);
-      pen.globalAlpha = 1;
-      if (wide < 30) continue;
-      pen.font = `10.5px ${FONT}`;
-      const words = fitting(spoken(activities[activity] ?? ''), wide - 6, measure);
-      if (words === null) continue;
-      const plain = activity % 2 === 0 ? colour : mix(palette.halo, colour, 0.6);
-      pen.fillStyle = contrast(plain, '#ffffff') >= 4.5 ? '#ffffff' : '#000000';
-      pen.textAlign = 'left';
-      pen.fillText(isolated(words), begin + 3, top + BAND / 2 + 0.5);
-    }
+    pen.fillText(isolated(fitting(band.name, left(width) - named - 6, measure) ?? ''), named, top + BAND / 2);
+    drawBand(pen, width, top, sight, band, palette);
     top += BAND;
-  });
+  }
   for (const { name, by } of shades) {
     pen.font = `11.5px ${FONT}`;
     pen.textAlign = 'left';
@@ -88,7 +116,7 @@ export function drawLanes(canvas: HTMLCanvasElement, width: number, { calendar, 
     const wide = Math.max(Math.floor(right(width) - left(width)), 1);
     by.forEach((spans, index) => {
       pen.fillStyle = colourOf(index);
-      columns(spans, begin_us, end_us, wide).forEach((chance, column) => {
+      columns(spans, sight.from_us, sight.to_us, wide).forEach((chance, column) => {
         if (chance < 0.01) return;
         pen.globalAlpha = chance;
         pen.fillRect(left(width) + column, top + 1.5, 1, LANE - 3);
@@ -97,50 +125,181 @@ export function drawLanes(canvas: HTMLCanvasElement, width: number, { calendar, 
     pen.globalAlpha = 1;
     top += LANE;
   }
-  for (const { name, kind, fired } of lanes) {
+}
+
+function drawBand(pen: Ink, width: number, top: number, { from_us, to_us }: Sight, { spans, names, isRoom }: Band, palette: Palette): void {
+  const measure = (words: string) => pen.measureText(words).width;
+  const x = (at: number) => xOf(from_us, to_us, width, Math.min(Math.max(at, from_us), to_us));
+  pen.textAlign = 'left';
+  let last = -Infinity;
+  for (const [from, to, what] of spans) {
+    if (to <= from_us || from >= to_us) continue;
+    const begin = Math.max(x(from), last);
+    const end = Math.max(x(to), begin + 0.5);
+    // What is narrower than a pixel is drawn over by what comes next.
+    last = end - begin < 1 ? begin : end;
+    const name = names[what] ?? '';
+    const colour = isRoom ? palette.soft : activityKind(name).colour(palette);
+    pen.fillStyle = colour;
+    pen.fillRect(begin, top + 2, Math.max(end - begin - 0.8, 0.6), BAND - 4);
+    if (isRoom && end - begin > 3) {
+      pen.globalAlpha = 0.6;
+      pen.fillStyle = palette.furnitureEdge;
+      pen.fillRect(begin, top + 2, 1, BAND - 4);
+      pen.globalAlpha = 1;
+    }
+    if (end - begin < 30) continue;
+    pen.font = `10.5px ${FONT}`;
+    const words = fitting(spoken(name), end - begin - 6, measure);
+    if (words === null) continue;
+    pen.fillStyle = contrast(colour, '#ffffff') >= 4.5 ? '#ffffff' : '#000000';
+    pen.fillText(isolated(words), begin + 3, top + BAND / 2 + 0.5);
+  }
+}
+
+/** Nights behind all else; over months they would be stripes alone, and none are drawn. */
+export function drawNights(pen: Ink, width: number, top: number, high: number, { from_us, to_us }: Sight, nights: readonly (readonly [begin: number, end: number])[], palette: Palette): void {
+  if (to_us - from_us > 45 * 86_400e6) return;
+  const x = (at: number) => xOf(from_us, to_us, width, Math.min(Math.max(at, from_us), to_us));
+  pen.fillStyle = palette.floorNight;
+  pen.globalAlpha = 0.45;
+  for (const [begin, end] of nights) {
+    if (end > from_us && begin < to_us) pen.fillRect(x(begin), top, x(end) - x(begin), high);
+  }
+  pen.globalAlpha = 1;
+}
+
+/** What somebody has marked, or has found: a flag in the row of times, and a stripe below it. */
+export type Mark = { begin_us: number; end_us: number; isOwn?: boolean };
+
+export function drawMarks(pen: Ink, width: number, top: number, high: number, { from_us, to_us }: Sight, marks: readonly Mark[], palette: Palette, flags: boolean): void {
+  let last = -Infinity;
+  for (const { begin_us, end_us, isOwn } of marks) {
+    if (end_us < from_us || begin_us > to_us) continue;
+    const begin = xOf(from_us, to_us, width, Math.max(begin_us, from_us));
+    const end = xOf(from_us, to_us, width, Math.min(end_us, to_us));
+    pen.fillStyle = isOwn ? palette.beam : palette.seen;
+    pen.globalAlpha = 0.22;
+    if (end - begin >= 1) pen.fillRect(begin, top, end - begin, high);
+    pen.globalAlpha = 0.7;
+    if (begin - last >= 1) pen.fillRect(begin - 0.5, top, 1, high);
+    pen.globalAlpha = 1;
+    if (flags && begin - last >= 2) {
+      pen.beginPath();
+      pen.moveTo(begin - 4, top);
+      pen.lineTo(begin + 4, top);
+      pen.lineTo(begin, top + 6);
+      pen.closePath();
+      pen.fill();
+      last = begin;
+    }
+  }
+}
+
+/** The lanes from `top` on. */
+export function drawFirings(pen: Ink, width: number, top: number, { sight, lanes }: Pick<Drawing, 'sight' | 'lanes'>, palette: Palette): void {
+  pen.textBaseline = 'middle';
+  const measure = (words: string) => pen.measureText(words).width;
+  for (const lane of lanes) {
     const middle = top + LANE / 2;
     pen.globalAlpha = 0.3;
     pen.fillStyle = palette.furnitureEdge;
     pen.fillRect(left(width), middle, right(width) - left(width), 1);
     pen.globalAlpha = 1;
-    glyph(pen, kindOf(kind), [13, middle], 4.2, 0, palette);
+    glyph(pen, kindOf(lane.kind), [13, middle], 4.2, 0, palette);
     pen.font = `11.5px ${FONT}`;
     pen.textAlign = 'left';
     pen.fillStyle = palette.text;
-    const words = fitting(name, left(width) - 30, measure);
+    const words = fitting(lane.name, left(width) - 30, measure);
     if (words !== null) pen.fillText(isolated(words), 23, middle + 0.5);
-    pen.fillStyle = palette.text;
-    let last = -Infinity;
-    for (let index = 0; index < fired.length; index++) {
-      const place = x(fired[index]!);
-      // Ticks nearer than half a pixel are one.
-      if (place - last < 0.5) continue;
-      last = place;
-      pen.fillRect(place - 0.5, middle - 4.5, 1, 9);
-    }
+    if (lane.density !== undefined) shadesOf(pen, width, sight, lane.density, middle, palette);
+    else if (lane.curve !== undefined) drawCurve(pen, width, sight, lane.fired, lane.curve, middle, palette);
+    else if (lane.beside === undefined) ticks(pen, width, sight, lane.fired, middle - 4.5, 9, palette.text);
+    else besides(pen, width, sight, lane.fired, lane.beside, middle, palette);
     top += LANE;
   }
 }
 
-/** Marks at round times of a day's clock, across the whole drawing. */
-export function hours(pen: CanvasRenderingContext2D, calendar: Pick<Calendar, 'days'>, number: number, width: number, high: number, x: (at: number) => number, palette: Palette): void {
-  const { begin_us, end_us } = calendar.days[number]!;
-  const span = end_us - begin_us;
-  // As many marks as there is room for, at round times.
-  const steps = [1, 5, 10, 30, 60, 300, 600, 1800, 3600, 7200, 10_800].map((seconds) => seconds * 1e6);
-  const step = steps.find((one) => (span / one) * 62 <= right(width) - left(width)) ?? steps.at(-1)!;
-  pen.font = `11px ${FONT}`;
-  pen.textAlign = 'center';
-  const offset = (clockOf(calendar, begin_us) * 1000) % step;
-  for (let at = begin_us - offset + (offset > 0 ? step : 0); at <= end_us; at += step) {
-    const place = x(at);
-    pen.globalAlpha = 0.35;
-    pen.fillStyle = palette.furnitureEdge;
-    pen.fillRect(place, AXIS - 3, 1, high);
-    pen.globalAlpha = 1;
-    const clock = clockOf(calendar, Math.min(at, end_us - 1));
-    if (place > width - 22 || !Number.isFinite(clock)) continue;
-    pen.fillStyle = palette.quiet;
-    pen.fillText(new Date(Math.round(clock / 1000) * 1000).toISOString().slice(11, step < 60e6 ? 19 : 16), place, AXIS / 2);
+/** So many steps of shade are told apart; neighbours of one shade are one stroke. */
+const SHADES = 12;
+
+/** Counts as shades: the more firings a pixel has, the darker. */
+function shadesOf(pen: Ink, width: number, { from_us, to_us }: Sight, counts: Counts, middle: number, palette: Palette): void {
+  const [begin, wide] = [left(width), Math.max(Math.floor(right(width) - left(width)), 1)];
+  const a_pixel = (to_us - from_us) / wide;
+  const most = Math.max(counts.most * Math.max(a_pixel / counts.bucket_us, 0.02), 1e-9);
+  pen.fillStyle = palette.text;
+  let [shade, since] = [0, 0];
+  const flush = (until: number) => {
+    if (shade === 0) return;
+    pen.globalAlpha = 0.12 + (0.88 * shade) / SHADES;
+    pen.fillRect(begin + since, middle - 5, until - since, 10);
+  };
+  for (let column = 0; column < wide; column++) {
+    const from = from_us + column * a_pixel;
+    const count = countBetween(counts, from, from + a_pixel);
+    const now = count <= 0 ? 0 : Math.max(Math.ceil(Math.sqrt(Math.min(count / most, 1)) * SHADES), 1);
+    if (now === shade) continue;
+    flush(column);
+    [shade, since] = [now, column];
+  }
+  flush(wide);
+  pen.globalAlpha = 1;
+}
+
+/** Numbers as a line that steps from one to the next, between the lowest and the highest of all. */
+function drawCurve(pen: Ink, width: number, { from_us, to_us }: Sight, fired: ArrayLike<number>, { values, low, high }: Curve, middle: number, palette: Palette): void {
+  const x = (at: number) => xOf(from_us, to_us, width, Math.min(Math.max(at, from_us), to_us));
+  const y = (value: number) => middle + 5.5 - ((value - low) / Math.max(high - low, 1e-9)) * 11;
+  const first = Math.max(firstFrom(fired, from_us) - 1, 0);
+  pen.beginPath();
+  let [last, level] = [-Infinity, 0];
+  for (let index = first; index < fired.length && fired[index]! <= to_us; index++) {
+    const place = x(fired[index]!);
+    const next = y(values[index]!);
+    if (last === -Infinity) pen.moveTo(place, next);
+    else if (place - last < 0.5 && index + 1 < fired.length) continue;
+    else {
+      pen.lineTo(place, level);
+      pen.lineTo(place, next);
+    }
+    [last, level] = [place, next];
+  }
+  if (last !== -Infinity) pen.lineTo(x(to_us), level);
+  pen.strokeStyle = palette.beam;
+  pen.lineWidth = 1.4;
+  pen.stroke();
+}
+
+/** The first run's firings above the line, the second's below it; what one has alone is in its colour, and longer. */
+function besides(pen: Ink, width: number, sight: Sight, fired: ArrayLike<number>, { fired: other, onlyFirst, onlySecond }: Beside, middle: number, palette: Palette): void {
+  pen.globalAlpha = 0.5;
+  ticks(pen, width, sight, fired, middle - 4, 4, palette.text);
+  ticks(pen, width, sight, other, middle + 1, 4, palette.text);
+  pen.globalAlpha = 1;
+  ticks(pen, width, sight, onlyFirst, middle - 7, 7, palette.seen, 2);
+  ticks(pen, width, sight, onlySecond, middle + 1, 7, palette.beam, 2);
+}
+
+/** The place in `all`, which is in order, of the first that is not before. */
+export function firstFrom(all: ArrayLike<number>, at_us: number): number {
+  let [low, high] = [0, all.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (all[middle]! < at_us) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+function ticks(pen: Ink, width: number, { from_us, to_us }: Sight, fired: ArrayLike<number>, top: number, high: number, colour: string, wide = 1): void {
+  pen.fillStyle = colour;
+  let last = -Infinity;
+  for (let index = firstFrom(fired, from_us); index < fired.length && fired[index]! <= to_us; index++) {
+    const place = xOf(from_us, to_us, width, fired[index]!);
+    // Ticks nearer than half a pixel are one.
+    if (place - last < 0.5) continue;
+    last = place;
+    pen.fillRect(place - wide / 2, top, wide, high);
   }
 }

@@ -7,6 +7,12 @@ import { type View, toScreen } from './transform';
 
 export type Pen = CanvasRenderingContext2D;
 
+/** The strokes that charts are made of, which a picture of lines has as well as a canvas. */
+export type Ink = Pick<
+  Pen,
+  'fillRect' | 'fillText' | 'measureText' | 'beginPath' | 'moveTo' | 'lineTo' | 'closePath' | 'arc' | 'fill' | 'stroke' | 'globalAlpha' | 'fillStyle' | 'strokeStyle' | 'lineWidth' | 'lineJoin' | 'font' | 'textAlign' | 'textBaseline'
+>;
+
 export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif';
 
 /** Pixels of the screen for each of the page's; more than two are not seen. */
@@ -46,7 +52,7 @@ export function segments(pen: Pen, view: View, beams: [At, At][]): void {
 }
 
 /** A kind's sign around a point on the screen; `angle` is that to which it faces, from east against the clock. */
-export function glyph(pen: Pen, kind: Kind, [x, y]: At, size: number, angle: number, palette: Palette): void {
+export function glyph(pen: Ink, kind: Kind, [x, y]: At, size: number, angle: number, palette: Palette): void {
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   pen.beginPath();
   OUTLINES[kind.shape].forEach(([ahead, aside], index) => {

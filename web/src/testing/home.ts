@@ -101,7 +101,7 @@ export function madeUpRun(residents = 2, sensors = 18, driven: number | null = n
     seed: 7,
     conditions: [],
     without: [],
-    days: daysFrom('2009-03-02', LENGTH_US, 6 * HOUR_US + 55 * 60_000_000),
+    nights: [], days: daysFrom('2009-03-02', LENGTH_US, 6 * HOUR_US + 55 * 60_000_000),
     log: ['sqlite:log.db'],
     replay: false,
     files: {},
@@ -167,12 +167,12 @@ function sensor(index: number, names: (name: string) => string): SensorView {
     const corner = (index * 3 + round) % 4;
     const at: At = [corner % 2 ? right - 0.12 - 0.25 * round * 0.4 : left + 0.12 + 0.25 * round * 0.4, corner < 2 ? bottom + 0.15 : top - 0.15];
     const towards = Math.atan2((bottom + top) / 2 - at[1], (left + right) / 2 - at[0]);
-    return { name: names(`${room} motion${round > 0 ? ` ${round + 1}` : ''}`), kind: 'motion', at, facing_deg: (towards * 180) / Math.PI, beams: fan(at, towards, [left, bottom, right, top]), area: null };
+    return { name: names(`${room} motion${round > 0 ? ` ${round + 1}` : ''}`), kind: 'motion', room: names(room), at, facing_deg: (towards * 180) / Math.PI, beams: fan(at, towards, [left, bottom, right, top]), area: null };
   }
   const kind = KINDS[(index + round) % KINDS.length]!;
   const at: At = [left + 0.6 + ((index * 0.83) % Math.max(right - left - 1.2, 0.1)), bottom + 0.6 + ((index * 0.47) % Math.max(top - bottom - 1, 0.1))];
   const area: At[] | null = ['ceiling_motion', 'bed', 'pressure'].includes(kind) ? corners([at[0] - 0.5, at[1] - 0.4, at[0] + 0.5, at[1] + 0.4]) : null;
-  return { name: names(`${room} ${kind.replaceAll('_', ' ')}${round > 0 ? ` ${round + 1}` : ''}`), kind, at, facing_deg: null, beams: [], area };
+  return { name: names(`${room} ${kind.replaceAll('_', ' ')}${round > 0 ? ` ${round + 1}` : ''}`), kind, room: names(room), at, facing_deg: null, beams: [], area };
 }
 
 function fan(at: At, towards: number, [left, bottom, right, top]: Rect): [At, At][] {

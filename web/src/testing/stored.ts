@@ -24,6 +24,7 @@ export function storedRun(name: string, days = 3, with_: Partial<PlaybackView> =
     values: ['ON', 'OFF'],
     days: daysFrom('2009-03-02', days * DAY_US),
     hours: Array.from({ length: days }, (_, day) => Array.from({ length: 24 }, (_, hour) => (hour < 6 ? 2 : 30 + ((hour * 7 + day * 13) % 40)))),
+    nights: Array.from({ length: days + 1 }, (_, day): [number, number] => [Math.max(day * DAY_US - 6 * HOUR_US, 0), Math.min(day * DAY_US + 6 * HOUR_US, days * DAY_US)]),
     has_truth: true,
     activities: ['sleeping', 'cooking'],
     spans: [[], []].map(() => Array.from({ length: days }, (_, day): [number, number, number][] => [
@@ -83,6 +84,14 @@ export function fakeRuns(names: string[], make: (name: string) => PlaybackView =
     if (path === '/api/walk') return Response.json(null);
     const told = /^\/api\/runs\/([^/]+)\/(look|realism\/.*)$/.exec(path);
     if (told !== null) return new Response(`<!doctype html><style>body{color:#123}</style><h1>${told[2]} of ${decodeURIComponent(told[1]!)}</h1><script>globalThis.broken=1</script>`);
+    const asked = /^\/api\/runs\/([^/]+)\/(find|lanes)$/.exec(path);
+    if (asked !== null) {
+      const run = runs.get(decodeURIComponent(asked[1]!))!;
+      const counts = run.sensors.map((_, sensor) => Array.from({ length: run.days.length * 24 }, (_, hour) => (hour % 24 < 6 ? 0 : (hour * 7 + sensor * 3) % 11)));
+      if (asked[2] === 'lanes') return new Response(encode({ bucket_us: HOUR_US, counts }) as BodyInit);
+      const hits = run.days.map(({ begin_us }) => ({ begin_us: begin_us + 2 * HOUR_US, end_us: begin_us + 2 * HOUR_US + 240e6, words: run.residents[0]!.name }));
+      return Response.json({ hits, all: hits.length, remarks: [] });
+    }
     const [, name, day] = /^\/api\/runs\/([^/]+)(?:\/days\/(\d+))?$/.exec(path) ?? [];
     if (name === undefined) {
       const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth, walk }) => ({ name, scenario, start, days: days.length, has_truth, walked_back: walk?.log ?? null, problem: null, made_ms: null, seed: 7, without: [], about: { title: '', note: '' } }));

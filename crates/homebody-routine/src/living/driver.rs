@@ -230,9 +230,11 @@ impl RoutineDriver {
             }
             if std::mem::take(&mut playing.is_interrupted) && !playing.steps.is_empty() {
                 let name = Step::Name(playing.name.clone());
+                // Who has gone to bed sat down on its edge first, and lies there since.
+                let lies = matches!(playing.steps.front(), Some(Step::Stay(stay)) if stay.posture == Posture::Lying);
                 match playing.spot.clone() {
                     // Who walks back to bed does not sleep yet: the way is a part of what they got up for.
-                    Some(back) if back.posture == Posture::Lying => {
+                    Some(back) if lies || back.posture == Posture::Lying => {
                         playing.steps.push_front(name);
                         playing.steps.push_front(Step::Go(back));
                     }

@@ -110,9 +110,9 @@ impl RoutineDriver {
             }
             if agenda.bed < end && agenda.next_up > begin {
                 self.sit_until(agenda.bed.max(begin), seat, steps);
-                steps.push_back(Step::Name(SLEEPING.into()));
                 let posture = bed.as_ref().map_or(Posture::Sitting, |bed| bed.posture);
                 steps.extend(bed.clone().map(Step::Go));
+                steps.push_back(Step::Name(SLEEPING.into()));
                 steps.push_back(rest(posture, Manner::ASLEEP, Micros::MAX / 4, Some(agenda.next_up.min(end))));
             }
             (now, day) = (agenda.next_up, day + 1);

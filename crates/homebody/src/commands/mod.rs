@@ -14,6 +14,7 @@ mod day;
 mod density;
 mod doctor;
 mod experiment;
+mod find;
 pub mod fleet;
 mod follow;
 mod for_programs;
@@ -85,6 +86,8 @@ pub enum Command {
     Alerts(alerts::Arguments),
     /// Say in sentences how somebody has been doing of late, and what has changed
     Summarise(summarise::Arguments),
+    /// Find when something was so, over a whole log: somebody in a room, something on, nothing stirring, falls, lost messages, alerts
+    Find(find::Arguments),
     /// Propose where sensors go in a home, and say what each additional one buys
     Place(place::Arguments),
     /// Say what happened on one day, with a chart
@@ -138,6 +141,7 @@ impl Command {
             Command::Measure(arguments) => arguments.run(),
             Command::Alerts(arguments) => arguments.run(),
             Command::Summarise(arguments) => arguments.run(),
+            Command::Find(arguments) => arguments.run(),
             Command::Place(arguments) => arguments.run(),
             Command::Day(arguments) => arguments.run(),
             Command::Strip(arguments) => arguments.run(),

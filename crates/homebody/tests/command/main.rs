@@ -23,6 +23,7 @@ mod logs;
 mod looks;
 mod measured;
 mod days;
+mod found;
 mod figures;
 mod labels;
 mod lives;

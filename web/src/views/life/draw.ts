@@ -1,13 +1,13 @@
 // Draws days: each as a row of the clock's 24 hours, or one of them large.
 
-import { hours as drawHours, left, xOf } from '../../charts/lanes';
+import { drawAxis, left, xOf } from '../../charts/axis';
 import { twoDigits } from '../../clock';
 import { clockOf } from '../../localtime';
 import { type Palette, contrast } from '../../plan/palette';
 import { FONT, type Pen, penOf } from '../../plan/pen';
 import { fitting, isolated, spoken } from '../../plan/words';
 import type { DateView, MonthView } from '../../wire';
-import { activityKind } from './activities';
+import { activityKind } from '../../charts/kinds-of-activities';
 import { type Span, isWeekend, piecesOf, touching, weekday } from './days';
 
 export const ROW = 14;
@@ -92,7 +92,7 @@ export function drawDay(canvas: HTMLCanvasElement, width: number, sides: readonl
   const day = sides[0]?.view.days[number];
   if (pen === null || day === undefined) return;
   const x = (at: number) => xOf(day.begin_us, day.end_us, width, Math.min(Math.max(at, day.begin_us), day.end_us));
-  drawHours(pen, sides[0]!.view, number, width, high, x, palette);
+  drawAxis(pen, sides[0]!.view, { from_us: day.begin_us, to_us: day.end_us }, width, high, palette);
   const most = sides.reduce((all, { view }) => Math.max(all, ...(view.hours[number] ?? [])), 1);
   sides.forEach(({ title, view }, side) => {
     let top = AXIS + side * (2 * BAND + BARS + GAP);

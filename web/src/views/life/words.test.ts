@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { WORDS } from '../../testing/life';
 import type { ProblemView } from '../../wire';
-import { ACTIVITY_KINDS, activityKind } from './activities';
+import { ACTIVITY_KINDS, activityKind } from '../../charts/kinds-of-activities';
 import { calls, courseOf, others, sentenceOf, strength, withLine } from './condition';
 import { placeOf, together } from './marks';
 import { roomy, stacked } from './rows';

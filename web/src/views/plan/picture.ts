@@ -34,7 +34,7 @@ export function pictured(home: Home, counted: HomeView | null): HomeView {
     const facing = kind === 'motion' ? number(facing_deg) : null;
     // A short one says where its sign points.
     const beams: [At, At][] = facing === null ? [] : [[at, add(at, times(direction(facing), 0.001))]];
-    return [{ name: sensor.name, kind: typeof kind === 'string' ? kind : '', at, facing_deg: facing, beams, area: area === undefined ? null : formOf(sensor) }];
+    return [{ name: sensor.name, kind: typeof kind === 'string' ? kind : '', room: null, at, facing_deg: facing, beams, area: area === undefined ? null : formOf(sensor) }];
   });
   const name = typeof home.value.name === 'string' ? home.value.name : '';
   return { name, bounds: boundsOf(home), rooms, solids: [...walls, ...furniture], doors, things: [], sensors };

@@ -14,6 +14,8 @@ export type Day = {
   view: DayView;
   /** By sensor: when it fired. What says that it is off again is none. */
   fired: Float64Array[];
+  /** What each of these said, by the number of the value in the run. */
+  said: Uint32Array[];
   /** When for longer than a minute no sensor said anything; and when, besides, nobody went anywhere. */
   quiet: Span[];
   still: Span[];
@@ -30,13 +32,19 @@ export function prepare(run: PlaybackView, number: number, view: DayView): Day {
   const { begin_us, end_us } = run.days[number]!;
   const off = run.values.map(isOff);
   const fired: number[][] = run.sensors.map(() => []);
-  for (const [at, sensor, value] of view.rows) if (!off[value]) fired[sensor]?.push(at);
+  const said: number[][] = run.sensors.map(() => []);
+  for (const [at, sensor, value] of view.rows) {
+    if (off[value]) continue;
+    fired[sensor]?.push(at);
+    said[sensor]?.push(value);
+  }
   const rows = view.rows.map(([at]): Span => [at, at]);
   const strides = view.lives.flatMap(({ movements }) => movements.flatMap(([begin, end, doing]): Span[] => (doing === 'stride' ? [[begin, end]] : [])));
   return {
     number,
     view,
     fired: fired.map((all) => Float64Array.from(all)),
+    said: said.map((all) => Uint32Array.from(all)),
     quiet: gaps(rows, begin_us, end_us),
     still: gaps([...rows, ...strides].sort((a, b) => a[0] - b[0]), begin_us, end_us),
     doubts: run.walk === null ? [] : view.lives.map((life) => doubtOf(run, life)),

@@ -1,6 +1,6 @@
 // How long somebody was where on a day: by the truth, or, where there is none, by the sensors that were the last to fire.
 
-import { viridis } from '../../plan/palette';
+import { type Palette, viridis } from '../../plan/palette';
 import type { Pen } from '../../plan/pen';
 import { type View, toScreen } from '../../plan/transform';
 import type { PlaybackView, SensorView } from '../../wire';
@@ -14,6 +14,10 @@ export type Heat = {
   most: number;
   /** The rooms, or without truth the sensors, with the most time. */
   words: [name: string, seconds: number][];
+  /** All of them. */
+  all: [name: string, seconds: number][];
+  /** Whether it is what one run has more of than another. */
+  isMore: boolean;
 };
 
 type At = [number, number];
@@ -51,8 +55,22 @@ export function heatOf(run: PlaybackView, day: Day, truth: boolean): Heat {
       tell(run.home.sensors[sensor]?.name ?? run.sensors[sensor] ?? '', by);
     });
   }
-  const sorted = [...words].sort((a, b) => b[1] - a[1]).filter(([, of]) => of >= 60);
-  return { columns, seconds, most: seconds.reduce((a, b) => Math.max(a, b), 0), words: sorted.slice(0, 5) };
+  const all = [...words].sort((a, b) => b[1] - a[1]);
+  return { columns, seconds, most: seconds.reduce((a, b) => Math.max(a, b), 0), words: all.filter(([, of]) => of >= 60).slice(0, 5), all, isMore: false };
+}
+
+/** What a second run has more of in each spot than the first, and less where it is below zero; null where their homes are not as large. */
+export function heatMore(run: PlaybackView, first: Heat, other: PlaybackView, second: Heat): Heat | null {
+  const isAlike = JSON.stringify(run.home.bounds) === JSON.stringify(other.home.bounds);
+  if (!isAlike) return null;
+  const seconds = second.seconds.map((of, cell) => of - first.seconds[cell]!);
+  const known = new Map(first.all);
+  const names = new Map([...second.all, ...first.all.filter(([name]) => !second.all.some(([one]) => one === name)).map(([name]): [string, number] => [name, 0])]);
+  const all = [...names].map(([name, of]): [string, number] => [name, of - (known.get(name) ?? 0)]).sort((a, b) => Math.abs(b[1]) - Math.abs(a[1]));
+  return {
+    columns: second.columns, seconds, all, words: all.filter(([, of]) => Math.abs(of) >= 60).slice(0, 5),
+    most: seconds.reduce((most, of) => Math.max(most, Math.abs(of)), 0), isMore: true,
+  };
 }
 
 /** Where who makes a sensor fire may be: along its beams, or in its area, or at it. */
@@ -70,22 +88,35 @@ function share(seconds: number, most: number): number {
   return most <= 1 ? 0 : Math.log1p(seconds) / Math.log1p(most);
 }
 
-export function drawHeat(pen: Pen, view: View, run: PlaybackView, heat: Heat): void {
+export function drawHeat(pen: Pen, view: View, run: PlaybackView, heat: Heat, palette: Palette): void {
   const [[left, bottom]] = run.home.bounds;
   pen.globalAlpha = 0.8;
   heat.seconds.forEach((seconds, cell) => {
-    if (seconds < 1) return;
+    if (Math.abs(seconds) < 1) return;
     const [column, row] = [cell % heat.columns, Math.floor(cell / heat.columns)];
     const [x, y] = toScreen(view, [left + column * CELL_M, bottom + (row + 1) * CELL_M]);
-    pen.fillStyle = viridis(share(seconds, heat.most));
+    const strength = share(Math.abs(seconds), heat.most);
+    pen.fillStyle = heat.isMore ? (seconds < 0 ? palette.seen : palette.beam) : viridis(strength);
+    if (heat.isMore) pen.globalAlpha = 0.85 * strength;
     const size = CELL_M * view.scale + 0.6;
     pen.fillRect(x, y, size, size);
   });
   pen.globalAlpha = 1;
 }
 
+/** `+8 h 12 min`. */
+export function longMore(seconds: number): string {
+  return `${seconds < 0 ? '−' : '+'}${long(Math.abs(seconds))}`;
+}
+
 /** `8 h 12 min`. */
 export function long(seconds: number): string {
   const minutes = Math.round(seconds / 60);
   return minutes < 60 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
+}
+
+/** The same, with seconds of what is short: `4 min 12 s`. */
+export function lasting(seconds: number): string {
+  const whole = Math.round(seconds);
+  return whole >= 600 ? long(seconds) : whole < 60 ? `${whole} s` : `${Math.floor(whole / 60)} min ${whole % 60} s`;
 }

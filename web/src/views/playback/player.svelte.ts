@@ -5,8 +5,10 @@ import { Refused, type Server } from '../../server';
 import type { StoredView } from '../../wire';
 import { read } from '../../clock';
 import { dayAt, follow, instantOf } from '../../localtime';
-import { Stored } from './stored';
+import { MOST_DAYS, type Other, Stored } from './stored';
+import { keepMarks, marksOf } from './marks';
 import { Ticker } from './ticker';
+import { dayBeside } from './twin';
 
 /** What is read as text need not change more often than one can read. */
 const TEXT_MS = 100;
@@ -23,8 +25,12 @@ export class Player {
   skip = $state(false);
   truth = $state(true);
   heat = $state(false);
+  /** Of two runs what the second has more of and less is drawn instead of what it has. */
+  differ = $state(true);
   /** The instant as text shows it; drawings have every one. */
   shown_us = $state(0);
+  /** What somebody has marked in the first run, in order; the browser keeps it. */
+  marks = $state.raw<readonly number[]>([]);
   /** How much has come of the day that is shown, where it comes in pieces. */
   share = $state<number | null>(null);
   /** Grows when a day has come. */
@@ -71,6 +77,7 @@ export class Player {
       if (run.view.days.length === 0) throw new Refused(422, 'The run has no days.');
       if (this.second?.view.name === name) this.second = null;
       this.first = run;
+      this.marks = marksOf(name);
       this.ticker = new Ticker(run);
       this.set();
       this.show();
@@ -113,6 +120,44 @@ export class Player {
   /** Where the second run is. */
   get second_us(): number | null {
     return this.first && this.second && this.ticker ? follow(this.first.view, this.ticker.now_us, this.second.view) : null;
+  }
+
+  /** What the second run has of a day of the first; its day may be on its way. */
+  besideOn(number: number): Other | null {
+    if (this.first === null || this.second === null) return null;
+    const { view } = this.second;
+    const beside = dayBeside(this.first.view, number, view);
+    return { view, day: beside === null ? null : this.second.at(view.days[beside.number]!.begin_us), later_us: beside?.later_us ?? 0 };
+  }
+
+  /** Marks the time that is shown, or takes the mark away. */
+  mark(): void {
+    if (this.first === null || this.ticker === null) return;
+    const at_us = Math.round(this.ticker.now_us);
+    const near = this.marks.find((one) => Math.abs(one - at_us) < 1e6);
+    this.marks = near === undefined ? [...this.marks, at_us].sort((a, b) => a - b) : this.marks.filter((one) => one !== near);
+    keepMarks(this.first.view.name, this.marks);
+  }
+
+  /** Has days of the first run fetched that are in sight, and those of the second beside them; of too many only counts. */
+  async look(numbers: readonly number[]): Promise<void> {
+    const { first, second } = this;
+    if (first === null) return;
+    if (numbers.length > MOST_DAYS) {
+      if (first.lanes !== null) return;
+      try {
+        await first.count();
+        if (first === this.first) this.came += 1;
+      } catch (error) {
+        if (first === this.first) this.problem = said(error);
+      }
+      return;
+    }
+    for (const number of numbers) {
+      if (first.known(number) === null) await this.fetch(first, number, false);
+      const beside = second === null ? null : dayBeside(first.view, number, second.view);
+      if (second !== null && beside !== null && second.known(beside.number) === null) await this.fetch(second, beside.number, false);
+    }
   }
 
   /** Time goes by. */

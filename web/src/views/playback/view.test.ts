@@ -108,7 +108,7 @@ test('a second run is shown beside the first', async () => {
   await begin();
   choose('#second-run', 'cottage-1');
   for (let turn = 0; turn < 5; turn++) await settle();
-  expect(document.querySelectorAll('[role="application"]')).toHaveLength(2);
+  expect(document.querySelectorAll('.plans [role="application"]')).toHaveLength(2);
 });
 
 test('the address keeps the time, and a page that is loaded anew is there again', async () => {

@@ -1,8 +1,8 @@
 // What kind of activity a name is of, so that one kind has one colour. What lives tell of has its kind in the program's table;
 // a scenario names its own activities as it likes, so there the beginnings of a name's words decide.
 
-import { KINDS, KIND_WORDS, KNOWN } from '../../activities';
-import { type Palette, okabeIto } from '../../plan/palette';
+import { KINDS, KIND_WORDS, KNOWN } from '../activities';
+import { type Palette, okabeIto } from '../plan/palette';
 
 type KindId = keyof typeof KINDS;
 

@@ -1,0 +1,403 @@
+//! What is looked for over a whole log or run: where somebody is, what is on, when nothing stirs, falls, lost messages, alerts.
+//!
+//! What is found are spans. They are cut to hours of the day where some are asked for, and only then held against how long they are to
+//! be at least: of a stay from 5:50 to 6:10, "between 0 and 6" has ten minutes. Rooms and activities are the truth's, where there is one;
+//! without it somebody is taken to be in a room from what its sensors say until another room's say something, whoever it is. Something
+//! goes on until its sensor says that it ends; where one never does, it goes on as long as the sensor says again within ten minutes.
+//! Nothing stirs while no sensor says anything but readings; where it is known who is at home, only then is it counted.
+
+mod hours;
+
+use hours::MINUTE;
+pub use hours::{DayClock, Hours, Span};
+
+use homebody_analysis::signs::{Says, says};
+use homebody_core::scenario::nearest::nearest;
+use homebody_core::time::Micros;
+use std::borrow::Cow;
+
+/// The same again after no longer than this is one (ours).
+const PAUSE: Micros = MINUTE;
+
+/// Of a sensor that never says that something ends, what it says again after no longer than this is one (ours).
+const BOUT: Micros = 10 * MINUTE;
+
+/// What is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum What {
+    /// Somebody is in a room.
+    Room,
+    /// A sensor has said that something goes on, and not yet that it ends.
+    On,
+    /// No sensor says anything but readings, while somebody is at home.
+    Still,
+    /// Somebody does something.
+    Doing,
+    /// Somebody has fallen.
+    Fall,
+    /// A message never reached the logger.
+    Lost,
+    /// Something is different from before.
+    Alert,
+}
+
+impl What {
+    /// All of them.
+    pub const ALL: [What; 7] = [What::Room, What::On, What::Still, What::Doing, What::Fall, What::Lost, What::Alert];
+
+    /// In a word, as it is asked for.
+    pub fn word(self) -> &'static str {
+        match self {
+            What::Room => "room",
+            What::On => "on",
+            What::Still => "still",
+            What::Doing => "doing",
+            What::Fall => "fall",
+            What::Lost => "lost",
+            What::Alert => "alert",
+        }
+    }
+
+    /// Whether a name has to be said: which room, which sensor, what is done.
+    pub fn has_name(self) -> bool {
+        matches!(self, What::Room | What::On | What::Doing)
+    }
+
+    /// Whether it is known without a look at the rows.
+    fn is_told(self) -> bool {
+        matches!(self, What::Doing | What::Fall | What::Lost | What::Alert)
+    }
+}
+
+/// What is asked.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Query {
+    /// What is looked for.
+    pub what: What,
+    /// Which room, which sensor, what is done; of lost messages and alerts, whose alone.
+    pub name: Option<String>,
+    /// Between which hours of the day.
+    pub hours: Option<Hours>,
+    /// How long it is to be at least.
+    pub least: Micros,
+}
+
+/// What is known to have been.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stay<'a> {
+    /// From when.
+    pub begin: Micros,
+    /// Until when; as it begins, what has no length.
+    pub end: Micros,
+    /// Whose it was.
+    pub who: Option<Cow<'a, str>>,
+    /// The room, what was done, the sensor of a lost message, the rule of an alert.
+    pub name: Cow<'a, str>,
+    /// What is said of it besides.
+    pub words: Cow<'a, str>,
+}
+
+/// A sensor of the log.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Listener {
+    /// What the home calls it, or else the log.
+    pub name: String,
+    /// The room that it is in, where that is known.
+    pub room: Option<String>,
+}
+
+/// Takes a row: when, the sensor's number, the value's.
+pub type TakeRow<'a> = dyn FnMut(Micros, u32, u32) + 'a;
+
+/// Hands over all rows in the order of time.
+pub type Rows<'a> = dyn FnMut(&mut TakeRow) -> Result<(), String> + 'a;
+
+/// What is looked through.
+pub struct Ground<'a> {
+    /// From when to when there is something to be found.
+    pub span: Span,
+    /// Its days, by the clock on the wall.
+    pub days: Vec<DayClock>,
+    /// What is known of what is asked without a look at the rows; `None` where nobody knows.
+    pub told: Option<Vec<Stay<'a>>>,
+    /// When somebody was at home, in order; `None` where nobody knows.
+    pub home: Option<Vec<Span>>,
+    /// Those of the rows.
+    pub sensors: Vec<Listener>,
+    /// What rows say.
+    pub values: &'a [String],
+    /// The rows.
+    pub rows: &'a mut Rows<'a>,
+}
+
+/// A span in which it was so.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hit {
+    /// From when.
+    pub begin: Micros,
+    /// Until when.
+    pub end: Micros,
+    /// Whose it was, and what, as far as it is known.
+    pub words: String,
+}
+
+/// All that was found.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Found {
+    /// In the order of their beginnings.
+    pub hits: Vec<Hit>,
+    /// How it was looked for, where that is not what one would think.
+    pub remarks: Vec<String>,
+}
+
+/// Why nothing can be looked for.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unfindable {
+    /// It is not said which room, sensor or activity.
+    #[error("it is not said which {0} is looked for")]
+    NoName(&'static str),
+    /// There is none of this name.
+    #[error("there is no {kind} {name:?}\n  hint: {hint}")]
+    Unknown {
+        /// What it was to be.
+        kind: &'static str,
+        /// The name that was asked for.
+        name: String,
+        /// What there is.
+        hint: String,
+    },
+    /// Only a truth tells of it.
+    #[error("nobody knows of {0} without the truth of a run: a log alone does not tell")]
+    NoTruth(&'static str),
+    /// The rows cannot be read.
+    #[error("{0}")]
+    Unread(String),
+}
+
+/// Looks for it.
+///
+/// # Errors
+///
+/// If a name leads nowhere, if only a truth would tell, or if the rows cannot be read.
+pub fn find(query: &Query, ground: &mut Ground) -> Result<Found, Unfindable> {
+    let kind = match query.what {
+        What::Room => "room",
+        What::On => "sensor",
+        _ => "activity",
+    };
+    if query.what.has_name() && query.name.is_none() {
+        return Err(Unfindable::NoName(kind));
+    }
+    let mut remarks = Vec::new();
+    let name = query.name.as_deref().unwrap_or("");
+    let all: Vec<Hit> = match (query.what, ground.told.take()) {
+        (What::Room, None) => by_sensors(name, ground, &mut remarks)?,
+        (What::Room, Some(told)) => {
+            // The plan knows rooms that nobody was in.
+            let known = rooms(ground).chain(told.iter().map(|stay| &*stay.name));
+            let name = named("room", name, known)?;
+            merged(told, &name)
+        }
+        (What::On, _) => on(name, ground, &mut remarks)?,
+        (What::Still, _) => still(ground, &mut remarks)?,
+        (What::Doing, Some(told)) => {
+            let name = named("activity", &name.replace(' ', "_"), told.iter().map(|stay| &*stay.name))?;
+            merged(told, &name)
+        }
+        (_, Some(told)) => {
+            let is_asked = |stay: &Stay| query.name.as_ref().is_none_or(|name| *name == *stay.name);
+            told.into_iter().filter(is_asked).map(|stay| hit(&stay)).collect()
+        }
+        (what, None) => {
+            debug_assert!(what.is_told());
+            return Err(Unfindable::NoTruth(match what {
+                What::Doing => "activities",
+                What::Fall => "falls",
+                What::Lost => "lost messages",
+                _ => "it",
+            }));
+        }
+    };
+    let within = query.hours.map(|hours| hours.over(&ground.days));
+    let mut hits: Vec<Hit> = match &within {
+        Some(within) => all.into_iter().flat_map(|hit| parts(&hit, within)).collect(),
+        None => all,
+    };
+    hits.retain(|hit| hit.end - hit.begin >= query.least);
+    hits.sort_by_key(|hit| hit.begin);
+    Ok(Found { hits, remarks })
+}
+
+/// The parts of what was found that lie in spans in order.
+fn parts(hit: &Hit, within: &[Span]) -> Vec<Hit> {
+    let parts = hours::cut((hit.begin, hit.end), within).into_iter();
+    parts.map(|(begin, end)| Hit { begin, end, words: hit.words.clone() }).collect()
+}
+
+fn rooms<'a>(ground: &'a Ground) -> impl Iterator<Item = &'a str> {
+    ground.sensors.iter().filter_map(|sensor| sensor.room.as_deref())
+}
+
+/// The one of these names that is meant, whatever the case of its letters.
+fn named<'n>(kind: &'static str, name: &str, known: impl Iterator<Item = &'n str>) -> Result<String, Unfindable> {
+    let mut known: Vec<&str> = known.collect();
+    known.sort_unstable();
+    known.dedup();
+    let is_meant = |one: &&&str| one.eq_ignore_ascii_case(name);
+    if let Some(one) = known.iter().find(|one| **one == name).or_else(|| known.iter().find(is_meant)) {
+        return Ok((*one).to_owned());
+    }
+    let hint = match nearest(name, known.iter().copied()) {
+        Some(one) => format!("{one:?} was probably meant"),
+        None if known.is_empty() => format!("no {kind} is known here"),
+        None => format!("there are {}", known.iter().take(30).copied().collect::<Vec<_>>().join(", ")),
+    };
+    Err(Unfindable::Unknown { kind, name: name.to_owned(), hint })
+}
+
+fn hit(stay: &Stay) -> Hit {
+    let words = match (&stay.who, &*stay.words) {
+        (Some(who), "") => who.to_string(),
+        (Some(who), words) => format!("{who}: {words}"),
+        (None, words) => words.to_owned(),
+    };
+    Hit { begin: stay.begin, end: stay.end, words }
+}
+
+/// The stays of one name, by whose they are; what goes on after a pause is one.
+fn merged(told: Vec<Stay>, name: &str) -> Vec<Hit> {
+    let mut all: Vec<Hit> = Vec::new();
+    let mut last: Vec<(Option<Cow<str>>, usize)> = Vec::new();
+    for stay in told.into_iter().filter(|stay| *stay.name == *name) {
+        let known = last.iter_mut().find(|(who, _)| *who == stay.who);
+        match known {
+            Some((_, at)) if stay.begin - all[*at].end <= PAUSE => all[*at].end = all[*at].end.max(stay.end),
+            Some((_, at)) => {
+                *at = all.len();
+                all.push(hit(&stay));
+            }
+            None => {
+                last.push((stay.who.clone(), all.len()));
+                all.push(hit(&stay));
+            }
+        }
+    }
+    all
+}
+
+/// What the values of rows say.
+fn meanings(values: &[String]) -> Vec<Says> {
+    values.iter().map(|value| says(value)).collect()
+}
+
+fn by_sensors(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unfindable> {
+    let name = named("room", name, rooms(ground))?;
+    let said = meanings(ground.values);
+    let is_in: Vec<Option<bool>> =
+        ground.sensors.iter().map(|sensor| sensor.room.as_ref().map(|room| *room == name)).collect();
+    let mut spans: Vec<Span> = Vec::new();
+    let mut since = None;
+    let mut last = ground.span.0;
+    let mut take = |at: Micros, sensor: u32, value: u32| {
+        last = at;
+        if !matches!(said.get(value as usize), Some(Says::Begins | Says::Opens)) {
+            return;
+        }
+        match is_in.get(sensor as usize).copied().flatten() {
+            Some(true) => since = since.or(Some(at)),
+            Some(false) => spans.extend(since.take().map(|begin| (begin, at))),
+            None => {}
+        }
+    };
+    (ground.rows)(&mut take).map_err(Unfindable::Unread)?;
+    spans.extend(since.map(|begin| (begin, last)));
+    remarks
+        .push("By its sensors: from what one of the room says until one of another room does, whoever it is.".into());
+    Ok(spans.into_iter().map(|(begin, end)| Hit { begin, end, words: String::new() }).collect())
+}
+
+fn on(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unfindable> {
+    let name = named("sensor", name, ground.sensors.iter().map(|sensor| sensor.name.as_str()))?;
+    let of = ground.sensors.iter().position(|sensor| sensor.name == name).map_or(u32::MAX, |at| at as u32);
+    let said = meanings(ground.values);
+    let mut begins: Vec<(Micros, bool)> = Vec::new();
+    let mut last = ground.span.0;
+    let mut take = |at: Micros, sensor: u32, value: u32| {
+        last = at;
+        if sensor != of {
+            return;
+        }
+        match said.get(value as usize) {
+            Some(Says::Begins | Says::Opens) => begins.push((at, true)),
+            Some(Says::Ends | Says::Closes) => begins.push((at, false)),
+            _ => {}
+        }
+    };
+    (ground.rows)(&mut take).map_err(Unfindable::Unread)?;
+    let mut spans: Vec<Span> = Vec::new();
+    if begins.iter().any(|(_, begins)| !begins) {
+        let mut since = None;
+        for (at, is_begun) in begins {
+            match is_begun {
+                true => since = since.or(Some(at)),
+                false => spans.extend(since.take().map(|begin| (begin, at))),
+            }
+        }
+        spans.extend(since.map(|begin| (begin, last)));
+    } else {
+        for (at, _) in begins {
+            match spans.last_mut() {
+                Some(last) if at - last.1 <= BOUT => last.1 = at,
+                _ => spans.push((at, at)),
+            }
+        }
+        let minutes = BOUT / MINUTE;
+        remarks.push(format!("{name} never says that it is off: what it says again within {minutes} minutes is one."));
+    }
+    Ok(spans.into_iter().map(|(begin, end)| Hit { begin, end, words: String::new() }).collect())
+}
+
+fn still(ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unfindable> {
+    let said = meanings(ground.values);
+    let (begin, end) = ground.span;
+    let mut spans: Vec<Span> = Vec::new();
+    let mut since = begin;
+    let mut take = |at: Micros, _: u32, value: u32| {
+        if matches!(said.get(value as usize), Some(Says::Else) | None) {
+            return;
+        }
+        if at - since > PAUSE {
+            spans.push((since, at));
+        }
+        since = since.max(at);
+    };
+    (ground.rows)(&mut take).map_err(Unfindable::Unread)?;
+    if end - since > PAUSE {
+        spans.push((since, end));
+    }
+    let spans = match &ground.home {
+        Some(home) => hours::intersected(&spans, home),
+        None => {
+            remarks.push("Nobody knows whether anybody was at home: also while all are out nothing stirs.".into());
+            spans
+        }
+    };
+    Ok(spans.into_iter().map(|(begin, end)| Hit { begin, end, words: String::new() }).collect())
+}
+
+/// When somebody was at home: all stays in rooms together, with short ways between rooms.
+pub fn at_home(stays: impl IntoIterator<Item = Span>) -> Vec<Span> {
+    let mut stays: Vec<Span> = stays.into_iter().collect();
+    stays.sort_unstable();
+    let mut home: Vec<Span> = Vec::new();
+    for (begin, end) in stays {
+        match home.last_mut() {
+            Some(last) if begin - last.1 <= PAUSE => last.1 = last.1.max(end),
+            _ => home.push((begin, end)),
+        }
+    }
+    home
+}
+
+#[cfg(test)]
+mod tests;

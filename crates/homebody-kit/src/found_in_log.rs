@@ -1,0 +1,99 @@
+//! What is looked for over a log that somebody names, with the truth beside it where there is one.
+
+use crate::error::Error;
+use crate::find::{DayClock, Found, Ground, Listener, Query, Stay, TakeRow, Unfindable, What, at_home, find};
+use crate::log_with_run::LogWithRun;
+use homebody_analysis::alerts::{Rules, USUAL, alerts};
+use homebody_analysis::dates::midnight;
+use homebody_core::activity::FALLEN;
+use homebody_core::time::{DAY, Micros};
+use homebody_log::Activity;
+use std::borrow::Cow;
+
+/// Looks through a log. Instants are those of the wall, in microseconds since 1970.
+///
+/// # Errors
+///
+/// [`Error::Find`] if a name leads nowhere, or if only a truth would tell; [`Error::Log`] if that cannot be read.
+pub fn find_in_log(query: &Query, read: &LogWithRun) -> Result<Found, Error> {
+    let Some((first, last)) = read.dates() else { return Ok(Found::default()) };
+    let (begin, end) = (midnight(first), midnight(last) + DAY);
+    let days: Vec<DayClock> = (0..(end - begin) / DAY)
+        .map(|day| DayClock { begin: begin + day * DAY, end: begin + (day + 1) * DAY, clock: 0, turn: None })
+        .collect();
+    let span = read.recorded.as_ref().map_or_else(|| heard(read), |run| (run.start, run.end));
+    let told = match query.what {
+        What::Room => stays(read, |life| &life.rooms, |_| true),
+        What::Doing => stays(read, |life| &life.activities, |_| true),
+        What::Fall => stays(read, |life| &life.activities, |name| name == FALLEN),
+        What::Lost => lost(read)?,
+        What::Alert => Some(of_alerts(read)?),
+        What::On | What::Still => None,
+    };
+    let rooms = stays(read, |life| &life.rooms, |_| true);
+    let home = rooms.map(|stays| at_home(stays.iter().map(|stay| (stay.begin, stay.end))));
+    let listener = |name: &String| Listener { name: name.clone(), room: read.rooms.get(name).cloned() };
+    let mut rows = |take: &mut TakeRow| {
+        read.log.in_order().into_iter().for_each(|row| take(row.at, row.sensor, row.value));
+        Ok(())
+    };
+    let sensors = read.log.sensors.iter().map(listener).collect();
+    let mut ground = Ground { span, days, told, home, sensors, values: &read.log.values, rows: &mut rows };
+    Ok(find(query, &mut ground)?)
+}
+
+/// From the first row to the last.
+fn heard(read: &LogWithRun) -> (Micros, Micros) {
+    let times = || read.log.events.iter().map(|event| event.at);
+    (times().min().unwrap_or(0), times().max().unwrap_or(0))
+}
+
+/// What the truth tells of residents; `None` without a truth.
+fn stays<'a>(
+    read: &'a LogWithRun,
+    of: impl Fn(&'a homebody_log::Life) -> &'a Vec<Activity>,
+    is_asked: impl Fn(&str) -> bool,
+) -> Option<Vec<Stay<'a>>> {
+    if read.lives.is_empty() {
+        return None;
+    }
+    let mut all = Vec::new();
+    for life in &read.lives {
+        all.extend(of(life).iter().filter(|stay| is_asked(&stay.name)).map(|stay| Stay {
+            begin: stay.begin,
+            end: stay.end,
+            who: Some(Cow::Borrowed(life.resident.as_str())),
+            name: Cow::Borrowed(stay.name.as_str()),
+            words: Cow::Borrowed(""),
+        }));
+    }
+    all.sort_by_key(|stay| stay.begin);
+    Some(all)
+}
+
+fn lost(read: &LogWithRun) -> Result<Option<Vec<Stay<'static>>>, Error> {
+    let Some(lost) = read.lost()? else { return Ok(None) };
+    let stay = |lost: crate::log_with_run::Lost| Stay {
+        begin: lost.at,
+        end: lost.at,
+        who: None,
+        words: Cow::Owned(format!("{} said {}, lost: {}", lost.sensor, lost.value, lost.loss)),
+        name: Cow::Owned(lost.sensor),
+    };
+    Ok(Some(lost.into_iter().map(stay).collect()))
+}
+
+/// Alerts by the usual rules, which are of whole days.
+fn of_alerts(read: &LogWithRun) -> Result<Vec<Stay<'static>>, Error> {
+    let unread = |why: String| Error::Find(Unfindable::Unread(why));
+    let measures = read.measures().map_err(|why| unread(why.to_string()))?;
+    let rules = Rules::read(USUAL).map_err(|problems| unread(problems.join("; ")))?;
+    let stay = |alert: homebody_analysis::alerts::Alert| Stay {
+        begin: midnight(alert.date),
+        end: midnight(alert.date) + DAY,
+        who: None,
+        name: Cow::Owned(alert.rule),
+        words: Cow::Owned(alert.words),
+    };
+    Ok(alerts(&measures, &rules).alerts.into_iter().map(stay).collect())
+}

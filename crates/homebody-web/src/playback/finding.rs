@@ -1,0 +1,191 @@
+//! What is looked for over a whole stored run.
+
+use super::{Opened, Playback, Refusal};
+use crate::stored_log::{damaged, shortened};
+use crate::wire::{AlertView, DateView, Find, FindWhat, FoundView, HitView};
+use homebody_core::activity::FALLEN;
+use homebody_core::time::{Micros, SECOND};
+use homebody_kit::find::{
+    DayClock, Ground, Hours, Listener, Query, Span, Stay, TakeRow, Unfindable, What, at_home, find,
+};
+use homebody_log::source::{Value, truth_rows};
+use homebody_log::truth::Truth;
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::PoisonError;
+
+/// So many are listed (ours); how many there are is said.
+const MOST_HITS: usize = 5000;
+
+impl Playback {
+    /// Looks through a run. `alerts` tells of its alerts, which takes longer, and is asked for nothing else.
+    pub fn find(
+        &self,
+        name: &str,
+        asked: &Find,
+        alerts: impl FnOnce() -> Result<Vec<AlertView>, Refusal>,
+    ) -> Result<FoundView, Refusal> {
+        let run = self.open(name)?;
+        let query = query(asked)?;
+        let alerts = if query.what == What::Alert { alerts()? } else { Vec::new() };
+        let told = match query.what {
+            What::Room => run.stays(),
+            What::Doing => run.doings(|_| true),
+            What::Fall => run.doings(|activity| activity == FALLEN),
+            What::Lost => run.lost()?,
+            What::Alert => Some(run.alerts(&alerts)),
+            What::On | What::Still => None,
+        };
+        let home = match query.what {
+            What::Still => run.stays().map(|stays| at_home(stays.iter().map(|stay| (stay.begin, stay.end)))),
+            _ => None,
+        };
+        let days = run.view.days.len();
+        let mut rows = |take: &mut TakeRow| match &run.rows {
+            Some(rows) => {
+                let mut rows = rows.lock().unwrap_or_else(PoisonError::into_inner);
+                (0..days).try_for_each(|day| {
+                    let of = rows.of(day).map_err(|error| error.to_string())?;
+                    of.iter().for_each(|row| take(row.at, row.sensor, row.value));
+                    Ok(())
+                })
+            }
+            None => Ok(()),
+        };
+        let mut ground = Ground {
+            span: (0, run.view.length_us),
+            days: run.view.days.iter().map(day_clock).collect(),
+            told,
+            home,
+            sensors: run.listeners(),
+            values: &run.view.values,
+            rows: &mut rows,
+        };
+        let found = find(&query, &mut ground).map_err(|why| match why {
+            Unfindable::Unread(_) => damaged(why),
+            why => Refusal::Unknown(shortened(&why.to_string())),
+        })?;
+        let all = found.hits.len() as u64;
+        let hits = found.hits.into_iter().take(MOST_HITS);
+        let hits = hits.map(|hit| HitView { begin_us: hit.begin, end_us: hit.end, words: hit.words }).collect();
+        Ok(FoundView { hits, all, remarks: found.remarks })
+    }
+}
+
+/// What is asked, of hours and names that may be nonsense.
+fn query(asked: &Find) -> Result<Query, Refusal> {
+    let what = match asked.what {
+        FindWhat::Room => What::Room,
+        FindWhat::On => What::On,
+        FindWhat::Still => What::Still,
+        FindWhat::Doing => What::Doing,
+        FindWhat::Fall => What::Fall,
+        FindWhat::Lost => What::Lost,
+        FindWhat::Alert => What::Alert,
+    };
+    let hours = |(from, to): (u32, u32)| {
+        Hours::new(from, to).ok_or_else(|| Refusal::Damaged("From and to are different times of a day.".into()))
+    };
+    let hours = asked.between_min.map(hours).transpose()?;
+    if !(0.0..=1e9).contains(&asked.least_s) {
+        return Err(Refusal::Damaged("How long it is at least is a number of seconds.".into()));
+    }
+    let name = asked.name.clone().filter(|name| !name.is_empty());
+    Ok(Query { what, name, hours, least: (asked.least_s * SECOND as f64) as Micros })
+}
+
+fn day_clock(day: &DateView) -> DayClock {
+    DayClock { begin: day.begin_us, end: day.end_us, clock: day.clock_us, turn: day.turn }
+}
+
+impl Opened {
+    fn listeners(&self) -> Vec<Listener> {
+        let listener = |(index, id): (usize, &String)| {
+            let known = self.view.home.sensors.get(index);
+            let name = known.map_or(id, |sensor| &sensor.name).clone();
+            Listener { name, room: known.and_then(|sensor| sensor.room.clone()) }
+        };
+        self.view.sensors.iter().enumerate().map(listener).collect()
+    }
+
+    /// Who was in which room: by the truth, or as the log was walked back. Out is no room; between rooms is one without a name.
+    fn stays(&self) -> Option<Vec<Stay<'_>>> {
+        let room = |number: usize| self.view.home.rooms.get(number).map_or("", |room| room.name.as_str());
+        let mut all = Vec::new();
+        if let Some(walk) = &self.view.walk {
+            for (stays, who) in walk.stays.iter().zip(&self.view.residents) {
+                let at_home =
+                    stays.iter().filter_map(|&(begin, end, place)| Some((begin, end, place.try_into().ok()?)));
+                all.extend(at_home.map(|(begin, end, place)| self.stay((begin, end), &who.name, room(place))));
+            }
+        } else if self.view.has_truth {
+            for (stays, who) in self.rooms.iter().zip(&self.view.residents) {
+                let stay =
+                    |&(begin, end, place): &(i64, i64, u32)| self.stay((begin, end), &who.name, room(place as usize));
+                all.extend(stays.iter().map(stay));
+            }
+        } else {
+            return None;
+        }
+        Some(sorted(all))
+    }
+
+    /// Who did what, by the truth.
+    fn doings(&self, is_asked: impl Fn(&str) -> bool) -> Option<Vec<Stay<'_>>> {
+        if !self.view.has_truth || self.view.walk.is_some() {
+            return None;
+        }
+        let mut all = Vec::new();
+        for (spans, who) in self.activities.iter().zip(&self.view.residents) {
+            for &(begin, end, number) in spans {
+                let name = self.view.activities.get(number as usize).map_or("", String::as_str);
+                if is_asked(name) {
+                    all.push(self.stay((begin, end), &who.name, name));
+                }
+            }
+        }
+        Some(sorted(all))
+    }
+
+    fn stay<'a>(&self, (begin, end): Span, who: &'a str, name: &'a str) -> Stay<'a> {
+        let (begin, end) = (begin.clamp(0, self.view.length_us), end.clamp(0, self.view.length_us));
+        Stay { begin, end, who: Some(Cow::Borrowed(who)), name: Cow::Borrowed(name), words: Cow::Borrowed("") }
+    }
+
+    /// The messages that never reached the logger, by the truth.
+    fn lost(&self) -> Result<Option<Vec<Stay<'_>>>, Refusal> {
+        let Some(truth) = &self.truth else { return Ok(None) };
+        let sensors = self.listeners();
+        let known = self.view.sensors.iter().map(String::as_str).zip(&sensors).collect::<HashMap<_, _>>();
+        let mut all = Vec::new();
+        truth_rows(truth, Truth::Lost, &self.clock, &mut |cells| {
+            let text = |index: usize| match cells.get(index) {
+                Some(Value::Text(text)) => *text,
+                _ => "",
+            };
+            let Some(Value::Integer(at)) = cells.get(2) else { return Ok(()) };
+            let name = known.get(text(0)).map_or(text(0), |sensor| &sensor.name).to_owned();
+            let words = format!("{name} said {}, lost: {}", text(1), text(4));
+            let (name, words) = (Cow::Owned(name), Cow::Owned(words));
+            all.push(Stay { begin: *at, end: *at, who: None, name, words });
+            Ok(())
+        })
+        .map_err(damaged)?;
+        Ok(Some(sorted(all)))
+    }
+
+    /// Alerts are of whole days.
+    fn alerts<'a>(&self, alerts: &'a [AlertView]) -> Vec<Stay<'a>> {
+        let stay = |alert: &'a AlertView| {
+            let day = self.view.days.iter().find(|day| day.date == alert.day)?;
+            let (name, words) = (Cow::Borrowed(alert.rule.as_str()), Cow::Borrowed(alert.words.as_str()));
+            Some(Stay { begin: day.begin_us, end: day.end_us, who: None, name, words })
+        };
+        sorted(alerts.iter().filter_map(stay).collect())
+    }
+}
+
+fn sorted(mut stays: Vec<Stay>) -> Vec<Stay> {
+    stays.sort_by_key(|stay| stay.begin);
+    stays
+}

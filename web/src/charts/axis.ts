@@ -1,0 +1,94 @@
+// The time from left to right: where an instant is, and which times of the clock are written.
+
+import { dayMonth, read, time } from '../clock';
+import { type Calendar, clockOf, dayAt, sinceMidnight } from '../localtime';
+import type { Palette } from '../plan/palette';
+import { FONT, type Ink } from '../plan/pen';
+
+/** How high the row of times is. */
+export const AXIS = 18;
+
+type Days = Pick<Calendar, 'days'>;
+
+/** What is in sight, in microseconds of the run. */
+export type Sight = { from_us: number; to_us: number };
+
+/** Where names end and time begins, in pixels. */
+export function left(width: number): number {
+  return Math.min(150, width * 0.3);
+}
+
+export function right(width: number): number {
+  return width - 12;
+}
+
+/** Where on the drawing an instant is, and back. */
+export function xOf(from_us: number, to_us: number, width: number, at_us: number): number {
+  return left(width) + ((at_us - from_us) / Math.max(to_us - from_us, 1)) * (right(width) - left(width));
+}
+
+export function instantAt(from_us: number, to_us: number, width: number, x: number): number {
+  const share = Math.min(Math.max((x - left(width)) / (right(width) - left(width)), 0), 1);
+  return from_us + share * (to_us - from_us);
+}
+
+const SECOND_US = 1e6;
+const DAY_US = 86_400 * SECOND_US;
+/** Round times within a day, and how many days are a round number of them. */
+const STEPS_US = [1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600, 7200, 10_800, 21_600, 43_200].map((seconds) => seconds * SECOND_US);
+const STEPS_DAYS = [1, 2, 7, 14, 28, 56, 91, 182, 364, 728];
+/** A label has so much room, in pixels. */
+const ROOM = 62;
+
+export type Tick = { at_us: number; label: string; isDay: boolean };
+
+/** The times that are written, as far apart as there is room for. */
+export function ticksOf(calendar: Days, { from_us, to_us }: Sight, wide: number): Tick[] {
+  const span = Math.max(to_us - from_us, 1);
+  const has_room = (step_us: number) => (span / step_us) * ROOM <= wide;
+  const [first, last] = [dayAt(calendar, from_us), dayAt(calendar, to_us)];
+  const step = STEPS_US.find(has_room);
+  const ticks: Tick[] = [];
+  if (step === undefined) {
+    const days = STEPS_DAYS.find((count) => has_room(count * DAY_US)) ?? Math.ceil(((span / DAY_US) * ROOM) / Math.max(wide, 1));
+    for (let number = first; number <= last; number++) {
+      const day = calendar.days[number];
+      if (day === undefined || number % days !== 0 || day.begin_us < from_us || day.begin_us > to_us) continue;
+      ticks.push({ at_us: day.begin_us, label: dayMonth(read(`${day.date} 00:00:00`)), isDay: true });
+    }
+    return ticks;
+  }
+  for (let number = first; number <= last; number++) {
+    const day = calendar.days[number];
+    if (day === undefined) continue;
+    const [begin, end] = [Math.max(day.begin_us, from_us), Math.min(day.end_us, to_us)];
+    const offset = sinceMidnight(day, begin) % step;
+    for (let at = begin - offset + (offset > 0 ? step : 0); at <= end; at += step) {
+      // The day's end is the next one's beginning.
+      if (at === day.end_us && number < last) continue;
+      const clock = clockOf(calendar, Math.min(at, day.end_us - 1));
+      if (!Number.isFinite(clock)) continue;
+      const shown = time(Math.round(clock / 1000) * 1000);
+      const isDay = shown === '00:00:00' && at < day.end_us;
+      ticks.push({ at_us: at, label: isDay && span > DAY_US ? dayMonth(clock) : shown.slice(0, step < 60 * SECOND_US ? 8 : 5), isDay });
+    }
+  }
+  return ticks;
+}
+
+/** Marks at round times of the clock, across the whole drawing, and the times in its first row. */
+export function drawAxis(pen: Ink, calendar: Days, sight: Sight, width: number, high: number, palette: Palette, labels = true): void {
+  pen.font = `11px ${FONT}`;
+  pen.textAlign = 'center';
+  pen.textBaseline = 'middle';
+  for (const { at_us, label, isDay } of ticksOf(calendar, sight, right(width) - left(width))) {
+    const place = xOf(sight.from_us, sight.to_us, width, at_us);
+    pen.globalAlpha = isDay ? 0.7 : 0.35;
+    pen.fillStyle = palette.furnitureEdge;
+    pen.fillRect(place, labels ? AXIS - 3 : 0, 1, high);
+    pen.globalAlpha = 1;
+    if (!labels || place > width - 22) continue;
+    pen.fillStyle = palette.quiet;
+    pen.fillText(label, place, AXIS / 2);
+  }
+}

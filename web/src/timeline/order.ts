@@ -1,0 +1,23 @@
+// In which order lanes stand, and which are left out.
+
+import type { Sight } from '../charts/axis';
+import { type Lane, countIn } from '../charts/lanes';
+
+export const ORDERS = { home: 'as in the home', place: 'by room', active: 'the busiest first', name: 'by name' } as const;
+
+export type Order = keyof typeof ORDERS;
+
+/** The numbers of the lanes in this order; with `active` only those that say something in sight. */
+export function ordered(lanes: readonly Lane[], order: Order, active: boolean, sight: Sight): number[] {
+  const counts = order === 'active' || active ? lanes.map((lane) => countIn(lane, sight)) : [];
+  const kept = lanes.map((_, index) => index).filter((index) => !active || counts[index]! > 0);
+  const place = (index: number) => lanes[index]!.place ?? '';
+  const name = (index: number) => lanes[index]!.name;
+  if (order === 'place') {
+    // Rooms in the order in which the home has them; what is in none comes last.
+    const rooms = [...new Set(lanes.map(({ place }) => place ?? ''))].sort((a, b) => Number(a === '') - Number(b === ''));
+    return kept.sort((a, b) => rooms.indexOf(place(a)) - rooms.indexOf(place(b)) || a - b);
+  }
+  if (order === 'active') return kept.sort((a, b) => counts[b]! - counts[a]! || a - b);
+  return order === 'name' ? kept.sort((a, b) => name(a).localeCompare(name(b)) || a - b) : kept;
+}

@@ -1,0 +1,36 @@
+// What a place on the time line tells.
+
+import type { Band, Lane } from '../charts/lanes';
+import { countBetween, firstFrom } from '../charts/lanes';
+import { spoken } from '../plan/words';
+
+/** What a lane says at an instant, of what lies within so much of it. */
+export function laneAt(lane: Lane, at_us: number, near_us: number): { at_us: number; words: string } | null {
+  if (lane.density !== undefined) {
+    const count = countBetween(lane.density, at_us - near_us, at_us + near_us);
+    return { at_us, words: count === 0 ? 'nothing' : count === 1 ? 'once about here' : `about ${Math.round(count).toLocaleString('en-GB')} times here` };
+  }
+  const at = nearest(lane.fired, at_us);
+  if (at === null || Math.abs(lane.fired[at]! - at_us) > near_us) return null;
+  return { at_us: lane.fired[at]!, words: lane.said?.(at) ?? '' };
+}
+
+/** The place of what is nearest in what is in order. */
+function nearest(all: ArrayLike<number>, at_us: number): number | null {
+  if (all.length === 0) return null;
+  const after = Math.min(firstFrom(all, at_us), all.length - 1);
+  const before = Math.max(after - 1, 0);
+  return at_us - all[before]! <= all[after]! - at_us ? before : after;
+}
+
+/** The firing after an instant, or before it. */
+export function neighbour(fired: ArrayLike<number>, at_us: number, forward: boolean): number | null {
+  const index = forward ? firstFrom(fired, at_us + 1) : firstFrom(fired, at_us) - 1;
+  return fired[index] ?? null;
+}
+
+/** What a band says at an instant, and from when to when. */
+export function bandAt(band: Band, at_us: number): { begin_us: number; end_us: number; words: string } | null {
+  const span = band.spans.findLast(([begin, end]) => begin <= at_us && at_us < end);
+  return span === undefined ? null : { begin_us: span[0], end_us: span[1], words: spoken(band.names[span[2]] ?? '') };
+}

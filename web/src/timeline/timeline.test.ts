@@ -1,0 +1,91 @@
+import { expect, test } from 'vitest';
+import { ticksOf } from '../charts/axis';
+import { type Lane, countBetween, countIn, countsOf } from '../charts/lanes';
+import { daysFrom } from '../testing/dates';
+import { SvgInk } from './ink';
+import { ordered } from './order';
+import { bandAt, laneAt, neighbour } from './read';
+import { following, lengthOf, moved, within, zoomed } from './sight';
+import { tableOf } from './table';
+
+const [SECOND, HOUR, DAY] = [1e6, 3_600e6, 86_400e6];
+const whole = { from_us: 0, to_us: 365 * DAY };
+const lane = (name: string, fired: number[], with_: Partial<Lane> = {}): Lane => ({ name, kind: 'motion', fired, said: () => 'ON', ...with_ });
+
+test('what is in sight goes from a second to all there is, about the instant that is pointed at', () => {
+  const sight = { from_us: 10 * DAY, to_us: 11 * DAY };
+  const near = zoomed(sight, 0.5, 10.25 * DAY, whole);
+  expect([near.to_us - near.from_us, (10.25 * DAY - near.from_us) / (near.to_us - near.from_us)]).toEqual([DAY / 2, 0.25]);
+  const least = zoomed(sight, 1e-12, 10.5 * DAY, whole);
+  expect(least.to_us - least.from_us).toBe(SECOND);
+  expect(zoomed(sight, 1e6, 10.5 * DAY, whole)).toEqual(whole);
+  expect(moved(sight, -20 * DAY, whole)).toEqual({ from_us: 0, to_us: DAY });
+  expect(within({ from_us: 364.5 * DAY, to_us: 366 * DAY }, whole)).toEqual({ from_us: 363.5 * DAY, to_us: 365 * DAY });
+});
+
+test('what plays on past the end turns the page, and who jumps away is followed', () => {
+  const sight = { from_us: 0, to_us: HOUR };
+  expect(following(sight, HOUR / 2, whole)).toBe(sight);
+  expect(following(sight, HOUR + SECOND, whole)).toEqual({ from_us: HOUR, to_us: 2 * HOUR });
+  expect(following(sight, 10 * HOUR, whole)).toEqual({ from_us: 9.5 * HOUR, to_us: 10.5 * HOUR });
+  expect([SECOND, 90 * SECOND, HOUR, 26 * HOUR, 20 * DAY].map((to_us) => lengthOf({ from_us: 0, to_us }))).toEqual(['1 s', '1 min 30 s', '1 h', '1 d 2 h', '20 d']);
+});
+
+test('times are as far apart as there is room for, from seconds to months', () => {
+  const calendar = { days: daysFrom('2009-03-02', 365 * DAY) };
+  const labels = (from_us: number, to_us: number) => ticksOf(calendar, { from_us, to_us }, 800).map(({ label }) => label);
+  expect(labels(7 * HOUR, 7 * HOUR + 10 * SECOND).slice(0, 2)).toEqual(['07:00:00', '07:00:01']);
+  expect(labels(0, DAY).slice(0, 2)).toEqual(['00:00', '02:00']);
+  expect(labels(0, 5 * DAY)).toContain('4 Mar');
+  const year = labels(0, 365 * DAY);
+  expect(year.length).toBeGreaterThan(5);
+  expect(year.length).toBeLessThan(14);
+});
+
+test('lanes stand by the home, by room, by how busy they are in sight, or by name; silent ones may be left out', () => {
+  const lanes = [lane('b', [1, 2, 3], { place: 'hall' }), lane('c', [5]), lane('a', [9, 10, 11, 12], { place: 'bath' }), lane('d', [], { place: 'hall' })];
+  const sight = { from_us: 0, to_us: 6 };
+  expect(ordered(lanes, 'home', false, sight)).toEqual([0, 1, 2, 3]);
+  expect(ordered(lanes, 'place', false, sight)).toEqual([0, 3, 2, 1]);
+  expect(ordered(lanes, 'active', false, sight)).toEqual([0, 1, 2, 3]);
+  expect(ordered(lanes, 'active', false, { from_us: 0, to_us: 20 })).toEqual([2, 0, 1, 3]);
+  expect(ordered(lanes, 'name', false, sight)).toEqual([2, 0, 1, 3]);
+  expect(ordered(lanes, 'home', true, sight)).toEqual([0, 1]);
+});
+
+test('counts of parts come to what there was between two instants', () => {
+  const counts = countsOf(HOUR, [4, 0, 8]);
+  expect([countBetween(counts, 0, 3 * HOUR), countBetween(counts, 0, HOUR / 2), countBetween(counts, 2.5 * HOUR, 9 * HOUR), countBetween(counts, -9 * HOUR, 0)]).toEqual([12, 2, 4, 0]);
+  expect(countIn(lane('x', [], { density: counts }), { from_us: HOUR, to_us: 2 * HOUR })).toBe(0);
+});
+
+test('a place on a lane tells what is near, a place on a band what was done', () => {
+  const one = lane('x', [10, 20], { said: (index) => ['ON', 'OPEN'][index]! });
+  expect(laneAt(one, 18, 3)).toEqual({ at_us: 20, words: 'OPEN' });
+  expect(laneAt(one, 15, 3)).toBeNull();
+  expect([neighbour(one.fired, 10, true), neighbour(one.fired, 10, false), neighbour(one.fired, 20, false), neighbour(one.fired, 20, true)]).toEqual([20, null, 10, null]);
+  const band = { name: 'Ada', who: 0, names: ['using_bathroom'], spans: [[0, 5, 0]] as [number, number, number][] };
+  expect(bandAt(band, 3)).toEqual({ begin_us: 0, end_us: 5, words: 'using bathroom' });
+  expect(bandAt(band, 5)).toBeNull();
+});
+
+test('a table has what is in sight, and no formulas', () => {
+  const bands = [{ name: '=evil()', who: 0, names: ['sleep,ing'], spans: [[0, 50, 0]] as [number, number, number][] }];
+  const text = tableOf({ from_us: 10, to_us: 40 }, bands, [lane('x', [5, 20]), lane('t', [30], { curve: { values: [-1.5], low: -1.5, high: 3 } })], (at) => `t${at}`);
+  expect(text).toBe('begin,end,what,name,said\nt10,t40,activity,\'=evil(),"sleep,ing"\nt20,,sensor,x,ON\nt30,,sensor,t,-1.5\n');
+});
+
+test('what is drawn as lines is text where it is text', () => {
+  const ink = new SvgInk(null);
+  ink.fillStyle = '#123456';
+  ink.globalAlpha = 0.5;
+  ink.fillText('<script>&"', 1, 2);
+  ink.beginPath();
+  ink.moveTo(0, 0);
+  ink.lineTo(1.239, 4);
+  ink.stroke();
+  const svg = ink.svg(10, 20, '#fff');
+  expect(svg).not.toContain('<script');
+  expect(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement.tagName).toBe('svg');
+  expect(svg).toContain('M0 0L1.24 4');
+});

@@ -1,0 +1,112 @@
+// What is looked for over the run that is played back, and what was found.
+
+import { findPath, said, type Server } from '../../server';
+import type { Find, FindWhat, FoundView, HitView, PlaybackView } from '../../wire';
+
+/** How each is asked for, with hours and a length that people mostly mean. */
+export const ASKED: Record<FindWhat, { title: string; of: string | null; between: [number, number] | null; least_min: number }> = {
+  room: { title: 'somebody is in', of: 'Room', between: [0, 6], least_min: 0 },
+  on: { title: 'is on or open', of: 'Sensor', between: null, least_min: 30 },
+  still: { title: 'nothing stirs', of: null, between: [8, 20], least_min: 180 },
+  doing: { title: 'somebody does', of: 'Activity', between: null, least_min: 0 },
+  fall: { title: 'somebody falls', of: null, between: null, least_min: 0 },
+  lost: { title: 'a message is lost', of: null, between: null, least_min: 0 },
+  alert: { title: 'an alert', of: null, between: null, least_min: 0 },
+};
+
+/** What people look for first, by what the name has in it. */
+const FIRST = { room: /bath|toilet|wc/i, on: /stove|oven|cooker|hob/i, doing: /sleep|nap/i };
+
+export class Finding {
+  what = $state<FindWhat>('room');
+  name = $state('');
+  /** Hours of the day; null at any time. */
+  between = $state<[number, number] | null>(ASKED.room.between);
+  least_min = $state<number | null>(0);
+  found = $state.raw<FoundView | null>(null);
+  /** What it was that was found, in words. */
+  title = $state('');
+  busy = $state(false);
+  problem = $state('');
+  private asked = 0;
+
+  constructor(
+    private readonly server: Pick<Server, 'post'>,
+    readonly run: PlaybackView,
+  ) {
+    this.choose('room');
+  }
+
+  get hits(): readonly HitView[] {
+    return this.found?.hits ?? [];
+  }
+
+  /** What may be asked for of this kind. */
+  names(what: FindWhat = this.what): string[] {
+    const { home, sensors, activities } = this.run;
+    if (what === 'room') return home.rooms.map(({ name }) => name);
+    if (what === 'on') return sensors.map((id, index) => home.sensors[index]?.name ?? id);
+    return what === 'doing' ? [...activities].sort() : [];
+  }
+
+  choose(what: FindWhat): void {
+    const names = this.names(what);
+    const first = what === 'room' || what === 'on' || what === 'doing' ? FIRST[what] : null;
+    this.what = what;
+    this.name = names.find((name) => first?.test(name)) ?? names[0] ?? '';
+    this.between = ASKED[what].between;
+    this.least_min = ASKED[what].least_min;
+  }
+
+  async find(): Promise<void> {
+    const asked = ++this.asked;
+    const { what, name, between, least_min } = this;
+    const of = ASKED[what].of === null ? null : name;
+    if (between !== null && between[0] === between[1]) {
+      [this.found, this.problem] = [null, 'From and to are different times of a day.'];
+      return;
+    }
+    const query: Find = {
+      what,
+      name: of,
+      between_min: between === null ? null : [(between[0] * 60) % 1440, between[1] * 60],
+      least_s: Math.max(least_min ?? 0, 0) * 60,
+    };
+    [this.busy, this.problem] = [true, ''];
+    try {
+      const found = await this.server.post<FoundView>(findPath(this.run.name), query);
+      if (asked !== this.asked) return;
+      this.found = found;
+      this.title = `${of === null || what !== 'on' ? ASKED[what].title : ''}${of === null ? '' : ` ${of}`}${what === 'on' ? ` ${ASKED.on.title}` : ''}`.trim();
+    } catch (error) {
+      if (asked === this.asked) [this.found, this.problem] = [null, said(error)];
+    } finally {
+      if (asked === this.asked) this.busy = false;
+    }
+  }
+
+  clear(): void {
+    this.asked += 1;
+    [this.found, this.problem, this.busy] = [null, '', false];
+  }
+
+  /** The number of the hit in which an instant lies, or of the last before it; -1 before the first. */
+  at(at_us: number): number {
+    let [low, high] = [0, this.hits.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.hits[middle]!.begin_us <= at_us) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+
+  /** The hit that begins next, or the one before; null beyond the last. */
+  next(at_us: number, forward: boolean): HitView | null {
+    const now = this.at(at_us);
+    if (forward) return this.hits[now + 1] ?? null;
+    const here = this.hits[now];
+    // At the beginning of one, the one before is meant.
+    return here === undefined ? null : at_us - here.begin_us > 1e6 ? here : (this.hits[this.at(here.begin_us - 1)] ?? null);
+  }
+}

@@ -1,0 +1,100 @@
+// Two runs side by side: which sensors, days and firings of theirs belong together, and what one has and the other lacks.
+
+import { dayAt, follow } from '../../localtime';
+import type { PlaybackView } from '../../wire';
+import type { Day } from './day';
+
+/** A firing that the other run has not within this of it is one that it lacks (ours). */
+export const ALIKE_US = 60_000_000;
+
+/** A sensor of either run, and its firings on a day, all by the first run's time. */
+export type Pair = {
+  name: string;
+  kind: string;
+  first: ArrayLike<number>;
+  second: ArrayLike<number>;
+  /** Of the first what the second lacks, and the other way round. */
+  onlyFirst: number[];
+  onlySecond: number[];
+};
+
+/** What the second run has of a day of the first: which of its days, and how much later it is by its own time. */
+export function dayBeside(first: PlaybackView, number: number, second: PlaybackView): { number: number; later_us: number } | null {
+  const day = first.days[number];
+  if (day === undefined) return null;
+  const middle = day.begin_us + (day.end_us - day.begin_us) / 2;
+  for (const at of [middle, day.begin_us, day.end_us - 1]) {
+    const there = follow(first, at, second);
+    if (there !== null) return { number: dayAt(second, there), later_us: there - at };
+  }
+  return null;
+}
+
+/** The firings of `these` to which no one of `others` is near enough; each of them stands for one only. Both are in order. */
+export function lacking(these: ArrayLike<number>, others: ArrayLike<number>, alike_us = ALIKE_US): number[] {
+  const alone: number[] = [];
+  let next = 0;
+  for (let index = 0; index < these.length; index++) {
+    const at = these[index]!;
+    while (next < others.length && others[next]! < at - alike_us) next += 1;
+    if (next < others.length && others[next]! <= at + alike_us) next += 1;
+    else alone.push(at);
+  }
+  return alone;
+}
+
+export function sensorName(view: PlaybackView, sensor: number): string {
+  return view.home.sensors[sensor]?.name ?? view.sensors[sensor] ?? '';
+}
+
+/** The sensors of both runs in the first's order, those that only the second has behind them. */
+export function pairsOf(first: PlaybackView, day: Day | null, second: PlaybackView, beside: Day | null, later_us: number): Pair[] {
+  const known = new Map(second.sensors.map((_, index) => [sensorName(second, index), index]));
+  const moved = (sensor: number | undefined) => (sensor === undefined ? [] : Float64Array.from(beside?.fired[sensor] ?? [], (at) => at - later_us));
+  const pair = (name: string, kind: string, a: ArrayLike<number>, b: ArrayLike<number>): Pair => {
+    const both = day !== null && beside !== null;
+    return { name, kind, first: a, second: b, onlyFirst: both ? lacking(a, b) : [], onlySecond: both ? lacking(b, a) : [] };
+  };
+  const pairs = first.sensors.map((_, index) => {
+    const name = sensorName(first, index);
+    const other = known.get(name);
+    known.delete(name);
+    return pair(name, first.home.sensors[index]?.kind ?? '', day?.fired[index] ?? [], moved(other));
+  });
+  for (const [name, sensor] of known) pairs.push(pair(name, second.home.sensors[sensor]?.kind ?? '', [], moved(sensor)));
+  return pairs;
+}
+
+/** For how many seconds of a day something went on, by name. */
+function lasting(day: Day | null, [begin_us, end_us]: [number, number], of: 'rooms' | 'activities', name: (number: number) => string): Map<string, number> {
+  const all = new Map<string, number>();
+  for (const life of day?.view.lives ?? []) {
+    for (const [begin, end, what] of life[of]) {
+      const seconds = Math.max(Math.min(end, end_us) - Math.max(begin, begin_us), 0) / 1e6;
+      all.set(name(what), (all.get(name(what)) ?? 0) + seconds);
+    }
+  }
+  return all;
+}
+
+export type Spent = { name: string; first: number; second: number };
+
+/** Rooms or activities and the seconds of a day in each run, what differs most first. */
+export function spent(first: PlaybackView, day: Day | null, second: PlaybackView, beside: Day | null, of: 'rooms' | 'activities'): Spent[] {
+  const sums = ([[first, day], [second, beside]] as const).map(([view, one]) => {
+    const date = one === null ? undefined : view.days[one.number];
+    const name = (number: number) => (of === 'rooms' ? view.home.rooms[number]?.name : view.activities[number]) ?? '';
+    return lasting(one, [date?.begin_us ?? 0, date?.end_us ?? 0], of, name);
+  });
+  const names = new Set([...sums[0]!.keys(), ...sums[1]!.keys()]);
+  const rows = [...names].map((name) => ({ name, first: sums[0]!.get(name) ?? 0, second: sums[1]!.get(name) ?? 0 }));
+  return rows.sort((a, b) => Math.abs(b.second - b.first) - Math.abs(a.second - a.first));
+}
+
+/** How many rows more the second run has in each hour of each day of the first; null where it does not know that day. */
+export function hoursMore(first: PlaybackView, second: PlaybackView): (number[] | null)[] {
+  return first.hours.map((hours, number) => {
+    const other = second.hours[dayBeside(first, number, second)?.number ?? -1];
+    return other === undefined ? null : hours.map((count, hour) => (other[hour] ?? 0) - count);
+  });
+}
