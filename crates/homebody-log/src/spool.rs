@@ -5,6 +5,7 @@
 
 mod frame;
 
+use crate::cancel::Cancel;
 use crate::destination::Destination;
 use crate::error::{LogError, place_of};
 use crate::meter::Meter;
@@ -93,6 +94,7 @@ struct Beginning {
     run_column: String,
     spreadsheet_safe: bool,
     how: How,
+    cancel: Cancel,
 }
 
 /// What is kept while a destination is away.
@@ -122,6 +124,10 @@ impl Spooled {
         }
     }
 
+    fn is_stopped(&self) -> bool {
+        self.beginning.as_ref().is_some_and(|beginning| beginning.cancel.is_cancelled())
+    }
+
     fn begin_inner(&mut self) -> Result<Watermark, LogError> {
         let Some(kept) = &self.beginning else { return Ok(Watermark::none()) };
         let begin = Begin {
@@ -131,18 +137,19 @@ impl Spooled {
             run_column: &kept.run_column,
             spreadsheet_safe: kept.spreadsheet_safe,
             how: kept.how,
+            cancel: &kept.cancel,
         };
         let there = self.inner.begin(&begin)?;
         self.has_begun = true;
         Ok(there)
     }
 
-    /// From now on rows are put aside.
-    fn goes_away(&mut self) -> Result<(), LogError> {
+    /// From now on rows are put aside, as the destination is away.
+    fn goes_away(&mut self, error: &LogError) -> Result<(), LogError> {
         let opened = OpenOptions::new().read(true).write(true).create(true).truncate(true).open(&self.path);
         let file = BufWriter::new(opened.map_err(|error| LogError::file(&self.path, error))?);
         let next_try = Instant::now() + FIRST_WAIT;
-        self.meter.puts_aside(true, 0);
+        self.meter.is_away(error, None);
         self.away =
             Some(Away { file, written_bytes: 0, read_bytes: 0, texts: Batch::default(), wait: FIRST_WAIT, next_try });
         Ok(())
@@ -160,7 +167,7 @@ impl Spooled {
         }
         away.file.write_all(&frame).map_err(|error| LogError::file(&self.path, error))?;
         away.written_bytes += frame.len() as u64;
-        self.meter.puts_aside(true, away.written_bytes - away.read_bytes);
+        self.meter.puts_aside(away.written_bytes - away.read_bytes);
         away.texts = Batch::default().with_texts_of(batch);
         Ok(())
     }
@@ -173,12 +180,14 @@ impl Spooled {
         match self.hand_over() {
             Ok(()) => {
                 self.away = None;
-                self.meter.puts_aside(false, 0);
+                self.meter.puts_aside(0);
+                self.meter.is_there(&self.place);
                 let _ = fs::remove_file(&self.path);
                 Ok(())
             }
             Err(error) if error.passes() => {
                 self.meter.tries_again();
+                self.meter.is_away(&error, None);
                 if let Some(away) = &mut self.away {
                     away.wait = (2 * away.wait).min(LONGEST_WAIT);
                     away.next_try = Instant::now() + away.wait;
@@ -232,10 +241,11 @@ impl Sink for Spooled {
             run_column: begin.run_column.to_owned(),
             spreadsheet_safe: begin.spreadsheet_safe,
             how: begin.how,
+            cancel: begin.cancel.clone(),
         });
         match self.begin_inner() {
             Err(error) if error.passes() => {
-                self.goes_away()?;
+                self.goes_away(&error)?;
                 Ok(Watermark::none())
             }
             begun => begun,
@@ -251,7 +261,7 @@ impl Sink for Spooled {
         let rest = batch.beyond(&mut there);
         match self.inner.write(&rest) {
             Err(error) if error.passes() => {
-                self.goes_away()?;
+                self.goes_away(&error)?;
                 self.put_aside(batch)
             }
             written => {
@@ -268,7 +278,7 @@ impl Sink for Spooled {
         }
         match self.inner.settle() {
             Err(error) if error.passes() => {
-                self.goes_away()?;
+                self.goes_away(&error)?;
                 Ok(Watermark::none())
             }
             settled => settled,
@@ -281,9 +291,12 @@ impl Sink for Spooled {
             self.catch_up(true)?;
             if self.away.is_none() {
                 match self.inner.finish(end) {
-                    Err(error) if error.passes() => self.goes_away()?,
+                    Err(error) if error.passes() => self.goes_away(&error)?,
                     finished => return finished,
                 }
+            }
+            if let Some(why) = self.meter.why_away().filter(|_| self.is_stopped()) {
+                return Err(LogError::StoppedAway { place: self.place.clone(), why });
             }
             if Instant::now() >= until {
                 return Err(LogError::StillAway { place: self.place.clone(), seconds: END_WAITS.as_secs() });

@@ -91,7 +91,7 @@ impl Sink for MqttSink {
         let (topic, [_, offline]) = place.status();
         let options = options(&address, (topic, offline), &place.id, &instance);
         let options = options.map_err(|trouble| trouble.error(&place_told))?;
-        let flight = Arc::new(Flight::default());
+        let flight = Arc::new(Flight::new(begin.cancel));
         flight.change(|shared| at_rest(&place).iter().for_each(|message| shared.keep_in_mind(message)));
         let speaker = HomeSpeaker {
             address,

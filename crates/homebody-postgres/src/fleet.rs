@@ -15,7 +15,7 @@ use homebody_core::event::Value;
 use homebody_core::problem::readable;
 use homebody_log::fleet::{Fleet, FleetRow, FleetSink, Told};
 use homebody_log::table::{Batch, Cell, Texts};
-use homebody_log::{Begin, How, LogError, Url};
+use homebody_log::{Begin, Cancel, How, LogError, Url};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -93,6 +93,7 @@ impl FleetSink for PostgresFleet {
                 run_column: &layout.run_column,
                 spreadsheet_safe: false,
                 how: How::GoOn,
+                cancel: &Cancel::new(),
             };
             let schema = Schema::make(&connection, &server, &begin)?;
             let start = runs::start_of(&layout.run);

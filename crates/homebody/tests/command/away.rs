@@ -1,0 +1,68 @@
+//! A run whose broker goes away says so and waits; stopped meanwhile it ends soon, and is gone on with once the broker is back.
+
+use crate::commanded::{Ends, broker, broker_at};
+use crate::flat::flat;
+use crate::folder::Folder;
+use std::fs::File;
+use std::process::{Command, ExitStatus, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+const SPAN: &str = "50m";
+
+/// A run that is stopped ends within this time, on however slow a machine: it waits for the broker for ten minutes, or a day.
+const SOON: Duration = Duration::from_secs(5);
+
+/// Begins a run, has its broker go away, and stops it at once or when it has said that it waits. How it ended, and what it said.
+fn stopped(folder: &Folder, words: &str, (broker, says): (Ends, Option<&str>)) -> (ExitStatus, String) {
+    let mut command = folder.command(words);
+    command.stdout(Stdio::null()).stderr(File::create(folder.path("said")).unwrap());
+    let mut run = Ends(command.spawn().unwrap());
+    let is_note = |name: &String| name.ends_with(".confirmed.json");
+    folder.until("the broker has confirmed rows", |folder| folder.files().iter().any(is_note));
+    drop(broker);
+    if let Some(says) = says {
+        folder.until("the run says what it waits for", |folder| folder.read("said").contains(says));
+    } else {
+        // It has noticed by now, and has not given up hope yet.
+        thread::sleep(Duration::from_secs(2));
+    }
+    assert!(run.0.try_wait().unwrap().is_none(), "{}", folder.read("said"));
+    let signalled = Command::new("sh").args(["-c", &format!("kill -INT {}", run.0.id())]).status();
+    assert!(signalled.unwrap().success());
+    let begun = Instant::now();
+    loop {
+        if let Some(status) = run.0.try_wait().unwrap() {
+            println!("ended {} ms after the signal", begun.elapsed().as_millis());
+            return (status, folder.read("said"));
+        }
+        assert!(begun.elapsed() < SOON, "it has not ended:\n{}", folder.read("said"));
+        thread::sleep(Duration::from_millis(10));
+    }
+}
+
+#[test]
+fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with() {
+    let waits = "is away: no broker listens there\n  the run waits until it is back, for 600 s at most\n";
+    let spools = "is away: no broker listens there\n  rows are put aside until it is back\n";
+    for (more, says) in [("", Some(waits)), ("", None), ("--on-sink-down spool", Some(spools))] {
+        let folder = flat();
+        let Some((broker, port)) = broker(&folder) else { return };
+        let words = format!("--speed 60 --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true {more}");
+        let (status, said) = stopped(&folder, &format!("run flat --for {SPAN} {words}"), (broker, says));
+        assert_eq!(status.code(), Some(130), "{said}");
+        let [why, hint] = [" was away when the run was stopped: no broker listens there;", "--resume runs/flat-1"];
+        assert!(said.contains(why) && said.contains(hint), "{said}");
+        assert_eq!(said.matches("warning: ").count(), usize::from(says.is_some()), "it is said once: {said}");
+        let is_back = |line: &str| line.ends_with(" is back") && !line.starts_with(' ');
+        assert!(!said.lines().any(is_back), "{said}");
+
+        let _broker = broker_at(&folder, port);
+        folder.run(&format!("run --resume runs/flat-1 --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true")).ok();
+        let rows = folder.stored_rows("runs/flat-1/log.db");
+        let note = folder.files().into_iter().find(|name| name.ends_with(".confirmed.json")).unwrap();
+        assert!(folder.read(&note).contains(&format!("\"rows\":[{rows}]")), "{rows} rows: {}", folder.read(&note));
+        folder.run(&format!("run flat --for {SPAN} --quiet --out sqlite:undisturbed.db")).ok();
+        assert_eq!(folder.dump("runs/flat-1/log.db"), folder.dump("undisturbed.db"));
+    }
+}
