@@ -403,11 +403,11 @@ impl LogError {
         }
     }
 
-    /// What it calls its destination, and what is wrong with it.
-    pub(crate) fn place_and_reason(&self) -> (String, String) {
+    /// What is wrong with a destination, as a part of a sentence.
+    pub(crate) fn reason(&self) -> String {
         match self {
-            LogError::Destination { place, what, .. } => (place.clone(), what.clone()),
-            other => (String::new(), other.to_string()),
+            LogError::Destination { what, .. } => what.clone(),
+            other => other.to_string(),
         }
     }
 

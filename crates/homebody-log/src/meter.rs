@@ -132,10 +132,9 @@ impl Meter {
         self.spooled_bytes.store(bytes, Ordering::Relaxed);
     }
 
-    /// The destination is away, as an error says that passes; the run waits for so long, or goes on.
-    pub(crate) fn is_away(&self, error: &LogError, waits: Option<Duration>) {
-        let (place, why) = error.place_and_reason();
-        let absence = Some(Absence { why, waits });
+    /// The destination, which errors call so, is away, as an error says that passes; the run waits for so long, or goes on.
+    pub(crate) fn is_away(&self, place: &str, error: &LogError, waits: Option<Duration>) {
+        let absence = Some(Absence { why: error.reason(), waits });
         self.is_away.store(true, Ordering::Relaxed);
         self.now(place, absence);
     }
@@ -144,17 +143,17 @@ impl Meter {
     pub(crate) fn is_there(&self, place: &str) {
         // Nearly all calls find it where it was.
         if self.is_away.swap(false, Ordering::Relaxed) {
-            self.now(place.into(), None);
+            self.now(place, None);
         }
     }
 
-    fn now(&self, place: String, absence: Option<Absence>) {
+    fn now(&self, place: &str, absence: Option<Absence>) {
         let mut before = self.absence.lock().unwrap_or_else(PoisonError::into_inner);
         if *before != absence {
             before.clone_from(&absence);
             drop(before);
             if let Some(tell) = self.tell.get() {
-                tell(&News { place, absence });
+                tell(&News { place: place.into(), absence });
             }
         }
     }
@@ -177,10 +176,11 @@ mod tests {
         let heard = told.clone();
         meter.telling(Box::new(move |news| heard.lock().unwrap().push(news.to_string())));
         let away = |why: &str| {
-            meter.is_away(&LogError::destination("a broker", why).passing(), Some(Duration::from_secs(600)));
+            let error = LogError::destination("a broker", why).passing();
+            meter.is_away("a broker", &error, Some(Duration::from_secs(600)));
         };
         meter.is_there("a broker");
-        ["nobody listens", "nobody listens", "no way there"].map(away);
+        ["nobody listens", "nobody listens", "no way there"].into_iter().for_each(away);
         assert_eq!((meter.read().is_away, meter.why_away().as_deref()), (true, Some("no way there")));
         meter.is_there("a broker");
         meter.is_there("a broker");

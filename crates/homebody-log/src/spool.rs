@@ -149,7 +149,7 @@ impl Spooled {
         let opened = OpenOptions::new().read(true).write(true).create(true).truncate(true).open(&self.path);
         let file = BufWriter::new(opened.map_err(|error| LogError::file(&self.path, error))?);
         let next_try = Instant::now() + FIRST_WAIT;
-        self.meter.is_away(error, None);
+        self.meter.is_away(&self.place, error, None);
         self.away =
             Some(Away { file, written_bytes: 0, read_bytes: 0, texts: Batch::default(), wait: FIRST_WAIT, next_try });
         Ok(())
@@ -187,7 +187,7 @@ impl Spooled {
             }
             Err(error) if error.passes() => {
                 self.meter.tries_again();
-                self.meter.is_away(&error, None);
+                self.meter.is_away(&self.place, &error, None);
                 if let Some(away) = &mut self.away {
                     away.wait = (2 * away.wait).min(LONGEST_WAIT);
                     away.next_try = Instant::now() + away.wait;

@@ -30,17 +30,19 @@ impl Waiting<'_> {
         is_over: impl Fn() -> bool,
         mut call: impl FnMut() -> Result<T, LogError>,
     ) -> Result<T, LogError> {
-        let (begun, mut wait) = (Instant::now(), self.first);
+        let (begun, mut wait, mut is_away) = (Instant::now(), self.first, false);
         loop {
             let error = match call() {
                 Err(error) if error.passes() && begun.elapsed() + wait <= self.retry_for => error,
                 Err(error) => return Err(error),
                 Ok(done) => {
-                    self.meter.is_there(self.place);
+                    // Of one whose rows are put aside, that a call has succeeded does not say that it is there.
+                    if is_away {
+                        self.meter.is_there(self.place);
+                    }
                     return Ok(done);
                 }
             };
-            self.meter.is_away(&error, Some(self.retry_for));
             let waited = Instant::now();
             while waited.elapsed() < wait {
                 if self.cancel.is_cancelled() {
@@ -49,6 +51,8 @@ impl Waiting<'_> {
                 if is_over() {
                     return Err(error);
                 }
+                self.meter.is_away(self.place, &error, Some(self.retry_for));
+                is_away = true;
                 thread::sleep(LOOK.min(wait.saturating_sub(waited.elapsed())));
             }
             self.meter.tries_again();
