@@ -13,6 +13,8 @@ pub struct Policy {
     pub required: bool,
     /// For how long a call is made again after an error that passes; zero for not at all.
     pub retry_for: Duration,
+    /// Whether it is begun again in the same way; otherwise one that is away at the beginning is an error at once.
+    pub retries_beginning: bool,
     /// How long to wait before the first time again; each further wait is twice as long, up to a minute.
     pub retry_after: Duration,
     /// How many batches of at most 4,096 rows may wait for it. When they are that many, the run waits.
@@ -34,6 +36,7 @@ impl Default for Policy {
         Policy {
             required: true,
             retry_for: Duration::ZERO,
+            retries_beginning: true,
             retry_after: Duration::from_millis(RETRY_AFTER_MS),
             batches_waiting: BATCHES_WAITING,
             answers_within: Duration::from_secs(ANSWERS_WITHIN_S),

@@ -51,7 +51,8 @@ impl Destination {
             WhenDown::Error => self,
             &WhenDown::Retry(retry_for) => {
                 let answers_within = self.policy.answers_within.saturating_add(retry_for);
-                Destination { policy: Policy { retry_for, answers_within, ..self.policy }, ..self }
+                let policy = Policy { retry_for, retries_beginning: true, answers_within, ..self.policy };
+                Destination { policy, ..self }
             }
             WhenDown::Spool(folder, most_bytes) => {
                 let file = folder.join(format!("{}.spool", file_name(&self.place)));
@@ -81,6 +82,8 @@ struct Spooled {
     has_begun: bool,
     /// Rows that it has already and that are still to come, by table: known where it could not be asked at the beginning.
     there: Vec<u64>,
+    /// How far it was sure when it was asked last.
+    durable: Watermark,
     /// While it is away.
     away: Option<Away>,
     meter: Arc<Meter>,
@@ -119,6 +122,7 @@ impl Spooled {
             beginning: None,
             has_begun: false,
             there: Vec::new(),
+            durable: Watermark::none(),
             away: None,
             meter,
         }
@@ -222,7 +226,8 @@ impl Spooled {
             self.there = there;
             away.read_bytes += bytes;
         }
-        self.inner.settle().map(|_| ())
+        self.durable = self.inner.settle()?;
+        Ok(())
     }
 }
 
@@ -273,16 +278,13 @@ impl Sink for Spooled {
 
     fn settle(&mut self) -> Result<Watermark, LogError> {
         self.catch_up(false)?;
-        if self.away.is_some() {
-            return Ok(Watermark::none());
-        }
-        match self.inner.settle() {
-            Err(error) if error.passes() => {
-                self.goes_away(&error)?;
-                Ok(Watermark::none())
+        if self.away.is_none() {
+            match self.inner.settle() {
+                Err(error) if error.passes() => self.goes_away(&error)?,
+                settled => self.durable = settled?,
             }
-            settled => settled,
         }
+        Ok(self.durable.clone())
     }
 
     fn finish(&mut self, end: Micros) -> Result<(), LogError> {

@@ -11,6 +11,7 @@ use crate::policy::Policy;
 use crate::run_info::RunInfo;
 use crate::sink::{Begin, How, Sink, Watermark};
 use crate::table::{Batch, Table};
+use crate::waiting::Waiting;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -298,7 +299,8 @@ impl Work {
             how: beginning.how,
             cancel: &self.cancel.clone(),
         };
-        let there = self.call(|sink| sink.begin(&begin))?;
+        let retry_for = if self.policy.retries_beginning { self.policy.retry_for } else { Duration::ZERO };
+        let there = self.call_for(retry_for, |sink| sink.begin(&begin))?;
         let Work { shared, .. } = &mut self;
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
         shared.there.store(there.0.iter().sum(), Ordering::Release);
@@ -342,9 +344,18 @@ impl Work {
     }
 
     /// Asks the destination for something, as often as the policy says.
-    fn call<T>(&mut self, mut ask: impl FnMut(&mut dyn Sink) -> Result<T, LogError>) -> Result<T, LogError> {
+    fn call<T>(&mut self, ask: impl FnMut(&mut dyn Sink) -> Result<T, LogError>) -> Result<T, LogError> {
+        self.call_for(self.policy.retry_for, ask)
+    }
+
+    fn call_for<T>(
+        &mut self,
+        retry_for: Duration,
+        mut ask: impl FnMut(&mut dyn Sink) -> Result<T, LogError>,
+    ) -> Result<T, LogError> {
         let Work { place, sink, policy, meter, cancel, .. } = self;
-        policy.waiting(place, meter, cancel).call(|| false, || ask(&mut **sink))
+        let waiting = Waiting { retry_for, ..policy.waiting(place, meter, cancel) };
+        waiting.call(|| false, || ask(&mut **sink))
     }
 
     /// An error where the destination has rows behind the last of the run: most look themselves and have refused to end, but those of which

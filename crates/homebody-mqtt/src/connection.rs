@@ -122,8 +122,9 @@ impl Connection {
                 Err(trouble) => {
                     let was_up = matches!(self.flight.lock().link, Link::Up);
                     let is_new = matches!(self.flight.lock().link, Link::New);
+                    // Whoever begins hears of it, and begins anew or not.
                     if trouble.is_final || is_new {
-                        return self.over(Some(trouble.finally()));
+                        return self.over(Some(trouble));
                     }
                     wait = if was_up { FIRST_WAIT } else { (2 * wait).min(LONGEST_WAIT) };
                     self.flight.change(|state| state.link = Link::Down(trouble));

@@ -1,4 +1,5 @@
-//! A run whose broker goes away says so and waits; stopped meanwhile it ends soon, and is gone on with once the broker is back.
+//! A run whose broker goes away, or is not there yet, says so and waits; stopped meanwhile it ends soon, and is gone on with once the broker is
+//! back.
 
 use crate::commanded::{Ends, broker, broker_at};
 use crate::flat::flat;
@@ -73,5 +74,31 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
         let note = folder.files().into_iter().find(|name| name.ends_with(".confirmed.json")).unwrap();
         let confirmed = format!("\"rows\":[{}]", rows("flat-1").len());
         assert!(folder.read(&note).contains(&confirmed), "{confirmed}: {}", folder.read(&note));
+    }
+}
+
+#[test]
+fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
+    let folder = flat();
+    // Where there is none at all, nothing is to be seen here.
+    let Some((first, port)) = broker(&folder) else { return };
+    drop(first);
+    let words = format!("run flat --for 20m --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true");
+    let begun = Instant::now();
+    folder.run(&words).fails(1, "no broker listens there\n  hint: start the broker");
+    assert!(begun.elapsed() < SOON, "{:?}", begun.elapsed());
+    for (number, (how, says)) in [("retry", "the run waits"), ("spool", "rows are put aside")].into_iter().enumerate() {
+        let mut command = folder.command(&format!("{words} --on-sink-down {how}"));
+        command.stdout(Stdio::null()).stderr(File::create(folder.path("said")).unwrap());
+        let mut run = Ends(command.spawn().unwrap());
+        folder.until("the run says what it waits for", |folder| folder.read("said").contains(says));
+        let _broker = broker_at(&folder, port);
+        let status = run.0.wait().unwrap();
+        let said = folder.read("said");
+        assert!(status.success() && said.lines().any(|line| line.ends_with(" is back")), "{how}: {said}");
+        let run = format!("runs/flat-{}", number + 1);
+        let note = folder.files().into_iter().find(|name| name.starts_with(&run) && name.ends_with(".confirmed.json"));
+        let confirmed = format!("\"rows\":[{}]", folder.stored_rows(&format!("{run}/log.db")));
+        assert!(folder.read(&note.unwrap()).contains(&confirmed), "{how}: {confirmed}");
     }
 }
