@@ -6,6 +6,7 @@ use futures_util::TryStreamExt;
 use homebody_core::problem::readable;
 use homebody_core::scenario::scheme::NoPlace;
 use homebody_log::LogError;
+use homebody_log::examine::is_this_machine;
 use object_store::aws::AmazonS3Builder;
 use object_store::local::LocalFileSystem;
 use object_store::path::Path as Key;
@@ -49,9 +50,8 @@ impl Store {
                 let options = ClientOptions::new().with_timeout(ANSWERS_WITHIN).with_connect_timeout(CONNECTS_WITHIN);
                 let backoff = BackoffConfig { max_backoff: Duration::from_secs(1), ..BackoffConfig::default() };
                 let retry = RetryConfig { backoff, max_retries: 3, retry_timeout: AGAIN_FOR };
-                let allows_http = ["AWS_ENDPOINT", "AWS_ENDPOINT_URL"]
-                    .iter()
-                    .any(|name| std::env::var(name).is_ok_and(|endpoint| endpoint.starts_with("http://127.0.0.1")));
+                let is_near = |name: &str| std::env::var(name).is_ok_and(|endpoint| is_on_this_machine(&endpoint));
+                let allows_http = ["AWS_ENDPOINT", "AWS_ENDPOINT_URL"].into_iter().any(is_near);
                 let builder = AmazonS3Builder::from_env().with_url(text).with_client_options(options).with_retry(retry);
                 let builder = if allows_http { builder.with_allow_http(true) } else { builder };
                 Box::new(builder.build().map_err(|why| refused(why.to_string()))?)
@@ -147,6 +147,12 @@ impl Store {
     }
 }
 
+/// Whether a store is reached without leaving this machine: only then it may be without encryption.
+fn is_on_this_machine(endpoint: &str) -> bool {
+    let host = Url::parse(endpoint).ok().and_then(|url| url.host_str().map(str::to_owned));
+    host.is_some_and(|host| is_this_machine(host.trim_matches(['[', ']'])))
+}
+
 /// No more of what a store says is told, in characters (ours).
 const LONGEST_TOLD: usize = 300;
 
@@ -163,4 +169,20 @@ pub(crate) fn fetched(url: &Path) -> Result<(TempDir, PathBuf), LogError> {
     }
     let path = folder.path().to_owned();
     Ok((folder, path))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_store_on_this_machine_goes_without_encryption() {
+        for near in ["http://127.0.0.1:9000", "http://localhost", "http://[::1]:9000/x"] {
+            assert!(is_on_this_machine(near), "{near}");
+        }
+        for far in ["http://127.0.0.1.example.org", "http://127.0.0.1@example.org", "http://10.0.0.1", "127.0.0.1", ""]
+        {
+            assert!(!is_on_this_machine(far), "{far}");
+        }
+    }
 }

@@ -9,7 +9,7 @@ use homebody_core::time::{DAY, SECOND};
 use homebody_log::elsewhere::install;
 use homebody_log::logger::destinations;
 use homebody_log::table::{Batch, Cell, Texts};
-use homebody_log::{Begin, How, LogError, Logger, RunInfo, Source, TruthLog, Url, read};
+use homebody_log::{Begin, Cancel, How, LogError, Logger, RunInfo, Source, TruthLog, Url, read};
 use stage::Folder;
 use std::collections::BTreeMap;
 use std::fs;
@@ -281,6 +281,7 @@ fn rows_in_no_order_of_time_keep_their_own_order() {
         run_column: "run_id",
         spreadsheet_safe: false,
         how: How::New,
+        cancel: &Cancel::new(),
     };
     let mut sink = homebody_log::sink::open(&url);
     sink.begin(&begin).unwrap();

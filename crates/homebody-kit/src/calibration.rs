@@ -18,7 +18,6 @@ mod rhythm;
 mod seeing;
 mod sensing;
 
-use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::scenario::{OpenScenario, numbers};
 use crate::source::Source;
@@ -28,7 +27,7 @@ use homebody_analysis::signs::{Kind, Says, kinds, says};
 use homebody_analysis::timing::{Timing, timing};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, Micros};
-use homebody_log::{Event, Log};
+use homebody_log::{Cancel, Event, Log};
 use lived::SEED;
 pub use lived::lived;
 use rhythm::{Night, Rhythm};

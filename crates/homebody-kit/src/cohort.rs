@@ -1,7 +1,6 @@
 //! Cohorts: many lives of one scenario side by side, on all processors.
 
 use crate::VERSION;
-use crate::cancel::Cancel;
 use crate::cohort_list::{Asked, CohortFile, CohortList, ListedMember};
 use crate::cohort_members::{CohortLayout, Member, MemberLived, Members};
 use crate::error::Error;
@@ -19,7 +18,7 @@ use homebody_core::time::Micros;
 use homebody_log::fresh::{FreshFile, remove_parts};
 use homebody_log::lock::FolderLock;
 use homebody_log::places::LIST;
-use homebody_log::{How, Places};
+use homebody_log::{Cancel, How, Places};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};

@@ -172,6 +172,15 @@ pub enum Error {
     /// A log, the truth or a recording could not be written or read.
     #[error("{0}")]
     Log(#[source] BoxError),
+    /// A run was stopped while it waited for a destination that is away: there it is not complete.
+    #[error("{away}")]
+    StoppedAway {
+        /// Which it is, and why it was away.
+        #[source]
+        away: Box<LogError>,
+        /// The folder in which the run can be gone on with, where there is one.
+        folder: Option<PathBuf>,
+    },
     /// A caller's own sink failed.
     #[error("a sink failed: {0}")]
     Sink(#[source] BoxError),
@@ -203,6 +212,16 @@ impl Error {
     /// A file of which the system says what is wrong.
     pub(crate) fn io(path: &Path, error: io::Error) -> Error {
         Error::File { path: path.into(), why: error.to_string(), source: Some(error) }
+    }
+
+    /// The same error of a run that can be gone on with in this folder.
+    pub(crate) fn of_run_in(self, folder: Option<PathBuf>) -> Error {
+        let Error::Log(error) = self else { return self };
+        match error.downcast::<LogError>() {
+            Ok(away) if matches!(*away, LogError::StoppedAway { .. }) => Error::StoppedAway { away, folder },
+            Ok(other) => Error::Log(other),
+            Err(other) => Error::Log(other),
+        }
     }
 }
 

@@ -34,7 +34,6 @@ pub const VERSION: &str = env!("HOMEBODY_VERSION");
 
 pub mod outside;
 pub mod pace;
-mod cancel;
 mod own_driver;
 mod stretch;
 mod meters;
@@ -73,7 +72,6 @@ mod calibration;
 
 pub use broker::{Tidied, tidy_up};
 pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};
-pub use cancel::Cancel;
 pub use cohort::{Cohort, CohortSetup, LivedCohort, UnfinishedCohort};
 pub use cohort_list::{CohortList, ListedMember};
 pub use cohort_members::{CohortLayout, Member, MemberLived};
@@ -85,8 +83,9 @@ pub use found_in_log::find_in_log;
 pub use health::{Found, Health, health};
 pub use homebody_infer::{Ailment, Ill, Kind, Spell};
 pub use homebody_log::examine::{Check, Verdict};
+pub use homebody_log::meter::News;
 pub use homebody_log::places::LIST;
-pub use homebody_log::{Url, WhenDown};
+pub use homebody_log::{Cancel, Url, WhenDown};
 pub use homebody_routine::living::account::Difference;
 pub use instants::Instants;
 pub use live_home::LiveHome;

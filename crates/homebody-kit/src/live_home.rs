@@ -1,7 +1,6 @@
 //! A home that is lived on the world's clock, for as long as nobody stops it, in a folder by which it goes on after a stop.
 
 use crate::beside;
-use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::meters::Meters;
 use crate::pace::Pace;
@@ -11,7 +10,7 @@ use crate::store::Lived;
 use homebody_core::recording::LONGEST;
 use homebody_core::scenario::load::Scenario;
 use homebody_log::places::RECORDING;
-use homebody_log::{How, LogError, Places, Url, WhenDown};
+use homebody_log::{Cancel, How, LogError, Places, Url, WhenDown};
 use jiff::Timestamp;
 use std::fs;
 use std::path::{Path, PathBuf};

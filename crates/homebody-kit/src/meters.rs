@@ -1,14 +1,18 @@
 //! What can be said from outside of a run while it is lived: how far it is, and what its destinations have taken.
 
 use homebody_core::time::Micros;
-use homebody_log::Meter;
-use homebody_log::meter::Reading;
+use homebody_log::meter::{News, Reading};
+use homebody_log::{Destination, Meter};
 use jiff::Timestamp;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Looks at a run that is lived elsewhere. A copy looks at the same run.
-#[derive(Clone, Debug, Default)]
-pub struct Meters(Arc<Mutex<Inner>>);
+#[derive(Clone, Default)]
+pub struct Meters {
+    inner: Arc<Mutex<Inner>>,
+    /// Who hears that a destination is away or back.
+    tell: Option<Arc<dyn Fn(&News) + Send + Sync>>,
+}
 
 #[derive(Debug, Default)]
 struct Inner {
@@ -29,19 +33,32 @@ pub struct Seen {
 }
 
 impl Meters {
+    /// One that tells at once, from another thread, that a destination is away, that the reason is another, and that it is back.
+    pub fn telling(tell: impl Fn(&News) + Send + Sync + 'static) -> Meters {
+        Meters { tell: Some(Arc::new(tell)), ..Meters::default() }
+    }
+
     /// What is to be seen now.
     pub fn look(&self) -> Seen {
-        let inner = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let inner = self.inner.lock().unwrap_or_else(PoisonError::into_inner);
         let now = inner.start.and_then(|start| Timestamp::from_microsecond(start.as_microsecond() + inner.lived).ok());
         let destinations = inner.destinations.iter().map(|(place, meter)| (place.clone(), meter.read())).collect();
         Seen { now, lived: inner.lived, destinations }
     }
 
     pub(crate) fn begin(&self, start: Timestamp, destinations: Vec<(String, Arc<Meter>)>) {
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Inner { start: Some(start), lived: 0, destinations };
+        *self.inner.lock().unwrap_or_else(PoisonError::into_inner) =
+            Inner { start: Some(start), lived: 0, destinations };
     }
 
     pub(crate) fn lived(&self, now: Micros) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).lived = now;
+        self.inner.lock().unwrap_or_else(PoisonError::into_inner).lived = now;
+    }
+
+    /// Has a destination tell, where somebody wants to hear.
+    pub(crate) fn hear(&self, destination: &Destination) {
+        if let Some(tell) = self.tell.clone() {
+            destination.meter.telling(Box::new(move |news| tell(news)));
+        }
     }
 }

@@ -1,10 +1,10 @@
 //! Pace: how fast a run goes by the clock on the wall. It decides when a run is advanced, never how: the run knows nothing of
 //! it, so the log has the same bytes at any pace.
 
-use crate::cancel::Cancel;
 use crate::outside::Asked;
 use homebody_core::problem::readable;
 use homebody_core::time::{Micros, SECOND, micros};
+use homebody_log::Cancel;
 use jiff::Timestamp;
 use std::str::FromStr;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
@@ -233,6 +233,11 @@ impl Paced {
     #[cfg_attr(not(feature = "mqtt"), allow(dead_code, reason = "brokers say it"))]
     pub fn hear(&mut self, commands: Receiver<Command>) {
         self.from_afar.push(commands);
+    }
+
+    /// What stops the run.
+    pub fn cancel(&self) -> &Cancel {
+        &self.cancel
     }
 
     /// Whether the run shall stop.

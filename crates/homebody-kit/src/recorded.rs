@@ -2,7 +2,6 @@
 
 use crate::VERSION;
 use crate::beside;
-use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::meters::Meters;
 use crate::outside::Asked;
@@ -15,7 +14,7 @@ use homebody_core::scenario::load::Scenario;
 use homebody_log::limits::LARGEST_RECORDING_BYTES;
 use homebody_log::places::{LIST, RECORDING, SENSORS, is_all_there};
 use homebody_log::plain;
-use homebody_log::{Destination, How, Places, Url, WhenDown};
+use homebody_log::{Cancel, Destination, How, Places, Url, WhenDown};
 use homebody_routine::household::Household;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,6 @@
 //! A run: what it is to be, and living it, by hand or into destinations.
 
 use crate::VERSION;
-use crate::cancel::Cancel;
 use crate::error::{BoxError, Error};
 use crate::meters::Meters;
 use crate::outside::Asked;
@@ -18,6 +17,7 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scene::Scene;
 use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_log::Cancel;
 use homebody_routine::household::Household;
 use homebody_routine::living::account::Difference;
 use std::collections::BTreeMap;

@@ -65,9 +65,10 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Error::Problems`]: everything that is wrong with its files.
+    /// [`Error::Problems`]: everything that is wrong with its files; [`Error::File`] if the system could not read one.
     pub fn open(self) -> Result<OpenScenario, Error> {
-        let (scenario, household) = Household::load(self.files(), self.entry(), &[])?;
+        let loaded = Household::load(self.files(), self.entry(), &[]);
+        let (scenario, household) = loaded.map_err(|problems| self.why(problems))?;
         Ok(OpenScenario { scenario: Arc::new(scenario), household: Arc::new(household), source: self })
     }
 }

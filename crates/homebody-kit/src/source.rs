@@ -1,6 +1,7 @@
 //! Where a scenario comes from: a folder on disk, a template that came with the program, or texts in memory.
 
 use crate::error::Error;
+use homebody_core::problem::Problems;
 use homebody_core::scenario::load::{Files, MOST_BYTES, NoText, Scenario};
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::plain;
@@ -8,9 +9,9 @@ use homebody_routine::household::RoutineLanguage;
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The scenarios that came with the program.
 static OWN: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../scenarios");
@@ -25,6 +26,8 @@ pub struct Source {
     entry: String,
     /// The folder that it is in, if it is on disk.
     folder: Option<PathBuf>,
+    /// What the system could not read of it.
+    unread: Unread,
 }
 
 impl Source {
@@ -53,26 +56,25 @@ impl Source {
             let what = if file.exists() { "it is no plain file" } else { "there is no such file" };
             return Err(Error::file(&file, format!("{what}\n  hint: a scenario folder holds a scenario.json")));
         }
-        Ok(Source {
-            files: Arc::new(Folder { path: folder.to_owned(), is_trusted: false }),
-            entry,
-            folder: Some(folder.to_owned()),
-        })
+        Ok(Source::of_folder(Folder::new(folder, false), entry))
     }
 
     /// The same, as one's own: links may lead out of its folder, and its files are of any size.
     pub fn trusted(self) -> Source {
         match self.folder {
-            Some(path) => {
-                Source { files: Arc::new(Folder { path: path.clone(), is_trusted: true }), folder: Some(path), ..self }
-            }
+            Some(path) => Source::of_folder(Folder::new(path, true), self.entry),
             None => self,
         }
     }
 
+    fn of_folder(folder: Folder, entry: String) -> Source {
+        let (path, unread) = (folder.path.clone(), folder.unread.clone());
+        Source { files: Arc::new(folder), entry, folder: Some(path), unread }
+    }
+
     /// A scenario whose files are these texts, by name; `entry` is the name of its own file among them.
     pub fn of_texts(texts: BTreeMap<String, String>, entry: impl Into<String>) -> Source {
-        Source { files: Arc::new(texts), entry: entry.into(), folder: None }
+        Source { files: Arc::new(texts), entry: entry.into(), folder: None, unread: Unread::default() }
     }
 
     /// The name of the scenario's own file.
@@ -100,9 +102,16 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Error::Problems`]: everything that is wrong with its files.
+    /// [`Error::Problems`]: everything that is wrong with its files; [`Error::File`] if the system could not read one.
     pub fn scenario(&self) -> Result<Scenario, Error> {
-        Ok(Scenario::load_in(&mut RoutineLanguage::default(), &*self.files, &self.entry)?)
+        let loaded = Scenario::load_in(&mut RoutineLanguage::default(), &*self.files, &self.entry);
+        loaded.map_err(|problems| self.why(problems))
+    }
+
+    /// Why it was not loaded: what the system could not read says nothing against what is written in it.
+    pub(crate) fn why(&self, problems: Problems) -> Error {
+        let mut unread = self.unread.lock().unwrap_or_else(PoisonError::into_inner);
+        unread.take().map_or(Error::Problems(problems), |(path, error)| Error::io(&path, error))
     }
 }
 
@@ -164,6 +173,21 @@ pub struct Folder {
     pub path: PathBuf,
     /// Whether it is one's own: then links may lead out of it, and its files are of any size.
     pub is_trusted: bool,
+    unread: Unread,
+}
+
+/// The first file that the system could not read for want of its own means, and what it said.
+type Unread = Arc<Mutex<Option<(PathBuf, io::Error)>>>;
+
+/// What the system says then: too many files are open, in this program or in all; there is no memory; the disk fails. As POSIX has
+/// it: EMFILE, ENFILE, ENOMEM, EIO.
+const WANT_OF_MEANS: [i32; 4] = [24, 23, 12, 5];
+
+impl Folder {
+    /// The files of a folder; trusted if it is one's own.
+    pub fn new(path: impl Into<PathBuf>, is_trusted: bool) -> Folder {
+        Folder { path: path.into(), is_trusted, unread: Unread::default() }
+    }
 }
 
 impl Files for Folder {
@@ -178,7 +202,13 @@ impl Files for Folder {
             true => of_ones_own("it is a link that leads out of the scenario's folder"),
             false => NoText::unreadable("it is a link that leads nowhere"),
         };
-        plain::read_text(&path.ok_or_else(no_way)?, largest).map_err(|error| match error.kind() {
+        let path = path.ok_or_else(no_way)?;
+        plain::read_text(&path, largest).map_err(|error| match error.kind() {
+            _ if error.raw_os_error().is_some_and(|code| cfg!(unix) && WANT_OF_MEANS.contains(&code)) => {
+                let why = NoText::unreadable(error.to_string());
+                self.unread.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert((path, error));
+                why
+            }
             // No file has a name that no file can have.
             ErrorKind::NotFound | ErrorKind::NotADirectory | ErrorKind::InvalidFilename => NoText::Missing,
             ErrorKind::IsADirectory => NoText::unreadable("it is a folder"),

@@ -197,6 +197,16 @@ impl LiveRun {
     }
 
     pub(crate) fn store_into(
+        self,
+        places: &Places,
+        own: Vec<Destination>,
+        how: How,
+        progress: impl FnMut(Progress),
+    ) -> Result<Lived, Error> {
+        self.stored(places, own, how, progress).map_err(|error| error.of_run_in(folder_of(places)))
+    }
+
+    fn stored(
         mut self,
         places: &Places,
         own: Vec<Destination>,
@@ -206,6 +216,9 @@ impl LiveRun {
         let started = Instant::now();
         let version = VERSION.into();
         let mut recording = Recording { version, ..self.recording.clone() };
+        let cancel = self.paced.cancel().clone();
+        let own = own.into_iter().map(|destination| Destination { cancel: cancel.clone(), ..destination });
+        let own: Vec<Destination> = own.inspect(|destination| self.meters.hear(destination)).collect();
         let mut log = RunLog::open_with(places, own, &self.scenario, &self.run, &recording, how)?;
         self.meters.begin(self.scenario.calendar.timestamp(0), log.meters());
         let ended = loop {

@@ -1,6 +1,5 @@
 //! A log walked back through the plan of its home: who was where, and a scenario in which they go that way again.
 
-use crate::cancel::Cancel;
 use crate::error::Error;
 use homebody_analysis::dates::{date_of, midnight as midnight_of};
 use homebody_core::geometry::Point;
@@ -10,7 +9,7 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::resident::{DriverFile, ResidentFile};
 use homebody_core::time::{DAY, Micros};
 use homebody_infer::{Guess, Instant, Kind, Message, Said, Senses, Spell, Track, spells, translate};
-use homebody_log::{Event, Log};
+use homebody_log::{Cancel, Event, Log};
 use homebody_walk::Mesh;
 use jiff::civil::Time;
 use std::collections::BTreeMap;

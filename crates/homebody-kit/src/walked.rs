@@ -1,6 +1,5 @@
 //! A log that was walked back, as a folder: what was found out, and the path of everybody lived again.
 
-use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::log_with_run::LogWithRun;
 use crate::scenario::open;
@@ -15,7 +14,7 @@ use homebody_core::time::Micros;
 use homebody_infer::Ill;
 use homebody_log::fresh::FreshFile;
 use homebody_log::places::{RECORDING, TRUTH};
-use homebody_log::{Event, Log, RunClock, Url, plain};
+use homebody_log::{Cancel, Event, Log, RunClock, Url, plain};
 use jiff::civil::DateTime;
 use serde::{Deserialize, Serialize};
 use std::fs;

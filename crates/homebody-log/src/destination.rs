@@ -1,5 +1,6 @@
 //! Where rows go: a sink, and how it is treated.
 
+use crate::cancel::Cancel;
 use crate::elsewhere;
 use crate::meter::Meter;
 use crate::policy::Policy;
@@ -17,13 +18,16 @@ pub struct Destination {
     pub policy: Policy,
     /// What counts what it takes.
     pub meter: Arc<Meter>,
+    /// Ends the wait for it while it is away.
+    pub cancel: Cancel,
 }
 
 impl Destination {
     /// A place of one of the known kinds, which the run cannot do without.
     pub fn of(url: &Url) -> Destination {
         let policy = elsewhere::of(url.scheme()).map_or_else(Policy::default, |elsewhere| (elsewhere.policy)());
-        Destination { place: url.to_string(), sink: sink::open(url), policy, meter: Arc::default() }
+        let (meter, cancel) = (Arc::default(), Cancel::new());
+        Destination { place: url.to_string(), sink: sink::open(url), policy, meter, cancel }
     }
 
     /// The same for a home that nobody knows when it ends: a text file has its name from its first line on.
@@ -33,6 +37,7 @@ impl Destination {
 
     /// A caller's own.
     pub fn own(place: impl Into<String>, sink: impl Sink + 'static, policy: Policy) -> Destination {
-        Destination { place: place.into(), sink: Box::new(sink), policy, meter: Arc::default() }
+        let (meter, cancel) = (Arc::default(), Cancel::new());
+        Destination { place: place.into(), sink: Box::new(sink), policy, meter, cancel }
     }
 }

@@ -293,6 +293,14 @@ pub enum LogError {
         /// How long, in seconds.
         seconds: u64,
     },
+    /// A run was stopped while it waited for a destination.
+    #[error("{place} was away when the run was stopped: {why}; what it has confirmed is safe there")]
+    StoppedAway {
+        /// The destination.
+        place: String,
+        /// Why it was away, as a part of a sentence.
+        why: String,
+    },
     /// A kind of place is known by its name alone: this build cannot write or read it.
     #[error(
         "{place}: this program was built without {name}\n  hint: cargo install --path crates/homebody --features {feature} \
@@ -385,6 +393,22 @@ impl LogError {
     /// Whether the same call may succeed a little later.
     pub fn passes(&self) -> bool {
         matches!(self, LogError::Destination { passes: true, .. })
+    }
+
+    /// The same error, of a destination that is away, where the run was stopped and does not wait for it any more.
+    pub(crate) fn of_stopped_run(self) -> LogError {
+        match self {
+            LogError::Destination { place, what, passes: true, .. } => LogError::StoppedAway { place, why: what },
+            other => other,
+        }
+    }
+
+    /// What is wrong with a destination, as a part of a sentence.
+    pub(crate) fn reason(&self) -> String {
+        match self {
+            LogError::Destination { what, .. } => what.clone(),
+            other => other.to_string(),
+        }
     }
 
     /// What an error of a file means.

@@ -71,6 +71,8 @@ pub struct Stored {
     pub places: Vec<String>,
     /// The destinations that the run could do without and that failed: each with its error.
     pub failed: Vec<(String, LogError)>,
+    /// What a required destination says that was away when the run was stopped: it lacks rows that the others have.
+    pub away: Option<LogError>,
 }
 
 impl Logger {
@@ -150,7 +152,8 @@ impl Logger {
         Watermark(vec![rows.unwrap_or(0)])
     }
 
-    /// Makes sure of all rows and gives the files their names. Sensors that are held ON stay so.
+    /// Makes sure of all rows and gives the files their names. Sensors that are held ON stay so. That a destination was away when the run
+    /// was stopped is in what was stored.
     pub fn finish(mut self) -> Result<Stored, LogError> {
         self.store(&[], self.until)?;
         self.send()?;
@@ -158,6 +161,7 @@ impl Logger {
         for writer in std::mem::take(&mut self.writers) {
             let (place, is_required) = (writer.place().to_owned(), writer.is_required());
             match writer.finish(self.until) {
+                Err(error @ LogError::StoppedAway { .. }) if is_required => stored.away = Some(error),
                 Err(error) if is_required => return Err(error),
                 Err(error) => stored.failed.push((place, error)),
                 Ok(()) => stored.places.push(place),
@@ -218,6 +222,11 @@ impl Logger {
             let writer = &mut self.writers[index];
             match act(writer) {
                 Ok(()) => index += 1,
+                // The run ends after this; the others are to hold all of it up to there.
+                Err(error @ LogError::StoppedAway { .. }) if writer.is_required() => {
+                    self.writers.remove(index);
+                    self.stored.away = Some(error);
+                }
                 Err(error) if writer.is_required() => {
                     // With a gap in one place, the others shall not go on.
                     self.failed = Some(writer.place().to_owned());

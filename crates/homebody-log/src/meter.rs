@@ -1,12 +1,16 @@
 //! What can be said from outside of a destination while rows go there: counts that whoever likes may look at, without anybody
-//! waiting for them.
+//! waiting for them, and that it is away or back, which whoever wants to is told.
 
+use crate::error::LogError;
 use crate::table::{Batch, Cell};
 use homebody_core::time::Micros;
+use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicI64, AtomicU64, Ordering};
+use std::sync::{Mutex, OnceLock, PoisonError};
+use std::time::Duration;
 
 /// The counts of one destination.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Meter {
     rows: AtomicU64,
     durable: AtomicU64,
@@ -14,6 +18,9 @@ pub struct Meter {
     spooled_bytes: AtomicU64,
     is_away: AtomicBool,
     last: AtomicI64,
+    /// Why it is away, while it is.
+    absence: Mutex<Option<Absence>>,
+    tell: OnceLock<Tell>,
 }
 
 /// What a meter shows at an instant.
@@ -33,6 +40,49 @@ pub struct Reading {
     pub last: Micros,
 }
 
+/// Hears that a destination is away, that the reason is another, and that it is back: each once.
+pub type Tell = Box<dyn Fn(&News) + Send + Sync>;
+
+/// What has changed about a destination, as people read it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct News {
+    /// What errors call the destination.
+    pub place: String,
+    /// Why it is away; None once it is back.
+    pub absence: Option<Absence>,
+}
+
+/// That a destination is away.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Absence {
+    /// Why, as a part of a sentence.
+    pub why: String,
+    /// For how long the run waits for it; None where it goes on, and rows are put aside.
+    pub waits: Option<Duration>,
+}
+
+impl fmt::Display for News {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let News { place, absence } = self;
+        match absence {
+            None => write!(f, "{place} is back"),
+            Some(Absence { why, waits: None }) => {
+                write!(f, "warning: {place} is away: {why}\n  rows are put aside until it is back")
+            }
+            Some(Absence { why, waits: Some(waits) }) => {
+                let seconds = waits.as_secs();
+                write!(f, "warning: {place} is away: {why}\n  the run waits until it is back, for {seconds} s at most")
+            }
+        }
+    }
+}
+
+impl fmt::Debug for Meter {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_tuple("Meter").field(&self.read()).finish()
+    }
+}
+
 impl Meter {
     /// What it shows.
     pub fn read(&self) -> Reading {
@@ -44,6 +94,11 @@ impl Meter {
             is_away: self.is_away.load(Ordering::Relaxed),
             last: self.last.load(Ordering::Relaxed),
         }
+    }
+
+    /// Who is told from now on; only the first who asks for it is.
+    pub fn telling(&self, tell: Tell) {
+        let _ = self.tell.set(tell);
     }
 
     /// Rows were taken.
@@ -72,9 +127,70 @@ impl Meter {
         self.retries.fetch_add(1, Ordering::Relaxed);
     }
 
-    /// The destination is away or back, and so much is put aside for it.
-    pub(crate) fn puts_aside(&self, is_away: bool, bytes: u64) {
-        self.is_away.store(is_away, Ordering::Relaxed);
+    /// So many bytes are put aside for the destination.
+    pub(crate) fn puts_aside(&self, bytes: u64) {
         self.spooled_bytes.store(bytes, Ordering::Relaxed);
+    }
+
+    /// The destination, which errors call so, is away, as an error says that passes; the run waits for so long, or goes on.
+    pub(crate) fn is_away(&self, place: &str, error: &LogError, waits: Option<Duration>) {
+        let absence = Some(Absence { why: error.reason(), waits });
+        self.is_away.store(true, Ordering::Relaxed);
+        self.now(place, absence);
+    }
+
+    /// The destination, which errors call so, is there.
+    pub(crate) fn is_there(&self, place: &str) {
+        // Nearly all calls find it where it was.
+        if self.is_away.swap(false, Ordering::Relaxed) {
+            self.now(place, None);
+        }
+    }
+
+    fn now(&self, place: &str, absence: Option<Absence>) {
+        let mut before = self.absence.lock().unwrap_or_else(PoisonError::into_inner);
+        if *before != absence {
+            before.clone_from(&absence);
+            drop(before);
+            if let Some(tell) = self.tell.get() {
+                tell(&News { place: place.into(), absence });
+            }
+        }
+    }
+
+    /// Why the destination is away, while it is.
+    pub(crate) fn why_away(&self) -> Option<String> {
+        let absence = self.absence.lock().unwrap_or_else(PoisonError::into_inner);
+        absence.as_ref().map(|absence| absence.why.clone())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+
+    #[test]
+    fn that_a_place_is_away_is_told_once_and_again_when_the_reason_is_another() {
+        let (meter, told) = (Meter::default(), Arc::new(Mutex::new(Vec::new())));
+        let heard = told.clone();
+        meter.telling(Box::new(move |news| heard.lock().unwrap().push(news.to_string())));
+        let away = |why: &str| {
+            let error = LogError::destination("a broker", why).passing();
+            meter.is_away("a broker", &error, Some(Duration::from_secs(600)));
+        };
+        meter.is_there("a broker");
+        ["nobody listens", "nobody listens", "no way there"].into_iter().for_each(away);
+        assert_eq!((meter.read().is_away, meter.why_away().as_deref()), (true, Some("no way there")));
+        meter.is_there("a broker");
+        meter.is_there("a broker");
+        let waits = "\n  the run waits until it is back, for 600 s at most";
+        let expected = [
+            format!("warning: a broker is away: nobody listens{waits}"),
+            format!("warning: a broker is away: no way there{waits}"),
+            "a broker is back".into(),
+        ];
+        assert_eq!(*told.lock().unwrap(), expected);
+        assert_eq!((meter.read().is_away, meter.why_away()), (false, None));
     }
 }

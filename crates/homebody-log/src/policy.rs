@@ -1,9 +1,9 @@
 //! What becomes of a run when one of its destinations fails, hangs or is slow.
 
-use crate::error::LogError;
+use crate::cancel::Cancel;
 use crate::meter::Meter;
-use std::thread;
-use std::time::{Duration, Instant};
+use crate::waiting::Waiting;
+use std::time::Duration;
 
 /// How a destination is treated.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub struct Policy {
     pub required: bool,
     /// For how long a call is made again after an error that passes; zero for not at all.
     pub retry_for: Duration,
+    /// Whether it is begun again in the same way; otherwise one that is away at the beginning is an error at once.
+    pub retries_beginning: bool,
     /// How long to wait before the first time again; each further wait is twice as long, up to a minute.
     pub retry_after: Duration,
     /// How many batches of at most 4,096 rows may wait for it. When they are that many, the run waits.
@@ -34,6 +36,7 @@ impl Default for Policy {
         Policy {
             required: true,
             retry_for: Duration::ZERO,
+            retries_beginning: true,
             retry_after: Duration::from_millis(RETRY_AFTER_MS),
             batches_waiting: BATCHES_WAITING,
             answers_within: Duration::from_secs(ANSWERS_WITHIN_S),
@@ -50,50 +53,9 @@ impl Policy {
         Policy { required: false, ..Policy::default() }
     }
 
-    /// Makes a call, and makes it again while its error passes and there is time.
-    pub(crate) fn with_retries<T>(
-        &self,
-        meter: &Meter,
-        mut call: impl FnMut() -> Result<T, LogError>,
-    ) -> Result<T, LogError> {
-        let begun = Instant::now();
-        let mut wait = self.retry_after;
-        loop {
-            match call() {
-                Err(error) if error.passes() && begun.elapsed() + wait <= self.retry_for => {
-                    thread::sleep(wait);
-                    meter.tries_again();
-                    wait = (2 * wait).min(LONGEST_WAIT);
-                }
-                done => return done,
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_passes_is_tried_again_and_nothing_else() {
-        let policy =
-            Policy { retry_for: Duration::from_secs(5), retry_after: Duration::from_millis(1), ..Policy::default() };
-        let mut calls = 0;
-        let meter = Meter::default();
-        let done = policy.with_retries(&meter, || {
-            calls += 1;
-            if calls < 4 { Err(LogError::destination("there", "it is away").passing()) } else { Ok(calls) }
-        });
-        assert_eq!((done.unwrap(), meter.read().retries), (4, 3));
-        let mut calls = 0;
-        let failed = policy.with_retries(&meter, || -> Result<(), LogError> {
-            calls += 1;
-            Err(LogError::destination("there", "it is gone"))
-        });
-        assert!(failed.is_err() && calls == 1);
-        assert!(
-            Policy::default().with_retries(&meter, || Err::<(), _>(LogError::destination("", "").passing())).is_err()
-        );
+    /// How the destination is waited for while it is away.
+    pub(crate) fn waiting<'a>(&self, place: &'a str, meter: &'a Meter, cancel: &'a Cancel) -> Waiting<'a> {
+        let (retry_for, first) = (self.retry_for, self.retry_after);
+        Waiting { place, meter, cancel, retry_for, first, longest: LONGEST_WAIT }
     }
 }

@@ -20,7 +20,10 @@ impl Destination {
     /// The same, with what it has confirmed noted in this folder.
     pub fn remembered_in(self, folder: &Path) -> Destination {
         let path = folder.join(format!("{}{NOTES}", file_name(&self.place)));
-        Destination { sink: Box::new(Remembered { inner: self.sink, path, noted: None, left_out: Vec::new() }), ..self }
+        Destination {
+            sink: Box::new(Remembered { inner: self.sink, path, noted: None, left_out: Vec::new(), given: Vec::new() }),
+            ..self
+        }
     }
 }
 
@@ -30,6 +33,8 @@ struct Remembered {
     noted: Option<Note>,
     /// By table, how many rows it was not given this time, as they are noted: it counts from there.
     left_out: Vec<u64>,
+    /// By table, how many rows it was given since.
+    given: Vec<u64>,
 }
 
 /// How the names of notes end.
@@ -68,7 +73,10 @@ impl Remembered {
     fn note(&mut self, confirmed: &Watermark) -> Result<Watermark, LogError> {
         let tables = self.left_out.len().max(confirmed.0.len());
         let left_out = |table: usize| self.left_out.get(table).copied().unwrap_or(0);
-        let rows: Vec<u64> = (0..tables).map(|table| left_out(table) + confirmed.of(table)).collect();
+        // One that has gone away has not forgotten what it has confirmed.
+        let before = |table: usize| self.noted.as_ref().and_then(|noted| noted.rows.get(table)).copied().unwrap_or(0);
+        let rows = (0..tables).map(|table| (left_out(table) + confirmed.of(table)).max(before(table)));
+        let rows: Vec<u64> = rows.collect();
         let Some(noted) = self.noted.as_mut().filter(|noted| noted.rows != rows) else { return Ok(Watermark(rows)) };
         noted.rows.clone_from(&rows);
         let failed = |error| LogError::file(&self.path, error);
@@ -93,7 +101,14 @@ impl Sink for Remembered {
     }
 
     fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
-        self.inner.write(batch)
+        self.inner.write(batch)?;
+        for row in batch.rows() {
+            if self.given.len() <= row.table {
+                self.given.resize(row.table + 1, 0);
+            }
+            self.given[row.table] += 1;
+        }
+        Ok(())
     }
 
     fn settle(&mut self) -> Result<Watermark, LogError> {
@@ -104,7 +119,9 @@ impl Sink for Remembered {
     fn finish(&mut self, end: Micros) -> Result<(), LogError> {
         let confirmed = self.inner.settle()?;
         self.note(&confirmed)?;
-        self.inner.finish(end)
+        self.inner.finish(end)?;
+        let all = Watermark(self.given.clone());
+        self.note(&all).map(drop)
     }
 
     fn is_behind(&self) -> bool {

@@ -237,7 +237,8 @@ impl RunLog {
     }
 
     /// Completes all places, and returns what was stored and the recording of what was lived: its length is where the run has
-    /// come to, and its other fields are those of `recording`.
+    /// come to, and its other fields are those of `recording`. A destination that was away when the run was stopped is an error once all
+    /// others are complete, and the run can be gone on with.
     pub fn finish(self, run: &Run, recording: Recording) -> Result<(Stored, Recording), LogError> {
         self.complete(run.now(), run.length(), run.under_way().collect(), recording)
     }
@@ -261,7 +262,7 @@ impl RunLog {
             LogError::Changed { place, .. } if is_early => LogError::NotYet { place },
             error => error,
         };
-        let stored = self.logger.take().map(Logger::finish).transpose().map_err(early)?.unwrap_or_default();
+        let mut stored = self.logger.take().map(Logger::finish).transpose().map_err(early)?.unwrap_or_default();
         if let Some(mut truth) = self.truth.take() {
             let under_way = Events { facts: under_way, ..Events::default() };
             truth.store(&under_way, &RowsOfFirings::default())?;
@@ -274,11 +275,16 @@ impl RunLog {
         let stopped_of_us = (now < length).then_some(length);
         let (length_us, rows) = (now, Some(stored.rows));
         let recording = Recording { length_us, stopped_of_us, rows, firings, sha256, ..recording };
-        if let Some(path) = &self.record {
+        // One that was lived to its end, and that not all places have, stays as it was begun: what is complete is not gone on with.
+        let is_told = stored.away.is_none() || now < length;
+        if let (Some(path), true) = (&self.record, is_told) {
             write_recording(path, &recording, How::Replace)?;
         }
         self.given_up = None;
-        Ok((stored, recording))
+        match stored.away.take() {
+            Some(away) => Err(away),
+            None => Ok((stored, recording)),
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod frame;
 
+use crate::cancel::Cancel;
 use crate::destination::Destination;
 use crate::error::{LogError, place_of};
 use crate::meter::Meter;
@@ -50,7 +51,8 @@ impl Destination {
             WhenDown::Error => self,
             &WhenDown::Retry(retry_for) => {
                 let answers_within = self.policy.answers_within.saturating_add(retry_for);
-                Destination { policy: Policy { retry_for, answers_within, ..self.policy }, ..self }
+                let policy = Policy { retry_for, retries_beginning: true, answers_within, ..self.policy };
+                Destination { policy, ..self }
             }
             WhenDown::Spool(folder, most_bytes) => {
                 let file = folder.join(format!("{}.spool", file_name(&self.place)));
@@ -80,6 +82,8 @@ struct Spooled {
     has_begun: bool,
     /// Rows that it has already and that are still to come, by table: known where it could not be asked at the beginning.
     there: Vec<u64>,
+    /// How far it was sure when it was asked last.
+    durable: Watermark,
     /// While it is away.
     away: Option<Away>,
     meter: Arc<Meter>,
@@ -93,6 +97,7 @@ struct Beginning {
     run_column: String,
     spreadsheet_safe: bool,
     how: How,
+    cancel: Cancel,
 }
 
 /// What is kept while a destination is away.
@@ -117,9 +122,14 @@ impl Spooled {
             beginning: None,
             has_begun: false,
             there: Vec::new(),
+            durable: Watermark::none(),
             away: None,
             meter,
         }
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.beginning.as_ref().is_some_and(|beginning| beginning.cancel.is_cancelled())
     }
 
     fn begin_inner(&mut self) -> Result<Watermark, LogError> {
@@ -131,18 +141,19 @@ impl Spooled {
             run_column: &kept.run_column,
             spreadsheet_safe: kept.spreadsheet_safe,
             how: kept.how,
+            cancel: &kept.cancel,
         };
         let there = self.inner.begin(&begin)?;
         self.has_begun = true;
         Ok(there)
     }
 
-    /// From now on rows are put aside.
-    fn goes_away(&mut self) -> Result<(), LogError> {
+    /// From now on rows are put aside, as the destination is away.
+    fn goes_away(&mut self, error: &LogError) -> Result<(), LogError> {
         let opened = OpenOptions::new().read(true).write(true).create(true).truncate(true).open(&self.path);
         let file = BufWriter::new(opened.map_err(|error| LogError::file(&self.path, error))?);
         let next_try = Instant::now() + FIRST_WAIT;
-        self.meter.puts_aside(true, 0);
+        self.meter.is_away(&self.place, error, None);
         self.away =
             Some(Away { file, written_bytes: 0, read_bytes: 0, texts: Batch::default(), wait: FIRST_WAIT, next_try });
         Ok(())
@@ -160,7 +171,7 @@ impl Spooled {
         }
         away.file.write_all(&frame).map_err(|error| LogError::file(&self.path, error))?;
         away.written_bytes += frame.len() as u64;
-        self.meter.puts_aside(true, away.written_bytes - away.read_bytes);
+        self.meter.puts_aside(away.written_bytes - away.read_bytes);
         away.texts = Batch::default().with_texts_of(batch);
         Ok(())
     }
@@ -173,12 +184,14 @@ impl Spooled {
         match self.hand_over() {
             Ok(()) => {
                 self.away = None;
-                self.meter.puts_aside(false, 0);
+                self.meter.puts_aside(0);
+                self.meter.is_there(&self.place);
                 let _ = fs::remove_file(&self.path);
                 Ok(())
             }
             Err(error) if error.passes() => {
                 self.meter.tries_again();
+                self.meter.is_away(&self.place, &error, None);
                 if let Some(away) = &mut self.away {
                     away.wait = (2 * away.wait).min(LONGEST_WAIT);
                     away.next_try = Instant::now() + away.wait;
@@ -213,7 +226,8 @@ impl Spooled {
             self.there = there;
             away.read_bytes += bytes;
         }
-        self.inner.settle().map(|_| ())
+        self.durable = self.inner.settle()?;
+        Ok(())
     }
 }
 
@@ -232,10 +246,11 @@ impl Sink for Spooled {
             run_column: begin.run_column.to_owned(),
             spreadsheet_safe: begin.spreadsheet_safe,
             how: begin.how,
+            cancel: begin.cancel.clone(),
         });
         match self.begin_inner() {
             Err(error) if error.passes() => {
-                self.goes_away()?;
+                self.goes_away(&error)?;
                 Ok(Watermark::none())
             }
             begun => begun,
@@ -251,7 +266,7 @@ impl Sink for Spooled {
         let rest = batch.beyond(&mut there);
         match self.inner.write(&rest) {
             Err(error) if error.passes() => {
-                self.goes_away()?;
+                self.goes_away(&error)?;
                 self.put_aside(batch)
             }
             written => {
@@ -263,16 +278,13 @@ impl Sink for Spooled {
 
     fn settle(&mut self) -> Result<Watermark, LogError> {
         self.catch_up(false)?;
-        if self.away.is_some() {
-            return Ok(Watermark::none());
-        }
-        match self.inner.settle() {
-            Err(error) if error.passes() => {
-                self.goes_away()?;
-                Ok(Watermark::none())
+        if self.away.is_none() {
+            match self.inner.settle() {
+                Err(error) if error.passes() => self.goes_away(&error)?,
+                settled => self.durable = settled?,
             }
-            settled => settled,
         }
+        Ok(self.durable.clone())
     }
 
     fn finish(&mut self, end: Micros) -> Result<(), LogError> {
@@ -281,9 +293,12 @@ impl Sink for Spooled {
             self.catch_up(true)?;
             if self.away.is_none() {
                 match self.inner.finish(end) {
-                    Err(error) if error.passes() => self.goes_away()?,
+                    Err(error) if error.passes() => self.goes_away(&error)?,
                     finished => return finished,
                 }
+            }
+            if let Some(why) = self.meter.why_away().filter(|_| self.is_stopped()) {
+                return Err(LogError::StoppedAway { place: self.place.clone(), why });
             }
             if Instant::now() >= until {
                 return Err(LogError::StillAway { place: self.place.clone(), seconds: END_WAITS.as_secs() });

@@ -1,6 +1,7 @@
 //! Writes a log anew elsewhere, part by part, whatever its size: instants stay the same to the microsecond, and names and
 //! values what they were, as far as the other form can write them.
 
+use crate::cancel::Cancel;
 use crate::error::LogError;
 use crate::fresh::all_can_be_written;
 use crate::mapping::Columns;
@@ -102,7 +103,8 @@ impl Transfer<'_> {
             tables.push(spans::table());
         }
         let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
-        let begin = |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how: self.how };
+        let (how, cancel) = (self.how, &Cancel::new());
+        let begin = |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, cancel };
         let mut sink = sink::open(self.to);
         sink.begin(&begin(&tables))?;
         if let Some(beside) = &beside {

@@ -97,6 +97,23 @@ pub fn table_file(path: &Path, table: &str) -> PathBuf {
     path.with_extension(format!("{table}.{ending}"))
 }
 
+/// The bytes of a part of a URL, in which a percent sign and two digits are one; None where a percent sign has no two digits.
+pub fn percent_decoded(text: &str) -> Option<Vec<u8>> {
+    let mut bytes = Vec::with_capacity(text.len());
+    let mut rest = text.as_bytes();
+    while let Some((&first, after)) = rest.split_first() {
+        rest = after;
+        if first != b'%' {
+            bytes.push(first);
+            continue;
+        }
+        let (digits, after) = after.split_at_checked(2).filter(|(two, _)| two.iter().all(u8::is_ascii_hexdigit))?;
+        bytes.push(u8::from_str_radix(str::from_utf8(digits).ok()?, 16).ok()?);
+        rest = after;
+    }
+    Some(bytes)
+}
+
 impl FromStr for Url {
     type Err = NoPlace;
 

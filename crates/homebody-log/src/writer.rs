@@ -3,6 +3,7 @@
 //! Batches come through a bounded queue: when the destination is the slower, the maker waits for it, and memory stays
 //! small. An error ends the thread; it comes out of the next call to the writer.
 
+use crate::cancel::Cancel;
 use crate::destination::Destination;
 use crate::error::LogError;
 use crate::meter::Meter;
@@ -10,6 +11,7 @@ use crate::policy::Policy;
 use crate::run_info::RunInfo;
 use crate::sink::{Begin, How, Sink, Watermark};
 use crate::table::{Batch, Table};
+use crate::waiting::Waiting;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -30,6 +32,12 @@ const IDLE: Duration = Duration::from_secs(1);
 /// How often a full queue or a thread that ends is looked at.
 const LOOK: Duration = Duration::from_micros(200);
 
+/// How often one that begins is looked at.
+const BEGINNING_LOOK: Duration = Duration::from_millis(10);
+
+/// How long a destination that is away may take to notice that the run was stopped.
+const NOTICES_WITHIN: Duration = Duration::from_millis(800);
+
 /// A destination in a thread of its own.
 pub(crate) struct Writer {
     /// What errors call it.
@@ -39,6 +47,8 @@ pub(crate) struct Writer {
     thread: Option<JoinHandle<Result<(), LogError>>>,
     shared: Arc<Shared>,
     meter: Arc<Meter>,
+    /// Ends the wait for it while it is away.
+    cancel: Cancel,
     /// Whether it was waited for in vain: nobody does so twice.
     hangs: bool,
     /// How often it was asked to make sure of its rows.
@@ -78,7 +88,7 @@ impl Writer {
     /// Begins the sink in a thread of its own. Waits until it has begun, as long as its policy says, so that its error is
     /// told at once.
     pub fn spawn(destination: Destination, beginning: &Beginning) -> Result<Writer, LogError> {
-        let Destination { place, sink, policy, meter } = destination;
+        let Destination { place, sink, policy, meter, cancel } = destination;
         let (messages, incoming) = sync_channel(policy.batches_waiting);
         let (begun, begins) = sync_channel(1);
         let shared = Arc::new(Shared::default());
@@ -88,23 +98,24 @@ impl Writer {
             policy: policy.clone(),
             shared: shared.clone(),
             meter: meter.clone(),
+            cancel: cancel.clone(),
             there: Vec::new(),
         };
         let beginning = beginning.clone();
         let thread = thread::Builder::new().spawn(move || work.live(&beginning, &begun, incoming));
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
         let (messages, thread) = (Some(messages), Some(thread));
-        let mut writer = Writer { place, policy, messages, thread, shared, meter, hangs: false, asked: 0 };
-        match begins.recv_timeout(writer.policy.answers_within) {
-            Ok(()) => Ok(writer),
-            Err(RecvTimeoutError::Timeout) => {
-                writer.hangs = true;
-                Err(writer.hangs_error())
-            }
-            // The thread has ended.
-            Err(RecvTimeoutError::Disconnected) => {
-                writer.join()?;
-                Err(LogError::Stopped { place: writer.place.clone() })
+        let mut writer = Writer { place, policy, messages, thread, shared, meter, cancel, hangs: false, asked: 0 };
+        let mut patience = Patience::new(&writer);
+        loop {
+            match begins.recv_timeout(BEGINNING_LOOK) {
+                Ok(()) => return Ok(writer),
+                Err(RecvTimeoutError::Timeout) => patience.is_left(&mut writer)?,
+                // The thread has ended.
+                Err(RecvTimeoutError::Disconnected) => {
+                    writer.join()?;
+                    return Err(LogError::Stopped { place: writer.place.clone() });
+                }
             }
         }
     }
@@ -187,10 +198,7 @@ impl Writer {
                 Err(TrySendError::Full(message)) => message,
                 Err(TrySendError::Disconnected(_)) => return self.join(),
             };
-            if let Err(error) = patience.is_left(self) {
-                self.hangs = true;
-                return Err(error);
-            }
+            patience.is_left(self)?;
         }
     }
 
@@ -199,10 +207,7 @@ impl Writer {
         let mut patience = Patience::new(self);
         while !is_so(self) && self.thread.as_ref().is_some_and(|thread| !thread.is_finished()) {
             thread::sleep(LOOK);
-            if let Err(error) = patience.is_left(self) {
-                self.hangs = true;
-                return Err(error);
-            }
+            patience.is_left(self)?;
         }
         Ok(())
     }
@@ -233,22 +238,34 @@ impl Drop for Writer {
 struct Patience {
     answers: u64,
     since: Instant,
+    /// When it was seen that the run was stopped.
+    stopped: Option<Instant>,
 }
 
 impl Patience {
     fn new(writer: &Writer) -> Patience {
-        Patience { answers: writer.shared.answers.load(Ordering::Relaxed), since: Instant::now() }
+        let answers = writer.shared.answers.load(Ordering::Relaxed);
+        Patience { answers, since: Instant::now(), stopped: None }
     }
 
-    fn is_left(&mut self, writer: &Writer) -> Result<(), LogError> {
+    /// An error where none is left: then nobody waits for the destination any more.
+    fn is_left(&mut self, writer: &mut Writer) -> Result<(), LogError> {
         let answers = writer.shared.answers.load(Ordering::Relaxed);
         if answers != self.answers {
-            *self = Patience { answers, since: Instant::now() };
+            (self.answers, self.since) = (answers, Instant::now());
         }
-        match self.since.elapsed() > writer.policy.answers_within {
-            true => Err(writer.hangs_error()),
-            false => Ok(()),
+        if writer.cancel.is_cancelled() {
+            let stopped = self.stopped.get_or_insert_with(Instant::now).elapsed();
+            if let Some(why) = writer.meter.why_away().filter(|_| stopped > NOTICES_WITHIN) {
+                writer.hangs = true;
+                return Err(LogError::StoppedAway { place: writer.place.clone(), why });
+            }
         }
+        if self.since.elapsed() > writer.policy.answers_within {
+            writer.hangs = true;
+            return Err(writer.hangs_error());
+        }
+        Ok(())
     }
 }
 
@@ -260,6 +277,7 @@ struct Work {
     policy: Policy,
     shared: Arc<Shared>,
     meter: Arc<Meter>,
+    cancel: Cancel,
     /// By table, how many of the rows to come the destination has already.
     there: Vec<u64>,
 }
@@ -279,9 +297,11 @@ impl Work {
             run_column: &beginning.run_column,
             spreadsheet_safe: beginning.spreadsheet_safe,
             how: beginning.how,
+            cancel: &self.cancel.clone(),
         };
-        let Work { sink, policy, shared, meter, .. } = &mut self;
-        let there = policy.with_retries(meter, || sink.begin(&begin))?;
+        let retry_for = if self.policy.retries_beginning { self.policy.retry_for } else { Duration::ZERO };
+        let there = self.call_for(retry_for, |sink| sink.begin(&begin))?;
+        let Work { shared, .. } = &mut self;
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
         shared.there.store(there.0.iter().sum(), Ordering::Release);
         self.there = there.0;
@@ -310,8 +330,7 @@ impl Work {
                     is_unsure = self.sink.is_behind();
                 }
                 Ok(Message::Finish(end)) => {
-                    let Work { sink, policy, meter, .. } = &mut self;
-                    policy.with_retries(meter, || sink.finish(end))?;
+                    self.call(|sink| sink.finish(end))?;
                     return self.has_no_more();
                 }
                 Err(RecvTimeoutError::Timeout) => {
@@ -322,6 +341,21 @@ impl Work {
                 Err(RecvTimeoutError::Disconnected) => return self.settle(),
             }
         }
+    }
+
+    /// Asks the destination for something, as often as the policy says.
+    fn call<T>(&mut self, ask: impl FnMut(&mut dyn Sink) -> Result<T, LogError>) -> Result<T, LogError> {
+        self.call_for(self.policy.retry_for, ask)
+    }
+
+    fn call_for<T>(
+        &mut self,
+        retry_for: Duration,
+        mut ask: impl FnMut(&mut dyn Sink) -> Result<T, LogError>,
+    ) -> Result<T, LogError> {
+        let Work { place, sink, policy, meter, cancel, .. } = self;
+        let waiting = Waiting { retry_for, ..policy.waiting(place, meter, cancel) };
+        waiting.call(|| false, || ask(&mut **sink))
     }
 
     /// An error where the destination has rows behind the last of the run: most look themselves and have refused to end, but those of which
@@ -338,24 +372,24 @@ impl Work {
 
     /// Writes a batch, but for what is there already.
     fn take(&mut self, batch: &Batch) -> Result<(), LogError> {
-        let Work { sink, policy, shared, meter, there, .. } = self;
-        if there.iter().any(|&rows| rows > 0) {
-            let rest = batch.beyond(there);
+        if self.there.iter().any(|&rows| rows > 0) {
+            let rest = batch.beyond(&mut self.there);
             if !rest.is_empty() {
-                policy.with_retries(meter, || sink.write(&rest))?;
+                self.call(|sink| sink.write(&rest))?;
             }
-            shared.there.store(there.iter().sum(), Ordering::Release);
+            self.shared.there.store(self.there.iter().sum(), Ordering::Release);
         } else {
-            policy.with_retries(meter, || sink.write(batch))?;
+            self.call(|sink| sink.write(batch))?;
         }
+        let Work { shared, meter, .. } = self;
         meter.took(batch);
         shared.answers.fetch_add(1, Ordering::Relaxed);
         Ok(())
     }
 
     fn settle(&mut self) -> Result<(), LogError> {
-        let Work { sink, policy, shared, meter, .. } = self;
-        let durable = policy.with_retries(meter, || sink.settle())?;
+        let durable = self.call(|sink| sink.settle())?;
+        let Work { shared, meter, .. } = self;
         meter.made_sure(durable.0.iter().sum());
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = durable;
         shared.answers.fetch_add(1, Ordering::Relaxed);

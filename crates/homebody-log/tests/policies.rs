@@ -6,7 +6,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 use homebody_log::logger::destinations;
 use homebody_log::table::{Batch, Cell};
-use homebody_log::{Begin, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark};
+use homebody_log::{Begin, Cancel, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark};
 use stage::Folder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -202,6 +202,46 @@ fn one_that_hangs_is_waited_for_once_and_no_longer() {
             });
         }
     });
+}
+
+/// Is away from its third batch on, which it says at once and then only after a long time.
+fn away_and_slow_to_say_so(batch: usize) -> Result<(), LogError> {
+    match batch {
+        0..3 => Ok(()),
+        3 => Err(LogError::destination("a broker", "nobody listens").passing()),
+        _ => hangs_at(batch, batch),
+    }
+}
+
+#[test]
+fn one_that_is_away_is_not_waited_for_once_the_run_is_stopped() {
+    let always = |batch: usize| away(batch.min(3));
+    for (name, deed) in [("stopped", always as Deed), ("stopped-slow", away_and_slow_to_say_so)] {
+        let (folder, cancel, told) = (Folder::new(name), Cancel::new(), Arc::new(Mutex::new(Vec::new())));
+        let own = Own { got: Arc::default(), batches: 0, deed };
+        let to = Destination { cancel: cancel.clone(), ..Destination::own("a broker", own, patient()) };
+        let heard = told.clone();
+        to.meter.telling(Box::new(move |news| heard.lock().unwrap().push(news.to_string())));
+        let meter = to.meter.clone();
+        let mut all = destinations(&[folder.url("csv:log.csv")], How::New).unwrap();
+        all.insert(0, to);
+        let logger = Logger::open(all, &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
+        let stops = thread::spawn(move || {
+            while !meter.read().is_away {
+                thread::sleep(Duration::from_millis(5));
+            }
+            thread::sleep(Duration::from_millis(100));
+            cancel.cancel();
+            Instant::now()
+        });
+        let stored = stage::store(logger, &stage::firings(ROWS), 1000).unwrap();
+        let took = stops.join().unwrap().elapsed();
+        assert!(took < Duration::from_secs(5), "{name}: {took:?}");
+        assert!(matches!(&stored.away, Some(LogError::StoppedAway { place, .. }) if place == "a broker"));
+        let told = told.lock().unwrap();
+        assert!(told.len() == 1 && told[0].starts_with("warning: a broker is away: "), "{told:?}");
+        assert_eq!((stored.rows, lines(&folder)), (ROWS, ROWS), "the others have all of it");
+    }
 }
 
 /// This very test, in a program of its own that is given no thread: a stack of this size has room on no machine.

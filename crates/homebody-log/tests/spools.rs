@@ -5,8 +5,9 @@ mod stage;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
 use homebody_log::logger::destinations;
+use homebody_log::remembered::Note;
 use homebody_log::table::{Batch, Cell};
-use homebody_log::{Begin, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown};
+use homebody_log::{Begin, Cancel, Destination, How, LogError, Logger, Policy, Sink, Stored, Watermark, WhenDown};
 use stage::Folder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -165,6 +166,25 @@ fn what_is_confirmed_is_not_given_again_to_who_forgets_it() {
     // The control: nothing is left out for a run that begins anew.
     lived(ROWS, How::New);
     assert_eq!(forgetful.0.lock().unwrap().len() as u64, 2 * ROWS);
+}
+
+#[test]
+fn what_was_confirmed_stays_noted_while_a_destination_is_away() {
+    // It begins, takes and confirms three times, takes once more, and is away from then on.
+    let (folder, server, cancel) = (Folder::new("noted"), Server::new(|asked| asked >= 8), Cancel::new());
+    let own = Destination::own("a server", server.clone(), Policy::default());
+    let own = own.when_down(&spool(&folder, PLENTY_BYTES)).remembered_in(folder.path());
+    let own = Destination { cancel: cancel.clone(), ..own };
+    let mut logger = Logger::open(vec![own], &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
+    for step in stage::firings(10_000).chunks(1000) {
+        logger.store(step, step[step.len() - 1].at + 1).unwrap();
+        logger.settle().unwrap();
+        logger.wait_settled().unwrap();
+    }
+    cancel.cancel();
+    assert!(matches!(logger.finish().unwrap().away, Some(LogError::StoppedAway { .. })));
+    let note = Note::read(&folder.path().join("a-server.confirmed.json")).unwrap();
+    assert_eq!((note.rows, server.got.lock().unwrap().rows.len()), (vec![3000], 4000));
 }
 
 #[test]

@@ -3,6 +3,8 @@
 use crate::names::is_level;
 use homebody_core::problem::readable;
 use homebody_core::scenario::scheme::{NoPlace, Scheme};
+use homebody_log::plain::others_may_read;
+use homebody_log::url::percent_decoded;
 use homebody_log::{LogError, Url};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -158,8 +160,8 @@ impl Address {
             let (key, value) = said.split_once('=').unwrap_or((said, ""));
             let value = &wrong.plain(key, value);
             match key {
-                "style" => wrong.set(&mut address.style, key, value),
-                "discovery" => wrong.set_some(&mut discovery, key, value),
+                "style" => address.style = wrong.parsed(key, value).unwrap_or(address.style),
+                "discovery" => discovery = wrong.parsed(key, value).or(discovery),
                 "discovery-prefix" => address.discovery_prefix = wrong.levels(key, value),
                 "off-delay" => wrong.seconds(&mut address.off_delay_s, value),
                 "allow-fast" => wrong.truth(&mut address.allow_fast, key, value),
@@ -283,37 +285,18 @@ impl Wrong {
 
     /// A text without the `%20` that stand for letters in places.
     fn plain(&mut self, what: &str, text: &str) -> String {
-        let mut bytes = Vec::with_capacity(text.len());
-        let mut rest = text.as_bytes();
-        while let Some((&first, after)) = rest.split_first() {
-            rest = after;
-            if first != b'%' {
-                bytes.push(first);
-                continue;
-            }
-            let digits = after.get(..2).and_then(|two| str::from_utf8(two).ok());
-            let Some(byte) = digits.and_then(|two| u8::from_str_radix(two, 16).ok()) else {
-                self.add(format!("{what} has a % without two digits after it"), "write %25 for a %");
-                return text.to_owned();
-            };
-            bytes.push(byte);
-            rest = &after[2..];
-        }
+        let Some(bytes) = percent_decoded(text) else {
+            self.add(format!("{what} has a % without two digits after it"), "write %25 for a %");
+            return text.to_owned();
+        };
         String::from_utf8_lossy(&bytes).into_owned()
     }
 
-    fn set<T: FromStr<Err = &'static str>>(&mut self, to: &mut T, key: &str, value: &str) {
-        match value.parse() {
-            Ok(value) => *to = value,
-            Err(known) => self.add(format!("{key}={value} is none that is known"), format!("write {known}")),
-        }
-    }
-
-    fn set_some<T: FromStr<Err = &'static str> + Copy>(&mut self, to: &mut Option<T>, key: &str, value: &str) {
-        match value.parse() {
-            Ok(value) => *to = Some(value),
-            Err(known) => self.add(format!("{key}={value} is none that is known"), format!("write {known}")),
-        }
+    /// What a word says, where it is one that is known.
+    fn parsed<T: FromStr<Err = &'static str>>(&mut self, key: &str, value: &str) -> Option<T> {
+        let known =
+            |known: &'static str| self.add(format!("{key}={value} is none that is known"), format!("write {known}"));
+        value.parse().map_err(known).ok()
     }
 
     fn truth(&mut self, to: &mut bool, key: &str, value: &str) {
@@ -368,22 +351,15 @@ impl Wrong {
 }
 
 /// Refuses a password that others can read.
-#[cfg(unix)]
 fn only_its_owner_reads(file: &Path) -> Result<(), LogError> {
-    use std::os::unix::fs::PermissionsExt;
     let about = fs::metadata(file).map_err(|error| unreadable(file, &error))?;
-    match about.permissions().mode() & 0o077 {
-        0 => Ok(()),
-        _ => Err(LogError::NoPlace(NoPlace {
+    match others_may_read(&about) {
+        false => Ok(()),
+        true => Err(LogError::NoPlace(NoPlace {
             what: format!("{} has a password and may be read by others", file.display()),
             hint: format!("chmod 600 {}", file.display()),
         })),
     }
-}
-
-#[cfg(not(unix))]
-fn only_its_owner_reads(_: &Path) -> Result<(), LogError> {
-    Ok(())
 }
 
 fn unreadable(file: &Path, error: &std::io::Error) -> LogError {

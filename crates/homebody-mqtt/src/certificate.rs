@@ -1,6 +1,6 @@
 //! The last day of a broker's certificate.
 //!
-//! A connection is begun, the certificate is looked at whoever it is of, and the connection is ended before anything is said on it. Of the
+//! A connection is begun, and refused once the certificate has come: nothing is said on it, whoever it is to. Of the
 //! certificate only the way to that day is read (RFC 5280, section 4.1): a certificate is a sequence that begins with a sequence of version,
 //! number, algorithm, issuer and validity.
 
@@ -9,11 +9,11 @@ use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 use rumqttc::tokio_rustls::rustls;
 use rustls::client::danger::{HandshakeSignatureValid, ServerCertVerified, ServerCertVerifier};
-use rustls::crypto::{CryptoProvider, ring, verify_tls12_signature, verify_tls13_signature};
+use rustls::crypto::ring;
 use rustls::pki_types::{CertificateDer, ServerName, UnixTime};
 use rustls::{ClientConfig, ClientConnection, DigitallySignedStruct, Error, SignatureScheme};
 use std::net::{TcpStream, ToSocketAddrs};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 /// How long a broker may take for it (ours).
@@ -29,17 +29,18 @@ pub(crate) fn last_day(host: &str, port: u16) -> Result<Timestamp, String> {
         .set_read_timeout(Some(WITHIN))
         .and_then(|()| stream.set_write_timeout(Some(WITHIN)))
         .map_err(|error| told(&error))?;
-    let provider = Arc::new(ring::default_provider());
-    let config = ClientConfig::builder_with_provider(provider.clone()).with_safe_default_protocol_versions();
-    let config = config.map_err(|error| told(&error))?;
-    let config = config.dangerous().with_custom_certificate_verifier(Arc::new(Anybody(provider))).with_no_client_auth();
+    let config = ClientConfig::builder_with_provider(Arc::new(ring::default_provider()));
+    let config = config.with_safe_default_protocol_versions().map_err(|error| told(&error))?;
+    let looks = Arc::new(Looks::default());
+    let config = config.dangerous().with_custom_certificate_verifier(looks.clone()).with_no_client_auth();
     let name = ServerName::try_from(host.to_owned()).map_err(|error| told(&error))?;
     let mut connection = ClientConnection::new(Arc::new(config), name).map_err(|error| told(&error))?;
-    while connection.is_handshaking() && connection.peer_certificates().is_none() {
-        connection.complete_io(&mut stream).map_err(|error| told(&error))?;
+    let refused = connection.complete_io(&mut stream);
+    match (looks.0.get(), refused) {
+        (Some(certificate), _) => ends(certificate).ok_or_else(|| "it is in no form that is known".into()),
+        (None, Err(error)) => Err(told(&error)),
+        (None, Ok(_)) => Err("there is none".into()),
     }
-    let certificate = connection.peer_certificates().and_then(|all| all.first()).ok_or("there is none")?;
-    ends(certificate).ok_or_else(|| "it is in no form that is known".into())
 }
 
 /// When a certificate ends.
@@ -96,42 +97,48 @@ fn time(kind: u8, text: &[u8]) -> Option<Timestamp> {
     at.to_zoned(TimeZone::UTC).ok().map(|at| at.timestamp())
 }
 
-/// Takes whoever answers: nothing is said to them.
-#[derive(Debug)]
-struct Anybody(Arc<CryptoProvider>);
+/// Keeps the certificate of whoever answers, and refuses it.
+#[derive(Debug, Default)]
+struct Looks(OnceLock<CertificateDer<'static>>);
 
-impl ServerCertVerifier for Anybody {
+/// Why nothing more is said.
+fn has_seen() -> Error {
+    Error::General("the certificate was only looked at".into())
+}
+
+impl ServerCertVerifier for Looks {
     fn verify_server_cert(
         &self,
-        _: &CertificateDer<'_>,
+        certificate: &CertificateDer<'_>,
         _: &[CertificateDer<'_>],
         _: &ServerName<'_>,
         _: &[u8],
         _: UnixTime,
     ) -> Result<ServerCertVerified, Error> {
-        Ok(ServerCertVerified::assertion())
+        let _ = self.0.set(certificate.clone().into_owned());
+        Err(has_seen())
     }
 
     fn verify_tls12_signature(
         &self,
-        message: &[u8],
-        certificate: &CertificateDer<'_>,
-        signed: &DigitallySignedStruct,
+        _: &[u8],
+        _: &CertificateDer<'_>,
+        _: &DigitallySignedStruct,
     ) -> Result<HandshakeSignatureValid, Error> {
-        verify_tls12_signature(message, certificate, signed, &self.0.signature_verification_algorithms)
+        Err(has_seen())
     }
 
     fn verify_tls13_signature(
         &self,
-        message: &[u8],
-        certificate: &CertificateDer<'_>,
-        signed: &DigitallySignedStruct,
+        _: &[u8],
+        _: &CertificateDer<'_>,
+        _: &DigitallySignedStruct,
     ) -> Result<HandshakeSignatureValid, Error> {
-        verify_tls13_signature(message, certificate, signed, &self.0.signature_verification_algorithms)
+        Err(has_seen())
     }
 
     fn supported_verify_schemes(&self) -> Vec<SignatureScheme> {
-        self.0.signature_verification_algorithms.supported_schemes()
+        ring::default_provider().signature_verification_algorithms.supported_schemes()
     }
 }
 

@@ -1,16 +1,15 @@
 //! Tidies a broker up: what it keeps of our homes below a prefix is removed, with what Home Assistant was told of them.
 
 use crate::address::Address;
-use crate::connection::open;
 use crate::greeting::PROGRAM;
 use crate::names::end_of_ids;
 use crate::trouble::Trouble;
+use crate::visit::{lost, visit};
 use homebody_log::{LogError, Url};
-use rumqttc::{AsyncClient, Event, EventLoop, Outgoing, Packet, PublishOptions, QoS, SubscribeReasonCode};
+use rumqttc::{AsyncClient, Event, EventLoop, Packet, PublishOptions, QoS, SubscribeReasonCode};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::time::Duration;
-use tokio::runtime::Builder;
 use tokio::time::{Instant, timeout_at};
 
 /// A broker sends what it keeps as soon as it is asked; so long without any more of it, that was all (ours).
@@ -37,25 +36,14 @@ pub struct Cleaned {
 /// The broker cannot be reached, or does not let us.
 pub fn clean(url: &Url, only_look: bool) -> Result<Cleaned, LogError> {
     let address = Address::of(url)?;
-    let client = format!("homebody-clean-{}", std::process::id());
-    let failed = |trouble: Trouble| trouble.finally().error(&address.place());
-    let mut options = open(&address, &client).map_err(failed)?;
-    options.set_unlimited_incoming_packet_size();
-    let runtime = Builder::new_current_thread().enable_all().build();
-    let runtime = runtime.map_err(|source| LogError::NoThread { place: address.place(), source })?;
-    runtime
-        .block_on(async {
-            let (client, mut events) = AsyncClient::builder(options).capacity(10).build();
-            let kept = kept(&address, &client, &mut events).await?;
-            let cleaned = ours(&address, kept.found);
-            if !only_look {
-                remove(&client, &mut events, &cleaned.topics).await?;
-            }
-            let _ = client.disconnect().await;
-            while !matches!(events.poll().await, Ok(Event::Outgoing(Outgoing::Disconnect)) | Err(_)) {}
-            Ok(cleaned)
-        })
-        .map_err(failed)
+    let cleaned = visit(&address, "clean", async |client, events| {
+        let cleaned = ours(&address, kept(&address, client, events).await?.found);
+        if !only_look {
+            remove(client, events, &cleaned.topics).await?;
+        }
+        Ok(cleaned)
+    });
+    cleaned?.map_err(|trouble| trouble.error(&address.place()))
 }
 
 /// What a broker keeps.
@@ -74,7 +62,7 @@ pub(crate) async fn kept(address: &Address, client: &AsyncClient, events: &mut E
     for filter in &filters {
         client.subscribe(filter.clone(), QoS::AtLeastOnce).await.map_err(lost)?;
     }
-    let Kept { mut found, mut refused } = Kept::default();
+    let mut kept = Kept::default();
     let mut quiet = None;
     let end = Instant::now() + LONGEST;
     let mut answered = 0;
@@ -83,18 +71,18 @@ pub(crate) async fn kept(address: &Address, client: &AsyncClient, events: &mut E
             Event::Incoming(Packet::SubAck(ack)) => {
                 // Answers come in the order in which we have asked.
                 if !ack.return_codes.iter().all(|code| matches!(code, SubscribeReasonCode::Success(_))) {
-                    refused.extend(filters.get(answered).cloned());
+                    kept.refused.extend(filters.get(answered).cloned());
                 }
                 answered += 1;
             }
             Event::Incoming(Packet::Publish(publish)) if publish.retain => {
-                found.push((String::from_utf8_lossy(&publish.topic).into_owned(), publish.payload.to_vec()));
+                kept.found.push((String::from_utf8_lossy(&publish.topic).into_owned(), publish.payload.to_vec()));
             }
             _ => {}
         }
-        quiet = (answered == 2).then(|| Instant::now() + QUIET).map(|at| at.min(end));
+        quiet = (answered == filters.len()).then(|| Instant::now() + QUIET).map(|at| at.min(end));
     }
-    Ok(Kept { found, refused })
+    Ok(kept)
 }
 
 /// Which of them are of homes of ours: those below a topic whose `run` has our mark, and what names one in discovery.
@@ -141,8 +129,4 @@ async fn remove(client: &AsyncClient, events: &mut EventLoop, topics: &[String])
         }
     }
     Ok(())
-}
-
-fn lost(error: rumqttc::ClientError) -> Trouble {
-    Trouble::new(format!("the connection was lost: {error}"), "the broker's own log says more")
 }

@@ -2,7 +2,7 @@
 //! listens to, and connects again when it is lost.
 
 use crate::address::Address;
-use crate::flight::{Flight, Link, Sent, Wish};
+use crate::flight::{Flight, Link, MOST_IN_FLIGHT, Sent, Wish};
 use crate::speech::Message;
 use crate::trouble::Trouble;
 use rumqttc::{
@@ -80,6 +80,8 @@ pub(crate) fn open(address: &Address, client: &str) -> Result<MqttOptions, Troub
     let mut options = MqttOptions::new(client, (address.host.clone(), address.port));
     options.set_keep_alive(KEEP_ALIVE_S).set_clean_start(true).set_connect_timeout(CONNECT_WITHIN);
     options.set_max_packet_size(Some(LONGEST_INCOMING_BYTES));
+    // At each flush the client looks at the place of each message that may be in flight, taken or not.
+    options.set_outgoing_inflight_upper_limit(MOST_IN_FLIGHT);
     // A message is not held back for the next one: with acknowledgements that wait in turn, that is 40 ms.
     let mut network = options.network_options();
     network.set_tcp_nodelay(true);
@@ -120,8 +122,9 @@ impl Connection {
                 Err(trouble) => {
                     let was_up = matches!(self.flight.lock().link, Link::Up);
                     let is_new = matches!(self.flight.lock().link, Link::New);
+                    // Whoever begins hears of it, and begins anew or not.
                     if trouble.is_final || is_new {
-                        return self.over(Some(trouble.finally()));
+                        return self.over(Some(trouble));
                     }
                     wait = if was_up { FIRST_WAIT } else { (2 * wait).min(LONGEST_WAIT) };
                     self.flight.change(|state| state.link = Link::Down(trouble));

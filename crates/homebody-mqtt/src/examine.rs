@@ -4,15 +4,14 @@
 use crate::address::Address;
 use crate::certificate::last_day;
 use crate::clean::{Kept, kept, ours};
-use crate::connection::open;
 use crate::trouble::Trouble;
+use crate::visit::{lost, visit};
 use homebody_core::problem::counted;
-use homebody_log::examine::{Asked, Check};
+use homebody_log::examine::{Asked, Check, is_this_machine};
 use homebody_log::{LogError, Url};
 use jiff::Timestamp;
-use rumqttc::{AsyncClient, Event, EventLoop, Outgoing, Packet, PubAckReason, PublishOptions, QoS};
+use rumqttc::{AsyncClient, Event, EventLoop, Packet, PubAckReason, PublishOptions, QoS};
 use std::time::Duration;
-use tokio::runtime::Builder;
 use tokio::time::{Instant, timeout_at};
 
 /// How long what was said may take to come back (ours).
@@ -31,32 +30,16 @@ pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> 
     if address.tls {
         certificate(&address, &mut checks);
     }
-    let place = address.place();
-    let client = format!("homebody-doctor-{}", std::process::id());
-    let failed = |trouble: Trouble| Check::of_error("broker", &trouble.finally().error(&place));
-    let mut options = match open(&address, &client) {
-        Ok(options) => options,
-        Err(trouble) => {
-            checks.push(failed(trouble));
-            return Ok(checks);
-        }
-    };
-    options.set_unlimited_incoming_packet_size();
-    let runtime = Builder::new_current_thread().enable_all().build();
-    let runtime = runtime.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
-    let said = runtime.block_on(async {
-        let (client, mut events) = AsyncClient::builder(options).capacity(10).build();
-        let kept = kept(&address, &client, &mut events).await?;
+    let said = visit(&address, "doctor", async |client, events| {
+        let kept = kept(&address, client, events).await?;
         let heard = match asked.may_write {
-            true => Some(said_and_heard(&address, &client, &mut events).await?),
+            true => Some(said_and_heard(&address, client, events).await?),
             false => None,
         };
-        let _ = client.disconnect().await;
-        while !matches!(events.poll().await, Ok(Event::Outgoing(Outgoing::Disconnect)) | Err(_)) {}
         Ok((kept, heard))
     });
-    match said {
-        Err(trouble) => checks.push(failed(trouble)),
+    match said? {
+        Err(trouble) => checks.push(Check::of_error("broker", &trouble.error(&address.place()))),
         Ok((kept, heard)) => told(&address, kept, heard, &mut checks),
     }
     Ok(checks)
@@ -101,7 +84,6 @@ struct Heard {
 async fn said_and_heard(address: &Address, client: &AsyncClient, events: &mut EventLoop) -> Result<Heard, Trouble> {
     let topic = format!("{}/-doctor", address.prefix);
     let payload = crate::connection::instance();
-    let lost = |error: rumqttc::ClientError| Trouble::new(format!("the connection was lost: {error}"), "look again");
     let options = PublishOptions::new(QoS::AtLeastOnce);
     client.publish(topic.clone(), payload.clone().into_bytes(), options).await.map_err(lost)?;
     let end = Instant::now() + COMES_BACK;
@@ -129,8 +111,7 @@ fn told(address: &Address, kept: Kept, heard: Option<Heard>, checks: &mut Vec<Ch
     let who = address.user.as_ref().map_or_else(|| "anybody".to_owned(), |user| format!("{user:?}"));
     let how = if address.tls { "over TLS" } else { "without encryption" };
     checks.push(Check::ok("broker", format!("{} speaks MQTT 5 and lets {who} in, {how}", address.place())));
-    let is_near = ["localhost", "127.0.0.1", "::1"].contains(&address.host.as_str());
-    if !address.tls && !is_near {
+    if !address.tls && !is_this_machine(&address.host) {
         let says = "what is said, and the password, go over the network in the open";
         checks.push(Check::warning("encryption", says, "write mqtts://, where the broker has TLS"));
     }

@@ -5,6 +5,7 @@
 
 use crate::speech::Message;
 use crate::trouble::Trouble;
+use homebody_log::Cancel;
 use serde_json::json;
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -12,10 +13,13 @@ use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 
 /// So many messages are taken and not acknowledged, at most (ours): whoever brings more waits.
-pub(crate) const MOST_IN_FLIGHT: usize = 1000;
+pub(crate) const MOST_IN_FLIGHT: u16 = 1000;
 
 /// So many messages go to the connection at once (ours).
 const HANDFUL: usize = 64;
+
+/// How long a broker that acknowledges nothing is waited for once the run was stopped (ours).
+const AFTER_STOP: Duration = Duration::from_millis(700);
 
 /// So many answers wait to be sent, at most (ours).
 const MOST_ASIDES: usize = 1000;
@@ -28,6 +32,8 @@ pub(crate) struct Flight {
     changed: Condvar,
     /// The connection's thread waits for this.
     pub wake: Notify,
+    /// Ends waits early.
+    cancel: Cancel,
 }
 
 /// Which message was sent.
@@ -101,6 +107,11 @@ struct Told {
 }
 
 impl Flight {
+    /// One in which nobody waits for long once this handle says so.
+    pub fn new(cancel: &Cancel) -> Flight {
+        Flight { cancel: cancel.clone(), ..Flight::default() }
+    }
+
     pub fn lock(&self) -> MutexGuard<'_, State> {
         // Nothing is left half done where a panic could come from.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
@@ -120,7 +131,7 @@ impl Flight {
             let mut state = self.lock();
             state.acknowledge(sent);
             let left = state.waiting.len();
-            (sent == Sent::Greeting || left == MOST_IN_FLIGHT / 2 || left == 0, state.wish != Wish::Live)
+            (sent == Sent::Greeting || left == usize::from(MOST_IN_FLIGHT / 2) || left == 0, state.wish != Wish::Live)
         };
         if is_worth_it {
             self.changed.notify_all();
@@ -131,7 +142,7 @@ impl Flight {
     }
 
     /// Waits until it is so. Gives up when the connection is over, and when nothing is acknowledged for this long while there is none,
-    /// or for ten times as long in any case.
+    /// or for ten times as long in any case; once the run is stopped, at once and after a second.
     pub fn wait(&self, patience: Duration, is_so: impl Fn(&State) -> bool) -> Result<MutexGuard<'_, State>, Trouble> {
         let mut state = self.lock();
         let mut since = (state.answers, Instant::now());
@@ -145,9 +156,13 @@ impl Flight {
             if state.answers != since.0 {
                 since = (state.answers, Instant::now());
             }
+            let (without_link, with_link) = match self.cancel.is_cancelled() {
+                true => (Duration::ZERO, AFTER_STOP),
+                false => (patience, 10 * patience),
+            };
             match &state.link {
-                Link::Down(why) if since.1.elapsed() >= patience => return Err(why.clone()),
-                _ if since.1.elapsed() >= 10 * patience => return Err(Trouble::silent(since.1.elapsed())),
+                Link::Down(why) if since.1.elapsed() >= without_link => return Err(why.clone()),
+                _ if since.1.elapsed() >= with_link => return Err(Trouble::silent(since.1.elapsed())),
                 _ => {}
             }
             let (after, _) =
@@ -178,12 +193,12 @@ impl State {
 
     /// Whether there is room for another.
     pub fn has_room(&self) -> bool {
-        self.waiting.len() < MOST_IN_FLIGHT
+        self.waiting.len() < usize::from(MOST_IN_FLIGHT)
     }
 
     /// Whether there is room for many.
     pub fn has_much_room(&self) -> bool {
-        self.waiting.len() <= MOST_IN_FLIGHT / 2
+        self.waiting.len() <= usize::from(MOST_IN_FLIGHT / 2)
     }
 
     /// Whether all is acknowledged.

@@ -25,6 +25,7 @@ mod sink;
 mod speaker;
 mod speech;
 mod trouble;
+mod visit;
 mod zigbee;
 
 pub use address::{Address, Discovery, Style};

@@ -14,16 +14,17 @@ use homebody_core::time::Micros;
 use homebody_log::table::{Batch, Cell, thousandths};
 use homebody_log::{Begin, LogError, Policy, Sink, Url, Watermark};
 use std::net::{IpAddr, ToSocketAddrs};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 /// How long a broker may be away before the run is given up (ours).
 const AWAY_FOR: Duration = Duration::from_secs(600);
 
-/// A broker as a destination: required, and waited for ten minutes if it goes away on the way.
+/// A broker as a destination: required, and waited for ten minutes if it goes away on the way; there at the beginning.
 pub fn policy() -> Policy {
     Policy {
         retry_for: AWAY_FOR,
+        retries_beginning: false,
         retry_after: Duration::from_secs(1),
         answers_within: AWAY_FOR + Duration::from_secs(120),
         ..Policy::default()
@@ -35,7 +36,7 @@ pub struct MqttSink {
     url: Url,
     /// Whether rows come no faster than life.
     is_live: bool,
-    orders: Option<TakesOrders>,
+    orders: Option<Arc<Mutex<TakesOrders>>>,
     open: Option<Open>,
 }
 
@@ -61,7 +62,7 @@ impl MqttSink {
 
     /// The same for a run that can be told what to do.
     pub fn with_orders(self, orders: TakesOrders) -> MqttSink {
-        MqttSink { orders: Some(orders), ..self }
+        MqttSink { orders: Some(Arc::new(Mutex::new(orders))), ..self }
     }
 
     fn begun(&mut self) -> Result<&mut Open, LogError> {
@@ -91,13 +92,13 @@ impl Sink for MqttSink {
         let (topic, [_, offline]) = place.status();
         let options = options(&address, (topic, offline), &place.id, &instance);
         let options = options.map_err(|trouble| trouble.error(&place_told))?;
-        let flight = Arc::new(Flight::default());
+        let flight = Arc::new(Flight::new(begin.cancel));
         flight.change(|shared| at_rest(&place).iter().for_each(|message| shared.keep_in_mind(message)));
         let speaker = HomeSpeaker {
             address,
             place: place.clone(),
             run: Arc::new(begin.run.clone()),
-            orders: self.orders.take(),
+            orders: self.orders.clone(),
             instance,
         };
         let line = Line::begin(Connection { flight, options, speaker: Box::new(speaker) }, place_told)?;

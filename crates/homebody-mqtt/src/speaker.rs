@@ -12,14 +12,14 @@ use homebody_core::scenario::logger::TimeFormat;
 use homebody_log::RunInfo;
 use homebody_log::clock::Clock;
 use rumqttc::Publish;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// A home that speaks for itself.
 pub(crate) struct HomeSpeaker {
     pub address: Address,
     pub place: Arc<Place>,
     pub run: Arc<RunInfo>,
-    pub orders: Option<TakesOrders>,
+    pub orders: Option<Arc<Mutex<TakesOrders>>>,
     /// Tells this connection from that of another program that lives the same home.
     pub instance: String,
 }
@@ -78,10 +78,10 @@ impl HomeSpeaker {
                 running.into_iter().filter(|_| outcome.is_ok()).for_each(|running| state.say(running));
             });
         });
-        match (order, &mut self.orders) {
+        match (order, &self.orders) {
             (Err(why), _) => reply.refused(why, ""),
             (Ok(_), None) => reply.refused("this run takes no orders", ""),
-            (Ok(order), Some(takes)) => takes(order, reply),
+            (Ok(order), Some(takes)) => takes.lock().unwrap_or_else(PoisonError::into_inner)(order, reply),
         }
     }
 }

@@ -43,7 +43,7 @@ impl Trouble {
 
     /// A broker that does not acknowledge anything.
     pub fn silent(since: Duration) -> Trouble {
-        let what = format!("the broker has acknowledged nothing for {} s", since.as_secs());
+        let what = format!("the broker has acknowledged nothing for {:.0} s", since.as_secs_f64());
         Trouble::new(what, "look whether it is overloaded, or its disk full")
     }
 

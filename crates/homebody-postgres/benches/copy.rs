@@ -12,7 +12,7 @@ mod stage;
 use homebody_core::event::Value;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_log::table::{Batch, Cell, Column, ColumnKind, Table, Texts};
-use homebody_log::{Begin, How, Sink};
+use homebody_log::{Begin, Cancel, How, Sink};
 use homebody_postgres::Postgres;
 use spread::Spread;
 use stage::{Server, life};
@@ -158,6 +158,7 @@ fn sink(server: &Server, batches: &[Batch]) -> f64 {
         run_column: "run_id",
         spreadsheet_safe: false,
         how: How::New,
+        cancel: &Cancel::new(),
     };
     sink.begin(&begin).expect("a destination");
     for batch in batches {

@@ -6,7 +6,7 @@ use crate::examined_runs::runs;
 use crate::schema::{RUNS, TRUTH_SCHEMA, look, quoted, usual};
 use crate::server::{Host, Server};
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_log::examine::{Asked, Check, log_table, truth_tables};
+use homebody_log::examine::{Asked, Check, is_this_machine, log_table, truth_tables};
 use homebody_log::table::Table;
 use homebody_log::{LogError, Url};
 
@@ -92,9 +92,7 @@ fn about_server(connection: &Connection, server: &Server, checks: &mut Vec<Check
         OLDEST.. => Check::ok("server", says),
         _ => Check::warning("server", says, "this program is tried with PostgreSQL 12 and newer: take a newer one"),
     });
-    let is_near =
-        matches!(&server.host, Host::Name(name) if ["localhost", "127.0.0.1", "::1"].contains(&name.as_str()));
-    if tls.is_none() && matches!(server.host, Host::Name(_)) && !is_near {
+    if tls.is_none() && matches!(&server.host, Host::Name(name) if !is_this_machine(name)) {
         let says = "rows and the password's proof go over the network in the open";
         checks.push(Check::warning(
             "encryption",

@@ -9,13 +9,12 @@ use crate::rows::{Encoder, Rows, copy_into};
 use crate::runs::{self, At};
 use crate::schema::{InTable, Schema};
 use crate::server::Server;
-use crate::trouble::wrong;
+use crate::trouble::{changed, unheld, wrong};
 use futures_util::SinkExt;
 use homebody_core::event::Value;
-use homebody_core::problem::readable;
 use homebody_log::fleet::{Fleet, FleetRow, FleetSink, Told};
 use homebody_log::table::{Batch, Cell, Texts};
-use homebody_log::{Begin, How, LogError, Url};
+use homebody_log::{Begin, Cancel, How, LogError, Url};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -93,6 +92,7 @@ impl FleetSink for PostgresFleet {
                 run_column: &layout.run_column,
                 spreadsheet_safe: false,
                 how: How::GoOn,
+                cancel: &Cancel::new(),
             };
             let schema = Schema::make(&connection, &server, &begin)?;
             let start = runs::start_of(&layout.run);
@@ -255,11 +255,8 @@ impl Open {
                 value => Cell::Text(kind.texts.id(layout.value(value, &mut buffer))),
             };
             if kind.texts.len() > before {
-                kind.encoder.learn(&Batch::default().with(&kind.texts)).map_err(|text| {
-                    let what = readable(format!("the text {text:?}"));
-                    let hint = "PostgreSQL takes no NUL in texts: give the sensor another id";
-                    LogError::CannotHold { place: server.place.clone(), what, hint }
-                })?;
+                let learnt = kind.encoder.learn(&Batch::default().with(&kind.texts));
+                learnt.map_err(|text| unheld(server, &text))?;
             }
             kind.encoder.of_run(home.run, kind.start);
             kind.encoder
@@ -267,10 +264,6 @@ impl Open {
         }
         Ok(all)
     }
-}
-
-fn changed(server: &Server, what: &str) -> LogError {
-    LogError::Changed { place: server.place.clone(), what: what.into() }
 }
 
 fn after_commit(home: Home, rows: i64) -> Home {

@@ -1,6 +1,7 @@
 //! Where passwords come from, as for libpq: `PGPASSWORD`, else a file of passwords that nobody else may read.
 
 use crate::server::{Host, Server};
+use homebody_log::plain::others_may_read;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -37,17 +38,6 @@ fn in_file(file: &Path, server: &Server) -> Found {
         Ok(text) => Found { password: text.lines().find_map(|line| of_line(line, server)), ignored: None },
         Err(error) => ignored(&error.to_string()),
     }
-}
-
-#[cfg(unix)]
-fn others_may_read(found: &fs::Metadata) -> bool {
-    use std::os::unix::fs::PermissionsExt;
-    found.permissions().mode() & 0o077 != 0
-}
-
-#[cfg(not(unix))]
-fn others_may_read(_: &fs::Metadata) -> bool {
-    false
 }
 
 /// The password of a line `host:port:database:user:password`, if it is of this server. A star is anything.

@@ -296,7 +296,7 @@ impl Found {
     }
 
     /// All that is wrong: what, and what to do.
-    fn problems(&self, schema: &str, wanted: &[Wanted], how: How) -> Vec<(String, String)> {
+    fn problems(&self, schema: &str, wanted: &[Wanted], how: How) -> Vec<Problem> {
         let mut problems = Vec::new();
         let user = &self.user;
         if self.is_read_only {
@@ -314,20 +314,60 @@ impl Found {
             )),
             _ => {}
         }
+        let may_make_tables = !matches!(self.schema, Some((true, false)));
+        let mut unmade = Vec::new();
         for wanted in wanted {
             match self.tables.get(&wanted.name) {
-                Some(table) => table.problems(&written(schema, &wanted.name), wanted, user, how, &mut problems),
-                None if matches!(self.schema, Some((true, false))) => problems.push((
-                    format!(
-                        "there is no table {:?} in the schema {schema:?}, and {user:?} may not make one",
-                        wanted.name
-                    ),
-                    format!("GRANT CREATE ON SCHEMA {schema} TO {user}, or name another: ?schema=NAME"),
-                )),
+                Some(table) => table.problems(&written(schema, &wanted.name), wanted, &mut problems),
+                None if !may_make_tables => unmade.push(wanted.name.as_str()),
                 None => {}
             }
         }
+        if !unmade.is_empty() {
+            let (are, them) = if unmade.len() == 1 { ("is no table", "one") } else { ("are no tables", "them") };
+            problems.push((
+                format!("there {are} {} in the schema {schema:?}, and {user:?} may not make {them}", listed(&unmade)),
+                format!("GRANT CREATE ON SCHEMA {schema} TO {user}, or name another: ?schema=NAME"),
+            ));
+        }
+        problems.extend(self.rights(schema, wanted, how));
         problems
+    }
+
+    /// The rights that the user lacks, in one problem: it is one role that lacks them.
+    fn rights(&self, schema: &str, wanted: &[Wanted], how: How) -> Option<Problem> {
+        let lacks = |right: usize| -> Vec<&str> {
+            let is_lacking = |wanted: &&Wanted| {
+                let needed = match (wanted.is_runs, how) {
+                    (true, _) => [true, true, true, false],
+                    (false, how) => [true, true, false, how == How::Replace],
+                };
+                needed[right] && self.tables.get(&wanted.name).is_some_and(|table| table.is_table && !table.may[right])
+            };
+            wanted.iter().filter(is_lacking).map(|wanted| wanted.name.as_str()).collect()
+        };
+        // Rights that are lacking in the same tables are told together.
+        let mut by_tables: Vec<(Vec<&str>, Vec<&str>)> = Vec::new();
+        for (right, name) in RIGHTS.iter().enumerate() {
+            let tables = lacks(right);
+            match by_tables.iter_mut().find(|(known, _)| *known == tables) {
+                _ if tables.is_empty() => {}
+                Some((_, rights)) => rights.push(name),
+                None => by_tables.push((tables, vec![name])),
+            }
+        }
+        let user = &self.user;
+        let what = by_tables.iter().map(|(tables, rights)| format!("{} in {}", rights.join(", "), listed(tables)));
+        let grant = |(tables, rights): &(Vec<&str>, Vec<&str>)| {
+            let on = match tables.len() {
+                ..=MOST_LISTED => tables.iter().map(|name| written(schema, name)).collect::<Vec<_>>().join(", "),
+                _ => format!("ALL TABLES IN SCHEMA {schema}"),
+            };
+            format!("GRANT {} ON {on} TO {user}", rights.join(", "))
+        };
+        let what: Vec<String> = what.collect();
+        let hint = by_tables.iter().map(grant).collect::<Vec<_>>().join("; ");
+        (!what.is_empty()).then(|| (format!("{user:?} has no right to {}", what.join(", and to ")), hint))
     }
 
     /// What makes the tables that are missing.
@@ -343,8 +383,8 @@ impl Found {
 }
 
 impl FoundTable {
-    /// `at` is what the table is called in hints.
-    fn problems(&self, at: &str, wanted: &Wanted, user: &str, how: How, problems: &mut Vec<Problem>) {
+    /// What is wrong with its form; `at` is what the table is called in hints.
+    fn problems(&self, at: &str, wanted: &Wanted, problems: &mut Vec<Problem>) {
         let name = &wanted.name;
         if !self.is_table {
             problems.push((format!("{name:?} is no table"), "rename it, or name another schema: ?schema=NAME".into()));
@@ -385,24 +425,22 @@ impl FoundTable {
                 format!("ALTER TABLE {at} ADD PRIMARY KEY ({columns})"),
             );
         }
-        let needed = match (wanted.is_runs, how) {
-            (true, _) => [true, true, true, false],
-            (false, how) => [true, true, false, how == How::Replace],
-        };
-        let lacking = RIGHTS.iter().zip(self.may).zip(needed).filter(|((_, may), needed)| *needed && !*may);
-        let lacking: Vec<&str> = lacking.map(|((right, _), _)| *right).collect();
-        if !lacking.is_empty() {
-            let rights = lacking.join(", ");
-            wants(
-                format!("{user:?} has no right to {rights} in {name:?}"),
-                format!("GRANT {rights} ON {at} TO {user}"),
-            );
-        }
+    }
+}
+
+/// More tables than these are counted and not listed (ours).
+const MOST_LISTED: usize = 3;
+
+/// The names of tables, or how many there are.
+fn listed(names: &[&str]) -> String {
+    match names.len() {
+        ..=MOST_LISTED => names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", "),
+        many => format!("{many} tables"),
     }
 }
 
 /// One error of all problems, each on its line.
-fn all(server: &Server, problems: Vec<(String, String)>) -> LogError {
+fn all(server: &Server, problems: Vec<Problem>) -> LogError {
     let (what, mut hints): (Vec<String>, Vec<String>) = problems.into_iter().unzip();
     hints.dedup();
     let separator = format!("\n{}: ", server.place);

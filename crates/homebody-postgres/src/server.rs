@@ -7,6 +7,7 @@ use homebody_core::problem::readable;
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::scenario::scheme::NoPlace;
 use homebody_log::LogError;
+use homebody_log::url::percent_decoded;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -254,25 +255,11 @@ impl Problems {
 
     /// Percent signs and two digits are bytes.
     fn decode(&mut self, text: &str) -> String {
-        let mut bytes = Vec::new();
-        let mut rest = text.as_bytes();
-        while let [first, after @ ..] = rest {
-            let digits = after.get(..2).filter(|_| *first == b'%').and_then(|digits| str::from_utf8(digits).ok());
-            match digits.map(|digits| u8::from_str_radix(digits, 16)) {
-                Some(Ok(byte)) if byte != 0 => {
-                    bytes.push(byte);
-                    rest = &after[2..];
-                }
-                _ if *first == b'%' => {
-                    self.add("a % is not followed by two digits".into(), "write %25 for a % itself");
-                    return String::new();
-                }
-                _ => {
-                    bytes.push(*first);
-                    rest = after;
-                }
-            }
-        }
+        // No text of the server's has a NUL.
+        let Some(bytes) = percent_decoded(text).filter(|bytes| !bytes.contains(&0)) else {
+            self.add("a % is not followed by two digits".into(), "write %25 for a % itself");
+            return String::new();
+        };
         String::from_utf8(bytes).unwrap_or_else(|_| {
             self.add("what is written by % is no UTF-8".into(), "write %C3%B6 for ö");
             String::new()

@@ -1,19 +1,18 @@
 //! A log or a truth in a database of PostgreSQL.
 //!
 //! Rows wait in memory, in the form in which they are sent, until a transaction has taken them; with them goes how far the
-//! database holds the run then. Rows of a log that come by the thousand are sent before the transaction ends. A transaction that fails is made again with the same rows. Where nobody knows whether it was
-//! taken, because the connection was lost as it ended, the next one asks: each begins with a look at the run's watermark, which
-//! waits for whatever is still on its way.
+//! database holds the run then. Rows of a log that come by the thousand are sent before the transaction ends. A transaction that
+//! fails is made again with the same rows. Where nobody knows whether it was taken, because the connection was lost as it ended,
+//! the next one asks: each begins with a look at the run's watermark, which waits for whatever is still on its way.
 
 use crate::connection::Connection;
 use crate::rows::{Encoder, Rows, copy_into};
 use crate::runs::{self, At, Known};
 use crate::schema::{Schema, ident};
 use crate::server::Server;
-use crate::trouble::wrong;
+use crate::trouble::{changed, unheld, wrong};
 use bytes::Bytes;
 use futures_util::SinkExt;
-use homebody_core::problem::readable;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
 use homebody_log::table::{Batch, ColumnKind};
@@ -163,11 +162,7 @@ impl Sink for Postgres {
             open.commit(None)?;
         }
         open.send_ahead();
-        open.encoder.learn(batch).map_err(|text| {
-            let what = readable(format!("the text {text:?}"));
-            let hint = "PostgreSQL takes no NUL in texts: give the sensor another id";
-            LogError::CannotHold { place: open.server.place.clone(), what, hint }
-        })?;
+        open.encoder.learn(batch).map_err(|text| unheld(&open.server, &text))?;
         for row in batch.rows() {
             open.encoder.row(row.cells, &mut open.waiting[row.table]);
         }
@@ -348,10 +343,6 @@ impl Open {
         sealed.is_in_doubt = true;
         connection.wait(connection.client.batch_execute("COMMIT"))
     }
-}
-
-fn changed(server: &Server, what: &str) -> LogError {
-    LogError::Changed { place: server.place.clone(), what: what.into() }
 }
 
 fn already(server: &Server, schema: &Schema, run: &RunInfo) -> LogError {

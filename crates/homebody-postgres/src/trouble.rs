@@ -17,6 +17,18 @@ pub(crate) fn wrong(server: &Server, what: String, hint: &str) -> LogError {
     }
 }
 
+/// A run that is not there as this program has left it.
+pub(crate) fn changed(server: &Server, what: &str) -> LogError {
+    LogError::Changed { place: server.place.clone(), what: what.into() }
+}
+
+/// A text that PostgreSQL has no room for in its form.
+pub(crate) fn unheld(server: &Server, text: &str) -> LogError {
+    let what = readable(format!("the text {text:?}"));
+    let hint = "PostgreSQL takes no NUL in texts: give the sensor another id";
+    LogError::CannotHold { place: server.place.clone(), what, hint }
+}
+
 /// An error that is over once the server is back.
 pub(crate) fn away(server: &Server, what: String) -> LogError {
     let hint = "start the server, or correct host and port";

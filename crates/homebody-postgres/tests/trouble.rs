@@ -77,6 +77,7 @@ fn a_wrong_user_password_or_database_is_told_and_no_password_is_shown() {
         run_column: "run_id",
         spreadsheet_safe: false,
         how: How::New,
+        cancel: &homebody_log::Cancel::new(),
     };
     let error = Postgres::new(&own).begin(&begin).unwrap_err();
     assert!(error.to_string().contains("password in the URL") && !format!("{error} {error:?}").contains(CANARY));
@@ -136,12 +137,11 @@ fn who_may_not_write_is_told_with_what_is_lacking() {
         &url("reader", ""),
         How::New,
         &[
-            "no right to INSERT in \"firing\"",
-            "INSERT, UPDATE in \"homebody_run\"",
-            "GRANT INSERT ON public.firing TO reader",
+            "no right to INSERT in \"firing\", \"homebody_run\", and to UPDATE in \"homebody_run\"",
+            "GRANT INSERT ON public.firing, public.homebody_run TO reader; GRANT UPDATE ON public.homebody_run TO reader",
         ],
     );
-    refused(&url("reader", ""), How::Replace, &["no right to INSERT, DELETE in \"firing\""]);
+    refused(&url("reader", ""), How::Replace, &["and to DELETE in \"firing\""]);
     refused(
         &url("bare", "&schema=home9"),
         How::New,
@@ -152,7 +152,7 @@ fn who_may_not_write_is_told_with_what_is_lacking() {
     refused(
         &url("bare", "&schema=seen"),
         How::New,
-        &["no table \"firing\"", "no table \"homebody_run\"", "GRANT CREATE ON SCHEMA seen TO bare"],
+        &["no tables \"firing\", \"homebody_run\"", "may not make them", "GRANT CREATE ON SCHEMA seen TO bare"],
     );
     refused(&url("idle", ""), How::New, &["takes no changes", "default_transaction_read_only"]);
 }

@@ -19,9 +19,12 @@ pub fn raised(error: Error) -> PyErr {
         }
         Error::Driver { .. } => named("DriverError", error),
         Error::Cancelled => named("Stopped", error),
-        Error::File { .. } | Error::Log(_) | Error::NoLog { .. } | Error::IsCohort { .. } | Error::NoRows { .. } => {
-            named("LogError", error)
-        }
+        Error::File { .. }
+        | Error::Log(_)
+        | Error::StoppedAway { .. }
+        | Error::NoLog { .. }
+        | Error::IsCohort { .. }
+        | Error::NoRows { .. } => named("LogError", error),
         error => named("HomebodyError", error),
     }
 }

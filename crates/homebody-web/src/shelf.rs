@@ -30,7 +30,7 @@ pub struct Shelf {
 
 impl Shelf {
     fn files(&self) -> Folder {
-        Folder { path: self.scenario.clone(), is_trusted: self.is_trusted }
+        Folder::new(&self.scenario, self.is_trusted)
     }
 
     /// The names of the files that can be written in the page: those of the scenario's folder and of its folder of

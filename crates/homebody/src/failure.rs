@@ -81,6 +81,7 @@ impl From<Error> for Failure {
                 resume.display()
             )),
             Error::File { .. }
+            | Error::StoppedAway { .. }
             | Error::NoLog { .. }
             | Error::NoRecording { .. }
             | Error::NotBegun { .. }

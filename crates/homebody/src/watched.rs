@@ -27,9 +27,9 @@ fn address(text: &str) -> Result<SocketAddr, String> {
 }
 
 impl Watched {
-    /// Begins to serve the numbers of a run, where somebody wants them.
-    pub fn begin(&self, scenario: &str) -> Result<Meters, Failure> {
-        let meters = Meters::default();
+    /// Begins to serve the numbers of a run, where somebody wants them. That a destination is away is told unless the command is quiet.
+    pub fn begin(&self, scenario: &str, is_quiet: bool) -> Result<Meters, Failure> {
+        let meters = if is_quiet { Meters::default() } else { Meters::telling(|news| tell(news)) };
         let (seen, name) = (meters.clone(), scenario.to_owned());
         self.serve(move || text(&name, &seen.look(), Timestamp::now()))?;
         Ok(meters)

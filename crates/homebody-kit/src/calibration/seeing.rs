@@ -18,7 +18,6 @@
 //! Left out: where a sensor hangs and looks, and how small a movement it notices. What notices every movement misses nothing.
 
 use super::lived::{SEED, lived_for};
-use crate::cancel::Cancel;
 use crate::error::Error;
 use crate::source::Source;
 use crate::translation::walk_back;
@@ -30,7 +29,7 @@ use homebody_core::scenario::home::SensorFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::notice::{ChanceFile, Notice};
 use homebody_core::time::Micros;
-use homebody_log::Log;
+use homebody_log::{Cancel, Log};
 use serde::Serialize;
 
 /// How far a sensor sees is tried at so many times what the scenario says (ours).

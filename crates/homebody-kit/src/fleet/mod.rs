@@ -12,6 +12,7 @@ mod running;
 mod storms;
 
 pub use churn::Churn;
+pub use homebody_log::fleet::Patience;
 pub use homes::{FleetOf, FleetSetup, MOST_HOMES};
 pub use report::{FleetReport, OfDestination};
 pub use running::{FleetLived, FleetRun};

@@ -3,12 +3,11 @@
 use super::homes::FleetOf;
 use super::living::Living;
 use super::report::{FleetReport, OfDestination, late_ms, memory_mb, processor_s};
-use crate::cancel::Cancel;
 use crate::error::Error;
 use homebody_core::time::SECOND;
-use homebody_log::fleet::{Fleet, FleetSink, Lateness, Now, Teller, Told, sink};
+use homebody_log::fleet::{Fleet, FleetSink, Lateness, Now, Patience, Teller, Told, sink};
 use homebody_log::fresh::all_can_be_written;
-use homebody_log::{How, Url};
+use homebody_log::{Cancel, How, Url};
 use jiff::Timestamp;
 use std::sync::Arc;
 use std::thread;
@@ -31,14 +30,12 @@ const LOOK: i64 = 2_000;
 pub struct FleetRun {
     sinks: Vec<(String, Box<dyn FleetSink>)>,
     how: How,
-    /// How long a place that is away is waited for.
-    pub retry_for: Duration,
+    /// How a place that is away is waited for. What ends that early ends the fleet.
+    pub patience: Patience,
     /// How long it tells; None until it is cancelled.
     pub lasts: Option<Duration>,
     /// How often it reports.
     pub every: Duration,
-    /// What ends it early.
-    pub cancel: Cancel,
 }
 
 /// What there is to say of a fleet on its way.
@@ -77,8 +74,7 @@ impl FleetRun {
         let files: Vec<_> = out.iter().filter_map(Url::file).collect();
         all_can_be_written(&files, replace)?;
         let how = if replace { How::Replace } else { How::New };
-        let (retry_for, every) = (Duration::ZERO, Duration::from_secs(5));
-        Ok(FleetRun { sinks, how, retry_for, lasts: None, every, cancel: Cancel::new() })
+        Ok(FleetRun { sinks, how, patience: Patience::default(), lasts: None, every: Duration::from_secs(5) })
     }
 }
 
@@ -88,11 +84,16 @@ impl FleetOf {
     /// # Errors
     ///
     /// [`Error::Log`] if a place cannot be begun, or fails and is not back in time.
-    pub fn live(self, run: FleetRun, mut say: impl FnMut(FleetLived)) -> Result<FleetReport, Error> {
+    pub fn live(self, run: FleetRun, say: impl FnMut(FleetLived)) -> Result<FleetReport, Error> {
+        self.lived(run, say).map_err(|error| error.of_run_in(None))
+    }
+
+    fn lived(self, run: FleetRun, mut say: impl FnMut(FleetLived)) -> Result<FleetReport, Error> {
         let now: Now = Arc::new(|| Timestamp::now().as_microsecond());
-        let FleetRun { sinks, how, retry_for, lasts, every, cancel } = run;
+        let FleetRun { sinks, how, patience, lasts, every } = run;
+        let cancel = patience.cancel.clone();
         let fleet = self.fleet.clone();
-        let begin_one = |(place, sink)| Teller::begin(place, sink, (&fleet, how), retry_for, &now);
+        let begin_one = |(place, sink)| Teller::begin(place, sink, (&fleet, how), &patience, &now);
         let tellers = sinks.into_iter().map(begin_one).collect::<Result<Vec<Teller>, _>>()?;
         let is_on_wall = self.speed.is_none();
         let created = now();

@@ -17,7 +17,7 @@ use homebody_core::time::Micros;
 pub use lateness::Lateness;
 pub use open::sink;
 use std::sync::Arc;
-pub use teller::{Now, Since, Teller};
+pub use teller::{Now, Patience, Since, Teller};
 
 /// The homes that tell one place.
 #[derive(Debug)]

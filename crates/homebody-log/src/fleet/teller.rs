@@ -1,9 +1,11 @@
 //! A thread that tells one place what a fleet says. What it has not told yet waits in a list, which its maker keeps short.
 
 use super::{Fleet, FleetSink, Lateness, Told};
+use crate::cancel::Cancel;
 use crate::error::LogError;
-use crate::meter::Meter;
+use crate::meter::{Meter, News};
 use crate::sink::How;
+use crate::waiting::Waiting;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
@@ -24,6 +26,17 @@ pub struct Teller {
     shared: Arc<Shared>,
     thread: Option<JoinHandle<Result<(), LogError>>>,
     meter: Arc<Meter>,
+}
+
+/// How a place that is away is waited for.
+#[derive(Clone, Default)]
+pub struct Patience {
+    /// For how long.
+    pub retry_for: Duration,
+    /// What ends it early.
+    pub cancel: Cancel,
+    /// Who hears of it.
+    pub tell: Option<Arc<dyn Fn(&News) + Send + Sync>>,
 }
 
 #[derive(Default)]
@@ -63,8 +76,8 @@ impl Shared {
 }
 
 impl Teller {
-    /// Begins a place, and then a thread that tells it. Something that fails and [passes](LogError::passes) is tried again for this
-    /// long.
+    /// Begins a place, and then a thread that tells it. Something that fails and [passes](LogError::passes) is tried again as long as
+    /// there is patience.
     ///
     /// # Errors
     ///
@@ -73,12 +86,17 @@ impl Teller {
         place: String,
         mut sink: Box<dyn FleetSink>,
         (fleet, how): (&Arc<Fleet>, How),
-        retry_for: Duration,
+        patience: &Patience,
         now: &Now,
     ) -> Result<Teller, LogError> {
         let (meter, shared) = (Arc::new(Meter::default()), Arc::new(Shared::default()));
-        let there = tried(&shared, &meter, retry_for, || sink.begin(fleet, how))?;
-        let work = Work { sink, shared: shared.clone(), meter: meter.clone(), retry_for, there, now: now.clone() };
+        if let Some(tell) = patience.tell.clone() {
+            meter.telling(Box::new(move |news| tell(news)));
+        }
+        let calls =
+            Calls { place: place.clone(), shared: shared.clone(), meter: meter.clone(), patience: patience.clone() };
+        let there = calls.call(|| sink.begin(fleet, how))?;
+        let work = Work { sink, calls, there, now: now.clone() };
         let thread = thread::Builder::new().spawn(move || work.live());
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
         Ok(Teller { place, shared, thread: Some(thread), meter })
@@ -165,9 +183,7 @@ impl Drop for Teller {
 
 struct Work {
     sink: Box<dyn FleetSink>,
-    shared: Arc<Shared>,
-    meter: Arc<Meter>,
-    retry_for: Duration,
+    calls: Calls,
     /// By home: up to which row the place holds it already.
     there: Vec<u64>,
     now: Now,
@@ -177,9 +193,10 @@ impl Work {
     fn live(mut self) -> Result<(), LogError> {
         loop {
             let (told, ended) = {
-                let mut state = self.shared.lock();
+                let shared = &self.calls.shared;
+                let mut state = shared.lock();
                 while state.waiting.is_empty() && state.ended.is_none() && !state.is_given_up {
-                    state = self.shared.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+                    state = shared.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
                 }
                 if state.is_given_up {
                     return Ok(());
@@ -192,14 +209,15 @@ impl Work {
                 self.tell(told)?;
             }
             if let (true, Some((end, _))) = (told.is_empty(), ended) {
-                let Work { sink, shared, meter, retry_for, .. } = &mut self;
-                return tried(shared, meter, *retry_for, || sink.finish(end));
+                let Work { sink, calls, .. } = &mut self;
+                return calls.call(|| sink.finish(end));
             }
         }
     }
 
     fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
-        let Work { sink, shared, meter, there, retry_for, now } = self;
+        let Work { sink, calls, there, now } = self;
+        let Calls { shared, meter, .. } = &*calls;
         shared.lock().oldest_in_hand = first_due(told);
         let is_new = |told: &&Told| match told {
             Told::Row(row) => row.seq >= there[row.home as usize],
@@ -207,7 +225,7 @@ impl Work {
         };
         let new: Vec<Told> = told.iter().filter(is_new).copied().collect();
         if !new.is_empty() {
-            tried(shared, meter, *retry_for, || sink.tell(&new))?;
+            calls.call(|| sink.tell(&new))?;
         }
         let now = now();
         let mut state = shared.lock();
@@ -231,36 +249,25 @@ fn first_due(told: &[Told]) -> Option<i64> {
     told.iter().find_map(|told| if let Told::Row(row) = told { Some(row.due) } else { None })
 }
 
-/// Makes a call, and makes it again while its error passes and there is time.
-fn tried<T>(
-    shared: &Shared,
-    meter: &Meter,
-    retry_for: Duration,
-    mut call: impl FnMut() -> Result<T, LogError>,
-) -> Result<T, LogError> {
-    let (begun, mut wait) = (Instant::now(), FIRST_WAIT);
-    loop {
-        let error = match call() {
-            Err(error) if error.passes() => error,
-            done => {
-                meter.puts_aside(false, 0);
-                return done;
-            }
+/// Calls of a place, each made again while the place is away and there is patience.
+struct Calls {
+    place: String,
+    shared: Arc<Shared>,
+    meter: Arc<Meter>,
+    patience: Patience,
+}
+
+impl Calls {
+    fn call<T>(&self, call: impl FnMut() -> Result<T, LogError>) -> Result<T, LogError> {
+        let Calls { place, shared, meter, patience } = self;
+        let Patience { retry_for, cancel, .. } = patience;
+        let at_the_end = AT_THE_END.min(*retry_for);
+        let is_over = || {
+            let state = shared.lock();
+            state.is_given_up || state.ended.is_some_and(|(_, since)| since.elapsed() > at_the_end)
         };
-        meter.puts_aside(true, 0);
-        let mut state = shared.lock();
-        let waited = Instant::now();
-        while waited.elapsed() < wait && !state.is_given_up {
-            let left = wait.saturating_sub(waited.elapsed());
-            state = shared.changed.wait_timeout(state, left).unwrap_or_else(PoisonError::into_inner).0;
-        }
-        let is_over = state.ended.is_some_and(|(_, since)| since.elapsed() > AT_THE_END.min(retry_for));
-        if begun.elapsed() >= retry_for || state.is_given_up || is_over {
-            return Err(error);
-        }
-        drop(state);
-        meter.tries_again();
-        wait = (2 * wait).min(LONGEST_WAIT);
+        let (retry_for, first, longest) = (*retry_for, FIRST_WAIT, LONGEST_WAIT);
+        Waiting { place, meter, cancel, retry_for, first, longest }.call(is_over, call)
     }
 }
 
@@ -309,7 +316,8 @@ mod tests {
         let sink = Slow { clock: clock.clone(), takes_us, away, told: told.clone() };
         let fleet = Arc::new(Fleet { first: 1, layouts: Vec::new(), homes: Vec::new() });
         let now: Now = Arc::new(move || clock.load(Ordering::SeqCst));
-        let teller = Teller::begin("there".into(), Box::new(sink), (&fleet, How::New), retry_for, &now).unwrap();
+        let patience = Patience { retry_for, ..Patience::default() };
+        let teller = Teller::begin("there".into(), Box::new(sink), (&fleet, How::New), &patience, &now).unwrap();
         teller.count_from(1_000_000);
         (teller, told)
     }

@@ -9,6 +9,7 @@ mod open;
 pub(crate) mod sqlite;
 mod text;
 
+use crate::cancel::Cancel;
 use crate::clock::Clock;
 use crate::error::LogError;
 use crate::run_info::RunInfo;
@@ -66,6 +67,8 @@ pub struct Begin<'a> {
     pub spreadsheet_safe: bool,
     /// What becomes of what is there already.
     pub how: How,
+    /// Once it says so, a destination that is away is not to be waited for any more, in this call and in later ones.
+    pub cancel: &'a Cancel,
 }
 
 /// What becomes of what is there already.

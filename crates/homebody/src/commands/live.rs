@@ -1,6 +1,6 @@
 //! `homebody live`: a home on the world's clock.
 
-use super::lived::{Away, all_are_servers, is_not_yet, report_live, span_in_words};
+use super::lived::{Away, all_are_servers, failure, is_not_yet, report_live, span_in_words};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
@@ -88,7 +88,7 @@ impl Arguments {
         if !self.quiet {
             tell(format_args!("{} {}; Ctrl-C stops it", opened.name(), how_it_begins(&home, &folder)));
         }
-        let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name())?);
+        let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name(), self.quiet)?);
         let mut watch = Watch::new(self.quiet, &meters);
         let lived = home.live(&self.out, &when, &meters, signals.cancel(), |progress| watch.look(progress));
         watch.bar.finish_and_clear();
@@ -100,7 +100,7 @@ impl Arguments {
                 }
                 return signals.ended(true).and(Err(error.into()));
             }
-            lived => lived?,
+            lived => lived.map_err(|error| failure(error, |_| "the same command".into(), &signals))?,
         };
         if !self.quiet {
             report_live(&name, &folder, &lived);

@@ -115,7 +115,7 @@ pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Si
     let progress = output.progress(run.progress().length);
     let lived = run.store(&to, |lived| show(&progress, 0, lived));
     progress.finish_and_clear();
-    let lived = lived?;
+    let lived = lived.map_err(|error| failure(error, go_on_by, signals))?;
     report(&name, &lived, output)?;
     signals.ended(lived.is_stopped())
 }
@@ -268,7 +268,25 @@ fn told(truth: &Url) -> String {
 
 /// The last line of what is told of a run or a cohort that was stopped: how to go on with it.
 pub fn go_on_in(folder: &Path) -> String {
-    format!("go on      homebody run --resume {}\n", folder.display())
+    format!("go on      {}\n", go_on_by(folder))
+}
+
+/// By which command a run or a cohort that was stopped is gone on with.
+pub fn go_on_by(folder: &Path) -> String {
+    format!("homebody run --resume {}", folder.display())
+}
+
+/// How a command fails by an error. Where a signal has stopped the run while a server was away, that is told, and the failure is the
+/// signal's.
+pub fn failure(error: Error, go_on_by: impl Fn(&Path) -> String, signals: &Signals) -> Failure {
+    match (&error, signals.ended(true)) {
+        (Error::StoppedAway { folder, .. }, Err(signal)) => {
+            let hint = |folder: &Path| format!("\n  hint: once it is back, {} goes on with the run", go_on_by(folder));
+            tell(format_args!("error: {error}{}", folder.as_deref().map(hint).unwrap_or_default()));
+            signal
+        }
+        _ => error.into(),
+    }
 }
 
 /// How fast it goes: as a pace that one may ask for, or beyond those in what goes by in a second.

@@ -2,7 +2,7 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::lived::{Output, all_are_servers, go_on_in, is_not_yet, live, report, show};
+use super::lived::{Output, all_are_servers, failure, go_on_by, go_on_in, is_not_yet, live, report, show};
 use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
@@ -182,7 +182,7 @@ impl Arguments {
         }
         let run = opened.run().seed(seed).length(length).without(&self.without);
         let run = run.pace(self.pace.pace()).commands(self.pace.commands()?).cancel(cancel).start()?;
-        let run = run.metered(&self.watched.begin(opened.name())?);
+        let run = run.metered(&self.watched.begin(opened.name(), self.output.quiet)?);
         self.remark(&opened, length);
         live(run, self.record, &self.output, &signals)
     }
@@ -219,7 +219,7 @@ impl Arguments {
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         all_are_servers(&self.output.out)?;
         let when = self.output.away.when()?;
-        let meters = self.watched.begin(&run.scenario().file.name)?;
+        let meters = self.watched.begin(&run.scenario().file.name, self.output.quiet)?;
         let run = run.metered(&meters);
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);
@@ -240,7 +240,7 @@ impl Arguments {
                 go_on_in(folder)
             ))?;
         }
-        ended.and(Err(error.into()))
+        ended.and(Err(failure(error, go_on_by, signals)))
     }
 
     fn tell_cohort(&self, progress: &ProgressBar, lived: &LivedCohort, signals: &Signals) -> Result<(), Failure> {

@@ -10,7 +10,7 @@ use std::thread;
 use std::time::Duration;
 
 /// A broker, or a home, that ends with the test.
-struct Ends(Child);
+pub struct Ends(pub Child);
 
 impl Drop for Ends {
     fn drop(&mut self) {
@@ -20,7 +20,13 @@ impl Drop for Ends {
 }
 
 /// A mosquitto and its port; None where there is none, which is told.
-fn broker(folder: &Folder) -> Option<(Ends, u16)> {
+pub fn broker(folder: &Folder) -> Option<(Ends, u16)> {
+    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    Some((broker_at(folder, port)?, port))
+}
+
+/// The same at this port.
+pub fn broker_at(folder: &Folder, port: u16) -> Option<Ends> {
     let path = std::env::var_os("PATH").unwrap_or_default();
     let mut folders = std::env::split_paths(&path).chain([PathBuf::from("/usr/sbin")]);
     let program = folders.find_map(|folder| Some(folder.join("mosquitto")).filter(|program| program.exists()));
@@ -29,14 +35,13 @@ fn broker(folder: &Folder) -> Option<(Ends, u16)> {
         assert!(std::env::var("HOMEBODY_SERVERS").as_deref() != Ok("required"), "mosquitto is required");
         return None;
     };
-    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
     folder.write("mosquitto.conf", format!("user root\nlistener {port} 127.0.0.1\nallow_anonymous true\n"));
     let quiet = || Stdio::null();
     let child =
         Command::new(program).arg("-c").arg(folder.path("mosquitto.conf")).stdout(quiet()).stderr(quiet()).spawn();
     let broker = Ends(child.unwrap());
     folder.until("the broker listens", |_| TcpStream::connect(("127.0.0.1", port)).is_ok());
-    Some((broker, port))
+    Some(broker)
 }
 
 /// Gives a home an order until it is not refused because the home is away or catches up; the answer.

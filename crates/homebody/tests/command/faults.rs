@@ -81,13 +81,13 @@ fn whichever_call_is_refused_nothing_is_half_written() {
                 ],
             );
             let what = format!("{kinds} {number} of {all}: {error}, {:?}: {}", done.code, done.err);
-            assert!(!done.err.contains("panicked") && matches!(done.code, Some(0..=2)), "{what}");
+            assert!(!done.err.contains("panicked") && matches!(done.code, Some(0 | 1)), "{what}");
             refused += usize::from(done.code != Some(0));
             if done.code == Some(0) {
                 assert!(folder.read("log.csv") == whole, "{what}");
             } else {
                 // What is wrong is told in words.
-                assert!(done.err.contains("error: ") || done.err.contains("problem"), "{what}");
+                assert!(done.err.contains("error: "), "{what}");
                 assert!(!folder.path("log.csv").exists() || folder.read("log.csv") == whole, "{what}");
             }
             for name in ["log.db", "truth.db"].into_iter().filter(|name| folder.path(name).exists()) {

@@ -36,6 +36,8 @@ mod postgres;
 mod put_back;
 #[cfg(feature = "mqtt")]
 mod commanded;
+#[cfg(feature = "mqtt")]
+mod away;
 mod truths;
 mod walked_back;
 mod calibrated;

@@ -211,6 +211,13 @@ fn what_is_wrong_with_a_database_on_a_server_is_found() {
     server.psql(&database, "CREATE ROLE guest LOGIN; REVOKE CREATE ON SCHEMA public FROM PUBLIC");
     tells(&folder, &server.url("guest", &database, ""), "wrong", "has no right to INSERT");
     tells(&folder, &server.url("guest", "postgres", "&schema=fresh"), "wrong", "may not make one");
+    // That a role may only read is told once for each schema, and not for each of the truth's tables.
+    let reads = "CREATE ROLE looker LOGIN; GRANT USAGE ON SCHEMA truth TO looker; \
+                 GRANT SELECT ON ALL TABLES IN SCHEMA public, truth TO looker";
+    server.psql(&database, reads);
+    let (_, lines) = doctor(&folder, &server.url("looker", &database, ""));
+    let wrong: Vec<&String> = lines.iter().filter(|line| line.starts_with("wrong")).collect();
+    assert!(wrong.len() == 2 && wrong.iter().all(|line| line.contains("has no right to INSERT in ")), "{lines:#?}");
     tells(&folder, &server.url("postgres", "nowhere", ""), "wrong", "does not exist");
     tells(&folder, "postgresql://ann@127.0.0.1:1/homes", "wrong", "no server answers");
 }

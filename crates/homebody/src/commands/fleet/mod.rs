@@ -2,6 +2,7 @@
 
 pub mod told;
 
+use super::lived::{failure, go_on_by};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::length::span;
@@ -11,12 +12,13 @@ use crate::start::Start;
 use crate::watched::Watched;
 use homebody_core::problem::Problems;
 use homebody_core::time::{Micros, SECOND};
-use homebody_kit::fleet::{Churn, FleetOf, FleetRun, FleetSetup, MOST_HOMES, Storms};
-use homebody_kit::{Error, OpenScenario, Url};
+use homebody_kit::fleet::{Churn, FleetOf, FleetRun, FleetSetup, MOST_HOMES, Patience, Storms};
+use homebody_kit::{Error, News, OpenScenario, Url};
 use homebody_log::fresh::FreshFile;
 use homebody_log::places::can_be_written;
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 use told::{Telling, bar};
 
@@ -169,16 +171,20 @@ impl Arguments {
         let report = self.report.as_ref().map(|path| FreshFile::create(path, self.force)).transpose()?;
         let look = self.watched.begin_fleet(&names.join(", "))?;
         let mut telling = Telling::begin(self.quiet, self.json, report, look);
-        run.retry_for = if self.on_sink_down == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO };
+        run.patience = Patience {
+            retry_for: if self.on_sink_down == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO },
+            cancel: signals.cancel().clone(),
+            tell: (!self.quiet).then(|| Arc::new(|news: &News| tell(news)) as _),
+        };
         run.lasts = self.lasts.map(duration);
         run.every = duration(self.every);
-        run.cancel = signals.cancel().clone();
         let mut failed = None;
         let last = fleet.live(run, |lived| {
             if let Err(error) = telling.hear(lived) {
                 failed.get_or_insert(error);
             }
-        })?;
+        });
+        let last = last.map_err(|error| failure(error, go_on_by, &signals))?;
         telling.end(&last)?;
         failed.map_or(Ok(()), Err)?;
         let is_over = self.lasts.is_some_and(|lasts| last.running_s * 1e6 >= lasts as f64);

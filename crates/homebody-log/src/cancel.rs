@@ -5,7 +5,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Asks runs to end early. A clone is another handle on the same request.
 ///
-/// A run that is cancelled ends between two batches; what it has stored by then is completed and stays.
+/// A run that is cancelled ends between two batches; what it has stored by then is completed and stays. A destination that is away
+/// is not waited for any more.
 #[derive(Clone, Debug, Default)]
 pub struct Cancel(Arc<AtomicBool>);
 

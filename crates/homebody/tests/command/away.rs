@@ -1,0 +1,104 @@
+//! A run whose broker goes away, or is not there yet, says so and waits; stopped meanwhile it ends soon, and is gone on with once the broker is
+//! back.
+
+use crate::commanded::{Ends, broker, broker_at};
+use crate::flat::flat;
+use crate::folder::Folder;
+use std::fs::File;
+use std::process::{Command, ExitStatus, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
+
+const SPAN: &str = "50m";
+
+/// A run that is stopped ends within this time, on however slow a machine: it waits for the broker for ten minutes, or a day.
+const SOON: Duration = Duration::from_secs(5);
+
+/// Begins a run, has its broker go away, and stops it at once or when it has said that it waits. How it ended, and what it said.
+fn stopped(folder: &Folder, words: &str, (broker, says): (Ends, Option<&str>)) -> (ExitStatus, String) {
+    let mut command = folder.command(words);
+    command.stdout(Stdio::null()).stderr(File::create(folder.path("said")).unwrap());
+    let mut run = Ends(command.spawn().unwrap());
+    let is_note = |name: &String| name.ends_with(".confirmed.json");
+    folder.until("the broker has confirmed rows", |folder| folder.files().iter().any(is_note));
+    drop(broker);
+    if let Some(says) = says {
+        folder.until("the run says what it waits for", |folder| folder.read("said").contains(says));
+    } else {
+        // It has noticed by now, and has not given up hope yet.
+        thread::sleep(Duration::from_secs(2));
+    }
+    assert!(run.0.try_wait().unwrap().is_none(), "{}", folder.read("said"));
+    let signalled = Command::new("sh").args(["-c", &format!("kill -INT {}", run.0.id())]).status();
+    assert!(signalled.unwrap().success());
+    let begun = Instant::now();
+    loop {
+        if let Some(status) = run.0.try_wait().unwrap() {
+            println!("ended {} ms after the signal", begun.elapsed().as_millis());
+            return (status, folder.read("said"));
+        }
+        assert!(begun.elapsed() < SOON, "it has not ended:\n{}", folder.read("said"));
+        thread::sleep(Duration::from_millis(10));
+    }
+}
+
+#[test]
+fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with() {
+    let waits = "is away: no broker listens there\n  the run waits until it is back, for 600 s at most\n";
+    let spools = "is away: no broker listens there\n  rows are put aside until it is back\n";
+    for (log, more, says) in
+        [("log.db", "", Some(waits)), ("log.csv", "", None), ("log.db", "--on-sink-down spool", Some(spools))]
+    {
+        let folder = flat();
+        let kind = if log == "log.db" { "sqlite" } else { "csv" };
+        folder.edit("flat/logger.json", "sqlite:log.db", &format!("{kind}:{log}"));
+        let Some((broker, port)) = broker(&folder) else { return };
+        let words = format!("--speed 60 --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true {more}");
+        let (status, said) = stopped(&folder, &format!("run flat --for {SPAN} {words}"), (broker, says));
+        assert_eq!(status.code(), Some(130), "{said}");
+        let [why, hint] = [" was away when the run was stopped: no broker listens there;", "--resume runs/flat-1"];
+        assert!(said.contains(why) && said.contains(hint), "{said}");
+        assert_eq!(said.matches("warning: ").count(), usize::from(says.is_some()), "it is said once: {said}");
+        let is_back = |line: &str| line.ends_with(" is back") && !line.starts_with(' ');
+        assert!(!said.lines().any(is_back), "{said}");
+
+        let _broker = broker_at(&folder, port);
+        folder.run(&format!("run --resume runs/flat-1 --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true")).ok();
+        folder.run(&format!("run flat --for {SPAN} --quiet")).ok();
+        let rows = |run: &str| match kind {
+            "sqlite" => folder.query(&format!("runs/{run}/{log}"), "SELECT seq, sensor, value, fired_at FROM firing"),
+            _ => folder.read(&format!("runs/{run}/{log}")).lines().skip(1).map(str::to_owned).collect(),
+        };
+        assert_eq!(rows("flat-1"), rows("flat-2"));
+        assert_eq!(folder.truth_sha256("runs/flat-1/truth.db"), folder.truth_sha256("runs/flat-2/truth.db"));
+        let note = folder.files().into_iter().find(|name| name.ends_with(".confirmed.json")).unwrap();
+        let confirmed = format!("\"rows\":[{}]", rows("flat-1").len());
+        assert!(folder.read(&note).contains(&confirmed), "{confirmed}: {}", folder.read(&note));
+    }
+}
+
+#[test]
+fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
+    let folder = flat();
+    // Where there is none at all, nothing is to be seen here.
+    let Some((first, port)) = broker(&folder) else { return };
+    drop(first);
+    let words = format!("run flat --for 20m --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true");
+    let begun = Instant::now();
+    folder.run(&words).fails(1, "no broker listens there\n  hint: start the broker");
+    assert!(begun.elapsed() < SOON, "{:?}", begun.elapsed());
+    for (number, (how, says)) in [("retry", "the run waits"), ("spool", "rows are put aside")].into_iter().enumerate() {
+        let mut command = folder.command(&format!("{words} --on-sink-down {how}"));
+        command.stdout(Stdio::null()).stderr(File::create(folder.path("said")).unwrap());
+        let mut run = Ends(command.spawn().unwrap());
+        folder.until("the run says what it waits for", |folder| folder.read("said").contains(says));
+        let _broker = broker_at(&folder, port);
+        let status = run.0.wait().unwrap();
+        let said = folder.read("said");
+        assert!(status.success() && said.lines().any(|line| line.ends_with(" is back")), "{how}: {said}");
+        let run = format!("runs/flat-{}", number + 1);
+        let note = folder.files().into_iter().find(|name| name.starts_with(&run) && name.ends_with(".confirmed.json"));
+        let confirmed = format!("\"rows\":[{}]", folder.stored_rows(&format!("{run}/log.db")));
+        assert!(folder.read(&note.unwrap()).contains(&confirmed), "{how}: {confirmed}");
+    }
+}
