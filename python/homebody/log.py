@@ -147,10 +147,9 @@ class Log:
 
     def to_pyadlml(self, resident: str | None = None) -> Pyadlml:
         """As pyadlml has it; of several residents, the activities of one."""
-        try:
-            import pandas
-        except ImportError:
-            raise needs("pandas", "to_pyadlml", "pandas") from None
+        needs("pandas", "to_pyadlml", "pandas")
+        import pandas
+
         devices = self.events.to_pandas()
         meant = {"ON": True, "OFF": False, "OPEN": True, "CLOSE": False}
         devices["device"] = devices["device"].astype(str)

@@ -201,6 +201,29 @@ def test_the_command_is_in_the_package() -> None:
     assert wrong.returncode == 1 and "nowhere" in wrong.stderr
 
 
+@pytest.mark.parametrize(
+    ("package", "code"),
+    [
+        ("pandas", "run.events.to_pandas()"),
+        ("pyarrow", "run.events.to_pandas()"),
+        ("pyarrow", "run.events.to_pyarrow()"),
+        ("polars", "run.events.to_polars()"),
+        ("pandas", "run.to_pyadlml()"),
+        ("distributed", "hb.cohort('studio', 1, str(run.folder) + '-cohort', days=0.1, cluster='local')"),
+        ("gymnasium", "import homebody.env"),
+        ("numpy", "import homebody.env"),
+    ],
+)
+def test_a_package_that_is_missing_is_named(
+    run: hb.Run, monkeypatch: pytest.MonkeyPatch, package: str, code: str
+) -> None:
+    # What is imported already stays, but of nothing else.
+    monkeypatch.delitem(sys.modules, "homebody.env", raising=False)
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(hb.MissingPackage, match=f"needs {package}, which is not installed\n  hint: pip install {package}"):
+        exec(code, {"hb": hb, "run": run})  # noqa: S102
+
+
 def test_importing_it_is_quick() -> None:
     # By the processor's time: others may be at work on the machine.
     code = "import time; a = time.process_time(); import homebody; print(time.process_time() - a)"
