@@ -4,6 +4,7 @@ import subprocess
 import sys
 import threading
 import time
+import types
 from pathlib import Path
 
 import homebody as hb
@@ -222,6 +223,23 @@ def test_a_package_that_is_missing_is_named(
     monkeypatch.setitem(sys.modules, package, None)
     with pytest.raises(hb.MissingPackage, match=f"needs {package}, which is not installed\n  hint: pip install {package}"):
         exec(code, {"hb": hb, "run": run})  # noqa: S102
+
+
+def test_a_notebook_without_tqdm_has_a_line_that_goes(monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[str] = []
+
+    class Handle:
+        def update(self, said: dict[str, str], raw: bool) -> None:
+            told.append(said["text/plain"])
+
+    shown = types.SimpleNamespace(display=lambda said, raw, display_id: Handle())
+    for name, module in [("ipykernel", types.SimpleNamespace()), ("tqdm.auto", None), ("IPython.display", shown)]:
+        monkeypatch.setitem(sys.modules, name, module)
+    hb.scenario("studio").run(days=0.1, seed=1)
+    assert told[0].startswith("living studio: ") and told[-1] == ""
+    told.clear()
+    hb.scenario("studio").run(days=0.1, seed=1, progress=False)
+    assert told == []
 
 
 def test_importing_it_is_quick() -> None:
