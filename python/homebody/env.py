@@ -18,8 +18,8 @@ from homebody.errors import needs
 from homebody.picture import Picture
 from homebody.scenario import Scenario, scenario
 
-needs("gymnasium", "homebody.env", "gym")
 needs("numpy", "homebody.env", "gym")
+needs("gymnasium", "homebody.env", "gym")
 
 import gymnasium  # noqa: E402
 import numpy  # noqa: E402
