@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import tempfile
 from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike, fspath
@@ -125,6 +124,8 @@ class Log:
     def labelled(self) -> Table:
         """Each row with whose doing it was, in which room, during which activity, and why: what ``homebody label`` joins. Its columns
         are ``time``, ``device``, ``value``, ``resident``, ``room``, ``activity``, ``cause``, ``thing``."""
+        import tempfile
+
         with tempfile.TemporaryDirectory(prefix="homebody-") as folder:
             return Table(self._log.labelled(Path(folder) / "labelled.arrow"))
 
