@@ -47,10 +47,9 @@ def live_member(folder: str, index: int) -> str:
 
 @contextmanager
 def _client(cluster: str, workers: int | None) -> Iterator[Any]:
-    try:
-        from distributed import Client, LocalCluster
-    except ImportError:
-        raise needs("distributed", "a cluster", "cluster") from None
+    needs("distributed", "a cluster", "cluster")
+    from distributed import Client, LocalCluster
+
     if cluster == "local":
         # Processes, each of which lives one at a time: so one that dies takes one member with it.
         local = LocalCluster(

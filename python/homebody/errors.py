@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import import_module
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,19 @@ class MissingPackage(HomebodyError, ImportError):
     """A package that is optional is not installed; the text says how to install it."""
 
 
-def needs(package: str, what: str, extra: str | None = None) -> MissingPackage:
-    """The error where ``what`` needs a package that is not installed."""
-    install = f"homebody[{extra}]" if extra else package
-    return MissingPackage(f"{what} needs {package}, which is not installed\n  hint: pip install {install}")
+def needs(package: str, what: str, extra: str | None = None) -> None:
+    """Sees to it that an optional package is there which ``what`` imports next.
+
+    >>> needs("json", "this example")
+    >>> needs("no_such_package", "this example", "pandas")
+    Traceback (most recent call last):
+    homebody.errors.MissingPackage: this example needs no_such_package, which is not installed
+      hint: pip install no_such_package, or pip install "homebody[pandas]"
+    """
+    try:
+        import_module(package)
+    except ImportError as error:
+        why = "which is not installed" if getattr(error, "name", None) == package else f"which cannot be imported: {error}"
+        extras = f', or pip install "homebody[{extra}]"' if extra else ""
+        hint = f"pip install {package}{extras}"
+        raise MissingPackage(f"{what} needs {package}, {why}\n  hint: {hint}", name=package) from None

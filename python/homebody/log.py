@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import tempfile
 from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike, fspath
@@ -125,6 +124,8 @@ class Log:
     def labelled(self) -> Table:
         """Each row with whose doing it was, in which room, during which activity, and why: what ``homebody label`` joins. Its columns
         are ``time``, ``device``, ``value``, ``resident``, ``room``, ``activity``, ``cause``, ``thing``."""
+        import tempfile
+
         with tempfile.TemporaryDirectory(prefix="homebody-") as folder:
             return Table(self._log.labelled(Path(folder) / "labelled.arrow"))
 
@@ -147,10 +148,9 @@ class Log:
 
     def to_pyadlml(self, resident: str | None = None) -> Pyadlml:
         """As pyadlml has it; of several residents, the activities of one."""
-        try:
-            import pandas
-        except ImportError:
-            raise needs("pandas", "to_pyadlml", "pandas") from None
+        needs("pandas", "to_pyadlml", "pandas")
+        import pandas
+
         devices = self.events.to_pandas()
         meant = {"ON": True, "OFF": False, "OPEN": True, "CLOSE": False}
         devices["device"] = devices["device"].astype(str)

@@ -9,7 +9,7 @@ from typing import Any
 
 
 class Progress:
-    """A bar while something is done: that of tqdm in a notebook, where tqdm is there; a line on a terminal; else nothing."""
+    """A bar while something is done: in a notebook that of tqdm, or a line where tqdm is not there; a line on a terminal; else nothing."""
 
     def __init__(self, what: str, shown: bool | None = None) -> None:
         self._what = what
@@ -17,11 +17,7 @@ class Progress:
         in_notebook = _in_notebook()
         self._shown = (in_notebook or sys.stderr.isatty()) if shown is None else shown
         if self._shown and in_notebook:
-            try:
-                from tqdm.auto import tqdm
-            except ImportError:
-                return
-            self._bar = tqdm(total=100, desc=what, unit="%", leave=False)
+            self._bar = _bar(what)
 
     def __enter__(self) -> Callable[[float, float], None] | None:
         return self._tell if self._shown else None
@@ -40,6 +36,35 @@ class Progress:
             self._bar.close()
         elif self._shown:
             print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+
+
+class _Line:
+    """A line in a notebook that goes when all is done, with as much of a bar's face as is used here."""
+
+    def __init__(self, what: str) -> None:
+        from IPython.display import display
+
+        self._what = what
+        self.n = 0.0
+        self._handle: Any = display(self._said(""), raw=True, display_id=True)
+
+    def _said(self, text: str) -> dict[str, str]:
+        return {"text/plain": text}
+
+    def update(self, percent: float) -> None:
+        self.n += percent
+        self._handle.update(self._said(f"{self._what}: {self.n:3.0f} %"), raw=True)
+
+    def close(self) -> None:
+        self._handle.update(self._said(""), raw=True)
+
+
+def _bar(what: str) -> Any:
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return _Line(what)
+    return tqdm(total=100, desc=what, unit="%", leave=False)
 
 
 def _in_notebook() -> bool:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import atexit
 import json
 import shutil
-import tempfile
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from os import PathLike, fspath
@@ -26,6 +25,8 @@ ENTRY = "scenario.json"
 
 def temporary_folder() -> Path:
     """A new folder that goes when the program ends."""
+    import tempfile
+
     folder = Path(tempfile.mkdtemp(prefix="homebody-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder

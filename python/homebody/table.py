@@ -50,30 +50,22 @@ class Table:
 
     def to_pyarrow(self) -> pyarrow.Table:
         """The same as a table of pyarrow, over the same memory."""
-        try:
-            import pyarrow
-        except ImportError:
-            raise needs("pyarrow", "Table.to_pyarrow") from None
+        needs("pyarrow", "Table.to_pyarrow")
+        import pyarrow
+
         return pyarrow.table(self)
 
     def to_pandas(self) -> pandas.DataFrame:
         """The same as a frame of pandas: times know their zone, texts are categories."""
-        try:
-            import pandas  # noqa: F401
-        except ImportError:
-            raise needs("pandas", "Table.to_pandas", "pandas") from None
-        try:
-            import pyarrow  # noqa: F401
-        except ImportError:
-            raise needs("pyarrow", "Table.to_pandas", "pandas") from None
+        needs("pandas", "Table.to_pandas", "pandas")
+        needs("pyarrow", "Table.to_pandas", "pandas")
         return self.to_pyarrow().to_pandas()
 
     def to_polars(self) -> polars.DataFrame:
         """The same as a frame of polars."""
-        try:
-            import polars
-        except ImportError:
-            raise needs("polars", "Table.to_polars", "polars") from None
+        needs("polars", "Table.to_polars", "polars")
+        import polars
+
         return polars.DataFrame(self)
 
     def __repr__(self) -> str:

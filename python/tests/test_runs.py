@@ -4,6 +4,7 @@ import subprocess
 import sys
 import threading
 import time
+import types
 from pathlib import Path
 
 import homebody as hb
@@ -48,15 +49,30 @@ def test_pandas_polars_and_pyarrow_have_the_same_rows(run: hb.Run) -> None:
     assert frame["device"].cast(str).to_list() == events.to_pandas()["device"].astype(str).to_list()
 
 
-def test_two_streams_are_over_the_same_memory(run: hb.Run) -> None:
-    def address(table: pyarrow.Table) -> int:
-        return table["time"].chunk(0).buffers()[1].address
+def address(column: pyarrow.ChunkedArray) -> int:
+    """Where the values of a column of numbers or times lie in memory."""
+    return column.chunk(0).buffers()[1].address + column.chunk(0).offset * column.type.bit_width // 8
 
-    one, other = pyarrow.table(run.events), pyarrow.table(run.events)
-    assert address(one) == address(other)
-    in_polars = polars.DataFrame(run.events)["time"].to_physical().to_numpy(allow_copy=False).__array_interface__["data"][0]
-    assert in_polars == address(one), "polars takes it without a copy"
-    assert address(pyarrow.table(hb.read(run.folder).events)) != address(one)
+
+def in_polars(series: polars.Series) -> int:
+    """The same of polars; it raises where this cannot be without a copy."""
+    return series.to_physical().to_numpy(allow_copy=False).__array_interface__["data"][0]
+
+
+def test_polars_and_pyarrow_take_numbers_and_times_without_a_copy(run: hb.Run) -> None:
+    taken = []
+    for table in (run.events, run.movement, run.activities, run.windows("5m")):
+        arrow, frame = pyarrow.table(table), table.to_polars()
+        for name, column in zip(arrow.column_names, arrow.columns):
+            is_number = pyarrow.types.is_primitive(column.type) and not pyarrow.types.is_boolean(column.type)
+            if is_number and column.null_count == 0:
+                assert in_polars(frame[name]) == address(column), name
+                taken.append(name)
+        assert address(pyarrow.table(table).column(taken[-1])) == address(arrow.column(taken[-1]))
+    assert {"time", "start_time", "end_time", "hour"} < set(taken) and len(taken) > 15
+    events = run.events.to_polars()
+    assert in_polars(events["time"].dt.offset_by("0s")) != in_polars(events["time"]), "a copy lies elsewhere"
+    assert address(pyarrow.table(hb.read(run.folder).events)["time"]) != address(pyarrow.table(run.events)["time"])
 
 
 def test_windows_count_what_was_said(run: hb.Run) -> None:
@@ -199,6 +215,46 @@ def test_the_command_is_in_the_package() -> None:
     assert told.stdout.strip() == f"homebody {hb.__version__}"
     wrong = subprocess.run([sys.executable, "-m", "homebody", "check", "nowhere"], capture_output=True, text=True)
     assert wrong.returncode == 1 and "nowhere" in wrong.stderr
+
+
+@pytest.mark.parametrize(
+    ("package", "code"),
+    [
+        ("pandas", "run.events.to_pandas()"),
+        ("pyarrow", "run.events.to_pandas()"),
+        ("pyarrow", "run.events.to_pyarrow()"),
+        ("polars", "run.events.to_polars()"),
+        ("pandas", "run.to_pyadlml()"),
+        ("distributed", "hb.cohort('studio', 1, str(run.folder) + '-cohort', days=0.1, cluster='local')"),
+        ("gymnasium", "import homebody.env"),
+        ("numpy", "import homebody.env"),
+    ],
+)
+def test_a_package_that_is_missing_is_named(
+    run: hb.Run, monkeypatch: pytest.MonkeyPatch, package: str, code: str
+) -> None:
+    # What is imported already stays, but of nothing else.
+    monkeypatch.delitem(sys.modules, "homebody.env", raising=False)
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(hb.MissingPackage, match=f"needs {package}, which is not installed\n  hint: pip install {package}"):
+        exec(code, {"hb": hb, "run": run})  # noqa: S102
+
+
+def test_a_notebook_without_tqdm_has_a_line_that_goes(monkeypatch: pytest.MonkeyPatch) -> None:
+    told: list[str] = []
+
+    class Handle:
+        def update(self, said: dict[str, str], raw: bool) -> None:
+            told.append(said["text/plain"])
+
+    shown = types.SimpleNamespace(display=lambda said, raw, display_id: Handle())
+    for name, module in [("ipykernel", types.SimpleNamespace()), ("tqdm.auto", None), ("IPython.display", shown)]:
+        monkeypatch.setitem(sys.modules, name, module)
+    hb.scenario("studio").run(days=0.1, seed=1)
+    assert told[0].startswith("living studio: ") and told[-1] == ""
+    told.clear()
+    hb.scenario("studio").run(days=0.1, seed=1, progress=False)
+    assert told == []
 
 
 def test_importing_it_is_quick() -> None:

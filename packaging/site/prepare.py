@@ -1,0 +1,86 @@
+"""Puts the pages of the site together: `prepare.py ROOT PAGES`. packaging/site.sh calls it.
+
+Documents stay where they are in the repository, beside each other, so that their links hold; where one names another between
+backticks, that becomes a link. References are made of the modules and crates that are there.
+"""
+
+import os
+import re
+import shutil
+import sys
+from pathlib import Path
+
+#: Documents beside the README, which becomes the first page.
+BESIDE = ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+
+#: The modules of the package that are read first; all others follow.
+FIRST = ["scenario", "log", "table", "picture", "live", "driver", "cohort", "profiles", "env", "errors"]
+
+
+def linked(text: str, page: str, pages: dict[str, str]) -> str:
+    """The text of a page, in which other pages that are named between backticks are links."""
+    here = Path(page).parent
+
+    def link(span: re.Match[str]) -> str:
+        target = pages.get(span[1])
+        if target is None or target == page:
+            return span[0]
+        return f"[{span[0]}]({os.path.relpath(target, here)})"
+
+    parts = re.split(r"(^```.*?^```$)", text, flags=re.MULTILINE | re.DOTALL)
+    # Every other part is fenced code. What is a link already stays.
+    parts[::2] = [re.sub(r"(?<!\[)`([^`\n]+\.md)`", link, part) for part in parts[::2]]
+    return "".join(parts)
+
+
+def documents(root: Path, to: Path) -> None:
+    """The README, what lies beside it, and docs/ with its pictures."""
+    pages = {name: name for name in BESIDE} | {"README.md": "index.md"}
+    pages |= {f"docs/{path.name}": f"docs/{path.name}" for path in (root / "docs").glob("*.md")}
+    for name, page in pages.items():
+        path = to / page
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(linked((root / name).read_text(encoding="utf-8"), page, pages), encoding="utf-8")
+    for picture in (root / "docs").glob("*.png"):
+        shutil.copy(picture, to / "docs")
+
+
+def python_reference(root: Path, to: Path) -> None:
+    """All modules for users, by their docstrings."""
+    there = sorted(path.stem for path in (root / "python/homebody").glob("*.py") if not path.stem.startswith("_"))
+    modules = [name for name in FIRST if name in there] + [name for name in there if name not in FIRST]
+    # The function of the same name hides the module cohort, whose code is beside it.
+    modules = ["_cohort" if name == "cohort" else name for name in modules]
+    text = "# Reference of the Python package\n\nWhat `import homebody as hb` has is listed by the module in which it is written.\n"
+    text += "".join(f"\n::: homebody.{name}\n" for name in modules)
+    (to / "python").mkdir(exist_ok=True)
+    (to / "python/reference.md").write_text(text, encoding="utf-8")
+
+
+def rust_reference(root: Path, to: Path) -> None:
+    """All crates, with a link to what `cargo doc` has made of them."""
+    rows = []
+    for library in sorted((root / "crates").glob("*/src/lib.rs")):
+        name = library.parent.parent.name
+        first = re.search(r"^//! (.+)", library.read_text(encoding="utf-8"), flags=re.MULTILINE)
+        folder = name.replace("-", "_")
+        is_there = (root / "target/doc" / folder / "index.html").is_file()
+        shown = f'<a href="rust/{folder}/index.html"><code>{name}</code></a>' if is_there else f"`{name}`"
+        rows.append(f"| {shown} | {first[1] if first else ''} |")
+    text = "# Reference of the Rust crates\n\n"
+    text += "`cargo doc --workspace --no-deps --features homebody/all` makes it. Where its pages were there as this site was built, "
+    text += "they are in it, and the names are links.\n\n| crate | what it is |\n|---|---|\n" + "\n".join(rows) + "\n"
+    (to / "rust.md").write_text(text, encoding="utf-8")
+
+
+def main() -> None:
+    root, to = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+    shutil.rmtree(to, ignore_errors=True)
+    to.mkdir(parents=True)
+    documents(root, to)
+    python_reference(root, to)
+    rust_reference(root, to)
+
+
+if __name__ == "__main__":
+    main()
