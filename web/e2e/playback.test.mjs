@@ -54,7 +54,7 @@ test('of two runs that differ by a condition it is shown what one has and the ot
     await differs.getByRole('rowheader', { name: 'bedroom motion' }).waitFor();
     await differs.getByRole('columnheader', { name: 'Room' }).waitFor();
     await page.getByLabel('Time spent, as heat').check();
-    await page.getByText('More and less time that day than in the first run').waitFor();
+    await page.getByText('More and less than in the first run that day').waitFor();
     const now = page.getByRole('region', { name: 'At this time' });
     assert.equal(await now.getByRole('rowheader', { name: /^margaret$/ }).count(), 2);
     await page.getByLabel('as a table').check();
@@ -86,7 +86,12 @@ test('what is looked for over the whole run is listed, marked on the time line, 
   await page.keyboard.press('p');
   await wait(300);
   assert.equal(await clock.innerText(), first);
+  // What is chosen stays open.
+  await page.getByLabel('What is looked for').selectOption('on');
+  await page.getByLabel('Sensor', { exact: true }).selectOption('stove motion');
+  await page.getByLabel('between').check();
   // No hours at all are told.
+  await page.getByLabel('From which hour').selectOption('0');
   await page.getByLabel('To which hour').selectOption('0');
   await page.getByRole('button', { name: 'Find', exact: true }).click();
   await page.getByRole('alert').getByText('different times of a day').waitFor();

@@ -21,13 +21,14 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::scheme::{self, Scheme};
 use homebody_core::time::{Micros, SECOND};
+use homebody_kit::find::Stay;
 use homebody_log::places::RECORDING;
 use homebody_log::{Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
 use homebody_routine::household::Household;
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
 /// So many runs stay open: two side by side, and the one looked at before (ours).
@@ -96,6 +97,8 @@ struct Opened {
     chances: Vec<Vec<Chance>>,
     truth: Option<Url>,
     clock: RunClock,
+    /// The messages that never reached the logger, once somebody has looked for them.
+    lost: OnceLock<Vec<Stay<'static>>>,
 }
 
 /// When a run's files were written, and how long they are.
@@ -275,6 +278,7 @@ impl Playback {
             chances: Vec::new(),
             truth: truth.as_deref().map(|truth| Url::new(Scheme::Sqlite, truth)),
             clock: RunClock::of(&scenario, length),
+            lost: OnceLock::new(),
         };
         if let Some(truth) = &truth {
             view.has_truth = true;

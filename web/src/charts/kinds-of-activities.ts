@@ -15,7 +15,20 @@ export const ACTIVITY_KINDS: readonly ActivityKind[] = Object.entries(KINDS).map
   colour: (palette) => (colour === null ? palette.text : okabeIto[colour]),
 }));
 
+/** What was asked before: a year of a life has tens of thousands of spans, and some dozen names. */
+const asked = new Map<string, ActivityKind>();
+const MOST_ASKED = 2000;
+
 export function activityKind(activity: string): ActivityKind {
+  const known = asked.get(activity);
+  if (known !== undefined) return known;
+  if (asked.size >= MOST_ASKED) asked.clear();
+  const kind = kindOf(activity);
+  asked.set(activity, kind);
+  return kind;
+}
+
+function kindOf(activity: string): ActivityKind {
   const words = activity.replace(/(\p{Ll})(\p{Lu})/gu, '$1 $2').toLowerCase().match(/\p{L}+|\p{N}+/gu) ?? [];
   const id = KNOWN.get(words.join('_')) ?? byWords(` ${words.join(' ')}`);
   return ACTIVITY_KINDS.find((of) => of.id === id)!;

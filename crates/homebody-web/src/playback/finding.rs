@@ -155,6 +155,9 @@ impl Opened {
     /// The messages that never reached the logger, by the truth.
     fn lost(&self) -> Result<Option<Vec<Stay<'_>>>, Refusal> {
         let Some(truth) = &self.truth else { return Ok(None) };
+        if let Some(known) = self.lost.get() {
+            return Ok(Some(known.clone()));
+        }
         let sensors = self.listeners();
         let known = self.view.sensors.iter().map(String::as_str).zip(&sensors).collect::<HashMap<_, _>>();
         let mut all = Vec::new();
@@ -171,7 +174,7 @@ impl Opened {
             Ok(())
         })
         .map_err(damaged)?;
-        Ok(Some(sorted(all)))
+        Ok(Some(self.lost.get_or_init(|| sorted(all)).clone()))
     }
 
     /// Alerts are of whole days.
