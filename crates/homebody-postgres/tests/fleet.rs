@@ -69,10 +69,13 @@ fn rows_of_many_homes_are_there_once_whatever_kills_the_server() {
         }
         let next = rows(told..told + 20 + kill);
         server.kill();
-        let error = sink.tell(&next).unwrap_err();
-        assert!(error.passes(), "{error}");
+        let told_to_the_dying = sink.tell(&next);
         server.restart();
-        sink.tell(&next).unwrap();
+        // A process of the server that outlives its first one for a moment may have taken them.
+        if let Err(error) = told_to_the_dying {
+            assert!(error.passes(), "{error}");
+            sink.tell(&next).unwrap();
+        }
         told += 20 + kill;
         assert_eq!(stored(&server, &database), all_have(told));
     }
