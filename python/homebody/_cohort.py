@@ -8,12 +8,12 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
-from homebody import _homebody
+from homebody import _homebody, arguments
 from homebody.errors import LogError
 from homebody.log import Log
-from homebody.profiles import table
+from homebody.profiles import MOST, table
 from homebody.progress import Progress
-from homebody.scenario import Scenario, scenario
+from homebody.scenario import Scenario, opened, wanted_life
 
 #: The file that says what a cohort is, and who was lived.
 LIST = "cohort.json"
@@ -29,13 +29,16 @@ class Cohort:
     """
 
     def __init__(self, folder: str | PathLike[str]) -> None:
-        self.folder = Path(folder)
+        self.folder = Path(arguments.path("folder", folder, "the folder of a cohort"))
         try:
-            text = (self.folder / LIST).read_text(encoding="utf-8")
+            told = (self.folder / LIST).read_text(encoding="utf-8")
         except OSError as error:
             raise LogError(f"{self.folder} is no cohort: {error.strerror}") from None
-        #: The manifest.
-        self.manifest: dict[str, Any] = json.loads(text)
+        try:
+            #: The manifest.
+            self.manifest: dict[str, Any] = json.loads(told)
+        except ValueError as error:
+            raise LogError(f"{self.folder / LIST} is no JSON: {error}") from None
 
     @property
     def members(self) -> list[str]:
@@ -44,6 +47,8 @@ class Cohort:
 
     def member(self, name: str) -> Log:
         """The log of a member, with its truth."""
+        if name not in self.members:
+            raise ValueError(f"name {name!r}: nobody who was lived is called so; members lists them")
         return Log(self.folder / "members" / name)
 
     def logs(self) -> list[Path]:
@@ -89,30 +94,28 @@ def cohort(
     >>> lived.members, len(lived.logs())
     (['0001', '0002'], 2)
     """
-    opened = home if isinstance(home, Scenario) else scenario(home)
     wanted: dict[str, Any] = {
+        **wanted_life(days, seed, without),
         "residents": None,
         "profiles": None,
-        "days": None if days is None else float(days),
-        "seed": seed,
-        "without": list(without),
-        "form": form,
+        "form": arguments.text("form", form, "parquet, csv, jsonl, sqlite or arrow"),
     }
-    if isinstance(profiles, bool):
-        raise TypeError(f"profiles is {profiles!r}: it is a number of people, a file, or rows")
-    if isinstance(profiles, int):
-        if not 1 <= profiles <= 100_000:
-            raise ValueError(f"profiles is {profiles}: a cohort has 1 to 100,000 members")
-        wanted["residents"] = profiles
+    folder = Path(arguments.path("folder", folder)).absolute()
+    if hasattr(profiles, "__index__"):
+        wanted["residents"] = arguments.whole("profiles", profiles, 1, MOST, "a number of people, a file, or rows")
     elif isinstance(profiles, (str, PathLike)):
         try:
             wanted["profiles"] = (fspath(profiles), Path(profiles).read_text(encoding="utf-8"))
         except OSError as error:
             raise LogError(f"{fspath(profiles)}: {error.strerror}\n  hint: it is a CSV file with a row for each member") from None
-    else:
+    elif isinstance(profiles, Iterable) and not isinstance(profiles, Mapping):
         wanted["profiles"] = ("profiles", table(profiles))
-    inner = _homebody.Cohort(opened._scenario, wanted)
-    folder = Path(folder).absolute()
+    else:
+        raise arguments.wrong("profiles", profiles, "a number of people, a file, or rows")
+    if cluster is not None:
+        arguments.text("cluster", cluster, "local, or the address of a scheduler such as tcp://10.0.0.1:8786")
+        workers = None if workers is None else arguments.whole("workers", workers, 1, 10_000)
+    inner = _homebody.Cohort(opened("home", home)._scenario, wanted)
     inner.begin(folder)
     if cluster is None:
         with Progress(f"living {inner.count} lives", progress) as told:

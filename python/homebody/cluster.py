@@ -6,6 +6,7 @@ is killed loses no more than the members that it was at, and doubles none: whoev
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import lru_cache
@@ -52,9 +53,16 @@ def _client(cluster: str, workers: int | None) -> Iterator[Any]:
 
     if cluster == "local":
         # Processes, each of which lives one at a time: so one that dies takes one member with it.
-        local = LocalCluster(
-            n_workers=workers, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=None
-        )
+        try:
+            local = LocalCluster(
+                n_workers=workers, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=None
+            )
+        except RuntimeError as error:
+            # Each process of it imports the program that began it.
+            raise ClusterError(
+                f"a local cluster does not begin: {error}\n"
+                '  hint: in a script, what begins it stands below if __name__ == "__main__":'
+            ) from None
         with local, Client(local) as client:
             yield client
         return
@@ -65,7 +73,21 @@ def _client(cluster: str, workers: int | None) -> Iterator[Any]:
     except (OSError, TimeoutError, ValueError) as error:
         raise ClusterError(f"no cluster answers at {cluster}: {error}") from None
     with client:
+        _look_at_workers(client, cluster)
         yield client
+
+
+def _look_at_workers(client: Any, cluster: str) -> None:
+    """Tells what would have a cohort wait for ever: no worker is there, or one dies of what it is to do."""
+    if not client.scheduler_info()["workers"]:
+        # It may get them as soon as there is something to do.
+        hint = f"nobody is lived until it has\n  hint: dask worker {cluster}"
+        warnings.warn(f"the cluster at {cluster} has no workers yet: {hint}", stacklevel=5)
+    try:
+        client.run(exec, "import homebody")
+    except ImportError as error:
+        hint = f"all workers have the wheel of homebody {_homebody.VERSION}"
+        raise ClusterError(f"a worker of the cluster at {cluster} lacks what it needs: {error}\n  hint: {hint}") from None
 
 
 def live(

@@ -25,6 +25,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
+from homebody import arguments
+
 Point = tuple[float, float]
 
 
@@ -145,17 +147,21 @@ class _Asked:
         answer = self.driver.next(around)
         match answer:
             case Stride(to, lasts, posture):
-                return "stride", (to, float(lasts), posture)
+                place = arguments.point("Stride.to", to)
+                return "stride", (place, arguments.number("Stride.seconds", lasts), arguments.text("Stride.posture", posture))
             case Rest(lasts, at, posture):
-                return "rest", (at, float(lasts), posture)
+                where = None if at is None else arguments.point("Rest.at", at)
+                return "rest", (where, arguments.number("Rest.seconds", lasts), arguments.text("Rest.posture", posture))
             case Stir(lasts, amplitude_m, at, posture):
-                return "stir", (at, float(lasts), posture, float(amplitude_m))
+                where = None if at is None else arguments.point("Stir.at", at)
+                seconds, amplitude_m = arguments.number("Stir.seconds", lasts), arguments.number("Stir.amplitude_m", amplitude_m)
+                return "stir", (where, seconds, arguments.text("Stir.posture", posture), amplitude_m)
             case Away(lasts):
-                return "out", float(lasts)
+                return "out", arguments.number("Away.seconds", lasts)
             case Use(thing, is_on):
-                return "use", (thing, bool(is_on))
+                return "use", (arguments.text("Use.thing", thing, "the name of a thing"), bool(is_on))
             case Doing(activity):
-                return "doing", activity
+                return "doing", activity if activity is None else arguments.text("Doing.activity", activity)
         raise TypeError(
             f"{type(self.driver).__name__}.next answered {answer!r}: it answers with Stride, Rest, Stir, Away, Use or Doing"
         )
@@ -165,4 +171,27 @@ def wrapped(make: MakeDriver, residents: Sequence[str]) -> Callable[[int], _Aske
     """What the other side calls with a seed, and then with surroundings."""
     if not callable(make):
         raise TypeError(f"a driver is a class or a function that is called with the seed, and not {make!r}")
-    return lambda seed: _Asked(make(seed), residents)
+    _takes_a_seed(make)
+
+    def made(seed: int) -> _Asked:
+        driver = make(seed)
+        if not callable(getattr(driver, "next", None)):
+            raise TypeError(f"a driver has a method next(around), and {driver!r} has none")
+        return _Asked(driver, residents)
+
+    return made
+
+
+def _takes_a_seed(make: Callable[..., object]) -> None:
+    from inspect import signature
+
+    try:
+        known = signature(make)
+    except (TypeError, ValueError):
+        # What is not written in Python does not tell.
+        return
+    try:
+        known.bind(0)
+    except TypeError as error:
+        name = getattr(make, "__qualname__", repr(make))
+        raise arguments.wrong("a driver", make, f"made with the seed alone, as {name}(seed), which it does not take: {error}") from None

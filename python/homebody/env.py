@@ -16,7 +16,7 @@ from typing import Any
 
 from homebody.errors import needs
 from homebody.picture import Picture
-from homebody.scenario import Scenario, scenario
+from homebody.scenario import Scenario, opened
 
 needs("numpy", "homebody.env", "gym")
 needs("gymnasium", "homebody.env", "gym")
@@ -41,7 +41,7 @@ class PlaceSensors(gymnasium.Env[Any, Any]):
             raise ValueError(f"sensors is {sensors}: at least one is placed")
         if not step_m > 0:
             raise ValueError(f"step_m is {step_m}: it is a length in metres")
-        self._home = _without_motion(home if isinstance(home, Scenario) else scenario(home))
+        self._home = _without_motion(opened("home", home))
         self._count = sensors
         left, bottom, right, top = self._home.plan.bounds
         grid = (
@@ -179,7 +179,7 @@ class DecideVisits(gymnasium.Env[Any, Any]):
             raise ValueError(f"last is {last}: it is from 1 to {self.FIRST} days")
         if lives < 1:
             raise ValueError(f"lives is {lives}: there is one at least")
-        self._home = home if isinstance(home, Scenario) else scenario(home)
+        self._home = opened("home", home)
         self._resident = self._home.residents[0]
         self._condition = condition
         self._days, self._last, self._cost, self._lives, self._seed = days, last, cost, lives, seed

@@ -6,11 +6,11 @@ import json
 import re
 from dataclasses import dataclass
 from functools import cached_property
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from homebody import _homebody
+from homebody import _homebody, arguments
 from homebody.errors import needs
 from homebody.picture import Answer
 from homebody.progress import Progress
@@ -30,14 +30,19 @@ def seconds(span: str | float) -> float:
     >>> seconds("1.5h")
     5400.0
     """
-    if isinstance(span, bool) or not isinstance(span, (str, int, float)):
-        raise TypeError(f"span is {span!r}: it is a number of seconds, or a text such as '60s'")
     if not isinstance(span, str):
-        return float(span)
-    match = re.fullmatch(r"\s*([0-9.]+)\s*(s|min|m|h|d)\s*", span)
-    if match is None:
-        raise ValueError(f"span {span!r}: write a number with its unit, such as 60s, 15m, 1h")
-    return float(match[1]) * _SECONDS[match[2]]
+        try:
+            lasts = arguments.number("span", span)
+        except TypeError:
+            raise arguments.wrong("span", span, "a number of seconds, or a text such as '60s'") from None
+    else:
+        match = re.fullmatch(r"\s*([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*(s|min|m|h|d)\s*", span)
+        if match is None:
+            raise ValueError(f"span {span!r}: write a number with its unit, such as 60s, 15m, 1h")
+        lasts = float(match[1]) * _SECONDS[match[2]]
+    if not lasts > 0:
+        raise ValueError(f"span is {span!r}: it is longer than nothing")
+    return lasts
 
 
 @dataclass(frozen=True)
@@ -62,7 +67,9 @@ class Log:
 
     def __init__(self, place: str | PathLike[str], time_zone: str | None = None) -> None:
         #: Where it is.
-        self.place = fspath(place)
+        self.place = arguments.path("place", place, "the folder of a run, or a file with a log")
+        if time_zone is not None:
+            arguments.text("time_zone", time_zone, "the name of a zone, such as 'Europe/Berlin'")
         self._log = _homebody.Log(self.place, time_zone)
         self._asked_zone = time_zone
 
@@ -108,7 +115,7 @@ class Log:
 
     def truth(self, table: str) -> Table:
         """A table of the truth by its name, such as ``act``, ``need`` or ``condition``."""
-        return Table(self._log.truth(table))
+        return Table(self._log.truth(arguments.text("table", table, "the name of a table of the truth")))
 
     def windows(self, span: str | float = "60s") -> Table:
         """Windows of one length, a row for each resident: ``time``, ``resident``, ``label`` (the activity of most of the window),
@@ -131,7 +138,9 @@ class Log:
 
     def day(self, day: int | str = "first") -> Answer:
         """One day: by its number from 0 on, by its date, or ``first`` or ``last``."""
-        return Answer("Day", *self._log.day(str(day)))
+        if not isinstance(day, str):
+            day = str(arguments.whole("day", day, -(10**9), 10**9, "a number from 0 on, a date, or first or last"))
+        return Answer("Day", *self._log.day(day))
 
     def density(self) -> Answer:
         """How much somebody moved in each hour of each day."""
@@ -195,8 +204,8 @@ class Comparison:
     __repr__ = __str__
 
 
-def _place(log: Log | str | PathLike[str]) -> str:
-    return log.place if isinstance(log, Log) else fspath(log)
+def _place(name: str, log: Log | str | PathLike[str]) -> str:
+    return log.place if isinstance(log, Log) else arguments.path(name, log, "a log, or where one is")
 
 
 def compare(a: Log | str | PathLike[str], b: Log | str | PathLike[str]) -> Comparison:
@@ -208,7 +217,7 @@ def compare(a: Log | str | PathLike[str], b: Log | str | PathLike[str]) -> Compa
     >>> 0.3 < alike.data["agreement_by_sensor"] < 1
     True
     """
-    return Comparison(*_homebody.compare(_place(a), _place(b)))
+    return Comparison(*_homebody.compare(_place("a", a), _place("b", b)))
 
 
 class Translated(Log):
@@ -224,17 +233,18 @@ class Translated(Log):
 
 def translate(
     log: Log | str | PathLike[str],
-    home: Scenario,
+    home: Scenario | str | PathLike[str],
     to: str | PathLike[str] | None = None,
     *,
     progress: bool | None = None,
 ) -> Translated:
     """Walks a log back through the plan of its home: where everybody was at each instant. ``to`` is the folder to make; without it, one
     that goes when the program ends."""
-    from homebody.scenario import temporary_folder
+    from homebody.scenario import opened, temporary_folder
 
-    folder = Path(to) if to is not None else temporary_folder() / "walked"
+    inner = opened("home", home)._scenario
+    folder = Path(arguments.path("to", to)) if to is not None else temporary_folder() / "walked"
     zone = log._asked_zone if isinstance(log, Log) else None
     with Progress("walking back", progress) as told:
-        report = _homebody.translate(_place(log), zone, home._scenario, folder, told)
+        report = _homebody.translate(_place("log", log), zone, inner, folder, told)
     return Translated(folder, report)

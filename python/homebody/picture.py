@@ -7,6 +7,7 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from homebody import arguments
 from homebody._homebody import png
 
 
@@ -24,11 +25,11 @@ class Picture:
 
     def png(self, width: int = 1600) -> bytes:
         """The same as PNG, of so many pixels in width."""
-        return png(self.svg, width)
+        return png(self.svg, arguments.whole("width", width, 1, 20_000))
 
     def save(self, path: str | PathLike[str], width: int = 1600) -> Path:
         """Writes it into a file whose name ends in ``.svg`` or ``.png``."""
-        path = Path(path)
+        path = Path(arguments.path("path", path))
         match path.suffix.lower():
             case ".svg":
                 path.write_text(self.svg, encoding="utf-8")

@@ -5,16 +5,21 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 import random
 from collections.abc import Iterable, Mapping, Sequence
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
+from homebody import arguments
 from homebody.errors import Problem, ScenarioError
 
 #: What of a member is drawn.
 COLUMNS = ("age", "pace_mps", "conditions", "severity", "onset", "over", "until", "routine")
+
+#: So many members a cohort has at most.
+MOST = 100_000
 
 _NUMBERS = ("normal", "uniform")
 
@@ -36,8 +41,9 @@ def draw(
     '0006'
     """
     name = "people"
+    count = arguments.whole("count", count, 1, MOST)
     if not isinstance(people, Mapping):
-        name = fspath(people)
+        name = arguments.path("people", people, "a mapping with a distribution for each column, or a file of JSON with one")
         try:
             people = json.loads(Path(people).read_text(encoding="utf-8"))
         except OSError as error:
@@ -76,17 +82,34 @@ def _wrong(file: str, column: str, of: Any) -> Iterable[Problem]:
     kinds = [kind for kind in _NUMBERS if kind in of]
     if kinds:
         two = of[kinds[0]]
-        if not (isinstance(two, Sequence) and len(two) == 2 and all(isinstance(n, (int, float)) for n in two)):
+        if len(kinds) > 1:
+            yield problem(f"it is {' and '.join(kinds)} at once", "say one of them")
+        if not (isinstance(two, Sequence) and len(two) == 2 and all(map(_is_number, two))):
             yield problem(f"{kinds[0]} has two numbers")
+        elif kinds[0] == "normal" and two[1] < 0:
+            yield problem(f"its deviation is {two[1]}", "that is a number from 0 on")
+        elif kinds[0] == "uniform" and two[0] > two[1]:
+            yield problem(f"it is from {two[0]} to {two[1]}", "the least comes first")
         for key in of:
             if key not in (*_NUMBERS, "least", "most", "digits"):
                 yield problem(f"{key} is not known", "beside it stand least, most and digits")
+            elif key in ("least", "most") and not _is_number(of[key]):
+                yield problem(f"{key} is {of[key]!r}", "that is a number")
+            elif key == "digits" and of[key] not in range(10):
+                yield problem(f"digits is {of[key]!r}", "that is a whole number from 0 to 9")
+        bounds = [of[key] for key in ("least", "most") if _is_number(of.get(key))]
+        if bounds != sorted(bounds):
+            yield problem(f"least is {bounds[0]}, and most {bounds[1]}", "the least is not above the most")
         return
     for value, weight in of.items():
-        if isinstance(weight, bool) or not isinstance(weight, (int, float)) or weight < 0:
+        if not _is_number(weight) or weight < 0:
             yield problem(f"{value} comes as often as {weight!r}", "that is a number, from 0 on")
-    if not any(isinstance(weight, (int, float)) and weight > 0 for weight in of.values()):
+    if not any(_is_number(weight) and weight > 0 for weight in of.values()):
         yield problem("nothing of it ever comes")
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
 
 
 def _one(chance: random.Random, of: Mapping[str, Any]) -> str:
@@ -101,7 +124,8 @@ def _one(chance: random.Random, of: Mapping[str, Any]) -> str:
 
 def table(rows: Iterable[Mapping[str, object]]) -> str:
     """Rows as the list that ``homebody run --profiles`` reads."""
-    rows = [dict(row) for row in rows]
+    wanted = "a mapping of columns to what they say, such as {'name': 'anna', 'age': 82}"
+    rows = [dict(arguments.mapping(f"profiles[{number}]", row, wanted)) for number, row in enumerate(rows)]
     columns = list(dict.fromkeys(column for row in rows for column in row))
     text = io.StringIO()
     writer = csv.DictWriter(text, columns, lineterminator="\n", restval="")

@@ -7,13 +7,13 @@ import json
 import shutil
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from os import PathLike, fspath
-from pathlib import Path
+from os import PathLike
+from pathlib import Path, PurePosixPath
 from typing import Any
 
-from homebody import _homebody
+from homebody import _homebody, arguments
 from homebody.driver import Driver, MakeDriver, wrapped
-from homebody.errors import Problem
+from homebody.errors import LogError, Problem, ScenarioError
 from homebody.live import Live
 from homebody.log import Log
 from homebody.picture import Answer, Picture
@@ -91,7 +91,7 @@ class Plan:
 
     def room_at(self, x: float, y: float) -> str | None:
         """The room that a point is in."""
-        return self._scenario.room_at(x, y)
+        return self._scenario.room_at(*arguments.point("a place", (x, y)))
 
     def _repr_svg_(self) -> str:
         return self._scenario.plan_svg()
@@ -150,7 +150,7 @@ class Scenario:
 
     def remarks(self, days: float | None = None) -> list[Problem]:
         """What is right in it and hardly meant."""
-        told = json.loads(self._scenario.remarks(self._scenario.days if days is None else days))
+        told = json.loads(self._scenario.remarks(self._scenario.days if days is None else arguments.number("days", days)))
         return [Problem(t["file"], t["line"], t["column"], t["what"], t.get("hint")) for t in told]
 
     def data(self, name: str = "home.json") -> Any:
@@ -160,7 +160,10 @@ class Scenario:
         >>> sorted(hb.scenario("studio").data("scenario.json"))[:2]
         ['$schema', 'about']
         """
-        return json.loads(self._scenario.text(name))
+        try:
+            return json.loads(self._scenario.text(arguments.text("name", name, "the name of a file")))
+        except ValueError as error:
+            raise ScenarioError(f"{name} is no JSON: {error}\n  hint: texts has it as it is") from None
 
     def change(self, files: Mapping[str, object]) -> Scenario:
         """The same scenario with some of its files changed or added, and checked: texts, or what becomes JSON.
@@ -174,7 +177,9 @@ class Scenario:
         >>> "another" in home.change({"home.json": data}).sensors
         True
         """
-        return of_files({**self.texts, **files}, self._scenario.entry)
+        changed = arguments.mapping("files", files, "a mapping of files, by their names")
+        texts = self.texts | {name: _text(name, file) for name, file in changed.items()}
+        return Scenario(_homebody.Scenario.of_texts(texts, self._scenario.entry))
 
     def add_sensor(self, **sensor: object) -> Scenario:
         """The same scenario with one more sensor, in the words of ``home.json``.
@@ -226,7 +231,7 @@ class Scenario:
 
     def with_routine(self, resident: str, text: str) -> Scenario:
         """The same scenario in which somebody lives by another routine."""
-        return self.change({self._routine_file(resident): text})
+        return self.change({self._routine_file(resident): arguments.text("text", text, "a routine: sentences in one text")})
 
     def _routine_file(self, resident: str) -> str:
         for file in self.data(self._scenario.entry)["residents"]:
@@ -240,12 +245,12 @@ class Scenario:
 
     def save(self, folder: str | PathLike[str]) -> Path:
         """Writes its files into a new folder, which the command and the page know as well."""
-        folder = Path(folder)
+        folder = Path(arguments.path("folder", folder))
         folder.mkdir(parents=True)
-        for name, text in self.texts.items():
-            path = folder / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
+        for name, written in self.texts.items():
+            file = folder / _inside(name)
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(written, encoding="utf-8")
         return folder
 
     def run(
@@ -272,7 +277,7 @@ class Scenario:
         <homebody.Table: ... rows of time, device, value>
         """
         wanted = wanted_run(days, seed, start, without, numbers, one_of_many, drivers, self)
-        runs = temporary_folder() if into is None else Path(into)
+        runs = temporary_folder() if into is None else Path(arguments.path("into", into))
         with Progress(f"living {self.name}", progress) as told:
             lived = self._scenario.run(runs, wanted, told)
         return Run(self, json.loads(lived))
@@ -312,30 +317,48 @@ def wanted_run(
     scenario: Scenario,
 ) -> dict[str, Any]:
     """What a run is to be, with its types checked: a wrong one says which argument it is."""
-    if days is not None and (isinstance(days, bool) or not isinstance(days, (int, float))):
-        raise TypeError(f"days is {days!r}: it is a number")
-    if seed is not None and (isinstance(seed, bool) or not isinstance(seed, int)):
-        raise TypeError(f"seed is {seed!r}: it is a whole number")
-    if seed is not None and not 0 <= seed < 2**64:
-        raise ValueError(f"seed is {seed}: it is from 0 to {2**64 - 1}")
-    if isinstance(without, str):
-        raise TypeError(f"without is {without!r}: it is a list of conditions")
-    made = {name: wrapped(make, scenario.residents) for name, make in (drivers or {}).items()}
+    set_to = arguments.mapping("numbers", numbers or {}, "a mapping of numbers of the models, such as {'life.day_spread': 0.3}")
+    moved = arguments.mapping("drivers", drivers or {}, "a mapping of residents, such as {'margaret': Pacing}")
     return {
-        "days": None if days is None else float(days),
-        "seed": seed,
-        "start": start,
-        "without": list(without),
-        "numbers": {name: float(value) for name, value in (numbers or {}).items()},
-        "one_of_many": one_of_many,
-        "drivers": made,
+        **wanted_life(days, seed, without),
+        "start": None if start is None else arguments.text("start", start, "a date, or a date and time, such as '2009-03-02T00:00:00'"),
+        "numbers": {name: arguments.number(f"numbers[{name!r}]", value) for name, value in set_to.items()},
+        "one_of_many": bool(one_of_many),
+        "drivers": {name: wrapped(make, scenario.residents) for name, make in moved.items()},
+    }
+
+
+def wanted_life(days: float | None, seed: int | None, without: Sequence[str]) -> dict[str, Any]:
+    """What a run is to be, and a cohort."""
+    return {
+        "days": None if days is None else arguments.number("days", days),
+        "seed": None if seed is None else arguments.whole("seed", seed, 0, 2**64 - 1),
+        "without": arguments.texts("without", without, "a list of conditions"),
     }
 
 
 def of_files(files: Mapping[str, object], entry: str = ENTRY) -> Scenario:
     """A scenario of files in memory, by their names: texts, or what becomes JSON."""
-    texts = {name: file if isinstance(file, str) else json.dumps(file, indent=2) for name, file in files.items()}
-    return Scenario(_homebody.Scenario.of_texts(texts, entry))
+    known = arguments.mapping("files", files, "a mapping of files, by their names")
+    return Scenario(_homebody.Scenario.of_texts({name: _text(name, file) for name, file in known.items()}, entry))
+
+
+def _inside(name: str) -> str:
+    """The name of a file, which stays inside the scenario's folder."""
+    place = PurePosixPath(name)
+    if place.is_absolute() or ".." in place.parts or "\\" in name:
+        raise ValueError(f"the file {name!r} leads out of the scenario's folder")
+    return name
+
+
+def _text(name: str, file: object) -> str:
+    _inside(name)
+    if isinstance(file, str):
+        return file
+    try:
+        return json.dumps(file, indent=2)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"the file {name!r} is neither a text nor what becomes JSON: {error}") from None
 
 
 def scenario(what: str | PathLike[str] | Mapping[str, object], *, trusted: bool = False) -> Scenario:
@@ -354,12 +377,24 @@ def scenario(what: str | PathLike[str] | Mapping[str, object], *, trusted: bool 
     if isinstance(what, Mapping):
         return of_files(what)
     if not isinstance(what, (str, PathLike)):
-        raise TypeError(f"what is {what!r}: it is a folder, the name of a template, or a mapping of files")
-    text = fspath(what)
-    is_path = not isinstance(what, str) or "/" in text or Path(text).exists()
-    if is_path:
-        return Scenario(_homebody.Scenario.at(text, trusted))
-    return Scenario(_homebody.Scenario.template(text))
+        raise arguments.wrong("what", what, "a folder, the name of a template, or a mapping of files")
+    place = arguments.path("what", what)
+    if not place:
+        raise ValueError("what is empty: it is a folder, the name of a template, or a mapping of files")
+    is_path = not isinstance(what, str) or "/" in place or Path(place).exists()
+    if not is_path:
+        return Scenario(_homebody.Scenario.template(place))
+    try:
+        return Scenario(_homebody.Scenario.at(place, trusted))
+    except LogError as error:
+        raise ScenarioError(str(error)) from None
+
+
+def opened(name: str, home: Scenario | str | PathLike[str]) -> Scenario:
+    """A scenario that is one already, or is opened."""
+    if isinstance(home, Scenario):
+        return home
+    return scenario(arguments.path(name, home, "a scenario, its folder, or the name of a template"))
 
 
 def templates() -> list[str]:

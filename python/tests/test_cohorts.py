@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -158,6 +159,43 @@ def test_a_cluster_that_is_not_there_and_a_folder_that_is_not_are_told(
         live_member(str(tmp_path / "nowhere"), 0)
     with pytest.raises(ValueError, match="cluster"):
         hb.cohort("studio", 1, tmp_path / "b", days=0.1, cluster="nearby")
+
+
+def test_a_cluster_without_workers_is_told_and_so_are_workers_without_the_package(tmp_path: Path) -> None:
+    from distributed import Client, LocalCluster
+
+    bare = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    begun: list[subprocess.Popen[bytes]] = []
+    with LocalCluster(n_workers=0, host="127.0.0.1", dashboard_address=None) as local:
+        words = [sys.executable, "-m", "distributed.cli.dask_worker", local.scheduler_address, "--no-dashboard", "--no-nanny"]
+
+        def begin(environment: dict[str, str]) -> None:
+            begun.append(subprocess.Popen(words, env=environment, cwd=tmp_path, stderr=subprocess.DEVNULL))
+
+        try:
+            late = threading.Timer(1, begin, [{**bare, "PYTHONPATH": str(Path(hb.__file__).parents[1])}])
+            late.start()
+            with pytest.warns(UserWarning, match="no workers yet"):
+                hb.cohort("studio", 1, tmp_path / "a", days=0.1, cluster=local.scheduler_address)
+            if subprocess.run([sys.executable, "-c", "import homebody"], env=bare, cwd=tmp_path, capture_output=True).returncode == 0:
+                pytest.skip("the package is installed here, and not only beside its tests")
+            begin(bare)
+            with Client(local) as client:
+                client.wait_for_workers(2, timeout=60)
+            with pytest.raises(hb.ClusterError, match="No module named 'homebody'\n  hint: all workers have the wheel"):
+                hb.cohort("studio", 1, tmp_path / "b", days=0.1, cluster=local.scheduler_address)
+        finally:
+            late.join()
+            for worker in begun:
+                worker.kill()
+                worker.wait()
+
+
+def test_a_script_that_begins_a_local_cluster_as_it_is_imported_is_told_how(tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(f"import homebody as hb\nhb.cohort('studio', 1, {str(tmp_path / 'a')!r}, days=0.1, cluster='local', workers=1)\n")
+    told = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=120)
+    assert told.returncode != 0 and "in a script, what begins it stands below" in told.stderr
 
 
 def test_members_go_into_other_forms(tmp_path: Path) -> None:

@@ -1,0 +1,142 @@
+"""What a newcomer may get wrong: the answer says which argument it is, and what it should be."""
+
+from pathlib import Path
+from typing import Any
+
+import homebody as hb
+import pytest
+
+AT = (2.0, 2.0)
+
+
+class Still:
+    """Answers one thing for ever."""
+
+    answer: Any = None
+
+    def __init__(self, seed: int) -> None:
+        pass
+
+    def next(self, around: hb.Surroundings) -> Any:
+        return self.answer
+
+
+class Silent:
+    def __init__(self, seed: int) -> None:
+        pass
+
+
+@pytest.fixture(scope="module")
+def home() -> hb.Scenario:
+    return hb.scenario("studio")
+
+
+@pytest.fixture(scope="module")
+def run(home: hb.Scenario) -> hb.Run:
+    return home.run(days=0.2, seed=7)
+
+
+@pytest.mark.parametrize(
+    ("code", "told"),
+    [
+        ("home.run(days='10')", "days is '10': it is a number"),
+        ("home.run(seed=True)", "seed is True: it is a whole number"),
+        ("home.run(start=5)", "start is 5: it is a date"),
+        ("home.run(without=[3])", r"without\[0\] is 3: it is a text"),
+        ("home.run(numbers={'life.day_spread': 'much'})", r"numbers\['life.day_spread'\] is 'much': it is a number"),
+        ("home.run(drivers=[Still])", "drivers is .*: it is a mapping"),
+        ("home.run(drivers={'walter': lambda: Still(1)})", r"a driver is .*: it is made with the seed alone"),
+        ("home.run(days=1, drivers={'walter': Silent})", r"a driver has a method next\(around\)"),
+        ("home.run(into=5)", "into is 5: it is a path"),
+        ("hb.scenario({5: 'x'})", "a key of files is 5"),
+        ("hb.scenario({'scenario.json': object()})", "the file 'scenario.json' is neither a text nor what becomes JSON"),
+        ("home.with_routine('walter', 5)", "text is 5: it is a routine"),
+        ("hb.read(run)", "place is .*: it is the folder of a run, or a file with a log"),
+        ("hb.read(run.folder, time_zone=5)", "time_zone is 5"),
+        ("hb.compare(run, 5)", "b is 5: it is a log"),
+        ("hb.translate(run, 5)", "home is 5: it is a scenario"),
+        ("run.day(1.5)", "day is 1.5"),
+        ("run.truth(3)", "table is 3"),
+        ("run.windows(None)", "span is None"),
+        ("home.plan.plot().png('x')", "width is 'x'"),
+        ("hb.cohort(5, 1, 'never')", "home is 5"),
+        ("hb.cohort('studio', 2.5, 'never')", "profiles is 2.5: it is a number of people, a file, or rows"),
+        ("hb.cohort('studio', [1], 'never')", r"profiles\[0\] is 1: it is a mapping"),
+        ("hb.cohort('studio', 1, None)", "folder is None"),
+        ("hb.cohort('studio', 1, 'never', without='flu')", "without is 'flu': it is a list"),
+        ("hb.cohort('studio', 1, 'never', form=5)", "form is 5: it is parquet"),
+        ("hb.cohort('studio', 1, 'never', cluster=5)", "cluster is 5: it is local"),
+        ("hb.draw({}, '3')", "count is '3': it is a whole number"),
+        ("hb.draw([1], 3)", r"people is \[1\]: it is a mapping"),
+    ],
+)
+def test_a_wrong_type_says_which_argument(home: hb.Scenario, run: hb.Run, code: str, told: str) -> None:
+    with pytest.raises(TypeError, match=told):
+        eval(code, {"hb": hb, "home": home, "run": run, "Still": Still, "Silent": Silent})  # noqa: S307
+    assert not Path("never").exists()
+
+
+@pytest.mark.parametrize(
+    ("answer", "told"),
+    [
+        (hb.Rest("long", at=AT), "Rest.seconds is 'long'"),  # type: ignore[arg-type]
+        (hb.Rest(60, at=5), "Rest.at is 5: it is a point"),  # type: ignore[arg-type]
+        (hb.Stride(("a", 2), 3), "Stride.to is 'a'"),  # type: ignore[arg-type]
+        (hb.Stir(60, "far", at=AT), "Stir.amplitude_m is 'far'"),  # type: ignore[arg-type]
+        (hb.Away("x"), "Away.seconds is 'x'"),  # type: ignore[arg-type]
+        (hb.Use(3, True), "Use.thing is 3"),  # type: ignore[arg-type]
+        (hb.Doing(5), "Doing.activity is 5"),  # type: ignore[arg-type]
+    ],
+)
+def test_a_wrong_answer_of_a_driver_says_what_of_it(home: hb.Scenario, answer: object, told: str) -> None:
+    driver = type("Wrong", (Still,), {"answer": answer})
+    with pytest.raises(TypeError, match=told):
+        home.run(days=0.1, seed=1, drivers={"walter": driver})
+
+
+@pytest.mark.parametrize(
+    ("code", "told"),
+    [
+        ("home.run(seed=-1)", "seed is -1: it is from 0 to"),
+        ("run.windows(-1)", "span is -1: it is longer than nothing"),
+        ("run.windows('1.2.3s')", "span '1.2.3s'"),
+        ("hb.scenario('')", "what is empty"),
+        ("home.plan.plot().png(0)", "width is 0"),
+        ("hb.cohort('studio', 0, 'never')", "profiles is 0: it is from 1 to 100,000"),
+        ("hb.cohort('studio', 1, 'never', cluster='local', workers=0)", "workers is 0"),
+        ("hb.draw({}, -3)", "count is -3"),
+        ("home.change({'../other.json': '{}'})", "leads out of the scenario's folder"),
+        ("hb.scenario({'/other.json': '{}'})", "leads out of the scenario's folder"),
+    ],
+)
+def test_a_wrong_value_says_which_argument(home: hb.Scenario, run: hb.Run, code: str, told: str) -> None:
+    with pytest.raises(ValueError, match=told):
+        eval(code, {"hb": hb, "home": home, "run": run})  # noqa: S307
+    assert not Path("never").exists()
+
+
+def test_what_is_no_scenario_is_one_kind_of_error(home: hb.Scenario) -> None:
+    for place in ("tigerplce", "no/such", Path("nowhere")):
+        with pytest.raises(hb.ScenarioError, match="hint"):
+            hb.scenario(place)
+    with pytest.raises(hb.ScenarioError, match="walter.routine is no JSON"):
+        home.data("walter.routine")
+
+
+def test_all_that_is_wrong_with_a_distribution_is_told() -> None:
+    people = {
+        "age": {"normal": [82, -6], "least": 90, "most": 60, "digits": -1.5},
+        "pace_mps": {"normal": [1, 1], "uniform": [2, 1], "least": "x"},
+        "severity": {"mild": float("nan")},
+    }
+    with pytest.raises(hb.ScenarioError) as told:
+        hb.draw(people, 3)
+    said = "\n".join(problem.what for problem in told.value.problems)
+    for what in ("deviation is -6", "least is 90, and most 60", "digits is -1.5", "at once", "least is 'x'", "mild comes"):
+        assert what in said
+
+
+def test_numbers_of_other_packages_are_numbers(home: hb.Scenario) -> None:
+    numpy = pytest.importorskip("numpy")
+    one = home.run(days=numpy.float32(0.1), seed=numpy.int64(3))
+    assert one.summary["sha256"] == home.run(days=float(numpy.float32(0.1)), seed=3).summary["sha256"]
