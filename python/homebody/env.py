@@ -14,6 +14,7 @@ import random
 from dataclasses import dataclass
 from typing import Any
 
+from homebody import arguments
 from homebody.errors import needs
 from homebody.picture import Picture
 from homebody.scenario import Scenario, opened
@@ -37,8 +38,7 @@ class PlaceSensors(gymnasium.Env[Any, Any]):
     metadata = {"render_modes": []}
 
     def __init__(self, home: Scenario | str = "tigerplace", sensors: int = 4, step_m: float = 1.0) -> None:
-        if sensors < 1:
-            raise ValueError(f"sensors is {sensors}: at least one is placed")
+        sensors, step_m = arguments.whole("sensors", sensors, 1, 1000), arguments.number("step_m", step_m)
         if not step_m > 0:
             raise ValueError(f"step_m is {step_m}: it is a length in metres")
         self._home = _without_motion(opened("home", home))
@@ -173,20 +173,19 @@ class DecideVisits(gymnasium.Env[Any, Any]):
         lives: int = 16,
         seed: int = 1,
     ) -> None:
-        if days < self.FIRST + 7:
-            raise ValueError(f"days is {days}: it is {self.FIRST + 7} at least, of which the first {self.FIRST} say what is usual")
-        if not 1 <= last <= self.FIRST:
-            raise ValueError(f"last is {last}: it is from 1 to {self.FIRST} days")
-        if lives < 1:
-            raise ValueError(f"lives is {lives}: there is one at least")
         self._home = opened("home", home)
         self._resident = self._home.residents[0]
-        self._condition = condition
-        self._days, self._last, self._cost, self._lives, self._seed = days, last, cost, lives, seed
+        self._condition = arguments.text("condition", condition, "the name of a condition")
+        # The first days say what is usual; some more are decided on.
+        self._days = arguments.whole("days", days, self.FIRST + 7, 36_500)
+        self._last = arguments.whole("last", last, 1, self.FIRST)
+        self._cost = arguments.number("cost", cost)
+        self._lives = arguments.whole("lives", lives, 1, 1_000_000)
+        self._seed = arguments.whole("seed", seed, 0, 2**64 - 1)
         # What is wrong with the condition is told here, and not by an episode.
         self._with_onset(self.FIRST)
         self.action_space = spaces.Discrete(2)
-        shape = (last, len(self.MEASURES))
+        shape = (self._last, len(self.MEASURES))
         self.observation_space = spaces.Box(-self.MOST, self.MOST, shape, dtype=numpy.float32)
         self._kept: dict[int, _Life] = {}
         self._life: _Life | None = None
