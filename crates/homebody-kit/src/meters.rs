@@ -1,7 +1,7 @@
 //! What can be said from outside of a run while it is lived: how far it is, and what its destinations have taken.
 
 use homebody_core::time::Micros;
-use homebody_log::meter::{News, Reading};
+use homebody_log::meter::{News, Reading, Tell};
 use homebody_log::{Destination, Meter};
 use jiff::Timestamp;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub struct Meters {
     inner: Arc<Mutex<Inner>>,
     /// Who hears that a destination is away or back.
-    tell: Option<Arc<dyn Fn(&News) + Send + Sync>>,
+    tell: Option<Tell>,
 }
 
 #[derive(Debug, Default)]
@@ -58,7 +58,7 @@ impl Meters {
     /// Has a destination tell, where somebody wants to hear.
     pub(crate) fn hear(&self, destination: &Destination) {
         if let Some(tell) = self.tell.clone() {
-            destination.meter.telling(Box::new(move |news| tell(news)));
+            destination.meter.telling(tell);
         }
     }
 }

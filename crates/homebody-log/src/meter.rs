@@ -6,7 +6,7 @@ use crate::table::{Batch, Cell};
 use homebody_core::time::Micros;
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicI64, AtomicU64, Ordering};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
 /// The counts of one destination.
@@ -41,7 +41,7 @@ pub struct Reading {
 }
 
 /// Hears that a destination is away, that the reason is another, and that it is back: each once.
-pub type Tell = Box<dyn Fn(&News) + Send + Sync>;
+pub type Tell = Arc<dyn Fn(&News) + Send + Sync>;
 
 /// What has changed about a destination, as people read it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -168,13 +168,12 @@ impl Meter {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::sync::Arc;
 
     #[test]
     fn that_a_place_is_away_is_told_once_and_again_when_the_reason_is_another() {
         let (meter, told) = (Meter::default(), Arc::new(Mutex::new(Vec::new())));
         let heard = told.clone();
-        meter.telling(Box::new(move |news| heard.lock().unwrap().push(news.to_string())));
+        meter.telling(Arc::new(move |news| heard.lock().unwrap().push(news.to_string())));
         let away = |why: &str| {
             let error = LogError::destination("a broker", why).passing();
             meter.is_away("a broker", &error, Some(Duration::from_secs(600)));

@@ -221,7 +221,7 @@ fn one_that_is_away_is_not_waited_for_once_the_run_is_stopped() {
         let own = Own { got: Arc::default(), batches: 0, deed };
         let to = Destination { cancel: cancel.clone(), ..Destination::own("a broker", own, patient()) };
         let heard = told.clone();
-        to.meter.telling(Box::new(move |news| heard.lock().unwrap().push(news.to_string())));
+        to.meter.telling(Arc::new(move |news| heard.lock().unwrap().push(news.to_string())));
         let meter = to.meter.clone();
         let mut all = destinations(&[folder.url("csv:log.csv")], How::New).unwrap();
         all.insert(0, to);

@@ -3,7 +3,7 @@
 use super::{Fleet, FleetSink, Lateness, Told};
 use crate::cancel::Cancel;
 use crate::error::LogError;
-use crate::meter::{Meter, News};
+use crate::meter::{Meter, Tell};
 use crate::sink::How;
 use crate::waiting::Waiting;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -36,7 +36,7 @@ pub struct Patience {
     /// What ends it early.
     pub cancel: Cancel,
     /// Who hears of it.
-    pub tell: Option<Arc<dyn Fn(&News) + Send + Sync>>,
+    pub tell: Option<Tell>,
 }
 
 #[derive(Default)]
@@ -91,7 +91,7 @@ impl Teller {
     ) -> Result<Teller, LogError> {
         let (meter, shared) = (Arc::new(Meter::default()), Arc::new(Shared::default()));
         if let Some(tell) = patience.tell.clone() {
-            meter.telling(Box::new(move |news| tell(news)));
+            meter.telling(tell);
         }
         let calls =
             Calls { place: place.clone(), shared: shared.clone(), meter: meter.clone(), patience: patience.clone() };
