@@ -87,7 +87,7 @@ fn a_run_goes_into_a_bucket_and_comes_back() {
     let folder = flat();
     let run = "run flat --for 3d --quiet --out parquet:s3://bucket/lives --truth truth.db";
     store.run(&folder, run).ok();
-    assert_eq!(store.files("lives/"), 3, "a file for each day");
+    assert_eq!(store.files("lives/"), 4, "a file for each date: three days from 08:00 on");
     folder.run("run flat --for 3d --quiet --out parquet:lives").ok();
     let said = |of: &str| {
         store.run(&folder, &format!("convert {of} --to csv:read.csv --force")).ok();
@@ -103,7 +103,9 @@ fn a_run_goes_into_a_bucket_and_comes_back() {
     assert_eq!(said("parquet:s3://bucket/lives"), said("parquet:lives"));
     // What is not there is told, be it a run, a bucket or a store.
     store.run(&folder, "look parquet:s3://bucket/nowhere").fails(1, "parquet:s3://bucket/nowhere");
-    store.run(&folder, &run.replace("bucket", "no-such-bucket")).fails(1, "no such bucket");
+    store
+        .run(&folder, &run.replace("bucket", "no-such-bucket").replace("truth.db", "none.db"))
+        .fails(1, "no such bucket");
     let port = store.port;
     drop(store);
     let words = run.replace("truth.db", "third.db");
@@ -117,8 +119,10 @@ fn a_run_goes_into_a_bucket_and_comes_back() {
 fn a_killed_run_is_gone_on_with_in_a_bucket() {
     let Some(store) = Store::start() else { return };
     let folder = flat();
-    folder.write("flat/logger.json", r#"{ "to": ["parquet:s3://bucket/died"] }"#);
-    let mut child = store.command(&folder, "run flat --for 40d --quiet").spawn().unwrap();
+    std::fs::create_dir(folder.path("died")).unwrap();
+    let words =
+        "run flat --for 20d --quiet --out parquet:s3://bucket/died --record died/recording.json --truth died/truth.db";
+    let mut child = store.command(&folder, words).spawn().unwrap();
     let begun = Instant::now();
     while store.files("died/") < 2 {
         assert!(begun.elapsed() < Duration::from_secs(60), "whole days are there");
@@ -127,10 +131,10 @@ fn a_killed_run_is_gone_on_with_in_a_bucket() {
     child.kill().unwrap();
     child.wait().unwrap();
     let there = store.files("died/");
-    assert!(there < 40, "it was killed on the way: {there}");
-    store.run(&folder, "run --resume runs/flat-1 --quiet").ok();
-    assert_eq!(store.files("died/"), 40);
-    store.run(&folder, "replay runs/flat-1/recording.json --out csv:again.csv").ok();
+    assert!(there < 20, "it was killed on the way: {there}");
+    store.run(&folder, "run --resume died --quiet --out parquet:s3://bucket/died").ok();
+    assert_eq!(store.files("died/"), 21, "a file for each date");
+    store.run(&folder, "replay died/recording.json --out csv:again.csv").ok();
     store.run(&folder, "convert parquet:s3://bucket/died --to csv:read.csv").ok();
     let rows = |name: &str| folder.read(name).lines().count();
     assert_eq!(rows("read.csv"), rows("again.csv"));

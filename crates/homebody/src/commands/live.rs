@@ -1,6 +1,6 @@
 //! `homebody live`: a home on the world's clock.
 
-use super::lived::{Away, all_are_servers, failure, is_not_yet, report_live, span_in_words};
+use super::lived::{Away, all_are_elsewhere, failure, is_not_yet, report_live, span_in_words};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
@@ -67,7 +67,7 @@ impl Arguments {
         let opened = self.trust.source(&self.scenario)?.open()?;
         let folder = self.folder.clone().unwrap_or_else(|| Path::new(LIVE).join(opened.name()));
         let elsewhere: Vec<Url> = self.out.iter().filter(|url| !url.is_output()).cloned().collect();
-        all_are_servers(&elsewhere)?;
+        all_are_elsewhere(&elsewhere)?;
         let when = self.away.when()?;
         let home = match LiveHome::is_there(&folder) {
             true => LiveHome::go_on(&folder)?,

@@ -88,11 +88,11 @@ impl Away {
     }
 }
 
-/// Only servers are gone on with beside a folder that is there already: files would be none of that folder's.
-pub fn all_are_servers(out: &[Url]) -> Result<(), Failure> {
-    let Some(file) = out.iter().find(|url| url.server().is_none()) else { return Ok(()) };
+/// Only servers and object stores are gone on with beside a folder that is there already: files would be none of that folder's.
+pub fn all_are_elsewhere(out: &[Url]) -> Result<(), Failure> {
+    let Some(file) = out.iter().find(|url| url.server().is_none() && !url.is_in_store()) else { return Ok(()) };
     let what = format!("{file} cannot be begun in the middle of a run");
-    let hint = "only servers are gone on with beside the folder; homebody convert carries its log elsewhere afterwards";
+    let hint = "only servers and object stores are gone on with beside the folder; homebody convert carries its log elsewhere afterwards";
     Err(Failure::usage(format!("{what}\n  hint: {hint}")))
 }
 

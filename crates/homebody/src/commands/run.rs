@@ -2,7 +2,7 @@
 
 use super::check::tell_remark;
 use super::cohort;
-use super::lived::{Output, all_are_servers, failure, go_on_by, go_on_in, is_not_yet, live, report, show};
+use super::lived::{Output, all_are_elsewhere, failure, go_on_by, go_on_in, is_not_yet, live, report, show};
 use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
@@ -217,7 +217,7 @@ impl Arguments {
             return Err(Failure::usage(format!("{what}\n  hint: {hint}")));
         }
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
-        all_are_servers(&self.output.out)?;
+        all_are_elsewhere(&self.output.out)?;
         let when = self.output.away.when()?;
         let meters = self.watched.begin(&run.scenario().file.name, self.output.quiet)?;
         let run = run.metered(&meters);
