@@ -6,6 +6,7 @@
 
 use homebody_analysis::alerts::{Method, Rule, Rules, SENSOR, Several, alerts};
 use homebody_analysis::measures::Measures;
+use homebody_core::statistics;
 use serde::Serialize;
 
 /// Before this day nobody has a usual.
@@ -243,7 +244,7 @@ pub fn later(than: &Adequacy, by: &Adequacy) -> (f64, [f64; 2]) {
 }
 
 fn mean(of: &[f64]) -> f64 {
-    of.iter().sum::<f64>() / of.len().max(1) as f64
+    statistics::mean(of).unwrap_or(0.0)
 }
 
 fn conditions(people: &[Watched]) -> Vec<&'static str> {

@@ -36,7 +36,7 @@ pub use known::Known;
 pub use lived::Beside;
 pub use of_day::OfDay;
 pub use rooms::{Purpose, Rooms};
-pub use timeline::{Passage, Span, Stay, Timeline, Walk};
+pub use timeline::{Passage, Span, Stay, Timeline, Walk, joined};
 pub use ways::Ways;
 
 impl Measures {

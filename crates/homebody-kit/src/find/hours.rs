@@ -1,11 +1,9 @@
 //! Hours of the day on the clock on the wall, over the days of a log or a run.
 
+use homebody_analysis::measures::{Span, joined};
 use homebody_core::time::{DAY, Micros, SECOND};
 use std::fmt;
 use std::str::FromStr;
-
-/// From when to when.
-pub type Span = (Micros, Micros);
 
 /// A minute.
 pub const MINUTE: Micros = 60 * SECOND;
@@ -62,14 +60,9 @@ impl Hours {
                 of_day.extend(spans.filter(|(begin, end)| begin < end));
             }
             of_day.sort_unstable();
-            for (begin, end) in of_day {
-                match all.last_mut() {
-                    Some(last) if begin <= last.1 => last.1 = last.1.max(end),
-                    _ => all.push((begin, end)),
-                }
-            }
+            all.extend(of_day);
         }
-        all
+        joined(all.into_iter(), 0)
     }
 }
 

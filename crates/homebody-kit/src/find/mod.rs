@@ -8,9 +8,11 @@
 
 mod hours;
 
+pub use homebody_analysis::measures::Span;
 use hours::MINUTE;
-pub use hours::{DayClock, Hours, Span};
+pub use hours::{DayClock, Hours};
 
+use homebody_analysis::measures::joined;
 use homebody_analysis::signs::{Says, says};
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
@@ -285,6 +287,11 @@ fn merged(told: Vec<Stay>, name: &str) -> Vec<Hit> {
     all
 }
 
+/// Spans of which nothing more is said.
+fn wordless(spans: Vec<Span>) -> Vec<Hit> {
+    spans.into_iter().map(|(begin, end)| Hit { begin, end, words: String::new() }).collect()
+}
+
 /// What the values of rows say.
 fn meanings(values: &[String]) -> Vec<Says> {
     values.iter().map(|value| says(value)).collect()
@@ -313,7 +320,7 @@ fn by_sensors(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Res
     spans.extend(since.map(|begin| (begin, last)));
     remarks
         .push("By its sensors: from what one of the room says until one of another room does, whoever it is.".into());
-    Ok(spans.into_iter().map(|(begin, end)| Hit { begin, end, words: String::new() }).collect())
+    Ok(wordless(spans))
 }
 
 fn on(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unfindable> {
@@ -345,16 +352,11 @@ fn on(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<
         }
         spans.extend(since.map(|begin| (begin, last)));
     } else {
-        for (at, _) in begins {
-            match spans.last_mut() {
-                Some(last) if at - last.1 <= BOUT => last.1 = at,
-                _ => spans.push((at, at)),
-            }
-        }
+        spans = joined(begins.into_iter().map(|(at, _)| (at, at)), BOUT);
         let minutes = BOUT / MINUTE;
         remarks.push(format!("{name} never says that it is off: what it says again within {minutes} minutes is one."));
     }
-    Ok(spans.into_iter().map(|(begin, end)| Hit { begin, end, words: String::new() }).collect())
+    Ok(wordless(spans))
 }
 
 fn still(ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unfindable> {
@@ -382,21 +384,14 @@ fn still(ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unf
             spans
         }
     };
-    Ok(spans.into_iter().map(|(begin, end)| Hit { begin, end, words: String::new() }).collect())
+    Ok(wordless(spans))
 }
 
 /// When somebody was at home: all stays in rooms together, with short ways between rooms.
 pub fn at_home(stays: impl IntoIterator<Item = Span>) -> Vec<Span> {
     let mut stays: Vec<Span> = stays.into_iter().collect();
     stays.sort_unstable();
-    let mut home: Vec<Span> = Vec::new();
-    for (begin, end) in stays {
-        match home.last_mut() {
-            Some(last) if begin - last.1 <= PAUSE => last.1 = last.1.max(end),
-            _ => home.push((begin, end)),
-        }
-    }
-    home
+    joined(stays.into_iter(), PAUSE)
 }
 
 #[cfg(test)]
