@@ -11,5 +11,6 @@ export default defineConfig({
   server: { port: 5173, proxy: { '/api': { target: server, ws: true, headers: { origin: server } } } },
   // Components are mounted in tests, so the browser's half of Svelte is wanted.
   resolve: process.env.VITEST ? { conditions: ['browser'] } : {},
-  test: { environment: 'happy-dom', include: ['src/**/*.test.ts'] },
+  // How fast a machine is says nothing about what is tested.
+  test: { environment: 'happy-dom', include: ['src/**/*.test.ts'], testTimeout: 60_000 },
 });

@@ -13,6 +13,7 @@ from homebody.driver import Away, Doing, Driver, Rest, Stir, Stride, Surrounding
 from homebody.errors import (
     ClusterError,
     DriverError,
+    Exists,
     HomebodyError,
     LogError,
     MissingPackage,
@@ -36,6 +37,7 @@ __all__ = [
     "Doing",
     "Driver",
     "DriverError",
+    "Exists",
     "HomebodyError",
     "Live",
     "Log",

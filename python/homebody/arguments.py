@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike, fspath
 from typing import Any
+
+
+#: No run and no cohort lives for longer.
+MOST_DAYS = 36_525
 
 
 def wrong(name: str, value: object, wanted: str) -> TypeError:
@@ -37,11 +41,52 @@ def whole(name: str, value: object, least: int, most: int, what: str = "a whole 
     return count
 
 
+def length_days(name: str, value: object) -> float:
+    """How long something is lived, in days.
+
+    >>> length_days("days", -1)
+    Traceback (most recent call last):
+    ValueError: days is -1.0: it is longer than nothing, and at most 36,525, which are a hundred years
+    """
+    days = number(name, value)
+    if not 0 < days <= MOST_DAYS:
+        raise ValueError(f"{name} is {days}: it is longer than nothing, and at most {MOST_DAYS:,}, which are a hundred years")
+    return days
+
+
+def flag(name: str, value: object) -> bool:
+    """What is true or false; no word is taken for either.
+
+    >>> flag("one_of_many", "no")
+    Traceback (most recent call last):
+    TypeError: one_of_many is 'no': it is True or False
+    """
+    # numpy's, too.
+    if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):
+        return bool(value)
+    raise wrong(name, value, "True or False")
+
+
 def text(name: str, value: object, wanted: str = "a text") -> str:
     """A text."""
     if not isinstance(value, str):
         raise wrong(name, value, wanted)
     return value
+
+
+def one_of(name: str, value: object, known: Sequence[str]) -> str:
+    """One of some words.
+
+    >>> one_of("truth", "all", ("all", "brief"))
+    'all'
+    >>> one_of("truth", "some", ("all", "brief"))
+    Traceback (most recent call last):
+    ValueError: truth is 'some': it is all or brief
+    """
+    wanted = " or ".join(known)
+    if text(name, value, wanted) not in known:
+        raise ValueError(f"{name} is {value!r}: it is {wanted}")
+    return str(value)
 
 
 def texts(name: str, value: object, wanted: str) -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+import warnings
 from collections.abc import Sequence
 
 from homebody._cohort import Profiles, cohort
@@ -18,7 +19,7 @@ def _arguments() -> argparse.ArgumentParser:
         "with a cohort that was stopped.",
     )
     parser.add_argument("scenario", help="a folder, or the name of a template")
-    parser.add_argument("--out", required=True, metavar="FOLDER", help="for all members together")
+    parser.add_argument("--out", required=True, metavar="FOLDER", help="for all members together: a new folder, or a URL such as s3://bucket/cohort")
     who = parser.add_mutually_exclusive_group(required=True)
     who.add_argument("--residents", type=int, metavar="N", help="so many, of whom each differs as people do")
     who.add_argument("--profiles", metavar="FILE", help="those of a list: a CSV file with a row for each")
@@ -27,6 +28,7 @@ def _arguments() -> argparse.ArgumentParser:
     parser.add_argument("--seed", type=int, help="the number all randomness comes from")
     parser.add_argument("--without", action="append", default=[], metavar="CONDITION", help="leave a condition out")
     parser.add_argument("--form", default="parquet", help="parquet, csv, jsonl, sqlite or arrow (default: parquet)")
+    parser.add_argument("--truth", choices=("all", "brief"), help="how much of each truth is kept (default: all, of a large cohort what is brief)")
     parser.add_argument("--cluster", metavar="ADDRESS", help="tcp://... of a scheduler of Dask, or local; threads without it")
     parser.add_argument("--workers", type=int, metavar="N", help="of a local cluster")
     return parser
@@ -35,6 +37,7 @@ def _arguments() -> argparse.ArgumentParser:
 def main(words: Sequence[str] | None = None) -> int:
     """Does what the words of a command line ask for; returns the exit code."""
     asked = _arguments().parse_args(words)
+    warnings.showwarning = lambda message, *_: print(f"warning: {message}", file=sys.stderr)
     try:
         profiles: Profiles = asked.residents if asked.residents is not None else asked.profiles
         if asked.draw:
@@ -47,6 +50,7 @@ def main(words: Sequence[str] | None = None) -> int:
             seed=asked.seed,
             without=asked.without,
             form=asked.form,
+            truth=asked.truth,
             cluster=asked.cluster,
             workers=asked.workers,
         )

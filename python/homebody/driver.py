@@ -128,6 +128,14 @@ class Driver(Protocol):
 MakeDriver = Callable[[int], Driver]
 
 
+def _lasting(name: str, value: object) -> float:
+    """How long an answer is to last: a microsecond at least, as instants are whole ones."""
+    lasts = arguments.number(name, value)
+    if not lasts >= 1e-6:
+        raise ValueError(f"{name} is {lasts}: it is a number of seconds, longer than nothing")
+    return lasts
+
+
 class _Asked:
     """Asks a driver in the tuples that the other side has."""
 
@@ -148,18 +156,18 @@ class _Asked:
         match answer:
             case Stride(to, lasts, posture):
                 place = arguments.point("Stride.to", to)
-                return "stride", (place, arguments.number("Stride.seconds", lasts), arguments.text("Stride.posture", posture))
+                return "stride", (place, _lasting("Stride.seconds", lasts), arguments.text("Stride.posture", posture))
             case Rest(lasts, at, posture):
                 where = None if at is None else arguments.point("Rest.at", at)
-                return "rest", (where, arguments.number("Rest.seconds", lasts), arguments.text("Rest.posture", posture))
+                return "rest", (where, _lasting("Rest.seconds", lasts), arguments.text("Rest.posture", posture))
             case Stir(lasts, amplitude_m, at, posture):
                 where = None if at is None else arguments.point("Stir.at", at)
-                seconds, amplitude_m = arguments.number("Stir.seconds", lasts), arguments.number("Stir.amplitude_m", amplitude_m)
+                seconds, amplitude_m = _lasting("Stir.seconds", lasts), arguments.number("Stir.amplitude_m", amplitude_m)
                 return "stir", (where, seconds, arguments.text("Stir.posture", posture), amplitude_m)
             case Away(lasts):
-                return "out", arguments.number("Away.seconds", lasts)
+                return "out", _lasting("Away.seconds", lasts)
             case Use(thing, is_on):
-                return "use", (arguments.text("Use.thing", thing, "the name of a thing"), bool(is_on))
+                return "use", (arguments.text("Use.thing", thing, "the name of a thing"), arguments.flag("Use.on", is_on))
             case Doing(activity):
                 return "doing", activity if activity is None else arguments.text("Doing.activity", activity)
         raise TypeError(

@@ -69,8 +69,9 @@ class PlaceSensors(gymnasium.Env[Any, Any]):
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Places a sensor."""
+        place = arguments.whole("action", action, 0, len(self.places) - 1, "one of the places: a whole number")
         before = self._seen()
-        self._placed.append(int(action))
+        self._placed.append(place)
         seen = self._seen()
         return self._observed(), seen - before, len(self._placed) >= self._count, False, {"seen": seen}
 
@@ -205,11 +206,12 @@ class DecideVisits(gymnasium.Env[Any, Any]):
         life = self._life
         if life is None:
             raise RuntimeError("reset begins an episode")
+        visits = arguments.whole("action", action, 0, 1, "0, to let the day go by, or 1, to visit") == 1
         is_ill = life.onset is not None and life.onset < self._over
         found, reward = False, 0.0
-        if int(action) == 1 and is_ill and life.onset is not None:
+        if visits and is_ill and life.onset is not None:
             found, reward = True, max(0.0, 1.0 - (self._over - 1 - life.onset) / self.LATE)
-        elif int(action) == 1:
+        elif visits:
             reward = -self._cost
         self._over = min(self._over + 1, self._days)
         is_last = self._over == self._days

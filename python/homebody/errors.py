@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib import import_module
+from pathlib import Path
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,10 @@ class ScenarioError(HomebodyError):
         return (type(self), (self.args[0], self.problems))
 
 
+class Exists(HomebodyError, FileExistsError):
+    """What is to be written is there already, and nothing is replaced unasked."""
+
+
 class LogError(HomebodyError):
     """A log or a truth cannot be read or written."""
 
@@ -57,6 +62,23 @@ class ClusterError(HomebodyError):
 
 class MissingPackage(HomebodyError, ImportError):
     """A package that is optional is not installed; the text says how to install it."""
+
+
+def new_folder(folder: str, make: Callable[[Path], object]) -> Path:
+    """A folder of this name, which ``make`` makes; one that is there already stays as it is.
+
+    >>> new_folder(".", Path.mkdir)
+    Traceback (most recent call last):
+    homebody.errors.Exists: .: it is there already
+      hint: name a new folder
+    """
+    try:
+        make(Path(folder))
+    except FileExistsError:
+        raise Exists(f"{folder}: it is there already\n  hint: name a new folder") from None
+    except OSError as error:
+        raise LogError(f"{folder}: {error.strerror or error}") from None
+    return Path(folder)
 
 
 def needs(package: str, what: str, extra: str | None = None) -> None:

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
     from homebody.scenario import Scenario
 
+#: From one instant to the next, in seconds.
+INSTANT_S = 1e-6
+
 _SECONDS = {"s": 1.0, "m": 60.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 
 
@@ -42,6 +45,8 @@ def seconds(span: str | float) -> float:
         lasts = float(match[1]) * _SECONDS[match[2]]
     if not lasts > 0:
         raise ValueError(f"span is {span!r}: it is longer than nothing")
+    if lasts < INSTANT_S:
+        raise ValueError(f"span is {span!r}: it is at least a microsecond, as instants are whole ones")
     return lasts
 
 
@@ -90,7 +95,7 @@ class Log:
 
     @property
     def remarks(self) -> list[str]:
-        """What was left out of it as it was read, in sentences."""
+        """What was left out of it as it was read, in sentences, and that its hours are those of UTC, where nobody knows its zone."""
         return self._log.remarks
 
     @cached_property
@@ -121,6 +126,10 @@ class Log:
         """Windows of one length, a row for each resident: ``time``, ``resident``, ``label`` (the activity of most of the window),
         ``room``, and as features ``hour``, ``weekday``, ``last`` (who spoke last), and for each sensor how often it said something.
 
+        Windows are cut by the clock on the wall of the home: ``1d`` from midnight to midnight, ``1h`` at full hours, ``6h`` at 0, 6, 12 and
+        18. Where clocks are set, a window is as much shorter or longer: a day has 23 or 25 hours. Of an hour that comes twice, both are
+        windows. Where ``time_zone`` is ``None``, the wall is that of the log's own times.
+
         >>> import homebody as hb
         >>> windows = hb.scenario("studio").run(days=1, seed=7).windows("5m")
         >>> windows.columns[:4]
@@ -137,13 +146,15 @@ class Log:
             return Table(self._log.labelled(Path(folder) / "labelled.arrow"))
 
     def day(self, day: int | str = "first") -> Answer:
-        """One day: by its number from 0 on, by its date, or ``first`` or ``last``."""
+        """One day: by its number from 0 on, by its date, or ``first`` or ``last``. It is drawn as 24 hours on the clock on the wall: where
+        clocks are set on, one of them is empty, and where they are set back, one holds two."""
         if not isinstance(day, str):
             day = str(arguments.whole("day", day, -(10**9), 10**9, "a number from 0 on, a date, or first or last"))
         return Answer("Day", *self._log.day(day))
 
     def density(self) -> Answer:
-        """How much somebody moved in each hour of each day."""
+        """How much somebody moved in each hour of each day. An hour that is left out as clocks are set on has no data, and one that comes
+        twice has two hours recorded."""
         return Answer("Density", *self._log.density())
 
     def measures(self) -> Answer:
@@ -204,8 +215,9 @@ class Comparison:
     __repr__ = __str__
 
 
-def _place(name: str, log: Log | str | PathLike[str]) -> str:
-    return log.place if isinstance(log, Log) else arguments.path(name, log, "a log, or where one is")
+def _place(name: str, log: Log | str | PathLike[str]) -> tuple[str, str | None]:
+    """Where a log is, and the zone that was asked for as it was read."""
+    return (log.place, log._asked_zone) if isinstance(log, Log) else (arguments.path(name, log, "a log, or where one is"), None)
 
 
 def compare(a: Log | str | PathLike[str], b: Log | str | PathLike[str]) -> Comparison:
@@ -244,7 +256,7 @@ def translate(
 
     inner = opened("home", home)._scenario
     folder = Path(arguments.path("to", to)) if to is not None else temporary_folder() / "walked"
-    zone = log._asked_zone if isinstance(log, Log) else None
+    place, zone = _place("log", log)
     with Progress("walking back", progress) as told:
-        report = _homebody.translate(_place("log", log), zone, inner, folder, told)
+        report = _homebody.translate(place, zone, inner, folder, told)
     return Translated(folder, report)

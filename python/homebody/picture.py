@@ -9,6 +9,7 @@ from typing import Any
 
 from homebody import arguments
 from homebody._homebody import png
+from homebody.errors import HomebodyError
 
 
 class Picture:
@@ -32,11 +33,16 @@ class Picture:
         path = Path(arguments.path("path", path))
         match path.suffix.lower():
             case ".svg":
-                path.write_text(self.svg, encoding="utf-8")
+                written = self.svg.encode()
             case ".png":
-                path.write_bytes(self.png(width))
+                written = self.png(width)
             case other:
                 raise ValueError(f"path {str(path)!r} ends in {other!r}: a picture is .svg or .png")
+        try:
+            path.write_bytes(written)
+        except OSError as error:
+            hint = f"\n  hint: {path.parent} is no folder" if not path.parent.is_dir() else ""
+            raise HomebodyError(f"{path}: {error.strerror or error}{hint}") from None
         return path
 
     def _repr_svg_(self) -> str:

@@ -12,14 +12,14 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-from homebody import arguments
+from homebody import _homebody, arguments
 from homebody.errors import Problem, ScenarioError
 
 #: What of a member is drawn.
-COLUMNS = ("age", "pace_mps", "conditions", "severity", "onset", "over", "until", "routine")
+COLUMNS = ("age", "pace_mps", "conditions", "severity", "onset", "over", "until", "routine", "home")
 
 #: So many members a cohort has at most.
-MOST = 100_000
+MOST = _homebody.MOST_MEMBERS
 
 _NUMBERS = ("normal", "uniform")
 
@@ -30,8 +30,9 @@ def draw(
     """So many members, each drawn from distributions: a mapping, or a file of JSON with one.
 
     A number is ``{"normal": [mean, deviation]}`` or ``{"uniform": [least, most]}``, cut by ``least`` and ``most`` and rounded to
-    ``digits``; anything else is how often each value comes, such as ``{"none": 0.8, "depression": 0.2}``. What is drawn of one member
-    depends on the seed, the member's name and the column alone.
+    ``digits``; anything else is how often each value comes, such as ``{"none": 0.8, "depression": 0.2}``, or of homes, files in the
+    scenario's folder, ``{"home.json": 2, "studio.json": 1}``. What is drawn of one member depends on the seed, the member's name and the
+    column alone.
 
     >>> people = {"age": {"normal": [82, 6], "least": 65, "most": 99}, "conditions": {"none": 3, "depression": 1}}
     >>> drawn = draw(people, 100, seed=7)

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from types import TracebackType
 from typing import Any
 
+from homebody import arguments
+
 
 class Progress:
     """A bar while something is done: in a notebook that of tqdm, or a line where tqdm is not there; a line on a terminal; else nothing."""
@@ -15,7 +17,7 @@ class Progress:
         self._what = what
         self._bar: Any = None
         in_notebook = _in_notebook()
-        self._shown = (in_notebook or sys.stderr.isatty()) if shown is None else shown
+        self._shown = (in_notebook or sys.stderr.isatty()) if shown is None else arguments.flag("progress", shown)
         if self._shown and in_notebook:
             self._bar = _bar(what)
 

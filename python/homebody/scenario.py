@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import json
 import shutil
+import warnings
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from os import PathLike
@@ -13,7 +14,7 @@ from typing import Any
 
 from homebody import _homebody, arguments
 from homebody.driver import Driver, MakeDriver, wrapped
-from homebody.errors import LogError, Problem, ScenarioError
+from homebody.errors import LogError, Problem, ScenarioError, new_folder
 from homebody.live import Live
 from homebody.log import Log
 from homebody.picture import Answer, Picture
@@ -41,13 +42,20 @@ class Run(Log):
     (7, False)
     """
 
-    def __init__(self, scenario: Scenario, told: dict[str, Any]) -> None:
+    def __init__(self, scenario: Scenario, told: dict[str, Any], hardly_meant: Sequence[str] = ()) -> None:
         #: The folder that it is in; it goes when the program ends, unless another was asked for.
         self.folder = Path(told["folder"])
         super().__init__(self.folder)
         self.scenario = scenario
         #: What became of it: rows by sensor, sentences that were not lived as they are written, a digest of the firings.
         self.summary = told
+        self._hardly_meant = list(hardly_meant)
+
+    @property
+    def remarks(self) -> list[str]:
+        """What is right in the scenario and hardly meant, in a run like this one, of which Python was warned; and what was left out of
+        the log as it was read."""
+        return self._hardly_meant + super().remarks
 
     @property
     def seed(self) -> int:
@@ -61,7 +69,7 @@ class Run(Log):
 
     def save(self, folder: str | PathLike[str]) -> Path:
         """Copies all of it into a new folder, which the command and the page know as well."""
-        return Path(shutil.copytree(self.folder, folder))
+        return new_folder(arguments.path("folder", folder), lambda to: shutil.copytree(self.folder, to))
 
 
 class Plan:
@@ -150,7 +158,10 @@ class Scenario:
 
     def remarks(self, days: float | None = None) -> list[Problem]:
         """What is right in it and hardly meant."""
-        told = json.loads(self._scenario.remarks(self._scenario.days if days is None else arguments.number("days", days)))
+        return self._remarks(None if days is None else arguments.length_days("days", days), None, {})
+
+    def _remarks(self, days: float | None, start: str | None, numbers: Mapping[str, float]) -> list[Problem]:
+        told = json.loads(self._scenario.remarks(self._scenario.days if days is None else days, start, numbers))
         return [Problem(t["file"], t["line"], t["column"], t["what"], t.get("hint")) for t in told]
 
     def data(self, name: str = "home.json") -> Any:
@@ -245,8 +256,7 @@ class Scenario:
 
     def save(self, folder: str | PathLike[str]) -> Path:
         """Writes its files into a new folder, which the command and the page know as well."""
-        folder = Path(arguments.path("folder", folder))
-        folder.mkdir(parents=True)
+        folder = new_folder(arguments.path("folder", folder), lambda to: to.mkdir(parents=True))
         for name, written in self.texts.items():
             file = folder / _inside(name)
             file.parent.mkdir(parents=True, exist_ok=True)
@@ -268,7 +278,8 @@ class Scenario:
     ) -> Run:
         """Lives it, and stores what its sensors say, with the truth apart.
 
-        Other threads of Python go on meanwhile; Ctrl-C stops it. ``into`` is a folder in which a new one is made for the run, such as
+        Other threads of Python go on meanwhile; Ctrl-C stops it. It warns of what is right and hardly meant, such as a condition that
+        begins after the end: ``remarks`` of the run has it, too. ``into`` is a folder in which a new one is made for the run, such as
         ``runs``; without it, the run goes when the program ends. ``without`` leaves conditions out, ``numbers`` sets numbers of the models,
         ``one_of_many`` lets residents differ as people do, ``drivers`` moves residents by drivers in Python.
 
@@ -278,9 +289,13 @@ class Scenario:
         """
         wanted = wanted_run(days, seed, start, without, numbers, one_of_many, drivers, self)
         runs = temporary_folder() if into is None else Path(arguments.path("into", into))
-        with Progress(f"living {self.name}", progress) as told:
+        shown = Progress(f"living {self.name}", progress)
+        hardly_meant = [str(remark) for remark in self._remarks(wanted["days"], wanted["start"], wanted["numbers"])]
+        for remark in hardly_meant:
+            warnings.warn(remark, stacklevel=2)
+        with shown as told:
             lived = self._scenario.run(runs, wanted, told)
-        return Run(self, json.loads(lived))
+        return Run(self, json.loads(lived), hardly_meant)
 
     def live(
         self,
@@ -323,7 +338,7 @@ def wanted_run(
         **wanted_life(days, seed, without),
         "start": None if start is None else arguments.text("start", start, "a date, or a date and time, such as '2009-03-02T00:00:00'"),
         "numbers": {name: arguments.number(f"numbers[{name!r}]", value) for name, value in set_to.items()},
-        "one_of_many": bool(one_of_many),
+        "one_of_many": arguments.flag("one_of_many", one_of_many),
         "drivers": {name: wrapped(make, scenario.residents) for name, make in moved.items()},
     }
 
@@ -331,7 +346,7 @@ def wanted_run(
 def wanted_life(days: float | None, seed: int | None, without: Sequence[str]) -> dict[str, Any]:
     """What a run is to be, and a cohort."""
     return {
-        "days": None if days is None else arguments.number("days", days),
+        "days": None if days is None else arguments.length_days("days", days),
         "seed": None if seed is None else arguments.whole("seed", seed, 0, 2**64 - 1),
         "without": arguments.texts("without", without, "a list of conditions"),
     }

@@ -48,6 +48,9 @@ def run(home: hb.Scenario) -> hb.Run:
         ("home.run(drivers={'walter': lambda: Still(1)})", r"a driver is .*: it is made with the seed alone"),
         ("home.run(days=1, drivers={'walter': Silent})", r"a driver has a method next\(around\)"),
         ("home.run(into=5)", "into is 5: it is a path"),
+        ("home.run(one_of_many='no')", "one_of_many is 'no': it is True or False"),
+        ("home.run(progress='yes')", "progress is 'yes': it is True or False"),
+        ("hb.cohort('studio', 1, 'never', progress='yes')", "progress is 'yes': it is True or False"),
         ("hb.scenario({5: 'x'})", "a key of files is 5"),
         ("hb.scenario({'scenario.json': object()})", "the file 'scenario.json' is neither a text nor what becomes JSON"),
         ("home.with_routine('walter', 5)", "text is 5: it is a routine"),
@@ -85,6 +88,7 @@ def test_a_wrong_type_says_which_argument(home: hb.Scenario, run: hb.Run, code: 
         (hb.Stir(60, "far", at=AT), "Stir.amplitude_m is 'far'"),  # type: ignore[arg-type]
         (hb.Away("x"), "Away.seconds is 'x'"),  # type: ignore[arg-type]
         (hb.Use(3, True), "Use.thing is 3"),  # type: ignore[arg-type]
+        (hb.Use("fridge", "off"), "Use.on is 'off'"),  # type: ignore[arg-type]
         (hb.Doing(5), "Doing.activity is 5"),  # type: ignore[arg-type]
     ],
 )
@@ -98,8 +102,22 @@ def test_a_wrong_answer_of_a_driver_says_what_of_it(home: hb.Scenario, answer: o
     ("code", "told"),
     [
         ("home.run(seed=-1)", "seed is -1: it is from 0 to"),
+        ("home.run(days=-1)", "days is -1.0: it is longer than nothing"),
+        ("home.run(days=0)", "days is 0.0: it is longer than nothing"),
+        ("home.run(days=float('nan'))", "days is nan: it is longer than nothing"),
+        ("home.run(days=1e9)", "days is 1000000000.0: .* at most 36,525"),
+        ("home.remarks(float('inf'))", "days is inf"),
+        ("home.run(days=1, start='yesterday')", 'start is "yesterday": '),
+        ("home.live(days=1, start='2009-02-30')", 'start is "2009-02-30": '),
+        ("hb.cohort('studio', 1, 'never', days=-1)", "days is -1.0"),
+        ("hb.cohort('studio', 1, 'never', workers=3)", "workers is 3: only of a local cluster"),
+        ("hb.cohort('studio', 1, 'never', cluster='tcp://127.0.0.1:1', workers=3)", "workers is 3: only of a local cluster"),
         ("run.windows(-1)", "span is -1: it is longer than nothing"),
+        ("run.windows(1e-9)", "span is 1e-09: it is at least a microsecond"),
+        ("run.windows('0.00001s')", "span is 0.00001 s: it would be"),
         ("run.windows('1.2.3s')", "span '1.2.3s'"),
+        ("hb.read(run.folder, time_zone='Mars')", 'time_zone is "Mars": no time zone has this name'),
+        ("hb.cohort('studio', 1, 'never', truth='some')", "truth is 'some': it is all or brief"),
         ("hb.scenario('')", "what is empty"),
         ("home.plan.plot().png(0)", "width is 0"),
         ("hb.cohort('studio', 0, 'never')", "profiles is 0: it is from 1 to 100,000"),
@@ -113,6 +131,28 @@ def test_a_wrong_value_says_which_argument(home: hb.Scenario, run: hb.Run, code:
     with pytest.raises(ValueError, match=told):
         eval(code, {"hb": hb, "home": home, "run": run})  # noqa: S307
     assert not Path("never").exists()
+
+
+@pytest.mark.parametrize("seconds", [float("nan"), 0, -1, 1e-9, float("-inf")])
+def test_how_long_a_driver_does_something_is_longer_than_nothing(home: hb.Scenario, seconds: float) -> None:
+    for answer in (hb.Rest(seconds, at=AT), hb.Stride(AT, seconds), hb.Stir(seconds, at=AT), hb.Away(seconds)):
+        driver = type("Wrong", (Still,), {"answer": answer})
+        told = f"{type(answer).__name__}.seconds is {float(seconds)}: it is a number of seconds, longer than nothing"
+        with pytest.raises(ValueError, match=told):
+            home.run(days=0.1, seed=1, drivers={"walter": driver})
+
+
+def test_what_is_saved_replaces_nothing(home: hb.Scenario, run: hb.Run, tmp_path: Path) -> None:
+    for what in (home, run):
+        (tmp_path / "mine").write_text("mine")
+        with pytest.raises(hb.Exists, match="mine: it is there already\n  hint: name a new folder"):
+            what.save(tmp_path / "mine")
+        assert (tmp_path / "mine").read_text() == "mine"
+        with pytest.raises(hb.LogError, match="beneath"):
+            what.save(tmp_path / "mine" / "beneath")
+        with pytest.raises(TypeError, match="folder is 5"):
+            what.save(5)  # type: ignore[arg-type]
+    assert len(hb.read(run.save(tmp_path / "copy")).events) == len(run.events)
 
 
 def test_what_is_no_scenario_is_one_kind_of_error(home: hb.Scenario) -> None:

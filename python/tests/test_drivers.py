@@ -1,6 +1,9 @@
 """Drivers in Python."""
 
+import json
 import random
+import subprocess
+import sys
 
 import homebody as hb
 import pytest
@@ -32,6 +35,25 @@ def test_a_driver_is_as_reproducible_as_its_own_randomness() -> None:
     one, again, other = lived(Pacing), lived(Pacing), lived(Pacing, seed=8)
     assert one.summary["sha256"] == again.summary["sha256"] != other.summary["sha256"]
     assert one.summary["rows"] > 10
+
+
+def test_a_run_with_a_driver_has_the_tables_of_any_run() -> None:
+    run, other = lived(Pacing), hb.scenario("tigerplace").run(days=0.2, seed=7)
+    assert run.time_zone == "America/Chicago" and set(run.sensors) <= set(run.scenario.sensors)
+    for name in ("events", "activities", "movement", "rooms"):
+        one, another = getattr(run, name), getattr(other, name)
+        assert (one.columns, one.types) == (another.columns, another.types), name
+    assert run.windows("1h").columns[:7] == other.windows("1h").columns[:7] and run.labelled().types == other.labelled().types
+    assert hb.read(run.folder).time_zone == "America/Chicago"
+    recording = run.folder / "recording.json"
+    assert json.loads(recording.read_text())["own_drivers"] == ["margaret"]
+    assert refused("replay", str(recording))
+
+
+def refused(*words: str) -> bool:
+    """Whether the command says that it cannot live a run again, as somebody was moved by a driver."""
+    told = subprocess.run([sys.executable, "-m", "homebody", *words], capture_output=True, text=True)
+    return told.returncode == 2 and "margaret was moved by a driver of another program" in told.stderr
 
 
 def test_a_driver_sees_and_says_what_is_so() -> None:
@@ -74,6 +96,7 @@ def test_a_driver_that_raises_ends_the_run_with_its_traceback(tmp_path: object) 
     assert any(entry.name == "next" and "test_drivers" in str(entry.path) for entry in told.traceback)
     (folder,) = tmp_path.iterdir()  # type: ignore[attr-defined]
     assert len(hb.read(folder).events) > 0, "what happened before is stored"
+    assert hb.read(folder).time_zone == "America/Chicago" and refused("run", "--resume", str(folder))
 
 
 def test_what_no_body_can_do_and_no_answer_is_are_told() -> None:

@@ -107,8 +107,12 @@ def test_pictures_are_drawn(run: hb.Run, tmp_path: Path) -> None:
         assert picture._repr_svg_().startswith("<svg")
     with pytest.raises(ValueError, match="path"):
         pictures[0].save(tmp_path / "a.gif")
-    with pytest.raises(hb.LogError, match="no day"):
+    with pytest.raises(hb.HomebodyError, match="x.png: No such file or directory\n  hint: .*nodir is no folder"):
+        pictures[0].save(tmp_path / "nodir" / "x.png")
+    with pytest.raises(ValueError, match="day is 99: the log goes from 2009-03-02 to 2009-03-03"):
         run.day(99)
+    with pytest.raises(ValueError, match='day is "second": write a date'):
+        run.day("second")
 
 
 def test_a_log_of_another_place_is_read_and_compared(run: hb.Run, tmp_path: Path) -> None:
@@ -122,8 +126,58 @@ def test_a_log_of_another_place_is_read_and_compared(run: hb.Run, tmp_path: Path
     assert hb.compare(run, run).data["agreement_by_sensor"] == 1
     with pytest.raises(hb.LogError):
         hb.read(tmp_path / "nowhere.txt")
-    with pytest.raises(hb.ScenarioError, match="zone"):
-        hb.read(text, time_zone="Mars/Olympus").events  # noqa: B018
+    with pytest.raises(ValueError, match="time_zone"):
+        hb.read(text, time_zone="Mars/Olympus")
+
+
+def test_a_log_in_utc_is_compared_on_the_wall_that_it_was_read_for(run: hb.Run, tmp_path: Path) -> None:
+    # Three dates of UTC, and two of the home.
+    file = tmp_path / "utc.csv"
+    told = run.events.to_pandas()
+    told["time"] = told["time"].dt.tz_convert("UTC").dt.strftime("%Y-%m-%d %H:%M:%S.%f+00:00")
+    told.to_csv(file, index=False)
+    log = hb.read(file, "America/Chicago")
+    assert log.remarks == [] and hb.read(file).remarks == ["its hours are those of UTC: time_zone tells the home's own"]
+    for a, b in ((log, run), (run, log), (log, log)):
+        assert hb.compare(a, b).data["agreement_by_sensor"] == 1
+    assert hb.compare(hb.read(file), run).data["dates"] == [3, 2] and hb.compare(log, run).data["dates"] == [2, 2]
+
+
+def test_windows_are_cut_by_the_clock_on_the_wall(run: hb.Run) -> None:
+    days = run.windows("1d").to_pandas()
+    assert days["time"].dt.strftime("%F %T").tolist() == ["2009-03-02 00:00:00", "2009-03-03 00:00:00"]
+    assert set(days["hour"]) == {0.0}
+    home = hb.scenario("tigerplace").data("scenario.json")
+    there = hb.scenario("tigerplace").change({"scenario.json": {**home, "time_zone": "Asia/Kolkata"}})
+    assert (there.run(days=1, seed=7).windows("1h").to_pandas()["hour"] % 1 == 0).all()
+    # Clocks are set on at 2:00 on that day.
+    spring = hb.scenario("tigerplace").run(days=3, seed=7, start="2009-03-07T00:00:00")
+    begins = spring.windows("1d").to_pandas()["time"]
+    assert begins.dt.hour.tolist() == [0, 0, 0] and begins.diff().dt.total_seconds().tolist()[1:] == [86_400, 82_800]
+    map = spring.density()
+    assert [day["recorded_h"] for day in map.data["days"]] == [24, 23, 24]
+    assert map.data["hours"][2]["recorded_h"] == 2
+    autumn = hb.scenario("tigerplace").run(days=1, seed=7, start="2009-11-01T00:00:00")
+    assert autumn.density().data["recorded_h"] == 25 and len(autumn.windows("1d")) == 1
+
+
+def test_what_is_hardly_meant_is_warned_of(tmp_path: Path) -> None:
+    home = hb.scenario("tigerplace")
+    late = home.with_routine("margaret", home.routine("margaret") + "\nFrom week 6, she shows depression.\n")
+    with pytest.warns(UserWarning, match="it begins on day 36, and the run has 1") as told:
+        run = late.run(days=1, seed=1)
+    words = [str(warning.message) for warning in told]
+    assert run.remarks == words == [str(remark) for remark in late.remarks(1)]
+    folder = late.save(tmp_path / "late")
+    command = [sys.executable, "-m", "homebody", "run", str(folder), "--for", "1d", "--seed", "1", "--out", f"csv:{tmp_path / 'a.csv'}"]
+    said = subprocess.run(command, check=True, capture_output=True, text=True).stderr
+    assert all(f"warning: {word}" in said for word in words), said
+    with pytest.warns(UserWarning) as told:
+        hb.cohort(late, 1, tmp_path / "cohort", days=1)
+    assert [str(warning.message) for warning in told] == words
+    people = [{"name": "bea", "conditions": "depression", "onset": "week 6"}]
+    with pytest.warns(UserWarning, match="profiles: bea: .*begins on day 36, and the run has 1"):
+        hb.cohort(home, people, tmp_path / "listed", days=1)
 
 
 def test_a_log_is_walked_back(run: hb.Run, tmp_path: Path) -> None:
@@ -159,8 +213,6 @@ def test_a_wrong_type_says_which_argument() -> None:
     for keys, argument in [({"days": "ten"}, "days"), ({"seed": 1.5}, "seed"), ({"without": "flu"}, "without")]:
         with pytest.raises(TypeError, match=argument):
             home.run(**keys)  # type: ignore[arg-type]
-    with pytest.raises(hb.ScenarioError, match="lasts"):
-        home.run(days=0)
     with pytest.raises(TypeError, match="what"):
         hb.scenario(7)  # type: ignore[arg-type]
 

@@ -80,6 +80,7 @@ test('what is not saved is not lost with a view, and a connection that is lost i
   await page.getByRole('application').waitFor();
   await page.evaluate(() => (window.location.hash = '#/life'));
   await page.getByText('margaret.routine is not saved.').waitFor();
+  await editor.getByText('Often she phones.').waitFor();
   assert.match(await shown(), /Often she phones\.$/);
   await context.setOffline(true);
   await page.keyboard.press('Control+s');

@@ -2,7 +2,7 @@
 // understood stands beside its sentence at any width; whoever is driven goes out and comes back; runs are put aside and fetched back.
 
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
@@ -29,6 +29,8 @@ const go = async (view) => served.page.goto(`${served.address.split('#')[0]}#/${
 test('a scenario with problems opens, says them, and is mended by one click', { timeout: 60_000 }, async () => {
   const { page } = served;
   await page.getByText('8 things are wrong with the scenario').waitFor();
+  // Where each is mended is known once the files have come.
+  await page.getByRole('link', { name: 'Mend it in Log' }).nth(7).waitFor();
   assert.equal(await page.getByRole('link', { name: 'Mend it in Log' }).count(), 8);
   await page.getByRole('button', { name: 'Remove the 8 ids of sensors that are gone' }).click();
   await page.getByText('What was wrong is mended.').waitFor();
@@ -69,8 +71,7 @@ test('what was understood stands beside its sentence, however wide the window is
   await page.getByText('Every sentence is understood.').waitFor();
   for (const width of [1024, 1920]) {
     await page.setViewportSize({ width, height: 1080 });
-    await wait(400);
-    const off = await page.evaluate(() => {
+    const look = () => page.evaluate(() => {
       const lines = [...document.querySelector('.editor .editor').shadowRoot.querySelectorAll('.cm-line')];
       const rows = [...document.querySelectorAll('[aria-label="How it was understood"] li')];
       const wrong = [];
@@ -84,6 +85,12 @@ test('what was understood stands beside its sentence, however wide the window is
       }
       return { rows: rows.length, several: [...before.values()].filter((count) => count > 1).length, wrong };
     });
+    // A slow machine takes a while to lay out a window of another size.
+    let off = null;
+    for (let looks = 0; looks < 20 && (off === null || off.wrong.length > 0); looks++) {
+      await wait(400);
+      off = await look();
+    }
     assert.ok(off.rows > 10 && off.several > 0, JSON.stringify(off));
     assert.deepEqual(off.wrong, [], `${width}`);
   }
@@ -127,7 +134,17 @@ test('a run is named, deleted, and fetched back; the address knows the time', { 
   await page.getByLabel('Name', { exact: true }).fill('out and back');
   await page.keyboard.press('Tab');
   await page.getByLabel('Run', { exact: true }).getByText('out and back').waitFor({ state: 'attached' });
+  // The address goes with the time, and whoever loads the page anew is there again.
   await page.waitForURL((url) => url.hash.includes(`${run}@2009-`));
+  const first = page.url();
+  await page.getByRole('slider', { name: 'Time of the day' }).press('ArrowRight');
+  await page.waitForURL((url) => url.hash.includes(`${run}@2009-`) && url.href !== first);
+  const clock = page.locator('.clock').first();
+  const shown = await clock.innerText();
+  await page.reload();
+  await clock.waitFor();
+  await page.waitForFunction((text) => document.querySelector('.clock')?.innerText === text, shown);
+  await page.locator('summary', { hasText: 'out and back' }).click();
   await page.getByRole('button', { name: 'Delete this run' }).click();
   await page.getByText('is deleted.').waitFor();
   assert.ok(!existsSync(join(served.folder, 'runs', run)));
@@ -162,6 +179,59 @@ test('a resident is called otherwise in one step, which can be undone, and lives
     await page.waitForFunction(() => [...document.querySelectorAll('.who option')].some((option) => option.value === 'joan'));
     assert.equal(JSON.parse(read('margaret.json')).name, 'joan');
     assert.match(read('margaret.routine'), /Joan is/);
+  } finally {
+    await served.close();
+  }
+});
+
+test('what has one answer is done by a button in one step, and what a home lacks is put into it', { timeout: 60_000 }, async () => {
+  const served = await serve('studio', {
+    prepare: (folder) => {
+      const file = join(folder, 'home.json');
+      const home = JSON.parse(readFileSync(file, 'utf8'));
+      for (const list of ['furniture', 'places']) home[list] = home[list].filter(({ name }) => name !== 'fridge');
+      home.sensors.find(({ kind }) => kind === 'contact').on = 'front dor';
+      writeFileSync(file, JSON.stringify(home, null, 2));
+    },
+  });
+  try {
+    const { page, address, folder } = served;
+    await page.goto(`${address.split('#')[0]}#/plan`);
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await page.getByRole('tab', { name: /^Problems/ }).click();
+    await page.getByRole('button', { name: 'Write “front door”' }).click();
+    await page.getByRole('button', { name: 'Write “front door”' }).waitFor({ state: 'detached' });
+    await page.getByRole('button', { name: 'Put “fridge”' }).click();
+    await page.getByText('Nothing is wrong.').waitFor();
+    // Each is one step.
+    await page.getByRole('button', { name: 'Undo', exact: true }).click();
+    await page.getByRole('button', { name: 'Put “fridge”' }).waitFor();
+    await page.getByRole('button', { name: 'Undo', exact: true }).click();
+    await page.getByRole('button', { name: /^Show front door contact/ }).click();
+    assert.equal(await page.getByRole('tab', { name: 'Element' }).getAttribute('aria-selected'), 'true');
+    await page.getByRole('button', { name: 'Redo', exact: true }).click();
+    await page.getByRole('button', { name: 'Redo', exact: true }).click();
+    await page.getByRole('button', { name: 'Save', exact: true }).click();
+    await page.getByText('All is saved.').waitFor();
+    assert.deepEqual(JSON.parse(served.homebody('check', 'studio', '--json')).problems, []);
+    assert.ok(JSON.parse(readFileSync(join(folder, 'studio/home.json'), 'utf8')).furniture.some(({ name }) => name === 'fridge'));
+  } finally {
+    await served.close();
+  }
+});
+
+test('of a home whose folder is gone it is said that it is, and its files are written back', { timeout: 60_000 }, async () => {
+  const served = await serve('studio');
+  try {
+    await served.page.goto(`${served.address.split('#')[0]}#/plan`);
+    await served.page.getByRole('application').waitFor();
+    rmSync(join(served.folder, 'studio'), { recursive: true });
+    await served.page.getByText('This home is gone').waitFor();
+    await served.page.getByRole('link', { name: 'Live' }).click();
+    await served.page.getByRole('alert').getByText('This home is gone').waitFor();
+    await served.page.getByRole('button', { name: /^Write back \d+ files$/ }).click();
+    await served.page.getByText('This home is gone').waitFor({ state: 'detached' });
+    assert.deepEqual(JSON.parse(served.homebody('check', 'studio', '--json')).problems, []);
   } finally {
     await served.close();
   }

@@ -59,6 +59,32 @@ test('of two runs that differ by a condition it is shown what one has and the ot
     assert.equal(await now.getByRole('rowheader', { name: /^margaret$/ }).count(), 2);
     await page.getByLabel('as a table').check();
     await page.getByRole('region', { name: 'Rows by day' }).getByRole('row', { name: /8 Apr 2009.*[+−]\d+/ }).waitFor();
+    // Of all days both runs are counts, and what one has more of than the other.
+    const line = page.getByRole('group', { name: /^Time line/ });
+    await line.focus();
+    await page.keyboard.press('a');
+    await page.getByText('38 d in sight').waitFor();
+    await page.getByText('more above').waitFor();
+    // Twins are told apart by what one was lived without, also in what is kept.
+    assert.deepEqual(await page.locator('.clock .run').allInnerTexts(), ['first: tigerplace-depression-1', 'second: tigerplace-depression-2 without depression']);
+    await page.getByText('Keep', { exact: true }).click();
+    const [lines] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: '(SVG)' }).click()]);
+    assert.match(readFileSync(await lines.path(), 'utf8'), /2 March 2009.*above the line: tigerplace-depression-1<.*below the line: tigerplace-depression-2 without depression</s);
+    const lanes = page.getByRole('region', { name: 'Lanes' }).locator('canvas');
+    const box = await lanes.boundingBox();
+    await page.mouse.move(box.x + box.width * 0.97, box.y + 7);
+    await page.getByText(/about \d+ times here, in the second run \d+$/).waitFor();
+    if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/twins.png` });
+    await page.getByText('Keep', { exact: true }).click();
+    const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: '(CSV)' }).click()]);
+    const rows = readFileSync(await file.path(), 'utf8').split('\n').map((row) => row.split(','));
+    // Up to the condition's beginning both have lived the same; at the end the second has other counts.
+    const counts = (what, name, from, to) => rows.filter((row) => row[2] === what && row[3] === name && row[0] >= from && row[0] < to).map((row) => `${row[0]} ${row[4]}`).join('\n');
+    for (const [from, to, alike] of [['2009-03-02', '2009-03-07', true], ['2009-04-04', '2009-04-09', false]]) {
+      const [own, other] = ['count', 'count beside'].map((what) => counts(what, 'bedroom motion', from, to));
+      assert.ok(own !== '' && other !== '', `no counts from ${from} on`);
+      assert.equal(own === other, alike, `from ${from} on`);
+    }
   } finally {
     await twins.close();
   }
@@ -129,8 +155,8 @@ test('the time line goes from the whole run to seconds, is sorted, and is kept a
   assert.equal(kept.PNG.subarray(1, 4).toString(), 'PNG');
   assert.match(kept.SVG.toString(), /^<svg [^>]*>.*margaret.*<\/svg>\s*$/s);
   const rows = kept.CSV.toString().trim().split('\n');
-  assert.equal(rows[0], 'begin,end,what,name,said');
-  assert.ok(rows.length > 20 && rows.some((row) => /,sensor,.* motion,ON$/.test(row)), rows.slice(0, 3).join('\n'));
+  assert.equal(rows[0], 'begin,end,what,name,said,run');
+  assert.ok(rows.length > 20 && rows.some((row) => /,sensor,.* motion,ON,tigerplace-1$/.test(row)), rows.slice(0, 3).join('\n'));
   // A mark is there again when the page is.
   await line.focus();
   await page.keyboard.press('m');

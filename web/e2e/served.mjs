@@ -1,11 +1,13 @@
 // The real program with a scenario of its own, and a real browser that looks at it.
 
+import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
-import { cpSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { cpSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { chromium } from 'playwright-core';
 
+const axe = readFileSync(new URL('../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
 const repository = resolve(import.meta.dirname, '../..');
 const program = resolve(process.env.HOMEBODY ?? join(repository, 'target/debug/homebody'));
 const browser = process.env.CHROMIUM ?? '/usr/bin/chromium';
@@ -15,10 +17,19 @@ const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-ru
  * Serves a copy of a scenario of the repository, and opens its page.
  * @param prepare changes the copy before it is served; `script` runs in each page before its own.
  */
-export async function serve(scenario, { prepare = () => {}, script } = {}) {
+export function serve(scenario, { prepare = () => {}, script } = {}) {
+  return served([scenario], { script, words: [scenario], prepare: (folder) => prepare(join(folder, scenario)) });
+}
+
+/** Serves a folder with copies of scenarios of the repository, and opens its first page. */
+export function serveLibrary(scenarios, { prepare, words = [] } = {}) {
+  return served(scenarios, { prepare, words });
+}
+
+async function served(scenarios, { prepare = () => {}, script, words }) {
   const folder = mkdtempSync(join(tmpdir(), 'homebody-e2e-'));
-  cpSync(join(repository, 'scenarios', scenario), join(folder, scenario), { recursive: true });
-  prepare(join(folder, scenario));
+  for (const scenario of scenarios) cpSync(join(repository, 'scenarios', scenario), join(folder, scenario), { recursive: true });
+  prepare(folder);
   const profile = mkdtempSync(join(tmpdir(), 'homebody-chromium-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: browser, headless: true, args: flags, viewport: { width: 1280, height: 1600 }, acceptDownloads: true,
@@ -26,7 +37,7 @@ export async function serve(scenario, { prepare = () => {}, script } = {}) {
   if (script) await context.addInitScript(script);
   let server;
   const start = (port) => {
-    server = spawn(program, ['serve', scenario, '--no-open', '--port', port], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
+    server = spawn(program, ['serve', ...words, '--no-open', ...(port === null ? [] : ['--port', port])], { cwd: folder, stdio: ['ignore', 'pipe', 'inherit'] });
     return new Promise((ready, failed) => {
       let said = '';
       server.stdout.on('data', (text) => {
@@ -63,7 +74,7 @@ export async function serve(scenario, { prepare = () => {}, script } = {}) {
     /** The server is gone until the function that comes back is called, which returns the address of the next. */
     async gone() {
       await stop();
-      return () => start(new URL(address).port);
+      return (port = new URL(address).port) => start(port);
     },
     async close() {
       await context.close();
@@ -72,4 +83,24 @@ export async function serve(scenario, { prepare = () => {}, script } = {}) {
       if (wrong.length > 0) throw new Error(wrong.join('\n'));
     },
   };
+}
+
+/** Light and dark, on a screen and on a telephone: axe finds nothing, and nothing is wider than the window. Leaves pictures in a folder, if there is one. */
+export async function looked(page, name, folder) {
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    for (const width of [1280, 390]) {
+      await page.setViewportSize({ width, height: 800 });
+      await page.waitForTimeout(500);
+      if (folder) await page.screenshot({ path: join(folder, `${name}-${colorScheme}-${width}.png`) });
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+      const found = violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 160)).join(' | ')}`);
+      assert.deepEqual(found, [], `${name}, ${colorScheme}, ${width} wide`);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+      assert.ok(wide <= 0, `${wide} pixels wider than ${width}`);
+    }
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await page.emulateMedia({ colorScheme: 'light' });
 }

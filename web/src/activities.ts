@@ -71,6 +71,7 @@ export const KNOWN: ReadonlyMap<string, keyof typeof KINDS> = new Map([
   ['pacing', 'other'],
   ['lapping', 'other'],
   ['fallen', 'other'],
+  ['stumbling', 'other'],
   ['resting', 'leisure'],
   ['roaming', 'other'],
 ]);

@@ -10,6 +10,9 @@ const PAUSE_MS = 250;
 /** How often is looked whether somebody else has changed a file. */
 const LOOK_MS = 2000;
 
+/** What a button has mended, and the texts as they were before. */
+type Mended = { what: string; changed: { name: string; was: string; is: string }[] };
+
 export class Drafts {
   files = $state.raw<FilesView | null>(null);
   /** What was written and is not saved yet, by the file's name. */
@@ -19,6 +22,9 @@ export class Drafts {
   /** Files that another program has changed while there are drafts of them, as they are on disk now; without a version where they are gone. */
   changed = $state.raw<FileView[]>([]);
   saving = $state(false);
+  private lastMend = $state.raw<Mended | null>(null);
+  /** The files as they were when some were there last: they can be written back once none is. */
+  private whole = $state.raw<FileView[]>([]);
 
   private readonly checks: Latest<Draft, CheckView>;
   /** Grows with each load and each save: what was asked before is older than what is known. */
@@ -48,6 +54,12 @@ export class Drafts {
     return Object.keys(this.texts).sort();
   }
 
+  /** Whether none of the scenario's files is on the disk any more; drafts of some may be here still. */
+  get isGone(): boolean {
+    const gone = new Set(this.changed.flatMap(({ name, version }) => (version === '' ? [name] : [])));
+    return this.files !== null && this.files.files.every(({ name, version }) => version === '' || gone.has(name));
+  }
+
   get draft(): Draft {
     return { texts: this.texts };
   }
@@ -69,6 +81,28 @@ export class Drafts {
     if (this.onDisk(name)?.text === text) delete texts[name];
     this.texts = texts;
     this.checkSoon();
+  }
+
+  /** Texts that mend something take the places of those there are. */
+  mend(what: string, texts: Record<string, string>): void {
+    const changed = Object.entries(texts).flatMap(([name, is]) => {
+      const was = this.text(name);
+      return was === undefined || was === is ? [] : [{ name, was, is }];
+    });
+    for (const { name, is } of changed) this.write(name, is);
+    this.lastMend = { what, changed };
+  }
+
+  /** The last mend, as long as nothing was written over it. */
+  get mended(): Mended | null {
+    const { lastMend } = this;
+    return lastMend !== null && lastMend.changed.length > 0 && lastMend.changed.every(({ name, is }) => this.text(name) === is) ? lastMend : null;
+  }
+
+  /** What the last mend has changed is as it was. */
+  unmend(): void {
+    for (const { name, was } of this.mended?.changed ?? []) this.write(name, was);
+    this.lastMend = null;
   }
 
   /** Back to what is on disk. */
@@ -119,6 +153,19 @@ export class Drafts {
     } finally {
       this.saving = false;
     }
+  }
+
+  /** How many files are written back where the home is gone. */
+  get kept(): number {
+    return this.whole.length;
+  }
+
+  /** Writes the files that were there last, with what was written since, where none is on the disk any more. */
+  async writeBack(): Promise<void> {
+    if (this.saving || this.files === null) return;
+    this.texts = { ...Object.fromEntries(this.whole.map(({ name, text }) => [name, text])), ...this.texts };
+    [this.files, this.changed] = [{ ...this.files, files: [] }, []];
+    await this.save();
   }
 
   private onDisk(name: string): FileView | undefined {
@@ -178,6 +225,7 @@ export class Drafts {
     }
     const texts = Object.entries(this.texts).filter(([name, text]) => this.onDisk(name)?.text !== text);
     this.texts = Object.fromEntries(texts);
+    if (fresh.files.length > 0) this.whole = this.files.files;
     this.checkSoon();
   }
 

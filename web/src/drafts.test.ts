@@ -173,3 +173,32 @@ test('what was written outlives a server that begins anew', async () => {
   expect(await drafts.save()).toBe(true);
   expect([next.files['a.routine'], disk.files['a.routine'], notes]).toEqual(['Mine.', 'She reads.', []]);
 });
+
+test('a home is gone once none of its files is on the disk, also where drafts of some are here still', async () => {
+  expect(drafts.isGone).toBe(false);
+  drafts.write('home.json', '{ "rooms": [] }');
+  const { 'a.routine': routine } = disk.files;
+  disk.files = { 'a.routine': routine! };
+  await later();
+  expect(drafts.isGone).toBe(false);
+  disk.files = {};
+  await later();
+  expect(drafts.isGone).toBe(true);
+  drafts.discard('home.json');
+  expect(drafts.isGone).toBe(true);
+  disk.files = { 'a.routine': routine! };
+  await later();
+  expect(drafts.isGone).toBe(false);
+});
+
+test('the files of a home that is gone are written back, with what was written since', async () => {
+  const whole = { ...disk.files };
+  drafts.write('home.json', '{ "rooms": [] }');
+  disk.files = {};
+  await later();
+  expect([drafts.isGone, drafts.kept]).toEqual([true, Object.keys(whole).length]);
+  await drafts.writeBack();
+  await later();
+  expect(disk.files).toEqual({ ...whole, 'home.json': '{ "rooms": [] }' });
+  expect([drafts.isGone, drafts.unsaved, drafts.changed, disk.notes]).toEqual([false, [], [], []]);
+});

@@ -65,7 +65,7 @@ export class Firings {
     }
   }
 
-  /** The run was taken back: what is not yet so any more is forgotten, and what is told again is not kept twice. */
+  /** The run was taken back: what has not happened yet is forgotten, and what is told again is not kept twice. */
   private goBack(frame: Frame): void {
     const again = frame.firings[0]?.seq ?? Infinity;
     const from_us = frame.firings[0]?.at_us ?? Infinity;

@@ -6,7 +6,7 @@ import { Firings } from './firings';
 import { Lived } from './lived';
 import { Throttle } from './plan/glow';
 import { Server } from './server';
-import { Socket, type Status, type Wire } from './socket';
+import { Socket, type Status, type Wire, dial } from './socket';
 import type { FiringView, Frame, ProblemView, RunView, Say, Tell } from './wire';
 
 type Note = { id: number; text: string; bad: boolean };
@@ -47,8 +47,9 @@ export class Live {
   private begun: ((has: boolean) => void) | null = null;
   private timer: ReturnType<typeof setInterval> | undefined;
 
-  constructor(token: string, onWrongToken: () => void, make?: () => Wire, drafts?: Drafts) {
-    this.server = new Server(token, onWrongToken);
+  /** @param api below which path the server answers for the home. */
+  constructor(token: string, onWrongToken: () => void, make?: () => Wire, drafts?: Drafts, api = '/api') {
+    this.server = new Server(token, onWrongToken, undefined, api);
     const note = (text: string, bad: boolean) => this.note(text, bad);
     drafts?.meet(this.server, note);
     this.drafts = drafts ?? new Drafts(this.server, note);
@@ -64,7 +65,7 @@ export class Live {
         tell: (tell) => this.hear(tell),
         trouble: (text) => this.note(text, true),
       },
-      make,
+      make ?? (() => dial(api)),
     );
   }
 

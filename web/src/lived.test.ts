@@ -34,10 +34,60 @@ test('what was taken back is forgotten, and told again is there once', () => {
   expect(all.activities[0]!.every(([, end]) => end <= 12)).toBe(true);
 });
 
+test('what was done while the run jumped is not known', () => {
+  const all = lived();
+  const [minute, hour] = [60e6, 3_600e6];
+  for (const now_us of [0, minute, hour, hour + minute]) all.take(frame({ now_us, bodies: [body(now_us < hour ? 'sleeping' : 'cooking', 1)] }));
+  expect(all.activities[0]).toEqual([[0, minute, 0], [hour, hour + minute, 1]]);
+  expect(all.rooms[0]).toEqual([[0, minute, 1], [hour, hour + minute, 1]]);
+});
+
 test('what is too old is forgotten', () => {
   const all = lived();
   all.take(frame({ now_us: 10, firings: [firing(0, 9, 1)], bodies: [body('cooking', 1)] }));
   all.take(frame({ now_us: 20, bodies: [null] }));
   all.take(frame({ now_us: KEPT_US + 100, firings: [firing(1, KEPT_US + 50, 1)], bodies: [null] }));
   expect([all.fired[1], all.activities[0], all.from_us]).toEqual([[KEPT_US + 50], [], 100]);
+});
+
+test('what was told of but not shown is known to be missing, sensor by sensor, and when', () => {
+  const all = lived();
+  const hour = 3_600e6;
+  all.take(frame({ now_us: 0 }));
+  all.take(frame({ now_us: 19 * hour, told: 12, counts: [2, 10, 0], firings: [firing(10, 15 * hour, 1), firing(11, 18 * hour, 1)] }));
+  expect(all.missed).toEqual([[{ from_us: 0, to_us: 15 * hour, missing: 2 }], [{ from_us: 0, to_us: 15 * hour, missing: 8 }], []]);
+  expect(all.unseen).toEqual([{ from_us: 0, to_us: 19 * hour, missing: 0 }]);
+  // What is shown from then on is all there is.
+  all.take(frame({ now_us: 19 * hour + 60e6, told: 13, counts: [3, 10, 0], firings: [firing(12, 19 * hour + 1, 0)] }));
+  expect([all.missed[0]!.length, all.missed[1]!.length, all.unseen.length]).toEqual([1, 1, 1]);
+  // Taken back into what was not seen, and on from there.
+  all.take(frame({ now_us: 10 * hour, told: 6, counts: [1, 5, 0], firings: [firing(5, 9 * hour, 1)] }));
+  expect(all.missed).toEqual([[{ from_us: 0, to_us: 9 * hour, missing: 1 }], [{ from_us: 0, to_us: 9 * hour, missing: 4 }], []]);
+  expect([all.fired[1], all.unseen]).toEqual([[9 * hour], [{ from_us: 0, to_us: 10 * hour, missing: 0 }]]);
+  all.take(frame({ now_us: 0, told: 0, counts: [0, 0, 0] }));
+  expect([all.missed, all.unseen]).toEqual([[[], [], []], []]);
+});
+
+test('what was gone over while the run went back and on again is not known', () => {
+  const all = lived();
+  const hour = 3_600e6;
+  all.take(frame({ now_us: 0, bodies: [body('sleeping', 1)] }));
+  all.take(frame({ now_us: 60e6, told: 1, counts: [1, 0, 0], firings: [firing(0, 50e6)], bodies: [body('sleeping', 1)] }));
+  // It was taken back to the start, and is told of next when it is later than before.
+  all.take(frame({ now_us: 3 * hour, told: 1, counts: [1, 0, 0], firings: [firing(0, 2 * hour)], bodies: [body('cooking', 1)] }));
+  expect(all.unseen).toEqual([{ from_us: 60e6, to_us: 3 * hour, missing: 0 }]);
+  expect(all.activities[0]).toEqual([[0, 60e6, 0], [3 * hour, 3 * hour, 1]]);
+});
+
+test('who comes late has not seen what was before, and of very many firings those that are let go are known to be missing', () => {
+  const all = lived();
+  all.take(frame({ now_us: 7_200e6, told: 70, counts: [70, 0, 0], firings: [firing(69, 7_100e6)] }));
+  expect(all.missed[0]).toEqual([{ from_us: 0, to_us: 7_100e6, missing: 69 }]);
+  const many = Array.from({ length: 10_004 }, (_, seq) => firing(70 + seq, 7_200e6 + seq));
+  for (let from = 0; from < many.length; from += 500) {
+    const [now_us, some] = [7_200e6 + from + 500, many.slice(from, from + 500)];
+    all.take(frame({ now_us, told: 70 + from + some.length, counts: [70 + from + some.length, 0, 0], firings: some }));
+  }
+  expect(all.fired[0]!.length).toBe(10_000);
+  expect(all.missed[0]!.reduce((sum, { missing }) => sum + missing, 0)).toBe(74);
 });

@@ -1,13 +1,17 @@
 // What this page has seen of the run that is being lived: which sensors fired when, and what everybody did where. What was told of but
-// not shown, as at the greatest speeds, is not in it.
+// not shown, as at the greatest speeds or where somebody goes to another time, is not in it, and when that was is known.
 
-import type { Frame, RunView } from './wire';
+import type { Unseen } from './charts/unseen';
+import type { FiringView, Frame, RunView } from './wire';
 
 /** So far back it is kept. */
 export const KEPT_US = 36 * 3_600e6;
 
 /** Of a sensor no more firings are kept, of a person no more spans. */
 const MOST = 10_000;
+
+/** What lies farther apart was jumped over, or went by too fast to be seen: what was done meanwhile is not known (ours). */
+const SEEN_US = 600e6;
 
 type Span = [begin: number, end: number, what: number];
 
@@ -20,8 +24,14 @@ export class Lived {
   rooms: Span[][] = [];
   /** What was done by anybody. */
   names: string[] = [];
+  /** By sensor: when firings were that are not in `fired`. With those that are forgotten they come to what the server counts. */
+  missed: Unseen[][] = [];
+  /** When it was not seen what people did. */
+  unseen: Unseen[] = [];
+  private forgotten: number[] = [];
   from_us = 0;
   now_us = 0;
+  private told = 0;
 
   clear({ home, residents }: Pick<RunView, 'home' | 'residents'>): void {
     this.fired = home.sensors.map(() => []);
@@ -29,20 +39,25 @@ export class Lived {
     this.activities = residents.map(() => []);
     this.rooms = residents.map(() => []);
     this.names = [];
+    this.missed = home.sensors.map(() => []);
+    this.unseen = [];
+    this.forgotten = home.sensors.map(() => 0);
+    this.told = 0;
     this.from_us = this.now_us = -1;
   }
 
   take(frame: Frame): void {
-    const { now_us } = frame;
-    if (this.now_us < 0) this.from_us = Math.min(now_us, frame.firings[0]?.at_us ?? now_us);
-    else if (now_us < this.now_us) this.goBack(now_us);
-    for (const { sensor, at_us, value } of frame.firings) {
-      const last = this.fired[sensor]?.at(-1);
-      // A firing may be told of twice after the run was taken back.
-      if (this.fired[sensor] === undefined || (last !== undefined && at_us <= last)) continue;
+    const { now_us, firings, counts } = frame;
+    if (this.now_us < 0) this.from_us = Math.min(now_us, firings[0]?.at_us ?? now_us);
+    else if (now_us < this.now_us || frame.told < this.told || (firings[0]?.seq ?? Infinity) < this.told) this.goBack(frame);
+    this.told = frame.told;
+    this.miss(counts, firings, Math.min(firings[0]?.at_us ?? now_us, now_us));
+    for (const { sensor, at_us, value } of firings) {
+      if (this.fired[sensor] === undefined) continue;
       this.fired[sensor].push(at_us);
       this.said[sensor]!.push(value);
     }
+    if (now_us - this.now_us > SEEN_US) add(this.unseen, { from_us: Math.max(this.now_us, 0), to_us: now_us, missing: 0 });
     frame.bodies.forEach((body, who) => {
       this.goOn(this.activities[who], body?.activity == null || body.activity === '' ? null : this.nameOf(body.activity), now_us);
       this.goOn(this.rooms[who], body?.room ?? null, now_us);
@@ -57,24 +72,46 @@ export class Lived {
     return known >= 0 ? known : this.names.push(activity) - 1;
   }
 
-  /** What was so at the last look is taken to have been so until now. */
+  /** What was so at the last look is taken to have been so until now, if that was not long ago. */
   private goOn(spans: Span[] | undefined, what: number | null, now_us: number): void {
     if (spans === undefined) return;
     const last = spans.at(-1);
-    const goes_on = last !== undefined && last[1] === this.now_us;
+    const goes_on = last !== undefined && last[1] === this.now_us && now_us - this.now_us <= SEEN_US;
     if (goes_on) last[1] = now_us;
     if (what !== null && (!goes_on || last[2] !== what)) spans.push([now_us, now_us, what]);
     // What ended at this look ended before the next.
     if (goes_on && what === null) last[1] = now_us - 1;
   }
 
+  /** What the server counts and has not sent was before the first of what it sends. */
+  private miss(counts: number[], firings: FiringView[], before_us: number): void {
+    this.missed.forEach((parts, sensor) => {
+      if (counts[sensor] === undefined) return;
+      const known = parts.filter(({ missing }) => missing > 0);
+      const fresh = firings.reduce((sum, firing) => sum + (firing.sensor === sensor ? 1 : 0), 0);
+      const missing = counts[sensor] - this.forgotten[sensor]! - known.reduce((sum, part) => sum + part.missing, 0) - this.fired[sensor]!.length - fresh;
+      // Of a part that was cut short it is found anew how many there are in it.
+      const from_us = parts.reduce((from, part) => (part.missing > 0 ? from : Math.min(from, part.from_us)), Math.max(this.now_us, 0));
+      this.missed[sensor] = known;
+      if (missing > 0) add(known, { from_us, to_us: Math.max(before_us, from_us + 1), missing });
+      // The run was taken back to before what is forgotten.
+      else this.forgotten[sensor]! += missing;
+    });
+  }
+
   private forget(): void {
     const least = this.now_us - KEPT_US;
     this.fired.forEach((fired, sensor) => {
-      let old = Math.max(fired.length - MOST, 0);
+      let old = 0;
       while (old < fired.length && fired[old]! < least) old += 1;
-      if (old > 0) [fired.splice(0, old), this.said[sensor]!.splice(0, old)];
+      const most = Math.max(fired.length - MOST, old);
+      if (most > old) add(this.missed[sensor]!, { from_us: fired[old]!, to_us: fired[most]!, missing: most - old });
+      if (most > 0) [fired.splice(0, most), this.said[sensor]!.splice(0, most)];
+      const gone = this.missed[sensor]!.filter(({ to_us }) => to_us < least);
+      this.missed[sensor] = this.missed[sensor]!.filter(({ to_us }) => to_us >= least);
+      this.forgotten[sensor]! += old + gone.reduce((sum, { missing }) => sum + missing, 0);
     });
+    this.unseen = this.unseen.filter(({ to_us }) => to_us >= least);
     for (const spans of [...this.activities, ...this.rooms]) {
       let old = Math.max(spans.length - MOST, 0);
       while (old < spans.length && spans[old]![1] < least) old += 1;
@@ -82,18 +119,32 @@ export class Lived {
     }
   }
 
-  /** The run was taken back: what is not yet so any more is forgotten. */
-  private goBack(now_us: number): void {
+  /** The run was taken back: what has not happened yet is forgotten, and what is told again is not kept twice. */
+  private goBack({ now_us, firings }: Frame): void {
+    const again_us = firings[0]?.at_us ?? Infinity;
     this.fired.forEach((fired, sensor) => {
-      const kept = fired.filter((at) => at <= now_us).length;
-      fired.length = this.said[sensor]!.length = kept;
+      fired.length = this.said[sensor]!.length = fired.filter((at) => at <= now_us && at < again_us).length;
+      this.missed[sensor] = cut(this.missed[sensor]!, Math.min(now_us, again_us));
     });
+    this.unseen = cut(this.unseen, now_us);
     for (const spans of [...this.activities, ...this.rooms]) {
       while ((spans.at(-1)?.[0] ?? -1) > now_us) spans.pop();
       const last = spans.at(-1);
       if (last !== undefined) last[1] = Math.min(last[1], now_us);
     }
     this.from_us = Math.min(this.from_us, now_us);
-    this.now_us = now_us;
+    this.now_us = Math.min(this.now_us, now_us);
   }
+}
+
+/** One that goes on where another ends is one with it. */
+function add(all: Unseen[], part: Unseen): void {
+  const at = all.findIndex(({ to_us }) => to_us === part.from_us);
+  if (at < 0) all.push(part);
+  else all[at] = { from_us: all[at]!.from_us, to_us: part.to_us, missing: all[at]!.missing + part.missing };
+}
+
+/** What there is of it until then; how much is missing from what is cut short is not known. */
+function cut(all: Unseen[], until_us: number): Unseen[] {
+  return all.flatMap((part) => (part.from_us >= until_us ? [] : part.to_us <= until_us ? [part] : [{ ...part, to_us: until_us, missing: 0 }]));
 }

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { clockOf, dayOf, instantOf, livedOf } from './localtime';
+import { clockOf, dayOf, follow, instantOf, livedOf } from './localtime';
 import { date, daysFrom } from './testing/dates';
 
 const HOUR = 3_600_000_000;
@@ -23,6 +23,14 @@ test('an hour that the clock leaves out is not lived, and one that comes twice i
   const noon = date('2009-03-06', 0, 12, { clock_us: 12 * HOUR });
   expect([11, 12, 23].map((hour) => livedOf(noon, hour, DAY))).toEqual([0, HOUR, HOUR]);
   expect([12, 13, 14].map((hour) => livedOf(noon, hour, 1.5 * HOUR))).toEqual([HOUR, HOUR / 2, 0]);
+});
+
+test('a run follows another by the date, or where they share none, by the number of the day', () => {
+  const of = (from: string, days: number) => ({ days: daysFrom(from, days * DAY), length_us: days * DAY });
+  const first = of('2009-03-06', 3);
+  expect([0, 1, 2].map((day) => follow(first, day * DAY + HOUR, of('2009-03-07', 2)))).toEqual([null, HOUR, DAY + HOUR]);
+  expect([0, 1, 2].map((day) => follow(first, day * DAY + HOUR, of('2019-03-06', 2)))).toEqual([HOUR, DAY + HOUR, null]);
+  expect(follow(first, HOUR, { days: [], length_us: 0 })).toBeNull();
 });
 
 test('days are counted from one, by the calendar, and the end is in the last', () => {

@@ -41,8 +41,24 @@ export function clockOf(run: Days, at_us: number): number {
 /** The instant at which the clock shows this; of a time that comes twice the first, and null beyond the run. */
 export function instantOf(run: Calendar, clock_ms: number): number | null {
   const date = new Date(clock_ms).toISOString().slice(0, 10);
-  const number = run.days.findIndex((day) => day.date === date);
-  return number === -1 ? null : instantIn(run, number, clock_ms - read(`${date} 00:00:00`));
+  const number = numberOf(run, date);
+  return number === null ? null : instantIn(run, number, clock_ms - read(`${date} 00:00:00`));
+}
+
+/** The day of a date. Dates are in order as they are written. */
+function numberOf({ days }: Days, date: string): number | null {
+  let [low, high] = [0, days.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (days[middle]!.date < date) low = middle + 1;
+    else high = middle;
+  }
+  return days[low]?.date === date ? low : null;
+}
+
+/** Whether two runs have a date in common. */
+function isShared({ days: first }: Days, { days: second }: Days): boolean {
+  return first.length > 0 && second.length > 0 && first[0]!.date <= second.at(-1)!.date && second[0]!.date <= first.at(-1)!.date;
 }
 
 /** The instant of a time since midnight of a day of the run, or null beyond the run. */
@@ -61,8 +77,7 @@ function instantIn(run: Calendar, number: number, since_midnight_ms: number): nu
 export function follow(first: Calendar, at_us: number, second: Calendar): number | null {
   const clock = clockOf(first, at_us);
   if (!Number.isFinite(clock)) return null;
-  const shared = second.days.some((day) => first.days.some(({ date }) => date === day.date));
-  if (shared) return instantOf(second, clock);
+  if (isShared(first, second)) return instantOf(second, clock);
   const midnight = Math.floor(clock / 86_400_000) * 86_400_000;
   return instantIn(second, dayAt(first, at_us), clock - midnight);
 }

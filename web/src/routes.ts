@@ -30,6 +30,11 @@ export function nameIn(hash: string, route: Route): string | null {
   }
 }
 
+/** PANEL of `#/plan/@PANEL`, which is what the view shows first; nothing where the address is of another view, or names none. */
+export function panelIn(hash: string, route: Route): string | null {
+  return new RegExp(`^#/${route}/@([a-z]+)$`).exec(hash)?.[1] ?? null;
+}
+
 /** MOMENT of `#/playback/NAME@MOMENT`, a date and perhaps a time on the home's clock; nothing where there is none. */
 export function momentIn(hash: string): string | null {
   return /@(\d{4}-\d{2}-\d{2}(T\d{2}:\d{2}:\d{2})?)$/.exec(hash)?.[1] ?? null;

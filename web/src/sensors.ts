@@ -11,4 +11,5 @@ export const SENSOR_KINDS = {
   flow: { label: "flow", mount: "thing", bearers: ["furniture"], unit: null, values: ["ON", "OFF"], shape: "drop", colour: "sky", casas: "I" },
   light: { label: "light", mount: "room", bearers: [], unit: "lx", values: [], shape: "star", colour: "yellow", casas: "LS" },
   temperature: { label: "temperature", mount: "room", bearers: [], unit: "°C", values: [], shape: "cross", colour: "vermillion", casas: "T" },
+  camera: { label: "camera, silhouettes only", mount: "free", bearers: [], unit: null, values: ["WOKE", "SEEN", "SLEPT"], shape: "eye", colour: "purple", casas: "C" },
 } as const;

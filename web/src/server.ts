@@ -17,11 +17,11 @@ export function tokenIn(text: string): string | null {
   return FORM.test(token) ? token : null;
 }
 
-/** The token from the address, or the one that was kept; it is gone from the address bar afterwards. */
-export function takeToken(location: Pick<Location, 'hash'>, history: Pick<History, 'replaceState'>, keeper: () => Keeper) {
+/** The token from the address, or the one that was kept; it is gone from the address bar afterwards, where `then` is instead. */
+export function takeToken(location: Pick<Location, 'hash'>, history: Pick<History, 'replaceState'>, keeper: () => Keeper, then = '#/live') {
   if (/^#(.*&)?token=/.test(location.hash)) {
     const token = tokenIn(location.hash);
-    history.replaceState(null, '', '#/live');
+    history.replaceState(null, '', then);
     if (token !== null) {
       keep(keeper, TOKEN, token);
       return token;
@@ -52,6 +52,8 @@ export class Server {
     private readonly token: string,
     private readonly onWrongToken: () => void,
     private readonly fetch: Fetch = (path, init) => window.fetch(path, init),
+    /** What stands for `/api` in paths: each home of a library has its own. */
+    private readonly api = '/api',
   ) {}
 
   async json<T>(path: string): Promise<T> {
@@ -71,8 +73,14 @@ export class Server {
     return (await this.ask('GET', path)).text();
   }
 
-  async post<T>(path: string, body: unknown): Promise<T> {
-    return (await (await this.ask('POST', path, body)).json()) as T;
+  /** @param stop ends the waiting; the server then stops as well. */
+  async post<T>(path: string, body: unknown, stop?: AbortSignal): Promise<T> {
+    return (await (await this.ask('POST', path, body, stop)).json()) as T;
+  }
+
+  /** A file that is made of what is posted. */
+  async made(path: string, body: unknown): Promise<Blob> {
+    return (await this.ask('POST', path, body)).blob();
   }
 
   /** A file, and the name that the server gives it. */
@@ -82,9 +90,10 @@ export class Server {
     return { blob: await answer.blob(), name: named ?? otherwise };
   }
 
-  private async ask(method: string, path: string, body?: unknown): Promise<Response> {
+  private async ask(method: string, path: string, body?: unknown, stop?: AbortSignal): Promise<Response> {
     const headers: Record<string, string> = { 'x-homebody-token': this.token };
     const init: RequestInit = { method, headers, cache: 'no-store' };
+    if (stop) init.signal = stop;
     if (body instanceof Blob) {
       headers['content-type'] = 'application/octet-stream';
       init.body = body;
@@ -94,7 +103,7 @@ export class Server {
     }
     let answer: Response;
     try {
-      answer = await this.fetch(path, init);
+      answer = await this.fetch(path.replace(/^\/api(?=\/)/, () => this.api), init);
     } catch {
       throw new Refused(0, 'The server cannot be reached.');
     }
@@ -140,7 +149,16 @@ export function findPath(name: string): string {
   return `${storedPath(name)}/find`;
 }
 
+/** The path of what a run's cameras kept between two instants, of instants so far apart. */
+export function filmPath(name: string, from_us: number, to_us: number, every_us: number): string {
+  return `${storedPath(name)}/silhouettes/${from_us}/${to_us}/${every_us}`;
+}
+
 /** The path of how often each sensor of a run spoke. */
+export function readingPath(name: string): string {
+  return `${storedPath(name)}/reading`;
+}
+
 export function lanesPath(name: string): string {
   return `${storedPath(name)}/lanes`;
 }

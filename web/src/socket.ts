@@ -4,10 +4,13 @@
 import { decode } from '@msgpack/msgpack';
 import type { Frame, Say, Tell } from './wire';
 
-export type Status = 'connecting' | 'open' | 'lost' | 'refused' | 'closed';
+export type Status = 'connecting' | 'open' | 'lost' | 'refused' | 'gone' | 'closed';
 
 /** The server closes the socket with this where it does not know the token. */
 export const WRONG_TOKEN = 4401;
+
+/** And with this where the home is not there, or not any more. */
+export const NO_HOME = 4404;
 
 /** The part of a WebSocket that is used, so that tests can stand in for it. */
 export type Wire = {
@@ -40,7 +43,7 @@ export class Socket {
   constructor(
     private readonly token: string,
     private readonly hears: Hears,
-    private readonly make: () => Wire = dial,
+    private readonly make: () => Wire = () => dial('/api'),
     /** From 0 to 1: pages that lost the same server do not all come back at once. */
     private readonly chance: () => number = Math.random,
   ) {}
@@ -70,6 +73,7 @@ export class Socket {
       if (this.wire !== wire) return;
       this.wire = null;
       if (code === WRONG_TOKEN) this.become('refused');
+      else if (code === NO_HOME) this.become('gone');
       else this.tryAgain();
     };
   }
@@ -126,7 +130,8 @@ export class Socket {
   }
 }
 
-function dial(): Wire {
+/** A line to what the server has below this path. */
+export function dial(api: string): Wire {
   const scheme = window.location.protocol === 'https:' ? 'wss' : 'ws';
-  return new WebSocket(`${scheme}://${window.location.host}/api/live`) as unknown as Wire;
+  return new WebSocket(`${scheme}://${window.location.host}${api}/live`) as unknown as Wire;
 }

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { routeOf } from './routes';
-import { area, inMetres, inUnits, length, scaleBar } from './units';
+import { area, inMetres, inUnits, length, percent, scaleBar } from './units';
 
 test('lengths in metres and in feet', () => {
   expect(length(1.2, 'metric')).toBe('1.20 m');
@@ -11,6 +11,10 @@ test('areas, and lengths for fields', () => {
   expect([area(12.345, 'metric'), area(0.043, 'metric'), area(1, 'feet')]).toEqual(['12.3 m²', '0.04 m²', '10.8 ft²']);
   expect([inUnits(1.2, 'metric'), inUnits(0.3048, 'feet'), inMetres(2, 'metric')]).toEqual([1.2, 1, 2]);
   expect(inMetres(inUnits(3.81, 'feet'), 'feet')).toBeCloseTo(3.81, 2);
+});
+
+test('a share is rounded down, but what is not nothing is not said to be', () => {
+  expect([1, 0.99964, 0.29, 0.001, 0.0004, 0].map(percent)).toEqual(['100.0 %', '99.9 %', '29.0 %', '0.1 %', '<0.1 %', '0.0 %']);
 });
 
 test('a scale bar is round and no wider than it may be', () => {

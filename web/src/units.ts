@@ -1,4 +1,4 @@
-// Lengths as they are shown. Files and messages are in metres; what is shown may be in feet.
+// Lengths and shares as they are shown. Files and messages are in metres; what is shown may be in feet.
 
 export type Units = 'metric' | 'feet';
 
@@ -31,6 +31,12 @@ export function inUnits(metres: number, units: Units): number {
 
 export function inMetres(value: number, units: Units): number {
   return units === 'metric' ? value : value * FOOT_M;
+}
+
+/** A share in percent, rounded down: less than all is never 100 %. What is not nothing is never 0 %, either. */
+export function percent(share: number): string {
+  const tenths = Math.floor(share * 1000 + 1e-6);
+  return tenths === 0 && share > 1e-9 ? '<0.1 %' : `${(tenths / 10).toFixed(1)} %`;
 }
 
 /** Such as `12.5 m²` or `134.5 ft²`; what is small has one digit more. */

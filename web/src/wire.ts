@@ -22,7 +22,11 @@ export type RoomView = { name: string, outline: Array<[number, number]>,
 /**
  * Where its name goes.
  */
-middle: [number, number], };
+middle: [number, number], 
+/**
+ * The floor that it is on, in a home of several.
+ */
+floor: string | null, };
 
 export type SolidView = { kind: SolidKind, 
 /**
@@ -74,7 +78,33 @@ beams: Array<[[number, number], [number, number]]>,
 /**
  * What it sees from the ceiling, or the mat or bed that it feels.
  */
-area: Array<[number, number]> | null, };
+area: Array<[number, number]> | null, 
+/**
+ * Of cameras.
+ */
+camera: CameraView | null, };
+
+export type CameraView = { 
+/**
+ * Columns and rows of its pictures.
+ */
+pixels: [number, number], 
+/**
+ * From one picture to the next.
+ */
+period_us: number, 
+/**
+ * Whether it never sleeps.
+ */
+always: boolean, 
+/**
+ * The floor, beds and seats that it sees, as rectangles: left, lower, right and upper edge.
+ */
+seen: Array<[number, number, number, number]>, 
+/**
+ * The same of what it would see if furniture did not hide it.
+ */
+hidden: Array<[number, number, number, number]>, };
 
 export type RunView = { 
 /**
@@ -160,7 +190,11 @@ counts: Array<number>,
 /**
  * The last of those since the frame before, in order.
  */
-firings: Array<FiringView>, };
+firings: Array<FiringView>, 
+/**
+ * The cameras, in the order of sensors.
+ */
+looks: Array<LookView>, };
 
 export type State = "paused" | "playing" | "over";
 
@@ -181,6 +215,16 @@ export type FiringView = { seq: number, at_us: number, sensor: number, value: st
  * Time, sensor and message as they are stored; nothing where no log is looked at.
  */
 row: [string, string, string] | null, };
+
+export type LookView = { 
+/**
+ * Its number among the home's sensors.
+ */
+sensor: number, awake: boolean, 
+/**
+ * Its silhouette, packed: lengths of runs of pixels that are off and on in turns; empty where it sees nobody.
+ */
+packed: Uint8Array, };
 
 export type StoredView = { 
 /**
@@ -232,6 +276,86 @@ export type PutAside = {
  */
 key: string, };
 
+export type LibraryView = { 
+/**
+ * Its path on the server's machine.
+ */
+folder: string, 
+/**
+ * Why nothing can be changed in it, if that is so.
+ */
+trouble: string | null, 
+/**
+ * Those that were changed last come first.
+ */
+homes: Array<HomeEntryView>, 
+/**
+ * How many more there are, which are not shown.
+ */
+more: number, 
+/**
+ * What was deleted, and can be put back.
+ */
+aside: Array<AsideView>, templates: Array<TemplateView>, 
+/**
+ * How many runs lie beside the homes, and belong to none.
+ */
+runs_beside: number, };
+
+export type HomeEntryView = { 
+/**
+ * The name of its folder.
+ */
+name: string, 
+/**
+ * What its scenario calls itself; empty where that cannot be read.
+ */
+title: string, about: string, 
+/**
+ * When one of its files was changed last, in milliseconds since 1970, where that is known.
+ */
+changed_ms: number | null, };
+
+export type AsideView = { 
+/**
+ * The name under which it is put back.
+ */
+key: string, 
+/**
+ * What it is called then.
+ */
+name: string, };
+
+export type TemplateView = { name: string, about: string, };
+
+export type CardView = { 
+/**
+ * The text of its plan, right or wrong; nothing where it cannot be read.
+ */
+home: string | null, residents: Array<string>, 
+/**
+ * How much is wrong with it.
+ */
+problems: number, 
+/**
+ * How many runs it has.
+ */
+runs: number, 
+/**
+ * Those that were lived last.
+ */
+latest: Array<StoredView>, };
+
+export type NewHome = { "from": "empty" } | { "from": "template", name: string, };
+
+export type MadeView = { name: string, 
+/**
+ * What was left out or guessed, and what is missing, in sentences.
+ */
+remarks: Array<string>, };
+
+export type CallHome = { name: string, };
+
 export type PlaybackView = { name: string, scenario: string, home: HomeView, 
 /**
  * In the order of [`DayView::lives`].
@@ -271,15 +395,90 @@ spans: Array<Array<[number, number, number]>>,
  */
 walk: WalkView | null, 
 /**
+ * Whether its cameras have kept silhouettes.
+ */
+has_silhouettes: boolean, 
+/**
  * What is missing or was skipped, in sentences.
  */
-remarks: Array<string>, };
+remarks: Array<string>, 
+/**
+ * Up to when the log is read by now; what else is told of it here, its sensors, values and hours, is as far. `None` once all is read.
+ */
+read_us: number | null, };
 
 export type LanesView = { bucket_us: number, 
 /**
  * By sensor, from the run's start on.
  */
 counts: Array<Array<number>>, };
+
+export type ReadingView = { 
+/**
+ * `None` once all of it is.
+ */
+read_us: number | null, };
+
+export type FilmView = { 
+/**
+ * Up to here all is told; where that is not the end that was asked for, the rest is asked for next.
+ */
+until_us: number, 
+/**
+ * The corner from which the cubes of voxel persons are counted.
+ */
+corner: [number, number], 
+/**
+ * The side of a cube.
+ */
+edge_m: number, 
+/**
+ * In the order of time.
+ */
+moments: Array<MomentView>, };
+
+export type MomentView = { at_us: number, pictures: Array<PictureView>, 
+/**
+ * Who is told by them, one in each room at most.
+ */
+persons: Array<PersonView>, };
+
+export type PictureView = { 
+/**
+ * The camera's number among the home's sensors.
+ */
+sensor: number, 
+/**
+ * As of a camera in the run that is being lived.
+ */
+packed: Uint8Array, };
+
+export type PersonView = { 
+/**
+ * The cubes at the surface of what two cameras or more agree on: three numbers each, counted from the corner to the east, to the
+ * north and up. None where one camera alone tells of somebody.
+ */
+cubes: Array<number>, 
+/**
+ * How high the top is above the floor.
+ */
+height_m: number, 
+/**
+ * How high the middle is.
+ */
+centroid_up_m: number, 
+/**
+ * The angle of the longest extent to the vertical.
+ */
+tilt_deg: number, 
+/**
+ * Where, seen from above.
+ */
+at: [number, number], 
+/**
+ * How far somebody is on the feet, from 0 to 1.
+ */
+upright: number, in_between: number, on_the_ground: number, };
 
 export type CareView = { 
 /**
@@ -462,7 +661,7 @@ chances: Array<[number, number, number]>, };
 
 export type Find = { what: FindWhat, 
 /**
- * Which room, sensor or activity; of lost messages a sensor, of alerts a rule, or null for all.
+ * Which room, sensor or activity; of lost messages a sensor, of alerts and falls that cameras see a rule, or null for all.
  */
 name: string | null, 
 /**
@@ -474,7 +673,7 @@ between_min: [number, number] | null,
  */
 least_s: number, };
 
-export type FindWhat = "room" | "on" | "still" | "doing" | "fall" | "lost" | "alert";
+export type FindWhat = "room" | "on" | "still" | "doing" | "fall" | "seen_fall" | "lost" | "alert";
 
 export type FoundView = { 
 /**
@@ -491,6 +690,10 @@ all: number,
 remarks: Array<string>, };
 
 export type HitView = { begin_us: number, end_us: number, 
+/**
+ * Whether the truth tells of it as a fall.
+ */
+is_fall: boolean, 
 /**
  * Whose it was, and what, as far as it is known.
  */
@@ -592,7 +795,11 @@ export type NamesView = { mentions: Array<MentionView>,
 /**
  * The texts that change, as they are then.
  */
-texts: { [key in string]: string }, };
+texts: { [key in string]: string }, 
+/**
+ * Whether another thing of its kind has one of both names: then nothing else is renamed.
+ */
+is_shared: boolean, };
 
 export type MentionView = { file: string, 
 /**
@@ -845,3 +1052,101 @@ today: Array<[number, number]>,
  * How many firings of that day are not in `today`.
  */
 left_out: number, };
+
+export type PartView = { number: number, name: string, kind: string, 
+/**
+ * Make and model, or the kind where any will do.
+ */
+device: string, network: string, 
+/**
+ * Floor, room and place in words.
+ */
+place: string, 
+/**
+ * Height, direction and field; null for what has no lens.
+ */
+aim: string | null, };
+
+export type PartsView = { 
+/**
+ * Of the home; then there is nothing else.
+ */
+problems: Array<ProblemView>, 
+/**
+ * How many of which device, the most first.
+ */
+devices: Array<[string, number]>, parts: Array<PartView>, 
+/**
+ * The same as comma-separated values.
+ */
+csv: string, };
+
+export type Layouts = { one: NamedLayout, other: NamedLayout, };
+
+export type NamedLayout = { name: string, draft: Draft, };
+
+export type LayoutsView = { 
+/**
+ * Of either home; then there is nothing else.
+ */
+problems: Array<ProblemView>, layouts: Array<LayoutView>, differences: Array<DiffersView>, };
+
+export type LayoutView = { name: string, devices: Array<[string, number]>, home: HomeView, coverage: CoverageView, };
+
+export type DiffersView = { sensor: string, what: string, };
+
+export type Suggest = { draft: Draft, 
+/**
+ * How many there may be.
+ */
+sensors: number, 
+/**
+ * What is to be seen, as `homebody place` has it.
+ */
+to_see: Array<string>, 
+/**
+ * How many people live there, where that is asked for which somebody has to.
+ */
+people: number, 
+/**
+ * What motion sensors are to be; null as in Godsey & Skubic 2009.
+ */
+device: string | null, };
+
+export type SuggestionView = { 
+/**
+ * Of the home, or of the lives in it; then there is nothing else.
+ */
+problems: Array<ProblemView>, 
+/**
+ * Why there is none, in a sentence.
+ */
+refused: string | null, 
+/**
+ * The sensors as `home.json` takes them: a list in JSON.
+ */
+sensors: string, 
+/**
+ * With one sensor, two, and so on.
+ */
+steps: Array<StepView>, 
+/**
+ * All of them, where some went for others in the end.
+ */
+whole: StepView | null, 
+/**
+ * The sensors that the home has.
+ */
+own: StepView | null, };
+
+export type StepView = { 
+/**
+ * The name of the sensor that came last.
+ */
+sensor: string, 
+/**
+ * The mean over all that is to be seen, from 0 to 1.
+ */
+score: number, reached: Array<ReachedView>, };
+
+export type ReachedView = { goal: string, score: number, value: number, unit: string, };

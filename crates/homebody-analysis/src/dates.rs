@@ -10,6 +10,7 @@ use jiff::civil::{Date, date};
 use jiff::tz::TimeZone;
 use jiff::{SignedDuration, Span, Timestamp};
 use std::fmt;
+use std::ops::Range;
 use std::str::FromStr;
 
 /// Midnight at the beginning of a date, in microseconds since 1970.
@@ -54,8 +55,47 @@ pub fn dates(log: &Log) -> Option<(Date, Date)> {
 
 /// Puts an instant of the world's clock on the wall of a zone.
 pub fn on_wall(at: Micros, zone: &TimeZone) -> Micros {
-    let instant = Timestamp::UNIX_EPOCH + SignedDuration::from_micros(at);
-    at + i64::from(zone.to_offset(instant).seconds()) * SECOND
+    at + ahead(instant(at), zone)
+}
+
+/// An instant of the world's clock; the first or the last there is where it is beyond these.
+pub(crate) fn instant(at: Micros) -> Timestamp {
+    Timestamp::from_microsecond(at).unwrap_or(if at < 0 { Timestamp::MIN } else { Timestamp::MAX })
+}
+
+/// How far the clocks of a zone are ahead of UTC.
+pub(crate) fn ahead(at: Timestamp, zone: &TimeZone) -> Micros {
+    i64::from(zone.to_offset(at).seconds()) * SECOND
+}
+
+/// What the clock on the wall leaves out as it is set on, or shows again after it was set back.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ClockSet {
+    /// From when to when, on the wall.
+    pub wall: Range<Micros>,
+    /// Whether it comes twice; otherwise it does not come.
+    pub is_again: bool,
+}
+
+/// Where the clocks of a zone are set during a span on its wall.
+pub fn clocks_set(span: &Range<Micros>, zone: &TimeZone) -> Vec<ClockSet> {
+    // The wall is never further than a day from UTC.
+    let first = instant(span.start.saturating_sub(DAY));
+    let (mut all, mut before) = (Vec::new(), ahead(first, zone));
+    for set in zone.following(first) {
+        let at = set.timestamp().as_microsecond();
+        if at > span.end.saturating_add(DAY) {
+            break;
+        }
+        let after = i64::from(set.offset().seconds()) * SECOND;
+        let wall = at + before.min(after)..at + before.max(after);
+        if wall.start < span.end && wall.end > span.start {
+            all.push(ClockSet { wall, is_again: after < before });
+        }
+        before = after;
+    }
+    all.retain(|set| !set.wall.is_empty());
+    all
 }
 
 /// Puts a log that is told in UTC on the wall of a zone; one in local time stays as it is.
@@ -141,6 +181,20 @@ mod tests {
         let days = (date(2009, 3, 2), date(2009, 3, 4));
         assert_eq!(Asked::Last.within(days), Some(days.1));
         assert_eq!(Asked::On(date(2009, 3, 5)).within(days), None);
+    }
+
+    #[test]
+    fn clocks_leave_an_hour_out_and_show_one_again() {
+        let zone = TimeZone::get("America/Chicago").unwrap();
+        let (hour, year) = (3600 * SECOND, midnight(date(2009, 1, 1))..midnight(date(2010, 1, 1)));
+        let [on, back] = [date(2009, 3, 8), date(2009, 11, 1)].map(midnight);
+        let wanted = [
+            ClockSet { wall: on + 2 * hour..on + 3 * hour, is_again: false },
+            ClockSet { wall: back + hour..back + 2 * hour, is_again: true },
+        ];
+        assert_eq!(clocks_set(&year, &zone), wanted);
+        assert_eq!(clocks_set(&(on + 3 * hour..back), &zone), []);
+        assert_eq!(clocks_set(&year, &TimeZone::UTC), []);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! One day of a log: what each sensor said, and, where it is known, what residents did and where they were.
 //!
-//! A day is 24 hours on the clock on the wall. A firing is a row by which a sensor says that something begins: `ON`,
+//! A day is 24 hours on the clock on the wall, even where clocks are set: then one of them is empty, or holds two. A firing is a row by which a sensor says that something begins: `ON`,
 //! `OPEN`, `FIRE`; it counts on the day on which it begins. Sensors that tell readings, such as temperatures, are left out.
 
 use homebody_core::activity::ActivityKind;
@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::fmt;
 
 use crate::dates::{clock, clock_s, midnight};
-use crate::signs::{Kind, kinds, spans};
+use crate::signs::{Kind, kinds, spans_until};
 
 /// What was so on one day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -81,15 +81,17 @@ pub struct Sensor {
 }
 
 impl Day {
-    /// A day of a log in local time; `lives` is what is known of its residents, if anything.
-    pub fn of(name: &str, log: &Log, lives: &[Life], date: Date) -> Day {
+    /// A day of a log in local time; `lives` is what is known of its residents, if anything, and `ended` when its recording ended: until
+    /// then goes on what no row has ended. Where that is not known, it is its last row.
+    pub fn of(name: &str, log: &Log, lives: &[Life], ended: Option<Micros>, date: Date) -> Day {
         let begin = midnight(date);
         let within = begin..begin + DAY;
+        let ended = ended.or_else(|| log.events.iter().map(|event| event.at).max());
         let mut sensors = Vec::new();
         let mut readings = 0;
         // By instant, and the sensor's place.
         let mut ends: Vec<(Micros, usize)> = Vec::new();
-        for ((sensor, kind), spans) in log.sensors.iter().zip(kinds(log)).zip(spans(log)) {
+        for ((sensor, kind), spans) in log.sensors.iter().zip(kinds(log)).zip(spans_until(log, ended)) {
             if kind == Kind::Reading {
                 readings += 1;
                 continue;
@@ -234,7 +236,7 @@ mod tests {
         let second = homebody_core::time::SECOND;
         let activity = |from: i64, to: i64| Activity { name: "Cook".into(), begin: from * second, end: to * second };
         log.activities = vec![activity(0, 24 * H), activity(24 * H + 60, 25 * H), activity(40 * H, 50 * H)];
-        Day::of("log", &log, &[], date(1970, 1, 2))
+        Day::of("log", &log, &[], None, date(1970, 1, 2))
     }
 
     #[test]
@@ -250,6 +252,17 @@ mod tests {
         assert_eq!(day.sensors[1].spans_s, [(21_600.0, 21_605.0)]);
         let spans: Vec<_> = day.residents[0].activities.iter().map(|part| (part.begin_s, part.end_s)).collect();
         assert_eq!(spans, [(60.0, 3600.0), (57_600.0, 86_400.0)]);
+    }
+
+    #[test]
+    fn what_no_row_ends_goes_on_until_the_log_does() {
+        let log =
+            log(&[(20 * H, "bed", "IN"), (21 * H, "bed", "OUT"), (22 * H, "bed", "IN"), (23 * H, "hall", "FIRE")]);
+        let told = |ended, day: i8| Day::of("log", &log, &[], ended, date(1970, 1, day)).sensors[0].spans_s.clone();
+        assert_eq!(told(None, 1), [(72_000.0, 75_600.0), (79_200.0, 82_800.0)], "to its last row");
+        let ended = Some(26 * H * homebody_core::time::SECOND);
+        assert_eq!((told(ended, 1)[1], told(ended, 2)), ((79_200.0, 86_400.0), vec![(0.0, 7200.0)]));
+        assert_eq!(Day::of("log", &log, &[], ended, date(1970, 1, 1)).sensors[1].spans_s, [(82_800.0, 82_800.0)]);
     }
 
     #[test]

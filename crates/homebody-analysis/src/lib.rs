@@ -7,6 +7,9 @@
 /// Where in a home the sensors see, from the very fields that make the data.
 pub mod coverage;
 
+/// What is put up in a home: devices, places in words, heights and angles; two layouts side by side.
+pub mod parts;
+
 /// Dates and hours on the clock on the wall.
 pub mod dates;
 /// Which rows of a log are signs of somebody, and of which sensors.
@@ -41,6 +44,8 @@ pub mod measures;
 pub mod alerts;
 
 pub mod summaries;
+
+pub mod falls;
 
 pub mod care;
 

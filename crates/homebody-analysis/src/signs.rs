@@ -57,8 +57,14 @@ impl Kind {
 /// What a value says, whatever the case of its letters.
 pub fn says(value: &str) -> Says {
     const WORDS: [(Says, &[&str]); 4] = [
-        (Says::Begins, &["on", "fire", "fired", "true", "1", "present", "detected", "occupied", "motion", "in"]),
-        (Says::Ends, &["off", "false", "0", "absent", "clear", "cleared", "unoccupied", "vacant", "idle", "out"]),
+        (
+            Says::Begins,
+            &["on", "fire", "fired", "true", "1", "present", "detected", "occupied", "motion", "in", "woke", "seen"],
+        ),
+        (
+            Says::Ends,
+            &["off", "false", "0", "absent", "clear", "cleared", "unoccupied", "vacant", "idle", "out", "slept"],
+        ),
         (Says::Opens, &["open", "opened"]),
         (Says::Closes, &["close", "closed"]),
     ];
@@ -186,6 +192,11 @@ pub type Spans = Vec<(Micros, Micros)>;
 /// The spans over which each sensor says that something goes on, in order. Where a sensor never says that it ends, a span
 /// is an instant; what has not ended when the log does ends as it begins.
 pub fn spans(log: &Log) -> Vec<Spans> {
+    spans_until(log, None)
+}
+
+/// The same, but what has not ended when the log does ends at an instant, where one is given.
+pub fn spans_until(log: &Log, end: Option<Micros>) -> Vec<Spans> {
     let mut ends = vec![false; log.sensors.len()];
     for event in &log.events {
         ends[event.sensor as usize] |= matches!(says(log.value(event)), Says::Ends | Says::Closes);
@@ -202,7 +213,7 @@ pub fn spans(log: &Log) -> Vec<Spans> {
         }
     }
     for (spans, since) in spans.iter_mut().zip(since) {
-        spans.extend(since.map(|begin| (begin, begin)));
+        spans.extend(since.map(|begin| (begin, end.map_or(begin, |end| end.max(begin)))));
     }
     spans
 }

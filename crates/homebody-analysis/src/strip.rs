@@ -209,6 +209,9 @@ impl Person {
             Some(Posture::Standing) => "on their feet",
             Some(Posture::Sitting) => "sitting",
             Some(Posture::Lying) => "lying",
+            Some(Posture::Bending) => "bending",
+            Some(Posture::Kneeling) => "kneeling",
+            Some(Posture::Down) => "on the floor",
             None => "out",
         };
         match &self.activity {

@@ -23,6 +23,8 @@ use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
 use homebody_log::elsewhere::Elsewhere;
 pub use source::whole_file;
+#[cfg(feature = "cloud")]
+pub use store::Store;
 
 /// These kinds of places, for a program that wants them.
 pub const ELSEWHERE: Elsewhere = Elsewhere {

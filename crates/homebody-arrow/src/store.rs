@@ -26,8 +26,8 @@ const AGAIN_FOR: Duration = Duration::from_secs(4);
 /// No data set has more files (ours).
 const MOST_FILES: usize = 100_000;
 
-/// A prefix in a store.
-pub(crate) struct Store {
+/// A prefix in a store: what is below it, by name. Several threads may ask at once.
+pub struct Store {
     place: String,
     store: Box<dyn ObjectStore>,
     prefix: Key,
@@ -36,6 +36,10 @@ pub(crate) struct Store {
 
 impl Store {
     /// What a URL means, such as `s3://bucket/lives`. Nothing is asked of the store yet.
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::NoPlace`] if it is the URL of no store that is known.
     pub fn open(url: &Path) -> Result<Store, LogError> {
         let text = url.to_string_lossy();
         let place = format!("parquet:{text}");
@@ -65,13 +69,29 @@ impl Store {
     }
 
     /// The files of Parquet below a folder of it, by their names from there on.
-    pub fn files(&self, below: &str) -> Result<Vec<String>, LogError> {
+    pub(crate) fn files(&self, below: &str) -> Result<Vec<String>, LogError> {
+        self.names(below, MOST_FILES, |name| name.ends_with(".parquet"))
+    }
+
+    /// The name of a file below it, if there is any.
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::Destination`] if the store does not answer, or does not let us.
+    pub fn any(&self) -> Result<Option<String>, LogError> {
+        Ok(self.names("", 1, |_| true)?.pop())
+    }
+
+    /// Names below a folder of it, at most so many.
+    fn names(&self, below: &str, most: usize, is_wanted: impl Fn(&str) -> bool) -> Result<Vec<String>, LogError> {
         let folder = self.key(below);
         let found = self.runtime.block_on(async {
             let mut listed = self.store.list(Some(&folder));
             let mut found = Vec::new();
-            while let Some(object) = listed.try_next().await? {
-                if object.location.as_ref().ends_with(".parquet") && found.len() < MOST_FILES {
+            while found.len() < most
+                && let Some(object) = listed.try_next().await?
+            {
+                if is_wanted(object.location.as_ref()) {
                     found.push(object.location);
                 }
             }
@@ -86,23 +106,54 @@ impl Store {
     }
 
     /// Puts a file there, whole or not at all.
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::Destination`] if the store does not take it, and what the system says if the file cannot be read.
     pub fn put(&self, name: &str, file: &Path) -> Result<(), LogError> {
-        let bytes = fs::read(file).map_err(|error| unwritten(file, error))?;
+        self.put_bytes(name, fs::read(file).map_err(|error| unwritten(file, error))?)
+    }
+
+    /// The same of what is in memory.
+    ///
+    /// # Errors
+    ///
+    /// As [`Store::put`].
+    pub fn put_bytes(&self, name: &str, bytes: Vec<u8>) -> Result<(), LogError> {
         let key = self.key(name);
         self.runtime.block_on(self.store.put(&key, PutPayload::from(bytes))).map(drop).map_err(|error| self.told(error))
     }
 
-    /// Brings a file from there.
-    pub fn get(&self, name: &str, to: &Path) -> Result<(), LogError> {
+    /// The bytes of a file there; `None` where there is none.
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::Destination`] if the store does not answer, or does not let us.
+    pub fn bytes(&self, name: &str) -> Result<Option<Vec<u8>>, LogError> {
+        match self.read(name) {
+            // Of a bucket that is not there, the client says the same.
+            Err(error) if matches!(error, Error::NotFound { .. }) && !error.to_string().contains("NoSuchBucket") => {
+                Ok(None)
+            }
+            read => read.map(Some).map_err(|error| self.told(error)),
+        }
+    }
+
+    fn read(&self, name: &str) -> Result<Vec<u8>, Error> {
         let key = self.key(name);
         let bytes = self.runtime.block_on(async { self.store.get(&key).await?.bytes().await });
-        let bytes = bytes.map_err(|error| self.told(error))?;
+        bytes.map(|bytes| bytes.to_vec())
+    }
+
+    /// Brings a file from there.
+    pub(crate) fn get(&self, name: &str, to: &Path) -> Result<(), LogError> {
+        let bytes = self.read(name).map_err(|error| self.told(error))?;
         let made = to.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(to, bytes));
         made.map_err(|error| unwritten(to, error))
     }
 
     /// Removes a file; one that is gone already is gone.
-    pub fn remove(&self, name: &str) -> Result<(), LogError> {
+    pub(crate) fn remove(&self, name: &str) -> Result<(), LogError> {
         let key = self.key(name);
         match self.runtime.block_on(self.store.delete(&key)) {
             Err(Error::NotFound { .. }) | Ok(()) => Ok(()),

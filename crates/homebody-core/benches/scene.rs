@@ -30,7 +30,7 @@ pub fn home() -> HomeFile {
         for column in 0..3 {
             let (x0, x1, y0, y1) = (xs[column], xs[column + 1], ys[row], ys[row + 1]);
             let name = format!("room {row}{column}");
-            home.rooms.push(RoomFile { name, outline: vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]] });
+            home.rooms.push(RoomFile::new(name, vec![[x0, y0], [x1, y0], [x1, y1], [x0, y1]]));
             // The wall below and the wall to the left; inner ones have a door of 0.9 m in the middle.
             for (from, to, inner) in [([x0, y0], [x1, y0], row > 0), ([x0, y0], [x0, y1], column > 0)] {
                 home.walls.push(wall(from, to));

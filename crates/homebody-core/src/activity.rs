@@ -187,6 +187,7 @@ activities! {
     PACING "pacing": "Walking to and fro", Other, Other, around(1.7, 0.7), [];
     LAPPING "lapping": "Walking round and round", Other, Other, around(1.7, 0.7), [];
     FALLEN "fallen": "On the floor after a fall, and getting up from there", Other, Other, around(20.0, 0.8), [];
+    STUMBLING "stumbling": "Losing one's footing, and catching oneself", Other, Other, around(0.5, 0.3), [];
     RESTING "resting": "Of a pet: sitting there and looking", Leisure, Other, None, [];
     ROAMING "roaming": "Of a pet: short rounds through the home, to the bowl and to its places",
         Other, Other, None, [FoodBowl];

@@ -1,5 +1,6 @@
 //! What comes out of the world: firings, and apart from them the truth.
 
+use crate::camera::silhouette::Picture;
 use crate::deed::Deed;
 use crate::geometry::Point;
 use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
@@ -43,6 +44,12 @@ pub enum Value {
     Pulse(Band),
     /// Where their respiration is beside what is normal.
     Respiration(Band),
+    /// A camera woke.
+    Woke,
+    /// It sees somebody, whom it did not see before.
+    Seen,
+    /// It sleeps.
+    Slept,
     /// A number, in thousandths of the sensor's unit.
     Reading(i32),
 }
@@ -75,6 +82,9 @@ impl fmt::Display for Value {
             Value::Restless(level) => write!(f, "RESTLESS_{level}"),
             Value::Pulse(of) => write!(f, "PULSE_{}", band(of)),
             Value::Respiration(of) => write!(f, "RESPIRATION_{}", band(of)),
+            Value::Woke => f.write_str("WOKE"),
+            Value::Seen => f.write_str("SEEN"),
+            Value::Slept => f.write_str("SLEPT"),
             Value::Reading(thousandths) => {
                 let sign = if thousandths < 0 { "-" } else { "" };
                 let (whole, rest) = (thousandths.unsigned_abs() / 1000, thousandths.unsigned_abs() % 1000);
@@ -289,19 +299,32 @@ pub enum MotionState {
     Away,
 }
 
-/// What an advance of a run has brought: firings in order of time, facts in the order in which they came to be known.
+/// A picture that a camera keeps: a silhouette in which somebody is seen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// When it was taken, in microseconds since the run's start.
+    pub at: Micros,
+    /// The camera.
+    pub sensor: SensorId,
+    /// What it kept.
+    pub picture: Picture,
+}
+
+/// What an advance of a run has brought: firings and pictures in order of time, facts in the order in which they came to be known.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Events {
     /// What reached the logger, in order of time.
     pub firings: Vec<Firing>,
     /// The truth, in the order in which it came to be known.
     pub facts: Vec<Fact>,
+    /// What cameras keep, in order of time.
+    pub frames: Vec<Frame>,
 }
 
 impl Events {
-    /// How many firings and facts there are together.
+    /// How many firings, facts and pictures there are together.
     pub fn len(&self) -> usize {
-        self.firings.len() + self.facts.len()
+        self.firings.len() + self.facts.len() + self.frames.len()
     }
 
     /// Whether nothing has happened.
@@ -309,9 +332,10 @@ impl Events {
         self.len() == 0
     }
 
-    /// Takes away all firings and facts, and keeps the memory for the next advance.
+    /// Takes away all firings, facts and pictures, and keeps the memory for the next advance.
     pub fn clear(&mut self) {
         self.firings.clear();
         self.facts.clear();
+        self.frames.clear();
     }
 }

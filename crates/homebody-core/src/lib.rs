@@ -30,6 +30,10 @@ pub mod problem;
 pub mod home;
 pub mod sensors;
 
+// Bodies in three dimensions, and what cameras see of them.
+pub mod body;
+pub mod camera;
+
 // Movement: strides, who decides on them, the world they happen in, and the way of what its sensors say.
 pub mod stride;
 pub mod ids;

@@ -1,7 +1,9 @@
 //! The numbers of all models of this crate, in reading order.
 
+use crate::body::track;
+use crate::camera::noise;
 use crate::numbers::Number;
-use crate::sensors::{bed, light, power, stove_temperature, temperature};
+use crate::sensors::{bed, camera, light, power, stove_temperature, temperature};
 use crate::{home, link, outside, world};
 
 /// All of them: of sensors and what they see, and of the link.
@@ -15,6 +17,9 @@ pub fn numbers() -> Vec<Number> {
         power::NUMBERS,
         light::NUMBERS,
         temperature::NUMBERS,
+        camera::NUMBERS,
+        noise::NUMBERS,
+        track::NUMBERS,
         link::NUMBERS,
         link::radio::NUMBERS,
         outside::NUMBERS,

@@ -38,6 +38,11 @@ impl Stream {
         DrawnValue(self.0.next_u64())
     }
 
+    /// Marks that nothing else has. Draws one value.
+    pub fn marks(mut self) -> Marks {
+        Marks(self.0.next_u64())
+    }
+
     /// True with this probability; never for 0 or less, always for 1 or more. Draws one value in any case.
     pub fn chance(&mut self, probability: f64) -> bool {
         self.unit() < probability
@@ -94,20 +99,7 @@ impl Stream {
         if mean > POISSON_BY_INVERSION {
             return libm::round(self.normal(mean, libm::sqrt(mean))).max(0.0) as u32;
         }
-        let drawn = self.unit();
-        let mut count = 0;
-        let mut share = libm::exp(-mean.max(0.0));
-        let mut up_to = share;
-        while drawn >= up_to {
-            count += 1;
-            share *= mean / f64::from(count);
-            // The shares have become too small to add to the sum, which rounding has left below 1.
-            if f64::from(count) > mean && up_to + share == up_to {
-                break;
-            }
-            up_to += share;
-        }
-        count
+        poisson_by_inversion(mean, self.unit())
     }
 
     /// An index, each as likely as its weight says; weights below 0 count as 0. Draws one value.
@@ -127,6 +119,24 @@ impl Stream {
         }
         picked
     }
+}
+
+/// How often something happens that happens `mean` times on average, by a number from 0 up to 1: the count up to which the
+/// probabilities come to more than that.
+pub(crate) fn poisson_by_inversion(mean: f64, drawn: f64) -> u32 {
+    let mut count = 0;
+    let mut share = libm::exp(-mean.max(0.0));
+    let mut up_to = share;
+    while drawn >= up_to {
+        count += 1;
+        share *= mean / f64::from(count);
+        // The shares have become too small to add to the sum, which rounding has left below 1.
+        if f64::from(count) > mean && up_to + share == up_to {
+            break;
+        }
+        up_to += share;
+    }
+    count
 }
 
 /// Numbers from one drawn value, of which only those that are asked for cost anything.

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
-/// A run that can be lived again.
+/// A run that can be lived again, unless somebody was moved by a driver of the caller's own.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Recording {
@@ -32,6 +32,10 @@ pub struct Recording {
     /// Whether the residents are one of many: not quite as their routines are written.
     #[serde(default, skip_serializing_if = "is_false")]
     pub one_of_many: bool,
+    /// Residents, by name, whom a driver of the caller's own has moved. It is in no file, so nobody can live such a run again from its
+    /// recording, which tells the place, the names and the clock of its log all the same.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub own_drivers: Vec<String>,
     /// Which home of several it is: the name of a member of a cohort.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub home: Option<String>,
@@ -69,6 +73,7 @@ impl Recording {
             length_us: length,
             without: Vec::new(),
             one_of_many: false,
+            own_drivers: Vec::new(),
             home: None,
             run_id: None,
             stopped_of_us: None,
@@ -87,6 +92,11 @@ impl Recording {
     /// Whether the run was completed, at its end or where it was stopped: a run that was killed is not.
     pub fn is_complete(&self) -> bool {
         !self.sha256.is_empty()
+    }
+
+    /// Whether it is enough to live the run again: nobody in it was moved by a driver of the caller's own.
+    pub fn lives_again(&self) -> bool {
+        self.own_drivers.is_empty()
     }
 
     /// Whether the run was lived to its end.

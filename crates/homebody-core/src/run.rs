@@ -11,7 +11,7 @@ use crate::event::{Events, Fact, MotionState, ThingUse};
 use crate::home::plan::Plan;
 use crate::home::sun::Sun;
 use crate::home::{Build, Home};
-use crate::ids::{ResidentId, RoomId, ThingId};
+use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
 use crate::link::{self, Link};
 use crate::outside::{Known, Refusal};
 use crate::scenario::link::Span;
@@ -212,11 +212,15 @@ impl Run {
             })
         };
         let all = (0..self.drivers.len()).map(ResidentId::of);
+        let mut awake = SensorSet::default();
+        let sensors = (0..self.sensors().len()).map(SensorId::of);
+        sensors.filter(|&sensor| self.world.is_awake(sensor)).for_each(|sensor| awake.insert(sensor));
         Scene {
             now: self.now(),
             bodies: all.clone().map(body).collect(),
             seeing: all.fold(SensorSet::default(), |seeing, resident| seeing | self.world.seeing(resident)),
             on: (0..self.on.len()).filter(|&thing| self.on[thing]).map(ThingId::of).collect(),
+            awake,
         }
     }
 
@@ -274,6 +278,8 @@ impl Run {
                 None => self.go_on(until, events),
                 Some(link) => {
                     self.go_on(until, &mut said);
+                    // Pictures have a wire of their own.
+                    events.frames.append(&mut said.frames);
                     link.carry(&mut said, self.now(), events);
                 }
             }

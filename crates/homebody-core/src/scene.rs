@@ -17,6 +17,8 @@ pub struct Scene {
     pub seeing: SensorSet,
     /// The things that are on, or open.
     pub on: Vec<ThingId>,
+    /// The cameras that are awake.
+    pub awake: SensorSet,
 }
 
 /// A body in the home.

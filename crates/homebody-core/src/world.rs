@@ -8,11 +8,12 @@
 //! Times are compared as whole microseconds, never as floats. A slice is half-open: what happens at
 //! its end belongs to the next. At one instant, touching and being told come before timers.
 
+use crate::body::figure::Stature;
 use crate::drivers::MotionSegment;
-use crate::event::{Events, Fact, Firing, MotionState, Provenance, ThingUse, Trigger, Value, Vitals};
+use crate::event::{Events, Fact, Firing, Frame, MotionState, Provenance, ThingUse, Trigger, Value, Vitals};
 use crate::geometry::Point;
 use crate::home::Home;
-use crate::home::field::{Cell, Field};
+use crate::home::field::{self, Cell, Field};
 use crate::ids::{ResidentId, SensorId};
 use crate::random::{Marks, Stream};
 use crate::scenario::path::Posture;
@@ -43,6 +44,9 @@ pub struct World {
     /// The numbers of those that are told, and of those of them that want to be told what bodies do.
     told: Vec<usize>,
     feeling: Vec<usize>,
+    /// Those that see bodies, however light; and by sensor, those that it wakes.
+    watching: Vec<usize>,
+    wakes: Vec<Vec<usize>>,
     /// How many blocks of sensors there are.
     blocks: usize,
     /// By block: those whose machine wants to be told of movement.
@@ -55,6 +59,8 @@ pub struct World {
     /// What sensors that count pulses have counted, in the order of these sensors.
     pulses: Vec<Pulses>,
     seq: u64,
+    /// What chance says of each movement of bodies.
+    chances: Marks,
     /// Bodies of a smaller radius are not felt.
     light_m: f64,
     /// By block: the bodies that move in the present slice, and the sensors that may see one of them.
@@ -72,6 +78,14 @@ crate::numbers! {
 struct Body {
     posture: Posture,
     motion: BodyMotion,
+}
+
+/// Which of the devices are told.
+#[derive(Clone, Copy, Debug)]
+enum Listeners {
+    All,
+    Feeling,
+    Watching,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -109,13 +123,17 @@ impl World {
         };
         let devices: Vec<Option<(Device, Outbox)>> = home.sensors.iter().map(device).collect();
         let mut timers = Timers::new(machines.len());
-        let (mut told, mut feeling) = (Vec::new(), Vec::new());
+        let (mut told, mut feeling, mut watching) = (Vec::new(), Vec::new(), Vec::new());
+        let mut wakes = vec![Vec::new(); devices.len()];
         for (sensor, device) in devices.iter().enumerate() {
             let Some((device, _)) = device else { continue };
             timers.set(sensor, device.timer());
             told.push(sensor);
-            if device.feels_bodies() {
-                feeling.push(sensor);
+            feeling.extend(device.feels_bodies().then_some(sensor));
+            watching.extend(device.sees_bodies().then_some(sensor));
+            // A sensor that is moved has several places, all of its name.
+            for (waker, _) in home.sensors.iter().enumerate().filter(|(_, of)| device.woken_by().contains(&of.name)) {
+                wakes[waker].push(sensor);
             }
         }
         let level = |sensor: &Sensor| match &sensor.kind {
@@ -136,10 +154,13 @@ impl World {
             devices,
             told,
             feeling,
+            watching,
+            wakes,
             plain: levels.iter().map(|level| matches!(level, Some(Level::Paper))).collect(),
             looks: home.sensors.iter().map(looks).collect(),
             pulses: zoned.map(|sensor| Pulses::new(sensor, residents)).collect(),
             seq: 0,
+            chances: Marks::named(seed, "bodies"),
             light_m: home.numbers.of(&LIGHT_M),
             movers: Default::default(),
             may: [0; BLOCKS],
@@ -161,9 +182,9 @@ impl World {
     /// From now until the move's end, the resident does this; the move may have begun before now. The
     /// caller advances no further than its end before it says what comes next.
     pub fn begin(&mut self, resident: ResidentId, next: &MotionSegment) {
-        let posture = next.posture;
-        let motion = match next.doing {
-            MotionState::Stride { from, to } => BodyMotion::Stride(Stride::new(from, to, next.begin, next.end)),
+        let MotionSegment { begin, end, doing, posture } = *next;
+        let motion = match doing {
+            MotionState::Stride { from, to } => BodyMotion::Stride(Stride::new(from, to, begin, end)),
             MotionState::InPlace { at, amplitude_m } => BodyMotion::InPlace { at, amplitude_m },
             MotionState::Rest { at } => BodyMotion::Rest { at },
             MotionState::Away => BodyMotion::Away,
@@ -174,18 +195,21 @@ impl World {
         if settles && !self.pulses.is_empty() {
             self.settle(resident);
         }
+        let field::Size { radius_m, top_m } = self.home.field(resident.index(), Posture::Standing).size;
+        let stature = Stature { radius_m, height_m: top_m };
+        let chance = self.chances.of(begin as u64 ^ (u64::from(resident.0) << 56));
+        let change = Change::Body { resident, stature, begin, end, doing, posture, chance };
         // A cat presses no mat, and lies beside the strip.
-        if self.home.field(resident.index(), posture).size.radius_m < self.light_m {
-            return;
+        if radius_m >= self.light_m {
+            self.tell(&change, Listeners::Feeling);
         }
-        let MotionSegment { begin, end, doing, posture } = *next;
-        self.tell(&Change::Body { resident, begin, end, doing, posture });
+        self.tell(&change, Listeners::Watching);
     }
 
     /// A thing is used, now; by a resident unless it is from outside.
     pub fn act(&mut self, resident: Option<ResidentId>, act: ThingUse) {
         let ThingUse { thing, on } = act;
-        self.tell(&Change::Use { resident, thing, on });
+        self.tell(&Change::Use { resident, thing, on }, Listeners::All);
     }
 
     /// How many messages have left the sensors.
@@ -195,20 +219,21 @@ impl World {
 
     /// From now on a resident's heart and lungs are like this.
     pub fn feel(&mut self, resident: ResidentId, vitals: Vitals) {
-        self.tell(&Change::Vitals { resident, vitals });
+        self.tell(&Change::Vitals { resident, vitals }, Listeners::Feeling);
     }
 
     /// Tells the devices among the sensors what happens now. What they say leaves them now too, but when it is their turn
     /// among all sensors that have something to say.
-    fn tell(&mut self, change: &Change) {
-        let listeners = match change {
-            Change::Use { .. } => &self.told,
-            Change::Body { .. } | Change::Vitals { .. } => &self.feeling,
+    fn tell(&mut self, change: &Change, listeners: Listeners) {
+        let listeners = match listeners {
+            Listeners::All => &self.told,
+            Listeners::Feeling => &self.feeling,
+            Listeners::Watching => &self.watching,
         };
         for &sensor in listeners {
             let Some((device, outbox)) = &mut self.devices[sensor] else { continue };
             device.on_event(self.now, change, outbox);
-            self.timers.set(sensor, if outbox.0.is_empty() { device.timer() } else { self.now });
+            self.timers.set(sensor, if outbox.said.is_empty() { device.timer() } else { self.now });
         }
     }
 
@@ -217,6 +242,11 @@ impl World {
         events.firings.push(Firing { seq: self.seq, at, sensor: SensorId::of(sensor), value });
         events.facts.push(Fact::Provenance { seq: self.seq, provenance });
         self.seq += 1;
+        for &woken in &self.wakes[sensor] {
+            let Some((device, outbox)) = &mut self.devices[woken] else { continue };
+            device.on_event(at, &Change::Fired, outbox);
+            self.timers.set(woken, if outbox.said.is_empty() { device.timer() } else { at });
+        }
     }
 
     /// A body that changes its posture or appears touches other beams from one instant to the next; that is no pulse.
@@ -247,6 +277,11 @@ impl World {
             BodyMotion::Stride(stride) => Some((stride.to - stride.from).normalize_or_zero()),
             BodyMotion::InPlace { .. } | BodyMotion::Rest { .. } | BodyMotion::Away => None,
         }
+    }
+
+    /// Whether a camera is awake; no other sensor is.
+    pub fn is_awake(&self, sensor: SensorId) -> bool {
+        self.devices[sensor.index()].as_ref().is_some_and(|(device, _)| device.is_awake())
     }
 
     /// The sensors in whose field a resident moves.
@@ -382,7 +417,10 @@ impl World {
             if device.timer() <= at {
                 device.on_timer(at, outbox);
             }
-            for (value, provenance) in std::mem::take(&mut outbox.0) {
+            let Outbox { said, pictures } = std::mem::take(outbox);
+            let frame = |picture| Frame { at, sensor: SensorId::of(sensor), picture };
+            events.frames.extend(pictures.into_iter().map(frame));
+            for (value, provenance) in said {
                 self.send(at, sensor, value, provenance, events);
             }
         } else if let TimerOutcome::Fired(seen) = self.machines[sensor].on_timer() {

@@ -86,6 +86,7 @@ fn role(row: &RoleRow) -> String {
         Posture::Standing => "stands".to_owned(),
         Posture::Sitting => "sits".to_owned(),
         Posture::Lying => "lies".to_owned(),
+        other => unreachable!("no furniture is for {}", other.name()),
     });
     format!("| {key} | {} | {} | {instead} | {posture} |\n", row.about, list(row.names))
 }

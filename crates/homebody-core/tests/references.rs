@@ -128,7 +128,8 @@ const UNITS: [(&str, &str); 15] = [
 const POINTS: [&str; 3] = ["from", "to", "start"];
 
 /// Keys of counts and shares, and of numbers that each have a unit of their own.
-const COUNTS: [&str; 14] = [
+const COUNTS: [&str; 15] = [
+    "pixels",
     "beams",
     "rows",
     "pulses",

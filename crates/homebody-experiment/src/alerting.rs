@@ -310,7 +310,7 @@ fn row(people: &[Watched], told: &[Told], condition: &str, (rule, idle): (&str, 
 }
 
 /// The interval of a share.
-fn wilson(found: usize, of: usize) -> [f64; 2] {
+pub(crate) fn wilson(found: usize, of: usize) -> [f64; 2] {
     let (count, share) = (of as f64, found as f64 / of as f64);
     let whole = 1.0 + Z * Z / count;
     let middle = (share + Z * Z / (2.0 * count)) / whole;

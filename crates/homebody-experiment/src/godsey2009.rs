@@ -230,7 +230,7 @@ impl Walk {
         let (width, depth) = (4.0, walk_m + 2.0);
         let corners = [[0.0, 0.0], [width, 0.0], [width, depth], [0.0, depth]];
         let mut home = HomeFile::new("one room");
-        home.rooms.push(RoomFile { name: "room".into(), outline: corners.to_vec() });
+        home.rooms.push(RoomFile::new("room", corners.to_vec()));
         home.walls.extend((0..4).map(|side| WallFile::new(corners[side], corners[(side + 1) % 4])));
         // A name for each activity, so that each draws its own random numbers.
         let mut sensor = MotionFile::new(&format!("PIR at {distance_m} m, {speed_mps} m/s"), [0.05, depth / 2.0], 0.0);

@@ -20,7 +20,13 @@ pub mod alerting;
 /// Measures of days, by the logs of homes alone.
 pub mod measures;
 
+/// People who differ, with conditions and without, who live in one home.
+pub mod people;
+
 pub mod placing;
+pub mod proposal;
+
+pub mod falls;
 
 pub mod round_trip;
 /// What is wrong with sensors, by the logs of their homes alone.

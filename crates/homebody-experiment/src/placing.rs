@@ -20,6 +20,7 @@ use homebody_core::geometry::{Point, contains};
 use homebody_core::home::Build;
 use homebody_core::home::plan::Plan;
 use homebody_core::role::Role;
+use homebody_core::scenario::device::Device;
 use homebody_core::scenario::home::{FurnitureFile, HomeFile, SensorFile};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -30,7 +31,7 @@ const FROM_CORNER_M: f64 = 0.15;
 const HEIGHT_M: f64 = 2.1;
 /// A sensor on the ceiling sees so far around what it looks at (ours).
 const AROUND_M: f64 = 0.35;
-/// The floor is looked at in steps of so many metres (ours).
+/// The floor is looked at in steps of so many metres, as long as layouts are tried (ours).
 const STEP_M: f64 = 0.1;
 
 /// Less is nothing that a sensor adds (ours).
@@ -109,6 +110,23 @@ pub struct Placed {
 }
 
 impl Placed {
+    /// Every layout: each step and each swap.
+    pub fn layouts_mut(&mut self) -> impl Iterator<Item = &mut Layout> {
+        self.steps.iter_mut().chain(self.swapped.iter_mut().map(|swap| &mut swap.layout))
+    }
+
+    /// Takes back the last swaps, as long as they gain nothing.
+    pub fn take_back(&mut self) {
+        let is_worse = |placed: &Placed| {
+            let (last, before) = placed.swapped.split_last()?;
+            let before = before.last().map(|swap| &swap.layout).or(placed.steps.last())?;
+            Some(last.layout.score <= before.score)
+        };
+        while is_worse(self) == Some(true) {
+            self.swapped.pop();
+        }
+    }
+
     /// The layout that is proposed.
     pub fn last(&self) -> Option<&Layout> {
         self.swapped.last().map(|swap| &swap.layout).or(self.steps.last())
@@ -163,18 +181,22 @@ pub struct Trial<'a> {
     pub people: &'a [Somebody],
     /// The rules of alerts.
     pub rules: &'a Rules,
+    /// The body that sensors look for.
+    pub build: Build,
 }
 
 impl Trial<'_> {
     /// The layouts with one sensor of the candidates, two, and so on: each the best that one more sensor makes of the last, or two
     /// more where one adds nothing. Of the last, sensors are exchanged as long as another tells more. `told` hears what is
-    /// tried next, and of how many sensors there are by now.
-    pub fn best(&self, candidates: &[String], count: usize, told: &dyn Fn(Trying, usize)) -> Placed {
+    /// tried next, and of how many sensors there are by now; where it says that nobody waits any more, there is no answer.
+    pub fn best(&self, candidates: &[String], count: usize, told: &dyn Fn(Trying, usize) -> bool) -> Option<Placed> {
         let coverage = self.coverage();
         let count = count.min(candidates.len());
         let mut steps: Vec<Layout> = Vec::new();
         while steps.len() < count {
-            told(Trying::OneMore, steps.len());
+            if !told(Trying::OneMore, steps.len()) {
+                return None;
+            }
             let (before, score) =
                 steps.last().map_or((Vec::new(), 0.0), |layout| (layout.sensors.clone(), layout.score));
             let left: Vec<&String> = candidates.iter().filter(|name| !before.contains(name)).collect();
@@ -185,7 +207,9 @@ impl Trial<'_> {
             // Of those that are as good, the first.
             ones.sort_by(|a, b| b.score.total_cmp(&a.score));
             if ones.first().is_some_and(|one| one.score <= score + ADDS) && steps.len() + 2 <= count {
-                told(Trying::TwoMore, steps.len());
+                if !told(Trying::TwoMore, steps.len()) {
+                    return None;
+                }
                 let best: Vec<&String> = ones.iter().take(PAIRED).filter_map(|one| one.sensors.last()).collect();
                 let pairs = (0..best.len()).flat_map(|a| (a + 1..best.len()).map(move |b| (a, b)));
                 let twos = self.all(pairs.map(|(a, b)| with(&[best[a], best[b]])).collect(), &coverage);
@@ -202,8 +226,8 @@ impl Trial<'_> {
             }
             steps.push(ones.swap_remove(0));
         }
-        let swapped = self.swaps(&steps, candidates, &coverage, told);
-        Placed { steps, swapped }
+        let swapped = self.swaps(&steps, candidates, &coverage, told)?;
+        Some(Placed { steps, swapped })
     }
 
     /// Sensors of the last layout go for others, as long as that tells more.
@@ -212,12 +236,14 @@ impl Trial<'_> {
         steps: &[Layout],
         candidates: &[String],
         coverage: &Coverage,
-        told: &dyn Fn(Trying, usize),
-    ) -> Vec<Swap> {
+        told: &dyn Fn(Trying, usize) -> bool,
+    ) -> Option<Vec<Swap>> {
         let mut swaps: Vec<Swap> = Vec::new();
         while swaps.len() < MOST_SWAPS {
             let Some(layout) = swaps.last().map(|swap| &swap.layout).or(steps.last()) else { break };
-            told(Trying::Another, layout.sensors.len());
+            if !told(Trying::Another, layout.sensors.len()) {
+                return None;
+            }
             let left: Vec<&String> = candidates.iter().filter(|name| !layout.sensors.contains(name)).collect();
             let of_place = |place: usize| left.iter().map(move |name| (place, *name));
             let tries: Vec<(usize, &String)> = (0..layout.sensors.len()).flat_map(of_place).collect();
@@ -233,7 +259,7 @@ impl Trial<'_> {
             let Some(place) = place else { break };
             swaps.push(Swap { gone: layout.sensors[place].clone(), come: best.sensors[place].clone(), layout: best });
         }
-        swaps
+        Some(swaps)
     }
 
     /// How much each of some layouts tells, in their order.
@@ -246,8 +272,20 @@ impl Trial<'_> {
         self.layout(sensors.to_vec(), &self.coverage())
     }
 
+    /// Sets how much of the floor each layout sees, by a finer coverage of all sensors.
+    pub fn rescore_falls<'l>(&self, layouts: impl IntoIterator<Item = &'l mut Layout>, coverage: &Coverage) {
+        for layout in layouts {
+            let falls = self.goals.iter().zip(&mut layout.goals).filter(|(goal, _)| matches!(goal, Goal::Falls));
+            for (_, reached) in falls {
+                let seen = share_seen(coverage, &layout.sensors);
+                (reached.score, reached.value) = (seen, seen);
+            }
+            layout.score = mean_score(&layout.goals);
+        }
+    }
+
     fn coverage(&self) -> Coverage {
-        coverage::of_home(self.home, Build::adult(), STEP_M).coverage
+        coverage::of_home(self.home, self.build, STEP_M).coverage
     }
 
     fn layout(&self, sensors: Vec<String>, coverage: &Coverage) -> Layout {
@@ -257,9 +295,10 @@ impl Trial<'_> {
         let watched: Vec<Watched> = (self.people.iter().zip(&heard))
             .filter_map(|(somebody, heard)| Some(Watched { person: &somebody.person, measures: heard.as_ref()? }))
             .collect();
-        let found = adequacy(&watched, self.rules);
+        let shows = |goal: &Goal| matches!(goal, Goal::Condition(_));
+        let found = self.goals.iter().any(shows).then(|| adequacy(&watched, self.rules));
         let reached = |goal: &Goal| match *goal {
-            Goal::Condition(name) => of_condition(name, &found),
+            Goal::Condition(name) => of_condition(name, found.as_ref()),
             Goal::Measure(number) => self.of_measure(number, &heard),
             Goal::Falls => {
                 let seen = share_seen(coverage, &sensors);
@@ -267,8 +306,7 @@ impl Trial<'_> {
             }
         };
         let goals: Vec<Reached> = self.goals.iter().map(reached).collect();
-        let score = goals.iter().map(|goal| goal.score).sum::<f64>() / goals.len().max(1) as f64;
-        Layout { sensors, score, goals }
+        Layout { sensors, score: mean_score(&goals), goals }
     }
 
     /// How near the log comes to the truth of those who show no condition. A day of which the log tells nothing is as wrong as
@@ -289,8 +327,16 @@ impl Trial<'_> {
     }
 }
 
-fn of_condition(name: &'static str, found: &Adequacy) -> Reached {
-    let days = found.by_condition.iter().find(|(condition, _)| condition == name).map(|(_, days)| *days);
+fn mean_score(goals: &[Reached]) -> f64 {
+    goals.iter().map(|goal| goal.score).sum::<f64>() / goals.len().max(1) as f64
+}
+
+fn of_condition(name: &'static str, found: Option<&Adequacy>) -> Reached {
+    let days = found
+        .into_iter()
+        .flat_map(|found| &found.by_condition)
+        .find(|(condition, _)| condition == name)
+        .map(|(_, days)| *days);
     let value = days.unwrap_or(WITHIN as f64);
     Reached { goal: name, score: 1.0 - value / WITHIN as f64, value, unit: "days until found" }
 }
@@ -303,8 +349,9 @@ fn share_seen(coverage: &Coverage, sensors: &[String]) -> f64 {
     seen as f64 / floor.count().max(1) as f64
 }
 
-/// The sensors that may go into a home, whatever it has by now: their names are of no sensor that it has.
-pub fn candidates(home: &HomeFile) -> Vec<SensorFile> {
+/// The sensors that may go into a home, whatever it has by now: their names are of no sensor that it has. Those that look for movement
+/// are of a device, if one is named.
+pub fn candidates(home: &HomeFile, device: Option<Device>) -> Vec<SensorFile> {
     let plan = Plan::new(home);
     let mut all: Vec<SensorFile> = Vec::new();
     for (room, named) in plan.rooms.iter().enumerate() {
@@ -312,7 +359,9 @@ pub fn candidates(home: &HomeFile) -> Vec<SensorFile> {
         let sensors = corners.filter_map(|(number, (at, facing_deg))| {
             let name = format!("{} corner {number}", named.name);
             let at = [at.x, at.y].map(in_centimetres);
-            sensor(json!({ "kind": "motion", "name": name, "at": at, "height_m": HEIGHT_M, "facing_deg": facing_deg }))
+            let file =
+                json!({ "kind": "motion", "name": name, "at": at, "height_m": HEIGHT_M, "facing_deg": facing_deg });
+            of_device(sensor(file), device)
         });
         let sensors: Vec<SensorFile> = sensors.collect();
         all.extend(best_in_room(home, &plan, room, sensors).map(|mut best| {
@@ -321,7 +370,7 @@ pub fn candidates(home: &HomeFile) -> Vec<SensorFile> {
         }));
     }
     for piece in &home.furniture {
-        all.extend(of_piece(piece, &plan));
+        all.extend(of_device(of_piece(piece, &plan), device));
     }
     for door in home.doors.iter().filter(|door| door.outside) {
         all.extend(sensor(json!({ "kind": "contact", "name": format!("{} contact", door.name), "on": door.name })));
@@ -337,6 +386,13 @@ pub fn candidates(home: &HomeFile) -> Vec<SensorFile> {
 
 fn sensor(file: serde_json::Value) -> Option<SensorFile> {
     serde_json::from_value(file).ok()
+}
+
+fn of_device(sensor: Option<SensorFile>, device: Option<Device>) -> Option<SensorFile> {
+    sensor.map(|mut sensor| {
+        device.inspect(|device| device.put_into(&mut sensor));
+        sensor
+    })
 }
 
 fn in_centimetres(metres: f64) -> f64 {

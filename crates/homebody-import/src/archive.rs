@@ -1,6 +1,6 @@
 //! The archive: the text of the one entry that is read, `Home.xml`.
 //!
-//! The entry `Home`, a dump of Java objects, is never looked at.
+//! The entry `Home`, a dump of Java objects, is never read.
 
 use crate::error::NotImported;
 use std::io::{Cursor, Read};
@@ -8,6 +8,9 @@ use zip::ZipArchive;
 use zip::result::ZipError;
 
 const ENTRY: &str = "Home.xml";
+
+/// The dump of Java objects, which old versions wrote alone.
+const JAVA_ENTRY: &str = "Home";
 
 /// Larger files are mostly models and textures, and hardly of one home (ours).
 pub const MOST_BYTES: u64 = 64 << 20;
@@ -35,7 +38,9 @@ pub fn home_xml(bytes: &[u8]) -> Result<String, NotImported> {
     let entries = bytes.windows(ENTRY_SIGN.len()).filter(|window| *window == ENTRY_SIGN).count();
     within("entries", entries as u64, MOST_ENTRIES, hint)?;
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| NotImported::NoArchive)?;
+    let is_old = archive.index_for_name(JAVA_ENTRY).is_some();
     let entry = archive.by_name(ENTRY).map_err(|error| match error {
+        ZipError::FileNotFound if is_old => NotImported::OnlyJava,
         ZipError::FileNotFound => NotImported::NoHomeXml,
         error => NotImported::Damaged(error.to_string()),
     })?;

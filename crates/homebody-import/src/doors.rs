@@ -16,6 +16,8 @@ pub struct Door {
     pub from: Point,
     pub to: Point,
     pub is_outside: bool,
+    /// How surely people come home by it: 2 by a front door, 0 by a window that reaches the floor.
+    pub leads_home: usize,
 }
 
 /// What a home has at most.
@@ -45,8 +47,8 @@ const BEHIND_M: [f64; 5] = [0.05, 0.15, 0.25, 0.35, 0.45];
 pub fn only(openings: Vec<Piece>, remarks: &mut Vec<String>) -> Result<Vec<Piece>, NotImported> {
     let (windows, doors): (Vec<Piece>, Vec<Piece>) = openings.into_iter().partition(kinds::is_window);
     if !windows.is_empty() {
-        let windows = counted(windows.len(), "window", "windows");
-        remarks.push(format!("left out: {windows}, which make no difference to motion sensors"));
+        let windows = counted(windows.len(), "window, which makes", "windows, which make");
+        remarks.push(format!("left out: {windows} no difference to motion sensors"));
     }
     if doors.len() > MOST_DOORS {
         let hint = "import one level of it, or a plan of one home";
@@ -55,18 +57,67 @@ pub fn only(openings: Vec<Piece>, remarks: &mut Vec<String>) -> Result<Vec<Piece
     Ok(doors)
 }
 
+/// How far beside a door the walls end between which it is drawn (ours).
+const BESIDE_GAP_M: f64 = 0.35;
+
+/// The share of a door that must be along a wall to be in it (ours), else it is looked for a gap.
+const IN_WALL_SHARE: f64 = 0.5;
+
+/// Walls for the doors that are drawn in gaps between walls: from the one end to the other.
+pub fn gaps(doors: &[Piece], walls: &[Wall], remarks: &mut Vec<String>) -> Vec<Wall> {
+    let gaps: Vec<Wall> = doors.iter().filter_map(|door| gap(door, walls)).collect();
+    if !gaps.is_empty() {
+        let are = counted(gaps.len(), "door is drawn in a gap", "doors are drawn in gaps");
+        remarks.push(format!(
+            "{are} between walls, and in a wall of {} now",
+            if gaps.len() > 1 { "their own" } else { "its own" }
+        ));
+    }
+    gaps
+}
+
+fn gap(door: &Piece, walls: &[Wall]) -> Option<Wall> {
+    let along = geometry::direction(door.turn_rad.to_degrees());
+    let in_wall_m = |wall: &Wall| {
+        let at = (door.at - wall.from).dot(wall.along());
+        (at + door.width_m / 2.0).min(wall.length()) - (at - door.width_m / 2.0).max(0.0)
+    };
+    if door.width_m < LEAST_WIDTH_M || near(door, walls).any(|wall| in_wall_m(wall) >= IN_WALL_SHARE * door.width_m) {
+        return None;
+    }
+    let beside = |side: f64| {
+        let jamb = door.at + along * (side * door.width_m / 2.0);
+        let off_m = |wall: &Wall| geometry::distance_to_segment(jamb, wall.from, wall.to) - wall.thickness_m / 2.0;
+        let near = walls.iter().map(|wall| (off_m(wall), wall)).filter(|(off_m, _)| *off_m <= BESIDE_GAP_M);
+        let (_, wall) = near.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some((geometry::nearest_on_segment(jamb, wall.from, wall.to), wall.thickness_m))
+    };
+    let ((from, thin_m), (to, thick_m)) = (beside(-1.0)?, beside(1.0)?);
+    let wall = Wall { from, to, thickness_m: thin_m.min(thick_m) };
+    let is_across = wall.along().dot(along) >= IN_WALL_COSINE;
+    (is_across && wall.length() >= LEAST_WIDTH_M.max(door.width_m / 2.0)).then_some(wall)
+}
+
 /// The doors in their walls; those between a room and none lead out.
-pub fn place(doors: &[Piece], walls: &[Wall], rooms: &[Room], remarks: &mut Vec<String>) -> Vec<Door> {
-    let (mut names, mut placed) = (Names::default(), Vec::new());
+pub fn place(
+    doors: &[Piece],
+    walls: &[Wall],
+    rooms: &[Room],
+    names: &mut Names,
+    remarks: &mut Vec<String>,
+) -> Vec<Door> {
+    let mut placed = Vec::new();
     for door in doors {
         let name = names.give(&door.name, "door");
         let Some(wall) = wall_of(door, walls) else {
             remarks.push(format!("left out: the door {name:?}, which is in no wall"));
             continue;
         };
-        let (from, to) = span(door, wall);
+        let drawn = span(door, wall);
+        let moved_m = (door.at - (drawn.0 + drawn.1) / 2.0).dot(wall.along()).abs();
+        let width_m = drawn.0.distance(drawn.1);
+        let (from, to) = beside_others(&placed, &name, drawn, remarks);
         let middle = (from + to) / 2.0;
-        let (width_m, moved_m) = (from.distance(to), (door.at - middle).dot(wall.along()).abs());
         if width_m < door.width_m - MOVED_M {
             let was = door.width_m;
             remarks.push(format!("the door {name:?} is {width_m:.2} m wide, not {was:.2} m, as its wall is short"));
@@ -78,36 +129,43 @@ pub fn place(doors: &[Piece], walls: &[Wall], rooms: &[Room], remarks: &mut Vec<
         let last = beside.iter().copied().chain([wall]);
         let is_inside = |side: f64| last.clone().any(|wall| is_inside(middle, wall, rooms, side));
         let is_outside = is_inside(1.0) != is_inside(-1.0);
-        placed.push(Door { name: name.clone(), from, to, is_outside });
+        let leads_home = kinds::leads_home(door);
+        placed.push(Door { name: name.clone(), from, to, is_outside, leads_home });
         for other in beside {
             let again = names.give(&name, "door");
             remarks.push(format!("the door {name:?} goes through two walls; in the other it is {again:?}"));
-            let (from, to) = span(door, other);
-            placed.push(Door { name: again, from, to, is_outside });
+            let (from, to) = beside_others(&placed, &again, span(door, other), remarks);
+            placed.push(Door { name: again, from, to, is_outside, leads_home });
         }
-    }
-    if !placed.iter().any(|door| door.is_outside) {
-        remarks.push("no door leads out of the home: mark the front door as \"outside\" in home.json".to_owned());
     }
     placed
 }
 
-/// The wall that a door stands in.
-fn wall_of<'a>(door: &Piece, walls: &'a [Wall]) -> Option<&'a Wall> {
+/// How surely somebody comes home by one of the doors: 0 where none leads out, 3 by a front door.
+pub fn way_out(doors: &[Door]) -> usize {
+    doors.iter().filter(|door| door.is_outside).map(|door| door.leads_home + 1).max().unwrap_or(0)
+}
+
+/// The walls that a door may stand in.
+fn near<'a>(door: &Piece, walls: &'a [Wall]) -> impl Iterator<Item = &'a Wall> {
     let across = geometry::direction(door.turn_rad.to_degrees());
-    let near = walls.iter().filter(|wall| {
+    walls.iter().filter(move |wall| {
         let off_m = geometry::distance_to_segment(door.at, wall.from, wall.to);
         wall.along().dot(across).abs() >= IN_WALL_COSINE
             && off_m <= wall.thickness_m / 2.0 + DOOR_OFF_M
             && wall.length().min(door.width_m) >= LEAST_WIDTH_M
-    });
+    })
+}
+
+/// The wall that a door stands in.
+fn wall_of<'a>(door: &Piece, walls: &'a [Wall]) -> Option<&'a Wall> {
     // Where walls meet, the one that has more of the door; of walls side by side, the nearer one.
     let fit = |wall: &Wall| {
         let at = (door.at - wall.from).dot(wall.along());
         let shared = (at + door.width_m / 2.0).min(wall.length()) - (at - door.width_m / 2.0).max(0.0);
         shared - 2.0 * geometry::distance_to_segment(door.at, wall.from, wall.to)
     };
-    near.max_by(|a, b| fit(a).total_cmp(&fit(b)))
+    near(door, walls).max_by(|a, b| fit(a).total_cmp(&fit(b)))
 }
 
 /// Where in a wall a door stands, moved into it as far as it must, and no wider than it.
@@ -115,6 +173,39 @@ fn span(door: &Piece, wall: &Wall) -> (Point, Point) {
     let half = door.width_m.min(wall.length()) / 2.0;
     let at = (door.at - wall.from).dot(wall.along()).clamp(half, (wall.length() - half).max(half));
     (wall.from + wall.along() * (at - half), wall.from + wall.along() * (at + half))
+}
+
+/// The part of a span that no earlier door covers. Only what overlaps by the width of a frame at most is cut, as two leaves do; of
+/// doors that overlap more the check leaves one out.
+fn beside_others(
+    placed: &[Door],
+    name: &str,
+    (mut from, mut to): (Point, Point),
+    remarks: &mut Vec<String>,
+) -> (Point, Point) {
+    /// Frames are so wide at most (ours).
+    const MOST_M: f64 = 0.2;
+    for other in placed {
+        let along = (to - from).normalize_or_zero();
+        let off_m = |p: Point| (p - from).perp_dot(along).abs();
+        let ends = [other.from, other.to].map(|p| (p - from).dot(along));
+        let (begin, end) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let length_m = from.distance(to);
+        if off_m(other.from).max(off_m(other.to)) > BESIDE_M || length_m < 2.0 * MOST_M {
+            continue;
+        }
+        if begin < 0.0 && (0.0..=MOST_M).contains(&end) {
+            from += along * end;
+        } else if end > length_m && (0.0..=MOST_M).contains(&(length_m - begin)) {
+            to = from + along * begin;
+        } else {
+            continue;
+        }
+        if from.distance(to) < length_m {
+            remarks.push(format!("the door {name:?} overlapped {:?} and ends at it now", other.name));
+        }
+    }
+    (from, to)
 }
 
 /// Whether a door also goes through a wall that stands beside its own, as where two houses meet.

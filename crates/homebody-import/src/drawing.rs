@@ -19,6 +19,7 @@ pub struct Drawing {
     pub rooms: Vec<Room>,
     pub openings: Vec<Piece>,
     pub pieces: Vec<Piece>,
+    pub labels: Vec<Label>,
     /// Where the plan's compass says that the home is.
     pub latitude_deg: Option<f64>,
     /// How many things had no usable place or size.
@@ -47,6 +48,8 @@ pub struct Level {
     pub elevation_m: f64,
     /// The order of levels of one elevation.
     pub index: f64,
+    /// Whether the plan shows it.
+    pub is_viewable: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -64,6 +67,16 @@ pub struct Room {
     pub level: Option<LevelId>,
     pub name: String,
     pub corners: Vec<Point>,
+    /// Whether its floor is shown; some are drawn for their ceiling alone.
+    pub has_floor: bool,
+}
+
+/// A text that is written somewhere.
+#[derive(Clone, Debug)]
+pub struct Label {
+    pub level: Option<LevelId>,
+    pub text: String,
+    pub at: Point,
 }
 
 /// A piece of furniture, or a door or window.
@@ -71,8 +84,10 @@ pub struct Room {
 pub struct Piece {
     pub level: Option<LevelId>,
     pub name: String,
-    /// The words of its name and of what the catalogue calls it.
+    /// The words of its name.
     pub words: Vec<String>,
+    /// The words of what the catalogue calls it, which are English in any language of the program.
+    pub catalog: Vec<String>,
     /// The middle of its rectangle.
     pub at: Point,
     pub width_m: f64,
@@ -81,6 +96,8 @@ pub struct Piece {
     pub elevation_m: f64,
     pub height_m: f64,
     pub is_visible: bool,
+    /// Whether it cuts a hole into the floor above it.
+    pub is_cut_out: bool,
 }
 
 /// Reads a plan.
@@ -117,6 +134,10 @@ impl Drawing {
             "pieceOfFurniture" | "light" | "shelfUnit" => {
                 piece(node, level, is_visible, None).map(|piece| self.pieces.push(piece))
             }
+            "label" => {
+                self.labels.extend(label(node, level));
+                Some(())
+            }
             "compass" => {
                 self.latitude_deg = latitude_deg(node);
                 Some(())
@@ -132,7 +153,8 @@ fn level<'a>(node: Node<'a, '_>, ids: &mut LevelIds<'a>) -> Option<Level> {
     let name = node.attribute("name").unwrap_or(id).to_owned();
     let (elevation_m, index) =
         (length(node, "elevation").unwrap_or(0.0), number(node, "elevationIndex").unwrap_or(0.0));
-    Some(Level { id: ids.of(id), name, elevation_m, index })
+    let is_viewable = node.attribute("viewable") != Some("false");
+    Some(Level { id: ids.of(id), name, elevation_m, index, is_viewable })
 }
 
 fn wall(node: Node, level: Option<LevelId>) -> Option<Wall> {
@@ -149,7 +171,13 @@ fn room(node: Node, level: Option<LevelId>) -> Option<Room> {
     let points = node.children().filter(|child| child.has_tag_name("point"));
     let corners: Vec<Point> = points.map(|corner| point(corner, "x", "y")).collect::<Option<_>>()?;
     let name = node.attribute("name").unwrap_or_default().to_owned();
-    (corners.len() > 2).then_some(Room { level, name, corners })
+    let has_floor = node.attribute("floorVisible") != Some("false");
+    (corners.len() > 2).then_some(Room { level, name, corners, has_floor })
+}
+
+fn label(node: Node, level: Option<LevelId>) -> Option<Label> {
+    let text = node.children().find(|child| child.has_tag_name("text")).and_then(|text| text.text());
+    Some(Label { level, text: text.unwrap_or_default().to_owned(), at: point(node, "x", "y")? })
 }
 
 /// A piece, if it has all sizes; `unsaid_m` stands for a depth or height that it does not have.
@@ -158,11 +186,12 @@ fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<
     // A piece that leans has another size as seen from above.
     let size = |in_plan, upright| positive(in_plan).or_else(|| positive(upright));
     let name = node.attribute("name").unwrap_or_default().to_owned();
-    let words = words(&[&name, node.attribute("catalogId").unwrap_or_default()]);
+    let catalog = words(&[node.attribute("catalogId").unwrap_or_default()]);
     Some(Piece {
         level,
+        words: words(&[&name]),
         name,
-        words,
+        catalog,
         at: point(node, "x", "y")?,
         width_m: size("widthInPlan", "width")?,
         depth_m: size("depthInPlan", "depth").or(unsaid_m)?,
@@ -170,6 +199,7 @@ fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<
         elevation_m: length(node, "elevation").unwrap_or(0.0),
         height_m: size("heightInPlan", "height").or(unsaid_m)?,
         is_visible,
+        is_cut_out: node.has_attribute("staircaseCutOutShape"),
     })
 }
 

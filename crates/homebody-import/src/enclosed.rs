@@ -3,9 +3,12 @@
 //! Walls are cut where they meet, dead ends are taken off, and each space is walked around with the space at its left
 //! hand. A space around what stands free, such as the garden around a house, overlaps it and is left out.
 
+use crate::drawing;
 use crate::outline::{Room, is_sound, tidy};
-use crate::walls::Wall;
+use crate::rooms::{MOST_CORNERS, MOST_ROOMS};
+use crate::walls::{OFF_FACE_M, Wall};
 use homebody_core::geometry::{self, Point, overlap};
+use homebody_core::problem::counted;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Ends nearer than this are one (ours): walls that were meant to meet.
@@ -49,6 +52,59 @@ pub fn without_room(walls: &[Wall], rooms: &[Room]) -> Vec<Vec<Point>> {
     spaces
 }
 
+/// The rooms without those that are drawn around several spaces that walls enclose, each of which is a room instead; the largest
+/// keeps the name.
+pub fn parted(rooms: Vec<drawing::Room>, walls: &[Wall], remarks: &mut Vec<String>) -> Vec<drawing::Room> {
+    /// Smaller spaces are closets (ours).
+    const LEAST_M2: f64 = 2.0;
+    /// A space belongs to the room that has so much of it (ours).
+    const WITHIN_SHARE: f64 = 0.9;
+    /// So much of the room is in such spaces (ours).
+    const OF_ROOM_SHARE: f64 = 0.5;
+    // Larger plans are refused elsewhere.
+    let corners: usize = rooms.iter().map(|room| room.corners.len()).sum();
+    if rooms.is_empty() || rooms.len() > MOST_ROOMS || corners > MOST_CORNERS {
+        return rooms;
+    }
+    let area = |outline: &[Point]| geometry::signed_area(outline).abs();
+    let mut spaces = spaces(walls);
+    spaces.retain(|space| area(space) >= LEAST_M2);
+    spaces.sort_by(|a, b| area(b).total_cmp(&area(a)));
+    if spaces.len() > MOST_SPACES {
+        return rooms;
+    }
+    let share = |room: &drawing::Room, space: &[Point]| overlap::area(&room.corners, space) / area(space);
+    let shares: Vec<Vec<f64>> =
+        spaces.iter().map(|space| rooms.iter().map(|room| share(room, space)).collect()).collect();
+    let mut parted: Vec<drawing::Room> = Vec::new();
+    for (index, room) in rooms.into_iter().enumerate() {
+        let is_its = |shares: &[f64]| {
+            let others = shares.iter().sum::<f64>() - shares[index];
+            shares[index] >= WITHIN_SHARE && others < COVERED_SHARE
+        };
+        let its: Vec<&Vec<Point>> =
+            spaces.iter().zip(&shares).filter(|(_, shares)| is_its(shares)).map(|(space, _)| space).collect();
+        let covered: f64 = its.iter().map(|space| area(space)).sum();
+        // Who gives a name to two spaces means them as one room.
+        let least = if room.name.trim().is_empty() { 2 } else { 3 };
+        if its.len() < least || covered < OF_ROOM_SHARE * area(&room.corners) {
+            parted.push(room);
+            continue;
+        }
+        remarks.push(format!(
+            "{} that walls enclose are rooms now, instead of one around them",
+            counted(its.len(), "space", "spaces")
+        ));
+        let names = std::iter::once(room.name.clone()).chain(std::iter::repeat(String::new()));
+        parted.extend(its.into_iter().zip(names).map(|(space, name)| drawing::Room {
+            name,
+            corners: space.clone(),
+            ..room
+        }));
+    }
+    parted
+}
+
 /// The spaces that walls enclose, along their middle lines; none where there are too many walls to tell.
 fn spaces(walls: &[Wall]) -> Vec<Vec<Point>> {
     let graph = if walls.len() > MOST_WALLS { None } else { Graph::new(walls) };
@@ -87,7 +143,28 @@ impl Graph {
                 graph.joined[ends[1]].insert(ends[0]);
             }
         }
+        graph.link(walls);
         Some(graph)
+    }
+
+    /// Joins walls that end inside of another, or at its face, to its middle line: pillars are drawn as short thick walls, which
+    /// others meet from all sides.
+    fn link(&mut self, walls: &[Wall]) {
+        for wall in walls.iter().filter(|wall| wall.thickness_m / 2.0 + OFF_FACE_M > JOINED_M) {
+            for other in walls.iter().filter(|other| *other != wall) {
+                for end in [other.from, other.to] {
+                    let foot = geometry::nearest_on_segment(end, wall.from, wall.to);
+                    if foot.distance(end) > wall.thickness_m / 2.0 + OFF_FACE_M {
+                        continue;
+                    }
+                    let ends = [self.place(end), self.place(foot)];
+                    if ends[0] != ends[1] {
+                        self.joined[ends[0]].insert(ends[1]);
+                        self.joined[ends[1]].insert(ends[0]);
+                    }
+                }
+            }
+        }
     }
 
     /// The place at a point, or the one that is joined with it.
@@ -148,8 +225,9 @@ fn cut(wall: &Wall, other: &Wall) -> impl Iterator<Item = f64> {
     let (along, beside) =
         ((other.from - wall.from).perp_dot(across) / turn, (other.from - wall.from).perp_dot(way) / turn);
     let crosses = (0.0..=1.0).contains(&along) && (0.0..=1.0).contains(&beside);
+    let reach_m = JOINED_M.max(wall.thickness_m / 2.0 + OFF_FACE_M);
     let touches = [other.from, other.to].map(|end| {
-        let is_near = geometry::distance_to_segment(end, wall.from, wall.to) <= JOINED_M;
+        let is_near = geometry::distance_to_segment(end, wall.from, wall.to) <= reach_m;
         is_near.then(|| (end - wall.from).dot(way) / way.length_squared())
     });
     crosses.then_some(along).into_iter().chain(touches.into_iter().flatten())

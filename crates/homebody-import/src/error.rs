@@ -12,9 +12,14 @@ pub enum NotImported {
     NoArchive,
     /// The archive has no plan in it.
     #[error(
-        "this is no Sweet Home 3D file: it has no Home.xml\n  hint: save it with Sweet Home 3D 5.3 or later, which adds Home.xml"
+        "this is no Sweet Home 3D file: it has no Home.xml\n  hint: name the .sh3d file that Sweet Home 3D has saved"
     )]
     NoHomeXml,
+    /// An old file, in which the plan is there as Java objects alone.
+    #[error(
+        "the file is of an old Sweet Home 3D: the plan is in it as Java objects only, and there is no Home.xml\n  hint: open it in Sweet Home 3D 5.3 or later (www.sweethome3d.com), choose File > Save as, and name the new file"
+    )]
+    OnlyJava,
     /// The file is larger than what is read.
     #[error("the file is too large: it has {found} {unit}, and at most {most} are read\n  hint: {hint}")]
     TooLarge {

@@ -3,10 +3,12 @@
 use crate::drawing::Piece;
 use crate::error::NotImported;
 use crate::kinds;
+use crate::meaning::{self, Meaning};
 use crate::names::Names;
 use crate::outline::Room;
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
+use homebody_core::role::Role;
 use homebody_core::scenario::home::REACH_OUT_M;
 
 /// A piece of furniture of the home.
@@ -18,6 +20,8 @@ pub struct Furniture {
     pub turn_deg: f64,
     pub height_m: f64,
     pub is_enterable: bool,
+    /// What it is for, where its name does not say so.
+    pub role: Option<Role>,
 }
 
 /// What a home has at most.
@@ -52,20 +56,48 @@ pub fn place(
         let hint = "import one level of it, or delete small things in a copy";
         return Err(NotImported::TooMany { what: "pieces of furniture", count: inside.len(), most: MOST_PIECES, hint });
     }
-    Ok(inside.iter().map(|piece| furniture(piece, names)).collect())
+    let meanings: Vec<Meaning> = inside.iter().map(meaning::of).collect();
+    let is_chair = |meaning: &Meaning| meaning.role == Some(Role::DiningSeat);
+    let has_chair = meanings.iter().any(is_chair);
+    let meant = |meaning: Meaning| match meaning {
+        Meaning { is_stool: true, role: None, .. } if !has_chair => Meaning { role: Some(Role::DiningSeat), ..meaning },
+        meaning => meaning,
+    };
+    Ok(inside.iter().zip(meanings).map(|(piece, meaning)| furniture(piece, meant(meaning), names)).collect())
 }
 
-fn furniture(piece: &Piece, names: &mut Names) -> Furniture {
+fn furniture(piece: &Piece, meaning: Meaning, names: &mut Names) -> Furniture {
     let millimetres = |length: f64| (length * 1e3).round() / 1e3;
-    let turn = piece.turn_rad.to_degrees().rem_euclid(360.0);
-    let turn_deg = ((if turn > 180.0 { turn - 360.0 } else { turn }) * 1e3).round() / 1e3 + 0.0;
+    let name = names.give(&piece.name, "piece");
+    let is_said = |role: &Role| Role::of_name(&name.to_lowercase()).any(|said| said == *role);
     Furniture {
-        name: names.give(&piece.name, "piece"),
+        role: meaning.role.filter(|role| !is_said(role)),
+        name,
         at: piece.at,
         size_m: [piece.width_m, piece.depth_m].map(|size| millimetres(size).clamp(SIZE_M[0], SIZE_M[1])),
-        turn_deg,
+        turn_deg: turned(piece.turn_rad.to_degrees()),
         height_m: millimetres(piece.elevation_m + piece.height_m).clamp(0.0, MOST_HEIGHT_M),
-        is_enterable: kinds::is_enterable(piece),
+        is_enterable: meaning.is_enterable,
+    }
+}
+
+/// A turn as homes have it: up to half a circle either way, in thousandths of a degree.
+pub fn turned(turn_deg: f64) -> f64 {
+    let turn = turn_deg.rem_euclid(360.0);
+    ((if turn > 180.0 { turn - 360.0 } else { turn }) * 1e3).round() / 1e3 + 0.0
+}
+
+impl Furniture {
+    /// Its corners.
+    pub fn outline(&self) -> [Point; 4] {
+        let along = geometry::direction(self.turn_deg);
+        let (x, y) = (along * (self.size_m[0] / 2.0), along.perp() * (self.size_m[1] / 2.0));
+        [x + y, y - x, -x - y, x - y].map(|corner| self.at + corner)
+    }
+
+    /// Whether it fills a role, by what is said of it or by its name.
+    pub fn is_for(&self, role: Role) -> bool {
+        self.role.map_or_else(|| role.is_called(&self.name.to_lowercase()), |said| said == role)
     }
 }
 

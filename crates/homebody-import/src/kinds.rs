@@ -1,41 +1,75 @@
-//! What a door, a window or a piece of furniture is, by the words of its name and of its name in the catalogue.
+//! What a door, a window, a flight of stairs or a lamp is, by its words in the catalogue and in its name, and by its place.
 
 use crate::drawing::Piece;
+use crate::words::has_any;
 
 /// Higher sills are those of windows (ours): thresholds and steps are lower.
 const SILL_M: f64 = 0.3;
 
+/// The sill that people step over, and how far up an opening goes that they walk through (ours).
+const STEP_M: f64 = 0.15;
+const HEADROOM_M: f64 = 1.8;
+
 /// The words for windows in the catalogue, and in some languages in which people name them.
-const WINDOW: &str = "window windows fenster fenetre fenêtre ventana finestra janela raam fönster vindu okno";
+const WINDOW: &str = "window windows fenster -fenster fenetre fenêtre ventana finestra janela raam fönster vindu okno \
+    okna окно 窗 窓";
 
 /// What makes a window one that people walk through.
-const DOOR: &str = "door french porte tür puerta porta deur balcony";
+const DOOR: &str = "door french porte -tür türe puerta porta deur balcony";
 
-/// What people lie, sit, stand or walk on, so that they can be where it is.
-const ENTERABLE: &str = "bed bunk crib cot futon mattress daybed chair armchair wheelchair deckchair seat stool bench \
-    recliner rocker ottoman pouf sofa couch settee loveseat toilet wc lavatory bidet rug carpet mat doormat shower \
-    bath bathtub";
+/// Windows that nobody opens far enough, however low they reach.
+const FIXED: &str = "fixed fixe fisso fissa fest festes fijo fija fixo hung panes";
 
-/// What stands beside those, under a name that has theirs in it, such as a bed table.
-const BESIDE: &str = "table stand nightstand lamp light cabinet shelf shelves cupboard drawer drawers rack mirror \
-    curtain screen sink basin washbasin heater machine holder brush paper towel";
+/// The words for the door by which people come home.
+const FRONT: &str = "front entrance entry main apartment haustür wohnungstür eingang -eingangstür entrée ingresso entrada \
+    principal voordeur ytterdörr entré wejściowe vchodové входная 大门 前门 玄関";
+
+/// The words for stairs.
+const STAIRS: &str = "stair stairs staircase stairway treppe -treppe escalier scala scale escalera escada trap trappa \
+    schody schodiště лестница 楼梯 階段";
 
 /// Furniture whose underside is above this stands in nobody's way (ours): lamps on ceilings, cupboards up high.
 const OVERHEAD_M: f64 = 1.5;
 
 /// Whether an opening is a window that nobody walks through.
 pub fn is_window(opening: &Piece) -> bool {
-    opening.elevation_m > SILL_M || has(opening, WINDOW) && !has(opening, DOOR)
+    opening.elevation_m > SILL_M || is_called_window(opening) && !reaches_floor(opening)
 }
 
-pub fn is_enterable(piece: &Piece) -> bool {
-    has(piece, ENTERABLE) && !has(piece, BESIDE)
+/// Whether somebody goes in and out by an opening rather than by another: 2 for a front door, 1 for other doors, 0 for windows
+/// that reach the floor.
+pub fn leads_home(opening: &Piece) -> usize {
+    if has(opening, FRONT) { 2 } else { usize::from(!is_called_window(opening)) }
+}
+
+/// Whether a room of this name is where people come in.
+pub fn is_hall(name: &[String]) -> bool {
+    const HALL: &str = "hall hallway entrance entry foyer corridor flur diele entrée couloir ingresso corridoio recibidor pasillo \
+        korytarz прихожая 玄関 玄关";
+    has_any(name, HALL)
+}
+
+fn is_called_window(opening: &Piece) -> bool {
+    has(opening, WINDOW) && !has(opening, DOOR)
+}
+
+/// Whether an opening is as high as a door and can be opened as one, whatever it is called.
+fn reaches_floor(opening: &Piece) -> bool {
+    let top_m = opening.elevation_m + opening.height_m;
+    opening.elevation_m <= STEP_M && top_m >= HEADROOM_M && !has(opening, FIXED)
 }
 
 pub fn is_overhead(piece: &Piece) -> bool {
     piece.elevation_m > OVERHEAD_M
 }
 
+/// Whether a piece is a flight of stairs.
+pub fn is_stairs(piece: &Piece) -> bool {
+    /// Lower ones are steps (ours).
+    const LEAST_RISE_M: f64 = 1.5;
+    piece.height_m >= LEAST_RISE_M && (piece.is_cut_out || has(piece, STAIRS))
+}
+
 fn has(piece: &Piece, known: &str) -> bool {
-    known.split_whitespace().any(|known| piece.words.iter().any(|word| word == known))
+    has_any(&piece.catalog, known) || has_any(&piece.words, known)
 }

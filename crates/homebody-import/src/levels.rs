@@ -1,4 +1,4 @@
-//! Which level of a plan is imported: a home is one plane.
+//! The levels of a plan, each with what is drawn on it.
 
 use crate::drawing::{Drawing, Level, LevelId};
 use crate::error::NotImported;
@@ -7,40 +7,97 @@ use crate::names;
 /// So many levels are named in a sentence (ours).
 const MOST_NAMED: usize = 12;
 
-/// Keeps what is on one level: the wanted one, or the one with the most walls; gives its name if there are several.
-///
-/// What is on no level is on all of them: plans have that only where they have no levels.
-pub fn keep_one(
-    drawing: &mut Drawing,
-    wanted: Option<&str>,
-    remarks: &mut Vec<String>,
-) -> Result<Option<String>, NotImported> {
-    let mut levels = std::mem::take(&mut drawing.levels);
-    levels.sort_by(|a, b| a.elevation_m.total_cmp(&b.elevation_m).then(a.index.total_cmp(&b.index)));
-    let walls = |level: &Level| drawing.walls.iter().filter(|wall| wall.level == Some(level.id)).count();
-    let chosen = match wanted {
-        Some(wanted) => Some(find(&levels, wanted)?),
-        // Of equals the lowest.
-        None => (0..levels.len().min(MOST_COUNTED)).rev().max_by_key(|&index| walls(&levels[index])),
-    };
-    let Some(chosen) = chosen else { return Ok(None) };
-    if levels.len() > 1 {
-        let why = if wanted.is_some() { "as was asked" } else { "which has the most walls" };
-        let others = (0..levels.len()).filter(|&index| index != chosen).map(|index| named(&levels, index));
-        let (level, others) = (named(&levels, chosen), listed(others));
-        remarks.push(format!("of {} levels, this is {level}, {why}; left out are {others}", levels.len()));
-    }
-    let id = levels[chosen].id;
-    let is_here = |level: Option<LevelId>| level.is_none_or(|level| level == id);
-    drawing.walls.retain(|wall| is_here(wall.level));
-    drawing.rooms.retain(|room| is_here(room.level));
-    drawing.openings.retain(|opening| is_here(opening.level));
-    drawing.pieces.retain(|piece| is_here(piece.level));
-    Ok((levels.len() > 1).then(|| names::clean(&levels[chosen].name)))
-}
-
 /// Further levels are not looked at unless they are asked for (ours): no house has as many.
 const MOST_COUNTED: usize = 100;
+
+/// Of more levels with something on them, those with the most walls are looked at (ours).
+const MOST_STOREYS: usize = 8;
+
+/// The levels of a plan that may be imported, from below.
+#[derive(Debug)]
+pub struct Levels {
+    pub storeys: Vec<Storey>,
+    /// All levels by number and name, also those that nothing is drawn on.
+    named: Vec<String>,
+    is_asked_for: bool,
+}
+
+/// A level with what is drawn on it.
+#[derive(Debug)]
+pub struct Storey {
+    /// What it is called; nothing where the plan has no other.
+    pub name: Option<String>,
+    /// Its place among all levels.
+    index: usize,
+    pub elevation_m: f64,
+    pub drawing: Drawing,
+}
+
+/// The levels on which something is drawn; of those that were asked for, that one alone.
+///
+/// What is on no level is on all of them: plans have that only where they have no levels.
+pub fn parted(mut drawing: Drawing, wanted: Option<&str>) -> Result<Levels, NotImported> {
+    let mut levels = std::mem::take(&mut drawing.levels);
+    levels.sort_by(|a, b| a.elevation_m.total_cmp(&b.elevation_m).then(a.index.total_cmp(&b.index)));
+    let named = (0..levels.len()).map(|index| named(&levels, index)).collect();
+    let walls = |index: usize| drawing.walls.iter().filter(|wall| wall.level == Some(levels[index].id)).count();
+    let chosen = match wanted {
+        Some(wanted) => vec![find(&levels, wanted)?],
+        None => {
+            let is_drawn = |&index: &usize| {
+                let has_rooms = || drawing.rooms.iter().any(|room| room.level == Some(levels[index].id));
+                levels[index].is_viewable && (walls(index) > 0 || has_rooms())
+            };
+            let counted = 0..levels.len().min(MOST_COUNTED);
+            let mut drawn: Vec<usize> = counted.clone().filter(is_drawn).collect();
+            if drawn.is_empty() {
+                drawn = counted.collect();
+            }
+            drawn.sort_by_key(|&index| (std::cmp::Reverse(walls(index)), index));
+            drawn.truncate(MOST_STOREYS);
+            drawn.sort_unstable();
+            drawn
+        }
+    };
+    let storeys = match levels.is_empty() {
+        true => vec![Storey { name: None, index: 0, elevation_m: 0.0, drawing }],
+        false => chosen.into_iter().map(|index| storey(&levels, index, &drawing)).collect(),
+    };
+    Ok(Levels { storeys, named, is_asked_for: wanted.is_some() })
+}
+
+impl Levels {
+    /// Says which levels these storeys are, why, and which are left out, if any is.
+    pub fn tell(&self, taken: &[usize], why: &str, remarks: &mut Vec<String>) {
+        let taken: Vec<usize> = taken.iter().map(|&storey| self.storeys[storey].index).collect();
+        let others: Vec<usize> = (0..self.named.len()).filter(|index| !taken.contains(index)).collect();
+        if others.is_empty() {
+            return;
+        }
+        let names = |of: &[usize]| listed(of.iter().map(|&index| self.named[index].clone()));
+        let (these, others, count) = (names(&taken), names(&others), self.named.len());
+        let why = if self.is_asked_for { "as was asked" } else { why };
+        let are = if taken.len() > 1 { "these are" } else { "this is" };
+        remarks.push(format!("of {count} levels, {are} {these}, {why}; left out are {others}"));
+    }
+}
+
+fn storey(levels: &[Level], index: usize, all: &Drawing) -> Storey {
+    let level = &levels[index];
+    let is_here = |on: Option<LevelId>| on.is_none_or(|on| on == level.id);
+    let drawing = Drawing {
+        levels: Vec::new(),
+        walls: all.walls.iter().filter(|wall| is_here(wall.level)).cloned().collect(),
+        rooms: all.rooms.iter().filter(|room| is_here(room.level)).cloned().collect(),
+        openings: all.openings.iter().filter(|opening| is_here(opening.level)).cloned().collect(),
+        pieces: all.pieces.iter().filter(|piece| is_here(piece.level)).cloned().collect(),
+        labels: all.labels.iter().filter(|label| is_here(label.level)).cloned().collect(),
+        latitude_deg: all.latitude_deg,
+        unread: 0,
+    };
+    let name = (levels.len() > 1).then(|| names::clean(&level.name));
+    Storey { name, index, elevation_m: level.elevation_m, drawing }
+}
 
 /// The level of a name, or of a number counted from the lowest.
 fn find(levels: &[Level], wanted: &str) -> Result<usize, NotImported> {

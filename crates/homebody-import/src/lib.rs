@@ -17,7 +17,7 @@ mod drawing;
 mod levels;
 mod kinds;
 
-// From a drawing to a home: walls, rooms, doors, furniture, and the names of all.
+// From what is drawn on a level to a floor: walls, rooms, doors, furniture, and the names of all.
 mod names;
 mod walls;
 mod outline;
@@ -25,7 +25,16 @@ mod rooms;
 mod shared;
 mod enclosed;
 mod doors;
+mod passages;
+mod outdoors;
+mod meaning;
 mod furniture;
+mod floor;
+
+// From floors to a home: where stairs lead out of each, how they are unfolded, what places are called.
+mod exits;
+mod stairs;
+mod places;
 
 // The text of the home, and what of it has to go so that it passes the check.
 mod text;

@@ -14,6 +14,11 @@ pub struct Names {
 }
 
 impl Names {
+    /// Whether nothing has the name yet.
+    pub fn is_free(&self, name: &str) -> bool {
+        !self.taken.contains(&name.to_lowercase())
+    }
+
     /// A name that nothing else has: the wanted one, with a number where it is taken; `kind` with a number where there
     /// is none.
     pub fn give(&mut self, wanted: &str, kind: &str) -> String {

@@ -7,11 +7,22 @@ use homebody_core::geometry::{self, Point};
 pub struct Room {
     pub name: String,
     pub outline: Vec<Point>,
+    /// The floor that it is on, in a home of several.
+    pub floor: Option<String>,
+}
+
+impl Room {
+    pub fn new(name: String, outline: Vec<Point>) -> Room {
+        Room { name, outline, floor: None }
+    }
 }
 
 /// Corners nearer than this to each other, or to the line of their neighbours, are none (ours): what is written is
 /// rounded to millimetres.
-const SAME_M: f64 = 0.0015;
+pub const SAME_M: f64 = 0.0015;
+
+/// An outline with more holes is that of no room (ours).
+const MOST_HOLES: usize = 20;
 
 /// Smaller rooms are slips of the mouse (ours).
 const LEAST_AREA_M2: f64 = 0.05;
@@ -64,6 +75,39 @@ pub fn untangled(outline: &[Point]) -> Option<Vec<Point>> {
         outline = tidy(&outline);
     }
     None
+}
+
+/// The outline without the holes in it, and how many it had.
+///
+/// Plans draw a hole, such as one for stairs, by a way to it, around it and back by the same way. A room has none: it is filled.
+pub fn filled(mut outline: Vec<Point>) -> (Vec<Point>, usize) {
+    let mut holes = 0;
+    while holes < MOST_HOLES
+        && let Some((out, back)) = bridge(&outline)
+    {
+        let around = |from: usize, to: usize| outline[from..to].to_vec();
+        let (inner, outer) =
+            (around(out + 1, back + 1), [around(0, out + 1), around(back + 1, outline.len())].concat());
+        let area = |ring: &[Point]| geometry::signed_area(ring).abs();
+        outline = tidy(if area(&inner) > area(&outer) { &inner } else { &outer });
+        holes += 1;
+    }
+    (outline, holes)
+}
+
+/// Two sides that go the same way there and back.
+fn bridge(outline: &[Point]) -> Option<(usize, usize)> {
+    /// Shorter ones are spikes (ours).
+    const LEAST_M: f64 = 0.02;
+    let sides: Vec<(Point, Point)> = geometry::sides(outline).collect();
+    let is_bridge = |(a, b): (Point, Point), (c, d): (Point, Point)| {
+        let along = (b - a).normalize_or_zero();
+        let off_m = |p: Point| (p - a).perp_dot(along).abs();
+        let (begin, end) = ((d - a).dot(along), (c - a).dot(along));
+        let shared_m = end.min(a.distance(b)) - begin.max(0.0);
+        off_m(c).max(off_m(d)) < SAME_M && end > begin && shared_m > LEAST_M
+    };
+    (0..sides.len()).find_map(|i| (i + 1..sides.len()).find(|&j| is_bridge(sides[i], sides[j])).map(|j| (i, j)))
 }
 
 /// The point as it is written: in whole millimetres.

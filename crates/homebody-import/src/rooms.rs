@@ -3,25 +3,26 @@
 //! Plans draw rooms between the faces of walls, and into doorways; a home's rooms meet in the middle of walls. So each
 //! side that runs along a wall moves onto its middle line, and the corners are where the moved sides meet.
 
-use crate::drawing;
+use crate::drawing::{self, Drawing, Label, Piece};
 use crate::error::NotImported;
 use crate::names::Names;
-use crate::outline::{Room, is_sound, tidy, untangled};
+use crate::outline::{Room, SAME_M, filled, is_sound, tidy, untangled};
 use crate::shared;
 use crate::walls::Wall;
 use homebody_core::geometry::{self, Point};
+use homebody_core::problem::counted;
 
 /// A floor with more is none of a home (ours).
-const MOST_ROOMS: usize = 200;
+pub const MOST_ROOMS: usize = 200;
 
 /// The corners of all rooms; those of a large house are some hundreds (ours). All rooms are held against each other.
-const MOST_CORNERS: usize = 2_000;
+pub const MOST_CORNERS: usize = 2_000;
 
 /// Shorter sides are steps in doorways and niches (ours).
 const LEAST_SIDE_M: f64 = 0.2;
 
 /// How far a side may be off the face of its wall (ours): rooms drawn by hand are that careless.
-const OFF_FACE_M: f64 = 0.08;
+const OFF_FACE_M: f64 = 0.2;
 
 /// The sine of the angle up to which a side runs along a wall (ours): 3 degrees.
 const ALONG_SINE: f64 = 0.05;
@@ -51,17 +52,74 @@ pub fn place(
     let mut rooms = Vec::new();
     for room in drawn {
         let name = names.give(&room.name, "room");
-        let Some(outline) = untangled(&room.corners) else {
+        // The way to a hole and back touches itself.
+        let drawn = tidy(&room.corners);
+        let (corners, holes) = if geometry::crosses_itself(&drawn) { filled(drawn) } else { (drawn, 0) };
+        if holes > 0 {
+            let holes = counted(holes, "hole is filled", "holes are filled");
+            remarks.push(format!("{holes} in {name:?}, such as for stairs: a room has none"));
+        }
+        let Some(outline) = untangled(&corners) else {
             remarks.push(format!("left out: the room {name:?}, whose outline encloses nothing"));
             continue;
         };
-        if geometry::crosses_itself(&tidy(&room.corners)) {
+        if geometry::crosses_itself(&corners) {
             remarks.push(format!("the outline of {name:?} crossed itself; its corners are in another order now"));
         }
-        let outline = Some(to_walls(&outline, walls)).filter(|outline| is_sound(outline)).unwrap_or(outline);
-        rooms.push(Room { name, outline });
+        let sides = with_corners(&outline, &room.corners);
+        let outline = Some(to_walls(&sides, walls)).filter(|outline| is_sound(outline)).unwrap_or(outline);
+        rooms.push(Room::new(name, outline));
     }
     Ok(shared::parted(rooms, remarks))
+}
+
+/// The rooms of a level that people can be in; those without a name have that of the text in them.
+///
+/// What is drawn for its ceiling alone lies over others. Where all are, they are taken for rooms.
+pub fn named(drawing: &Drawing, remarks: &mut Vec<String>) -> Vec<drawing::Room> {
+    let has_floor = drawing.rooms.iter().any(|room| room.has_floor);
+    let rooms = drawing.rooms.iter().filter(|room| room.has_floor || !has_floor);
+    let mut rooms: Vec<drawing::Room> = rooms.cloned().collect();
+    if rooms.len() < drawing.rooms.len() {
+        let left = counted(drawing.rooms.len() - rooms.len(), "room", "rooms");
+        remarks.push(format!("left out: {left} drawn without a floor, for a ceiling alone"));
+    }
+    rooms.iter_mut().for_each(|room| name_by_label(room, &drawing.labels));
+    rooms
+}
+
+/// A room without a name takes the one text that stands in it.
+pub fn name_by_label(room: &mut drawing::Room, labels: &[Label]) {
+    if room.name.trim().is_empty() && room.corners.len() <= MOST_CORNERS && labels.len() <= MOST_ROOMS {
+        let mut within = labels.iter().filter(|label| geometry::contains(&room.corners, label.at));
+        if let (Some(label), None) = (within.next(), within.next()) {
+            room.name.clone_from(&label.text);
+        }
+    }
+}
+
+/// Walls along the rooms in a plan that has doors but no walls: of the rooms that a door is at.
+pub fn outlines(rooms: &[drawing::Room], doors: &[Piece]) -> Vec<drawing::Wall> {
+    /// How thick they are, and how far from them a door may be (ours).
+    const THICKNESS_M: f64 = 0.1;
+    const AT_DOOR_M: f64 = 0.3;
+    let mut walls: Vec<drawing::Wall> = Vec::new();
+    if rooms.len() > MOST_ROOMS || rooms.iter().map(|room| room.corners.len()).sum::<usize>() > MOST_CORNERS {
+        return walls;
+    }
+    let is_at = |room: &&drawing::Room| {
+        doors.iter().any(|door| geometry::distance_to_border(&room.corners, door.at) <= AT_DOOR_M)
+    };
+    for (from, to) in rooms.iter().filter(is_at).flat_map(|room| geometry::sides(&room.corners)) {
+        let is_one = |wall: &drawing::Wall| {
+            let are = |a: Point, b: Point| a.distance(b) < LEAST_SIDE_M / 2.0;
+            are(wall.from, from) && are(wall.to, to) || are(wall.from, to) && are(wall.to, from)
+        };
+        if !walls.iter().any(is_one) {
+            walls.push(drawing::Wall { level: None, from, to, thickness_m: THICKNESS_M, arc_rad: 0.0 });
+        }
+    }
+    walls
 }
 
 /// A line through a point.
@@ -82,6 +140,26 @@ impl Line {
         let way = (other.through - self.through).perp_dot(other.along) / turn;
         (turn.abs() > ALONG_SINE).then_some(self.through + self.along * way)
     }
+}
+
+/// The outline with the drawn corners in the middle of its sides: there a wall ends, or another room.
+fn with_corners(outline: &[Point], drawn: &[Point]) -> Vec<Point> {
+    let mut all = Vec::with_capacity(drawn.len());
+    for (a, b) in geometry::sides(outline) {
+        all.push(a);
+        let along = (b - a).normalize_or_zero();
+        let on_side = drawn.iter().filter(|&&corner| geometry::distance_to_segment(corner, a, b) < SAME_M);
+        let mut at: Vec<f64> = on_side.map(|&corner| (corner - a).dot(along)).collect();
+        at.sort_by(f64::total_cmp);
+        let mut last = 0.0;
+        for at in at {
+            if at - last >= LEAST_SIDE_M && a.distance(b) - at >= LEAST_SIDE_M {
+                all.push(a + along * at);
+                last = at;
+            }
+        }
+    }
+    all
 }
 
 /// The outline with its sides moved onto the middle of the walls that they run along.
@@ -120,7 +198,10 @@ fn line(a: Point, b: Point, walls: &[Wall]) -> Line {
         let most_m = wall.thickness_m / 2.0 + OFF_FACE_M;
         is_along && off_m(a).max(off_m(b)) <= most_m && off_m(middle) <= most_m
     });
-    let most = near.map(|wall| (shared_m(wall), wall)).max_by(|(a, _), (b, _)| a.total_cmp(b));
+    // Of walls side by side, the nearer one.
+    let off_m = |wall: &Wall| (middle - wall.from).perp_dot(wall.along()).abs();
+    let fit = |wall: &Wall| shared_m(wall) - 2.0 * off_m(wall);
+    let most = near.map(|wall| (shared_m(wall), wall)).max_by(|(_, a), (_, b)| fit(a).total_cmp(&fit(b)));
     match most {
         Some((shared_m, wall)) if shared_m >= ALONG_SHARE * length => Line { through: wall.from, along: wall.along() },
         _ => own,

@@ -24,7 +24,7 @@ pub fn parted(mut rooms: Vec<Room>, remarks: &mut Vec<String>) -> Vec<Room> {
     order.sort_by(|&a, &b| area(&rooms[b].outline).total_cmp(&area(&rooms[a].outline)));
     let mut kept: Vec<usize> = Vec::new();
     for index in order {
-        let Room { name, outline } = &rooms[index];
+        let Room { name, outline, .. } = &rooms[index];
         let mut cut = outline.clone();
         let mut first = None;
         for other in &parted {
@@ -42,7 +42,7 @@ pub fn parted(mut rooms: Vec<Room>, remarks: &mut Vec<String>) -> Vec<Room> {
             }
             None => {}
         }
-        parted.push(Room { name: name.clone(), outline: cut });
+        parted.push(Room::new(name.clone(), cut));
         kept.push(index);
     }
     let mut parted: Vec<(usize, Room)> = kept.into_iter().zip(parted).collect();
@@ -104,7 +104,7 @@ mod tests {
 
     fn room(name: &str, [x, y, width, depth]: [f64; 4]) -> Room {
         let corners = [(x, y), (x + width, y), (x + width, y + depth), (x, y + depth)];
-        Room { name: name.into(), outline: corners.map(Point::from).to_vec() }
+        Room::new(name.into(), corners.map(Point::from).to_vec())
     }
 
     #[test]

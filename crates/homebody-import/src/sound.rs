@@ -50,6 +50,7 @@ pub fn text(mut home: HomeFile, remarks: &mut Vec<String>) -> Result<String, Not
         drop(&mut home.walls, &wrong, List::Walls);
         drop(&mut home.doors, &wrong, List::Doors);
         drop(&mut home.furniture, &wrong, List::Furniture);
+        drop(&mut home.places, &wrong, List::Places);
         drop(&mut home.sensors, &wrong, List::Sensors);
     }
     Err(NotImported::Unsound("too much of it is wrong".to_owned()))

@@ -1,16 +1,16 @@
 //! A plan of Sweet Home 3D as a home.
 
 use crate::doors::Door;
-use crate::drawing::{self, Drawing};
 use crate::error::NotImported;
+use crate::floor::{self, AllNames, Floor};
 use crate::furniture::Furniture;
-use crate::names::{self, Names};
+use crate::levels::{self, Levels};
 use crate::outline::{Room, rounded};
 use crate::walls::Wall;
-use crate::{archive, doors, enclosed, furniture, levels, markup, rooms, sound, walls};
+use crate::{archive, drawing, exits, markup, names, places, sound, stairs};
 use homebody_core::geometry::{self, At, Point};
 use homebody_core::problem::counted;
-use homebody_core::scenario::home::{DoorFile, FurnitureFile, GREATEST_SIZE_M, HomeFile, RoomFile, WallFile, latitude};
+use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, PlaceFile, RoomFile, WallFile, latitude};
 
 /// A home, and what was left out of the plan or guessed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,22 +29,24 @@ const MOST_REMARKS: usize = 40;
 
 /// Makes a home of this name of the bytes of a `.sh3d` file.
 ///
-/// `level` is the name of a level, or its number counted from the lowest; without it, the one with the most walls is
-/// taken. The lower left corner of the walls' middle lines is the origin, and lengths are rounded to millimetres.
+/// `level` is the name of a level, or its number counted from the lowest. Without it, the level is taken by which people come
+/// home, and those that stairs join to it are drawn beside it. The lower left corner of the walls' middle lines is the origin,
+/// and lengths are rounded to millimetres.
 pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Imported, NotImported> {
     let xml = archive::home_xml(bytes)?;
-    let mut drawing = drawing::read(&markup::parse(&xml)?);
+    let drawing = drawing::read(&markup::parse(&xml)?);
+    let (latitude_deg, unread) = (drawing.latitude_deg, drawing.unread);
+    let levels = levels::parted(drawing, level)?;
     let mut remarks = Vec::new();
-    let level = levels::keep_one(&mut drawing, level, &mut remarks)?;
-    if drawing.unread > 0 {
-        let things = counted(drawing.unread, "thing without place or size", "things without place or size");
+    if unread > 0 {
+        let things = counted(unread, "thing without place or size", "things without place or size");
         remarks.push(format!("left out: {things}"));
     }
-    let about = match level {
-        Some(level) => format!("The level {level:?} of a plan made with Sweet Home 3D."),
-        None => "From a plan made with Sweet Home 3D.".to_owned(),
-    };
-    let home = build(name, about, drawing, &mut remarks)?;
+    let (mut floor, mut names, about) = whole(&levels, &mut remarks)?;
+    floor.put_way_out_first();
+    remarks.extend((floor.way_out() == 0).then(|| no_way_out(&floor, &mut names)));
+    let name = Some(names::clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
+    let home = home(name, about, latitude_deg, floor, names);
     let home_json = sound::text(home, &mut remarks)?;
     if remarks.len() > MOST_REMARKS {
         let more = remarks.len() - MOST_REMARKS;
@@ -54,47 +56,123 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
     Ok(Imported { home_json, remarks })
 }
 
-fn build(name: &str, about: String, drawing: Drawing, remarks: &mut Vec<String>) -> Result<HomeFile, NotImported> {
-    let doors = doors::only(drawing.openings, remarks)?;
-    let mut walls = walls::straight(&drawing.walls, &doors, remarks)?;
-    // Rooms and furniture share names: paths go to either, and lamps are called after rooms.
-    let mut names = Names::default();
-    let mut rooms = rooms::place(&drawing.rooms, &walls, &mut names, remarks)?;
-    let spaces = enclosed::without_room(&walls, &rooms);
-    if !spaces.is_empty() {
-        let spaces_are =
-            counted(spaces.len(), "space that walls enclose is a room", "spaces that walls enclose are rooms");
-        remarks.push(format!("{spaces_are} now, which the plan does not draw"));
-        let room = |corners| drawing::Room { level: None, name: String::new(), corners };
-        let spaces: Vec<drawing::Room> = spaces.into_iter().map(room).collect();
-        rooms.extend(rooms::place(&spaces, &walls, &mut names, remarks)?);
+/// The floor on which people come home, and those that stairs join to it; the names that are taken, and what the home says of
+/// itself.
+fn whole(levels: &Levels, remarks: &mut Vec<String>) -> Result<(Floor, AllNames, String), NotImported> {
+    let built = |index: usize, is_home: bool, names: &mut AllNames, remarks: &mut Vec<String>| {
+        let storey = &levels.storeys[index];
+        floor::build(&storey.drawing, is_home, names, remarks).map(|floor| (storey.elevation_m, floor))
+    };
+    let unheard = |index: usize, is_home: bool| built(index, is_home, &mut AllNames::default(), &mut Vec::new());
+    let mut names = AllNames::default();
+    if levels.storeys.len() == 1 {
+        let (_, floor) = built(0, true, &mut names, remarks)?;
+        let about = about(levels, &[0]);
+        levels.tell(&[0], "the only one on which something is drawn", remarks);
+        return Ok((floor, names, about));
     }
-    let Some(first) = rooms.first().map(|room| room.outline[0]) else { return Err(NotImported::NoRooms) };
-    let all = walls.len() + rooms.len();
-    let is_near = |p: &Point| (*p - first).abs().max_element() <= GREATEST_SIZE_M;
-    walls.retain(|wall| is_near(&wall.from) && is_near(&wall.to));
-    rooms.retain(|room| room.outline.iter().all(is_near));
-    let far = all - walls.len() - rooms.len();
-    if far > 0 {
-        let far = counted(far, "wall or room", "walls and rooms");
-        remarks.push(format!("left out: {far} more than {GREATEST_SIZE_M} m away"));
+    // First each by itself: which are taken decides about names and remarks.
+    let alone: Vec<_> = (0..levels.storeys.len()).map(|index| unheard(index, true)).collect();
+    let sound: Vec<usize> = (0..alone.len()).filter(|&index| alone[index].is_ok()).collect();
+    let fits = |&index: &usize| {
+        let floor = alone[index].as_ref();
+        floor.map(|(_, floor)| (floor.way_out(), !floor.is_open, floor.walls.len())).ok()
+    };
+    let Some(home) = sound.iter().copied().rev().max_by_key(fits) else {
+        let first = alone.into_iter().find_map(Result::err);
+        return Err(first.unwrap_or(NotImported::NoRooms));
+    };
+    let leads_out = fits(&home).is_some_and(|(way_out, ..)| way_out > 0);
+    // People come home to one of them: what lies in the open before the others is no outside.
+    let again = |(index, floor): (usize, Result<(f64, Floor), NotImported>)| match floor {
+        Ok((_, floor)) if floor.is_open && index != home => unheard(index, false),
+        floor => floor,
+    };
+    let floors: Vec<_> = alone.into_iter().enumerate().map(again).collect();
+    let sound: Vec<usize> = (0..floors.len()).filter(|&index| floors[index].is_ok()).collect();
+    let floors: Vec<(f64, Floor)> = floors.into_iter().flatten().collect();
+    let first = sound.iter().position(|&index| index == home).unwrap_or_default();
+    let (_, taken) = stairs::unfolded(&floors, first, &mut AllNames::default());
+    let taken: Vec<usize> = taken.into_iter().map(|floor| sound[floor]).collect();
+
+    let mut floors = Vec::new();
+    for &index in &taken {
+        let mut own = Vec::new();
+        let (height_m, mut floor) = built(index, index == home, &mut names, &mut own)?;
+        let name = levels.storeys[index].name.as_ref().filter(|_| taken.len() > 1);
+        remarks.extend(own.into_iter().map(|remark| match name {
+            Some(name) => format!("{name:?}: {remark}"),
+            None => remark,
+        }));
+        if taken.len() > 1 {
+            floor.rooms.iter_mut().for_each(|room| room.floor = levels.storeys[index].name.clone());
+        }
+        floors.push((height_m, floor));
     }
-    let doors = doors::place(&doors, &walls, &rooms, remarks);
-    let furniture = furniture::place(drawing.pieces, &rooms, &mut names, remarks)?;
-    let name = Some(names::clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
-    let origin = origin(&walls, &rooms);
-    Ok(HomeFile {
+    let first = taken.iter().position(|&index| index == home).unwrap_or_default();
+    let (floor, _) = stairs::unfolded(&floors, first, &mut names);
+    let why = match (taken.len(), leads_out) {
+        (1, true) => "by which people come home",
+        (1, false) => "which has the most walls",
+        _ => "which stairs join",
+    };
+    levels.tell(&taken, why, remarks);
+    if taken.len() > 1 {
+        let floors = listed(levels, &taken);
+        remarks.push(format!("the floors {floors} are drawn beside each other, with the stairs as a passage between"));
+    }
+    Ok((floor, names, about(levels, &taken)))
+}
+
+/// What a home of these levels says of itself.
+fn about(levels: &Levels, taken: &[usize]) -> String {
+    let names = listed(levels, taken);
+    match taken {
+        _ if names.is_empty() => "From a plan made with Sweet Home 3D.".to_owned(),
+        [_] => format!("The level {names} of a plan made with Sweet Home 3D."),
+        _ => format!("The levels {names} of a plan made with Sweet Home 3D, unfolded into one plane."),
+    }
+}
+
+/// The names of levels in a sentence; nothing where the plan has one.
+fn listed(levels: &Levels, taken: &[usize]) -> String {
+    let names = taken.iter().filter_map(|&index| levels.storeys[index].name.as_ref());
+    names.map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
+}
+
+/// Says that no door leads out, and where one could: a line for `home.json` that works as it is.
+fn no_way_out(floor: &Floor, names: &mut AllNames) -> String {
+    let what = "no door leads out of the home";
+    let Some(exit) = exits::front_door(floor) else {
+        return format!(
+            "{what}: mark the front door as \"outside\" in home.json, or in the page as one that leads outside"
+        );
+    };
+    let (half, origin) = (exit.out.perp() * (exits::DOOR_M / 2.0), origin(&floor.walls, &floor.rooms));
+    let [from, to] = [exit.at + half, exit.at - half].map(|p| at(p, origin)).map(|[x, y]| format!("[{x}, {y}]"));
+    let (name, room) = (names.doors.give("front door", "door"), &floor.rooms[exit.room].name);
+    let door = format!("{{ \"name\": {name:?}, \"from\": {from}, \"to\": {to}, \"open\": false, \"outside\": true }}");
+    format!(
+        "{what}: mark the front door as \"outside\" in home.json, in the page as one that leads outside, or add to \"doors\" {door}, for which there is room in {room:?}"
+    )
+}
+
+fn home(name: String, about: String, latitude_deg: Option<f64>, floor: Floor, mut names: AllNames) -> HomeFile {
+    let origin = origin(&floor.walls, &floor.rooms);
+    let places = places::named(&floor, &mut names.spots);
+    let Floor { rooms, walls, doors, furniture, .. } = floor;
+    HomeFile {
         schema: Some(SCHEMA.to_owned()),
         name,
         about,
-        latitude_deg: drawing.latitude_deg.unwrap_or_else(latitude),
+        latitude_deg: latitude_deg.unwrap_or_else(latitude),
         rooms: rooms.into_iter().map(|room| room_file(room, origin)).collect(),
         walls: walls.into_iter().map(|wall| wall_file(wall, origin)).collect(),
         doors: doors.into_iter().map(|door| door_file(door, origin)).collect(),
         furniture: furniture.into_iter().map(|piece| furniture_file(piece, origin)).collect(),
-        places: Vec::new(),
+        places: places.into_iter().map(|(name, p)| PlaceFile { name, at: at(p, origin) }).collect(),
         sensors: Vec::new(),
-    })
+    }
 }
 
 /// The lower left corner of all walls, or of all rooms where there are none.
@@ -106,7 +184,8 @@ fn origin(walls: &[Wall], rooms: &[Room]) -> Point {
 }
 
 fn room_file(room: Room, origin: Point) -> RoomFile {
-    RoomFile { name: room.name, outline: room.outline.into_iter().map(|corner| at(corner, origin)).collect() }
+    let outline = room.outline.into_iter().map(|corner| at(corner, origin)).collect();
+    RoomFile { floor: room.floor, ..RoomFile::new(room.name, outline) }
 }
 
 fn wall_file(wall: Wall, origin: Point) -> WallFile {
@@ -128,7 +207,7 @@ fn furniture_file(piece: Furniture, origin: Point) -> FurnitureFile {
         outline: None,
         height_m: piece.height_m,
         enterable: piece.is_enterable,
-        role: None,
+        role: piece.role,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use homebody_core::geometry::At;
 use homebody_core::role::Role;
-use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, RoomFile, SensorFile, WallFile};
+use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, PlaceFile, RoomFile, SensorFile, WallFile};
 use serde_json::Value;
 
 /// Which list of a home.
@@ -12,6 +12,7 @@ pub enum List {
     Walls,
     Doors,
     Furniture,
+    Places,
     Sensors,
 }
 
@@ -29,6 +30,9 @@ pub fn of(home: &HomeFile) -> (String, Vec<Option<(List, usize)>>) {
         (List::Doors, "doors", home.doors.iter().map(door).collect()),
         (List::Furniture, "furniture", home.furniture.iter().map(furniture).collect()),
     ];
+    if !home.places.is_empty() {
+        lists.push((List::Places, "places", home.places.iter().map(place).collect()));
+    }
     if !home.sensors.is_empty() {
         lists.push((List::Sensors, "sensors", home.sensors.iter().map(sensor).collect()));
     }
@@ -54,7 +58,8 @@ pub fn of(home: &HomeFile) -> (String, Vec<Option<(List, usize)>>) {
 
 fn room(room: &RoomFile) -> String {
     let corners: Vec<String> = room.outline.iter().map(at).collect();
-    format!("\"name\": {}, \"outline\": [{}]", quoted(&room.name), corners.join(", "))
+    let floor = room.floor.iter().map(|floor| format!(", \"floor\": {}", quoted(floor))).collect::<String>();
+    format!("\"name\": {}, \"outline\": [{}]{floor}", quoted(&room.name), corners.join(", "))
 }
 
 fn wall(wall: &WallFile) -> String {
@@ -86,6 +91,10 @@ fn furniture(piece: &FurnitureFile) -> String {
         text += &format!(", \"role\": {}", quoted(&role));
     }
     text
+}
+
+fn place(place: &PlaceFile) -> String {
+    format!("\"name\": {}, \"at\": {}", quoted(&place.name), at(&place.at))
 }
 
 /// As its form has it, with blanks between.

@@ -66,6 +66,43 @@ pub fn straight(walls: &[drawing::Wall], doors: &[Piece], remarks: &mut Vec<Stri
     Ok(straight)
 }
 
+/// How far beyond the face of a wall another may end that was meant to meet it (ours).
+pub const OFF_FACE_M: f64 = 0.06;
+
+/// The sine of the angle from which on walls meet rather than run beside each other (ours): 15 degrees.
+const MEET_SINE: f64 = 0.26;
+
+/// Of more walls, none are joined (ours): each end is held against all, and plans of homes have some tens.
+const MOST_JOINED: usize = 1_000;
+
+/// The walls with those that end at the face of another, or inside of it, drawn on to its middle line: that is where rooms meet.
+pub fn joined(walls: Vec<Wall>) -> Vec<Wall> {
+    if walls.len() > MOST_JOINED {
+        return walls;
+    }
+    let end = |wall: &Wall, end: Point, along: Point| {
+        let middle_lines = walls.iter().filter(|other| *other != wall).filter_map(|other| {
+            let reach_m = other.thickness_m / 2.0 + OFF_FACE_M;
+            let turn = along.perp_dot(other.along());
+            let is_met = turn.abs() >= MEET_SINE && geometry::distance_to_segment(end, other.from, other.to) <= reach_m;
+            let way = (other.from - end).perp_dot(other.along()) / turn;
+            // Beyond the end, or before it where the wall reaches through the other's middle.
+            let is_near = way.abs() <= reach_m / MEET_SINE && way > -wall.length() / 2.0;
+            let meeting = end + along * way;
+            let is_on = geometry::distance_to_segment(meeting, other.from, other.to) <= reach_m;
+            (is_met && is_near && is_on).then_some((way.abs(), meeting))
+        });
+        let nearest = middle_lines.min_by(|a, b| a.0.total_cmp(&b.0));
+        nearest.map_or(end, |(_, meeting)| meeting)
+    };
+    let join = |wall: &Wall| {
+        let along = wall.along();
+        Wall { from: end(wall, wall.from, -along), to: end(wall, wall.to, along), ..wall.clone() }
+    };
+    let joined = walls.iter().map(|wall| Some(join(wall)).filter(|joined| joined.length() >= LEAST_LENGTH_M));
+    joined.zip(&walls).map(|(joined, wall)| joined.unwrap_or_else(|| wall.clone())).collect()
+}
+
 impl Wall {
     pub fn length(&self) -> f64 {
         self.from.distance(self.to)

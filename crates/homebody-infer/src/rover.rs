@@ -175,7 +175,8 @@ impl Rover {
             (Posture::Lying, false) => &[Manner::AWAKE_IN_BED],
             (Posture::Sitting, true) => &[Manner::STILL, Manner::READING],
             (Posture::Sitting, false) => &[Manner::EATING, Manner::TALKING, Manner::ON_TOILET],
-            (Posture::Standing, _) => &[Manner::BUSY, Manner::WASHING],
+            (Posture::Down, _) => &[Manner::FALLEN],
+            (Posture::Standing | Posture::Bending | Posture::Kneeling, _) => &[Manner::BUSY, Manner::WASHING],
         };
         of[self.any(of.len())]
     }

@@ -3,9 +3,10 @@
 use crate::VERSION;
 use crate::cohort_list::{Asked, CohortFile, CohortList, ListedMember};
 use crate::cohort_members::{CohortLayout, Member, MemberLived, Members};
+use crate::cohort_place::CohortPlace;
 use crate::error::Error;
 use crate::pace::{Pace, Paced};
-use crate::profiles::{MOST, OwnRoutine, Profile};
+use crate::profiles::{MOST_MEMBERS, Profile};
 use crate::recorded;
 use crate::run::{Length, LiveRun, Progress};
 use crate::scenario::OpenScenario;
@@ -14,22 +15,26 @@ use homebody_core::problem::readable;
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
-use homebody_core::time::Micros;
-use homebody_log::fresh::{FreshFile, remove_parts};
+use homebody_core::time::{DAY, Micros};
+use homebody_log::fresh::remove_parts;
 use homebody_log::lock::FolderLock;
 use homebody_log::places::LIST;
+use homebody_log::truth::TruthKept;
 use homebody_log::{Cancel, How, Places};
 use homebody_routine::household::Household;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering};
 use std::time::{Duration, Instant};
 
 /// What errors call a cohort.
-const COHORT: &str = "cohort";
+pub(crate) const COHORT: &str = "cohort";
+
+/// A cohort that lives more days than this, all members together, is large (ours): in databases each of them takes about a megabyte.
+/// Of its truths only what is brief is kept, unless more is asked for.
+pub const LARGE_DAYS: Micros = 10_000;
 
 /// Threads for each processor (ours).
 const THREADS_EACH: usize = 4;
@@ -57,6 +62,7 @@ pub struct CohortSetup {
     without: Vec<String>,
     numbers: BTreeMap<String, f64>,
     layout: CohortLayout,
+    kept: Option<TruthKept>,
     cancel: Cancel,
 }
 
@@ -87,7 +93,7 @@ impl LivedCohort {
 }
 
 /// How much of a cohort was lived before, in microseconds.
-fn lived_before(found: &[Option<MemberLived>]) -> Micros {
+pub(crate) fn lived_before(found: &[Option<MemberLived>]) -> Micros {
     found.iter().flatten().map(|member| member.length).sum()
 }
 
@@ -106,8 +112,8 @@ impl OpenScenario {
 impl CohortSetup {
     fn new(scenario: OpenScenario, members: Members) -> CohortSetup {
         let (seed, length, without, numbers) = (None, Length::Own, Vec::new(), BTreeMap::new());
-        let (layout, cancel) = (CohortLayout::default(), Cancel::new());
-        CohortSetup { scenario, members, seed, length, without, numbers, layout, cancel }
+        let (layout, kept, cancel) = (CohortLayout::default(), None, Cancel::new());
+        CohortSetup { scenario, members, seed, length, without, numbers, layout, kept, cancel }
     }
 
     /// The number all randomness comes from.
@@ -147,6 +153,12 @@ impl CohortSetup {
         self
     }
 
+    /// How much of each truth is kept: all of it, unless the cohort lives more than [`LARGE_DAYS`] together.
+    pub fn truth(mut self, kept: TruthKept) -> CohortSetup {
+        self.kept = Some(kept);
+        self
+    }
+
     /// Nobody else is begun, and those who are lived end early, once this handle says so.
     pub fn cancel(mut self, cancel: &Cancel) -> CohortSetup {
         self.cancel = cancel.clone();
@@ -158,8 +170,13 @@ impl CohortSetup {
     /// # Errors
     ///
     /// [`Error::Problems`] if nobody shows a condition that is to be left out, or a number cannot be set like that,
-    /// [`Error::Length`] if a life can not be this long.
+    /// [`Error::Length`] if a life can not be this long, [`Error::Members`] if nobody is to live, or too many are.
     pub fn start(mut self) -> Result<Cohort, Error> {
+        if let Members::Many(count) = self.members
+            && !(1..=MOST_MEMBERS).contains(&count)
+        {
+            return Err(Error::Members { count });
+        }
         let opened = self.scenario.with_numbers(std::mem::take(&mut self.numbers))?;
         let OpenScenario { scenario, source, .. } = &opened;
         let household = match self.members {
@@ -170,30 +187,35 @@ impl CohortSetup {
         let recording = Recording::of(scenario, VERSION, source.entry(), seed, length);
         let recording = Recording { without: std::mem::take(&mut self.without), one_of_many: true, ..recording };
         let household = household.one_of_many();
-        let CohortSetup { members, layout, cancel, .. } = self;
-        Ok(Cohort { scenario: opened, household, members, recording, layout, cancel })
+        let CohortSetup { members, layout, kept, cancel, .. } = self;
+        let is_large = length.saturating_mul(members.count() as Micros) > LARGE_DAYS * DAY;
+        let kept = kept.unwrap_or(if is_large { TruthKept::Brief } else { TruthKept::All });
+        Ok(Cohort { scenario: opened, household, members, recording, layout, kept, cancel })
     }
 }
 
 /// Many lives of one scenario, to be lived side by side. A member's life depends on the cohort's seed and on their own number or
 /// name, and not on who else is in it.
 pub struct Cohort {
-    scenario: OpenScenario,
+    pub(crate) scenario: OpenScenario,
     household: Household,
-    members: Members,
+    pub(crate) members: Members,
     /// What is recorded of each member, but for what is their own.
-    recording: Recording,
-    layout: CohortLayout,
-    cancel: Cancel,
+    pub(crate) recording: Recording,
+    pub(crate) layout: CohortLayout,
+    pub(crate) kept: TruthKept,
+    pub(crate) cancel: Cancel,
 }
 
 impl Cohort {
     /// How many members there are.
     pub fn count(&self) -> usize {
-        match &self.members {
-            Members::Many(count) => *count as usize,
-            Members::Listed(profiles) => profiles.len(),
-        }
+        self.members.count()
+    }
+
+    /// How much of each truth is kept.
+    pub fn kept(&self) -> TruthKept {
+        self.kept
     }
 
     /// How far it has come before anybody has lived: the length is that of all lives together.
@@ -205,14 +227,12 @@ impl Cohort {
     ///
     /// # Errors
     ///
-    /// As [`UnfinishedCohort::open`], but for [`Error::Complete`] and [`Error::Member`].
+    /// As [`crate::UnfinishedCohort::open`], but for [`Error::Complete`] and [`Error::Member`].
     pub fn left_in(folder: &Path) -> Result<(Cohort, usize), Error> {
-        recorded::must_be_folder(folder)?;
-        let path = folder.join(LIST);
-        let text = recorded::text(&path)?;
+        let (text, path) = (CohortPlace::of(folder)?.list()?, folder.join(LIST));
         let wrong =
             |error: serde_json::Error| Error::Recording { path: path.clone(), why: readable(error.to_string()) };
-        let CohortFile { list, form, asked, recording } = serde_json::from_str(&text).map_err(wrong)?;
+        let CohortFile { list, form, truth, asked, recording } = serde_json::from_str(&text).map_err(wrong)?;
         let layout = CohortLayout::named(form.as_deref()).ok_or_else(|| Error::Recording {
             path: path.clone(),
             why: format!("members have no form {}", form.unwrap_or_default()),
@@ -221,31 +241,38 @@ impl Cohort {
         recorded::has_its_scenario(&path, &recording)?;
         let scenario = Source::of_texts(recording.files, recording.entry).open()?;
         let members = match asked {
-            Asked::Residents(count @ 1..=MOST) => Members::Many(count),
+            Asked::Residents(count @ 1..=MOST_MEMBERS) => Members::Many(count),
             Asked::Residents(count) => {
-                let why = format!("{count} residents are none, or more than {MOST}");
+                let why = format!("{count} residents are none, or more than {MOST_MEMBERS}");
                 return Err(Error::Recording { path, why });
             }
             Asked::Profiles(table) => Members::Listed(scenario.profiles_of(LIST, &table, &recording.without)?),
         };
         let setup = CohortSetup::new(scenario, members).seed(recording.seed).length(recording.length_us);
-        Ok((setup.layout(layout).without(recording.without).start()?, list.members.len()))
+        let setup = setup.layout(layout).truth(truth.into()).without(recording.without);
+        Ok((setup.start()?, list.members.len()))
     }
 
-    /// Writes down in a folder what the cohort is to be, so that its members can be lived there one by one, wherever that is, by
-    /// [`Cohort::live_one`]. It is made if it is not there; if this very cohort was begun in it, nothing is changed.
+    /// Writes down in a folder, or below the URL of an object store, what the cohort is to be, so that its members can be lived there
+    /// one by one, wherever that is, by [`Cohort::live_one`]. A folder is made if it is not there; if this very cohort was begun in it,
+    /// nothing is changed.
     ///
     /// # Errors
     ///
-    /// [`Error::Member`] if another cohort was begun there, [`Error::Log`] if nothing can be written there.
+    /// [`Error::Member`] if another cohort was begun there, [`Error::NotEmpty`] if something else is there, [`Error::Log`] if
+    /// nothing can be written there.
     pub fn begin(&self, folder: &Path) -> Result<(), Error> {
-        fs::create_dir_all(folder).map_err(|error| Error::io(folder, error))?;
-        if !folder.join(LIST).exists() {
-            return self.write(folder, Vec::new(), How::New).map(|_| ());
+        let place = CohortPlace::of(folder)?;
+        place.make()?;
+        if !place.has_list()? {
+            place.must_be_empty()?;
+            return self.write(&place, Vec::new(), How::New).map(|_| ());
         }
         let (there, _) = Cohort::left_in(folder)?;
         let asked = |cohort: &Cohort| serde_json::to_string(&cohort.members.asked()).unwrap_or_default();
-        let is_same = there.recording == self.recording && there.layout == self.layout && asked(&there) == asked(self);
+        let lies_as = |cohort: &Cohort| (cohort.layout, cohort.kept);
+        let is_same =
+            there.recording == self.recording && lies_as(&there) == lies_as(self) && asked(&there) == asked(self);
         match is_same {
             true => Ok(()),
             false => {
@@ -262,12 +289,13 @@ impl Cohort {
     ///
     /// [`Error::Log`] if its files cannot be written, or somebody else is writing them.
     pub fn live_one(&self, folder: &Path, index: usize, progress: impl FnMut(Micros)) -> Result<MemberLived, Error> {
-        if let Some(found) = self.found(folder, index)? {
+        let place = CohortPlace::of(folder)?;
+        if let Some(found) = self.found(&place, index)? {
             return Ok(found);
         }
         let member = self.members.who(self.recording.seed, index);
         let run = self.run(&member, index)?;
-        self.member_into(folder, &member, run, progress)
+        self.member_into(&place, &member, run, progress)
     }
 
     /// The name of a member, by index.
@@ -281,7 +309,7 @@ impl Cohort {
     ///
     /// [`Error::Log`] if it cannot be written.
     pub fn end(&self, folder: &Path, lived: Vec<MemberLived>) -> Result<CohortList, Error> {
-        self.write(folder, lived.into_iter().map(|member| member.listed).collect(), How::Replace)
+        self.write(&CohortPlace::of(folder)?, lived.into_iter().map(|member| member.listed).collect(), How::Replace)
     }
 
     /// Gives the run of each member to a function, on all processors, and returns what it makes of them in the order of
@@ -332,32 +360,34 @@ impl Cohort {
         self.store_in(Places::cohort(&self.scenario.scenario)?, progress)
     }
 
-    /// As [`Cohort::store`], into this folder, which is made if it is not there.
+    /// As [`Cohort::store`], into this folder, which is made if it is not there, or below this URL of an object store, such as
+    /// `s3://bucket/lives`, where each member comes as a whole.
     ///
     /// # Errors
     ///
-    /// As [`Cohort::store`].
+    /// As [`Cohort::store`], and [`Error::NotEmpty`] if something is there.
     pub fn store_in(
         &self,
         folder: impl Into<PathBuf>,
         progress: impl Fn(Progress) + Sync,
     ) -> Result<LivedCohort, Error> {
-        let folder = folder.into();
-        fs::create_dir_all(&folder).map_err(|error| Error::io(&folder, error))?;
-        self.write(&folder, Vec::new(), How::New)?;
-        let found = self.found_in(&folder)?;
-        self.live_into(folder, found, progress)
+        let place = CohortPlace::of(&folder.into())?;
+        place.make()?;
+        place.must_be_empty()?;
+        self.write(&place, Vec::new(), How::New)?;
+        self.live_into(&place, vec![None; self.count()], progress)
     }
 
-    /// Lives into a folder what is not there yet of the members, and then completes their list.
-    fn live_into(
+    /// Lives what is not there yet of the members, and then completes their list.
+    pub(crate) fn live_into(
         &self,
-        folder: PathBuf,
+        place: &CohortPlace,
         found: Vec<Option<MemberLived>>,
         progress: impl Fn(Progress) + Sync,
     ) -> Result<LivedCohort, Error> {
         let started = Instant::now();
-        let _lock = FolderLock::take(&folder)?;
+        // A store has no locks: who lives a member twice there leaves the same bytes.
+        let _lock = FolderLock::take(place.path())?;
         let Progress { length, .. } = self.progress();
         let before = lived_before(&found);
         let in_all = AtomicI64::new(before);
@@ -370,13 +400,13 @@ impl Cohort {
                     let lived = in_all.fetch_add(more, Ordering::Relaxed) + more;
                     progress(Progress { lived, length });
                 };
-                self.member_into(&folder, member, run, lived_on)
+                self.member_into(place, member, run, lived_on)
             },
         )?;
         let ended_early = ended.iter().filter(|member| member.is_early).count();
-        let list = self.write(&folder, ended.into_iter().map(|member| member.listed).collect(), How::Replace)?;
+        let list = self.write(place, ended.into_iter().map(|member| member.listed).collect(), How::Replace)?;
         Ok(LivedCohort {
-            folder,
+            folder: place.path().into(),
             list,
             asked: self.count(),
             ended_early,
@@ -386,104 +416,30 @@ impl Cohort {
         })
     }
 
-    /// By member: what has become of those who were lived to their end in this folder, with all their files there. No home is made for it.
-    fn found_in(&self, folder: &Path) -> Result<Vec<Option<MemberLived>>, Error> {
-        (0..self.count()).map(|index| self.found(folder, index)).collect()
-    }
-
-    /// What has become of a member who was lived to the end in this folder.
-    fn found(&self, folder: &Path, index: usize) -> Result<Option<MemberLived>, Error> {
-        let member = self.members.who(self.recording.seed, index);
-        let left = self.left_of(folder, &member, index)?;
-        let scenario = &self.scenario.scenario;
-        let is_whole = |left: &Recording| left.is_whole() && self.layout.is_all_there(folder, &member.name, scenario);
-        left.filter(is_whole).map(|left| self.ended(folder, &member, &left)).transpose()
-    }
-
-    /// The recording that a member has left, complete or not; [`Error::Member`] if what is there is none of this member.
-    fn left_of(&self, folder: &Path, member: &Member, index: usize) -> Result<Option<Recording>, Error> {
-        let path = self.layout.recording(folder, &member.name);
-        let folder = path.parent().unwrap_or(folder).to_owned();
-        let wrong = |why: String| Error::Member { folder: folder.clone(), why };
-        if folder.is_file() {
-            return Err(wrong(format!("{} is a file, and a member's folder is to be there", folder.display())));
-        }
-        match recorded::recording(&path) {
-            Err(Error::NoRecording { .. }) => Ok(None),
-            Err(error) => Err(wrong(error.to_string())),
-            Ok(left) if self.is_of(&left, member, index) => Ok(Some(left)),
-            Ok(_) => Err(wrong(format!("{}: it is of another cohort", path.display()))),
-        }
-    }
-
-    /// Whether a recording is of this member's life, by its texts alone.
-    fn is_of(&self, left: &Recording, member: &Member, index: usize) -> bool {
-        let own = match &self.members {
-            Members::Many(_) => None,
-            Members::Listed(profiles) => Some((&profiles[index], self.scenario.base().own_routine(&profiles[index]))),
-        };
-        let without = own.as_ref().map_or(&self.recording.without, |(profile, _)| &profile.without).clone();
-        let mut expected = Recording { without, ..self.recording_of(member) };
-        if let Some((_, Some(OwnRoutine { resident, file, text }))) = own {
-            // Which texts are left over where a routine is another's only loading tells.
-            let resident = &self.scenario.scenario().file.residents[resident];
-            let is_same = |(name, text): (&String, &String)| {
-                name == resident || expected.files.get(name).is_none_or(|expected| expected == text)
-            };
-            if left.files.get(&file) != Some(&text)
-                || !left.files.iter().filter(|(name, _)| **name != file).all(is_same)
-            {
-                return false;
-            }
-            expected.files = left.files.clone();
-        }
-        let length = left.stopped_of_us.unwrap_or(left.length_us);
-        left.run_id() == expected.run_id() && length == expected.length_us
-    }
-
-    /// What is recorded of a member, with the scenario's own texts.
-    fn recording_of(&self, member: &Member) -> Recording {
-        Recording { seed: member.seed, home: Some(member.name.clone()), ..self.recording.clone() }
-    }
-
-    /// What has become of a member.
-    fn ended(&self, folder: &Path, member: &Member, recording: &Recording) -> Result<MemberLived, Error> {
-        Ok(MemberLived {
-            listed: ListedMember {
-                name: member.name.clone(),
-                seed: member.seed,
-                firings: recording.firings,
-                rows: recording.rows.unwrap_or(recording.firings),
-                days: self.scenario.scenario.calendar.days_lived(recording.length_us),
-                profile: member.row.clone(),
-                sha256: self.layout.digest(folder, &member.name)?,
-            },
-            length: recording.length_us,
-            is_early: recording.stopped_of_us.is_some(),
-        })
-    }
-
     /// Lives what is not there yet of one member; `lived_on` is told how far it has come.
     fn member_into(
         &self,
-        folder: &Path,
+        place: &CohortPlace,
         member: &Member,
         run: LiveRun,
         mut lived_on: impl FnMut(Micros),
     ) -> Result<MemberLived, Error> {
-        let places = self.layout.places(folder, &member.name, &run.scenario)?;
-        let recorded = self.layout.recording(folder, &member.name);
+        let here = place.here()?;
+        let places = self.layout.places(here.path(), &member.name, &run.scenario, self.kept)?;
+        let recorded = self.layout.recording(here.path(), &member.name);
         let how = if recorded.exists() { How::GoOn } else { How::New };
         if how == How::New {
             // A program that died while it wrote it has left a part.
             remove_parts(&recorded)?;
         }
         let lived = run.store_into(&places, Vec::new(), how, |progress| lived_on(progress.lived))?;
-        self.ended(folder, member, &lived.recording)
+        let ended = self.ended(here.path(), member, &lived.recording)?;
+        place.send(&here, places.files())?;
+        Ok(ended)
     }
 
     /// Writes the list of the members, as text with a line for each value, and returns it.
-    fn write(&self, folder: &Path, members: Vec<ListedMember>, how: How) -> Result<CohortList, Error> {
+    fn write(&self, place: &CohortPlace, members: Vec<ListedMember>, how: How) -> Result<CohortList, Error> {
         let (mut recording, asked) = (self.recording.clone(), self.members.asked());
         if let Members::Listed(profiles) = &self.members {
             // The scenario's own stay as they are lived: numbers may have been set in them.
@@ -499,9 +455,10 @@ impl Cohort {
             days: self.scenario.scenario.calendar.days_lived(self.recording.length_us),
             members,
         };
-        let (path, file) = (folder.join(LIST), CohortFile { list, form: self.layout.form(), asked, recording });
-        let text = serde_json::to_string_pretty(&file).map_err(|error| Error::file(&path, error.to_string()))?;
-        FreshFile::write_whole(&path, (text + "\n").as_bytes(), how != How::New)?;
+        let file = CohortFile { list, form: self.layout.form(), truth: self.kept.into(), asked, recording };
+        let text = serde_json::to_string_pretty(&file);
+        let text = text.map_err(|error| Error::file(&place.path().join(LIST), error.to_string()))?;
+        place.write_list(text + "\n", how)?;
         Ok(file.list)
     }
 
@@ -523,66 +480,5 @@ impl Cohort {
         let run = Run::new(&scenario, household, recording.seed, recording.length_us);
         let paced = Paced::new(Pace::default(), self.cancel.clone(), None);
         LiveRun { paced, ..LiveRun::of(scenario, run, recording, self.scenario.paths()) }
-    }
-}
-
-/// A cohort that was killed or stopped, to be gone on with in the folder that it left: who was lived to the end stays, all
-/// others are lived as [`Unfinished`](crate::Unfinished) runs are. In the end the folder has the bytes of a cohort that nothing
-/// has disturbed.
-///
-/// ```no_run
-/// let lived = homebody_kit::UnfinishedCohort::open("runs/tigerplace-1")?.go_on(|_| ())?;
-/// println!("{} lives", lived.list.members.len());
-/// # Ok::<(), homebody_kit::Error>(())
-/// ```
-pub struct UnfinishedCohort {
-    cohort: Cohort,
-    folder: PathBuf,
-    found: Vec<Option<MemberLived>>,
-}
-
-impl UnfinishedCohort {
-    /// Finds out who was to be lived in a cohort's folder.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::NotFolder`] if it is a file, [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the folder has no
-    /// list of a cohort, [`Error::Complete`] if all were lived to their end, [`Error::OtherVersion`] if another version of the
-    /// program began it, [`Error::Problems`] if something is wrong with the scenario in it, [`Error::Member`] if what is in the
-    /// place of a member is of somebody else.
-    pub fn open(folder: impl AsRef<Path>) -> Result<UnfinishedCohort, Error> {
-        let folder = folder.as_ref();
-        let (cohort, listed) = Cohort::left_in(folder)?;
-        let found = cohort.found_in(folder)?;
-        // One that was killed as it wrote the list has lived all of them.
-        if listed == cohort.count() && found.iter().all(Option::is_some) {
-            return Err(Error::Complete { what: COHORT, folder: folder.into() });
-        }
-        Ok(UnfinishedCohort { cohort, folder: folder.into(), found })
-    }
-
-    /// Nobody else is begun, and those who are lived end early, once this handle says so.
-    pub fn cancel(mut self, cancel: &Cancel) -> UnfinishedCohort {
-        self.cohort.cancel = cancel.clone();
-        self
-    }
-
-    /// How long all lives together are, and how much of that was lived to its end already.
-    pub fn progress(&self) -> Progress {
-        Progress { lived: lived_before(&self.found), ..self.cohort.progress() }
-    }
-
-    /// Lives all members to their ends, or until it is cancelled; `progress` is called after each batch of anybody's, from
-    /// several threads.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Log`] if what is there is not the beginning of these lives, or cannot be written.
-    pub fn go_on(self, progress: impl Fn(Progress) + Sync) -> Result<LivedCohort, Error> {
-        let list = self.folder.join(LIST);
-        drop(FolderLock::take(&self.folder)?);
-        // A program that died while it wrote the list has left a part.
-        remove_parts(&list)?;
-        self.cohort.live_into(self.folder, self.found, progress)
     }
 }

@@ -1,6 +1,7 @@
 //! The list of a cohort's members, and the file that it stands in.
 
 use homebody_core::recording::Recording;
+use homebody_log::truth::TruthKept;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -46,10 +47,46 @@ pub(crate) struct CohortFile {
     /// The form of the members' files, where they are a set; none where each has a folder of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub form: Option<String>,
+    /// How much of each truth is kept, where that is not all.
+    #[serde(default, skip_serializing_if = "Kept::is_all")]
+    pub truth: Kept,
     /// Who is to live.
     pub asked: Asked,
     /// What is recorded of each member, but for what is their own; with all texts that any of them needs.
     pub recording: Recording,
+}
+
+/// How much of a truth is kept, as it is written.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Kept {
+    #[default]
+    All,
+    Brief,
+}
+
+impl Kept {
+    fn is_all(&self) -> bool {
+        *self == Kept::All
+    }
+}
+
+impl From<TruthKept> for Kept {
+    fn from(kept: TruthKept) -> Kept {
+        match kept {
+            TruthKept::All => Kept::All,
+            TruthKept::Brief => Kept::Brief,
+        }
+    }
+}
+
+impl From<Kept> for TruthKept {
+    fn from(kept: Kept) -> TruthKept {
+        match kept {
+            Kept::All => TruthKept::All,
+            Kept::Brief => TruthKept::Brief,
+        }
+    }
 }
 
 /// Who is to live, as it is written.

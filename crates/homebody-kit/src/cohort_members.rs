@@ -7,6 +7,7 @@ use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::scheme::{Scheme, Stands};
 use homebody_core::time::Micros;
 use homebody_log::places::{RECORDING, is_all_there};
+use homebody_log::truth::TruthKept;
 use homebody_log::{Places, Url};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -68,7 +69,10 @@ impl CohortLayout {
         let wrong = match () {
             () if row.stands == Stands::Server => "is a server, which keeps runs apart by themselves",
             () if place.is_output() => "is standard output, in which nobody could tell members apart",
-            () if place.is_in_store() => "is in an object store, and members are files",
+            () if place.is_in_store() && !cfg!(feature = "cloud") => {
+                let hint = "build it with --features cloud; or name a folder, such as parquet:cohort, and copy it";
+                return Err(format!("{place} is in an object store, which this program does not know\n  hint: {hint}"));
+            }
             () => return Ok(CohortLayout::Set(place.scheme())),
         };
         Err(format!("{place} {wrong}\n  hint: name a folder for all members, such as parquet:cohort"))
@@ -98,26 +102,42 @@ impl CohortLayout {
     }
 
     /// Whether all is there that a member leaves who was lived to the end.
-    pub(crate) fn is_all_there(self, cohort: &Path, member: &str, scenario: &Scenario) -> bool {
+    pub(crate) fn is_all_there(self, cohort: &Path, member: &str, scenario: &Scenario, kept: TruthKept) -> bool {
         match self {
             CohortLayout::Folders => is_all_there(&cohort.join(member), &scenario.logger),
-            CohortLayout::Set(form) => Places::of_set(cohort, member, form).are_all_there(),
+            CohortLayout::Set(_) => self.files(cohort, member, kept).iter().all(|file| file.is_file()),
+        }
+    }
+
+    /// The files of a member of a set, be they there or not.
+    pub(crate) fn files(self, cohort: &Path, member: &str, kept: TruthKept) -> Vec<PathBuf> {
+        match self {
+            CohortLayout::Folders => Vec::new(),
+            CohortLayout::Set(form) => Places::of_set(cohort, member, form, kept).files(),
         }
     }
 
     /// Where a member is written; the folders are made.
-    pub(crate) fn places(self, cohort: &Path, member: &str, scenario: &Scenario) -> Result<Places, Error> {
+    pub(crate) fn places(
+        self,
+        cohort: &Path,
+        member: &str,
+        scenario: &Scenario,
+        kept: TruthKept,
+    ) -> Result<Places, Error> {
         Ok(match self {
-            CohortLayout::Folders => Places::member(cohort, member, scenario)?,
-            CohortLayout::Set(form) => Places::in_set(cohort, member, form)?,
+            CohortLayout::Folders => Places::member(cohort, member, scenario, kept)?,
+            CohortLayout::Set(form) => Places::in_set(cohort, member, form, kept)?,
         })
     }
 
     /// A digest of all files of a member, each with its path in the cohort's folder; none where each has a folder of its own, with
     /// databases in it whose bytes say how they were written.
-    pub(crate) fn digest(self, cohort: &Path, member: &str) -> Result<Option<String>, Error> {
-        let CohortLayout::Set(form) = self else { return Ok(None) };
-        let mut files = Places::of_set(cohort, member, form).files();
+    pub(crate) fn digest(self, cohort: &Path, member: &str, kept: TruthKept) -> Result<Option<String>, Error> {
+        if self == CohortLayout::Folders {
+            return Ok(None);
+        }
+        let mut files = self.files(cohort, member, kept);
         files.sort();
         let mut digest = Sha256::new();
         for path in files {
@@ -138,6 +158,13 @@ impl CohortLayout {
 }
 
 impl Members {
+    pub fn count(&self) -> usize {
+        match self {
+            Members::Many(count) => *count as usize,
+            Members::Listed(profiles) => profiles.len(),
+        }
+    }
+
     pub fn asked(&self) -> Asked {
         match self {
             Members::Many(count) => Asked::Residents(*count),

@@ -2,6 +2,7 @@
 
 use crate::VERSION;
 use crate::find::Unfindable;
+use crate::profiles::MOST_MEMBERS;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::time::Micros;
@@ -42,6 +43,15 @@ pub enum Error {
         /// The names that there are.
         known: Vec<String>,
     },
+    /// Something has the name of a folder that was to be new.
+    #[error("{} exists already\n  hint: name a folder that does not", path.display())]
+    Exists {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// Of what was given no scenario can be begun: all that is wrong.
+    #[error("{0}")]
+    Unbeginnable(String),
     /// There is no recording at this path.
     #[error("{}: there is no such recording", path.display())]
     NoRecording {
@@ -74,6 +84,19 @@ pub enum Error {
         /// The folder in which the run can be gone on with, be it the run's own or its cohort's.
         folder: Option<PathBuf>,
     },
+    /// In a run a driver of the caller's own has moved somebody: its recording does not live it again.
+    #[error(
+        "{} does not live its run again: {} moved by a driver of another program\n  hint: what it left can be read, drawn \
+         and compared; the program that has the driver lives it anew",
+        path.display(),
+        were(residents)
+    )]
+    OwnDrivers {
+        /// The recording.
+        path: PathBuf,
+        /// Whom the drivers have moved, by name.
+        residents: Vec<String>,
+    },
     /// A file is where the folder of a run or a cohort was to be.
     #[error("{} is a file{}", path.display(), folder_of(folder.as_deref()))]
     NotFolder {
@@ -89,6 +112,22 @@ pub enum Error {
         folder: PathBuf,
         /// What is wrong with it.
         why: String,
+    },
+    /// Where a cohort is to begin is something already.
+    #[error("{} holds {file} already\n  hint: {}", folder.display(), where_to_begin(*is_cohort))]
+    NotEmpty {
+        /// The folder, or the URL of an object store.
+        folder: PathBuf,
+        /// The first of what is there.
+        file: String,
+        /// Whether it is a cohort.
+        is_cohort: bool,
+    },
+    /// A cohort cannot have so many members.
+    #[error("a cohort of {count} members is none\n  hint: it has from 1 to {MOST_MEMBERS}")]
+    Members {
+        /// How many were asked for.
+        count: u32,
     },
     /// A run or a cohort was lived to its end: nothing of it is left to do.
     #[error("the {what} in {} is complete: there is nothing to go on with", folder.display())]
@@ -125,6 +164,14 @@ pub enum Error {
     NoLog {
         /// The folder.
         folder: PathBuf,
+    },
+    /// A log has no pictures of cameras beside it.
+    #[error(
+        "{log} has no silhouettes beside it\n  hint: name the folder of a run whose home has cameras: sensors of kind \"camera\" in home.json"
+    )]
+    NoSilhouettes {
+        /// The log's name.
+        log: String,
     },
     /// A run was killed, or is being lived, and has not stored a row yet.
     #[error("the run in {} has no rows yet", folder.display())]
@@ -193,6 +240,17 @@ fn folder_of(folder: Option<&Path>) -> String {
     match folder {
         Some(folder) => format!("\n  hint: name its folder, {}", folder.display()),
         None => ", and no run or cohort has left it\n  hint: name the folder of one".into(),
+    }
+}
+
+fn were(residents: &[String]) -> String {
+    format!("{} {}", residents.join(", "), if residents.len() == 1 { "was" } else { "were" })
+}
+
+fn where_to_begin(is_cohort: bool) -> &'static str {
+    match is_cohort {
+        true => "a cohort was begun there: go on with it, or name a new folder",
+        false => "a cohort begins where nothing is: name a new folder, or an empty one",
     }
 }
 

@@ -128,7 +128,7 @@ impl Examining {
         }
         checks.extend(notes(folder, &run));
         checks.extend(left(folder));
-        if self.replays && run.is_complete() {
+        if self.replays && run.is_complete() && run.lives_again() {
             checks.push(replayed(folder));
         }
         Ok(checks)
@@ -137,6 +137,7 @@ impl Examining {
     /// Whether the run came to its end, and whether this program can go on with it.
     fn recorded(&self, folder: &Path, run: &Recording) -> Check {
         let resume = match has_no_end(run) {
+            _ if !run.lives_again() => "the program whose driver has moved somebody in it lives it anew".into(),
             true => format!("homebody live SCENARIO --folder {} goes on with it", folder.display()),
             false => format!("homebody run --resume {} goes on with it", folder.display()),
         };

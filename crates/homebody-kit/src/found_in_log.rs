@@ -1,10 +1,14 @@
 //! What is looked for over a log that somebody names, with the truth beside it where there is one.
 
 use crate::error::Error;
-use crate::find::{DayClock, Found, Ground, Listener, Query, Stay, TakeRow, Unfindable, What, at_home, find};
+use crate::falls::{LogWithSilhouettes, silhouettes_of};
+use crate::find::{
+    BY_TRUTH, DayClock, Found, Ground, Listener, Query, Stay, TakeRow, Unfindable, What, at_home, falls_in_rooms, find,
+};
 use crate::log_with_run::LogWithRun;
 use homebody_analysis::alerts::{Rules, USUAL, alerts};
-use homebody_analysis::dates::midnight;
+use homebody_analysis::dates::{midnight, on_wall};
+use homebody_analysis::falls::rules::FallRules;
 use homebody_core::activity::FALLEN;
 use homebody_core::time::{DAY, Micros};
 use homebody_log::Activity;
@@ -22,15 +26,16 @@ pub fn find_in_log(query: &Query, read: &LogWithRun) -> Result<Found, Error> {
         .map(|day| DayClock { begin: begin + day * DAY, end: begin + (day + 1) * DAY, clock: 0, turn: None })
         .collect();
     let span = read.recorded.as_ref().map_or_else(|| heard(read), |run| (run.start, run.end));
+    let rooms = stays(read, |life| &life.rooms, |_| true);
     let told = match query.what {
-        What::Room => stays(read, |life| &life.rooms, |_| true),
+        What::Room => rooms.clone(),
         What::Doing => stays(read, |life| &life.activities, |_| true),
-        What::Fall => stays(read, |life| &life.activities, |name| name == FALLEN),
+        What::Fall => falls(read, rooms.as_deref(), ""),
+        What::SeenFall => Some(seen_falls(read, rooms.as_deref())?),
         What::Lost => lost(read)?,
         What::Alert => Some(of_alerts(read)?),
         What::On | What::Still => None,
     };
-    let rooms = stays(read, |life| &life.rooms, |_| true);
     let home = rooms.map(|stays| at_home(stays.iter().map(|stay| (stay.begin, stay.end))));
     let listener = |name: &String| Listener { name: name.clone(), room: read.rooms.get(name).cloned() };
     let mut rows = |take: &mut TakeRow| {
@@ -71,6 +76,12 @@ fn stays<'a>(
     Some(all)
 }
 
+/// What the truth tells of falls, by who was in which of the rooms; `None` without a truth.
+fn falls<'a>(read: &'a LogWithRun, rooms: Option<&[Stay]>, by: &str) -> Option<Vec<Stay<'a>>> {
+    let falls = stays(read, |life| &life.activities, |name| name == FALLEN)?;
+    Some(falls_in_rooms(falls, rooms.unwrap_or_default(), by))
+}
+
 fn lost(read: &LogWithRun) -> Result<Option<Vec<Stay<'static>>>, Error> {
     let Some(lost) = read.lost()? else { return Ok(None) };
     let stay = |lost: crate::log_with_run::Lost| Stay {
@@ -81,6 +92,27 @@ fn lost(read: &LogWithRun) -> Result<Option<Vec<Stay<'static>>>, Error> {
         name: Cow::Owned(lost.sensor),
     };
     Ok(Some(lost.into_iter().map(stay).collect()))
+}
+
+/// What cameras take for falls by the usual rules, with what the truth tells of falls, if there is one.
+fn seen_falls<'a>(read: &'a LogWithRun, rooms: Option<&[Stay]>) -> Result<Vec<Stay<'a>>, Error> {
+    let missing = || Error::NoSilhouettes { log: read.name.clone() };
+    let path = read.files.first().and_then(|log| silhouettes_of(log)).ok_or_else(missing)?;
+    let kept = LogWithSilhouettes::of(&path, read.scenario().ok_or_else(missing)?)?;
+    let calendar = &kept.scenario.calendar;
+    let zone = calendar.local(0).time_zone().clone();
+    let wall = |at| on_wall(calendar.timestamp(at).as_microsecond(), &zone);
+    let seen = kept.falls(&FallRules::default(), |_| true)?.falls.into_iter().map(|fall| Stay {
+        begin: wall(fall.at),
+        end: wall(fall.alarm_at),
+        who: None,
+        words: Cow::Owned(kept.words(&fall)),
+        name: Cow::Owned(fall.rule),
+    });
+    let mut all: Vec<Stay> = seen.collect();
+    all.extend(falls(read, rooms, BY_TRUTH).unwrap_or_default());
+    all.sort_by_key(|stay| stay.begin);
+    Ok(all)
 }
 
 /// Alerts by the usual rules, which are of whole days.

@@ -3,6 +3,7 @@
 
 use crate::error::Error;
 use crate::log_with_run::NamedLog;
+use homebody_analysis::dates::put_on_wall;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::Micros;
 use homebody_log::source::{Clock, Value, truth_rows};
@@ -134,13 +135,18 @@ impl NamedLog {
         Ok(())
     }
 
-    /// What residents did, in the order of their beginnings, as the truth or the log tells it.
+    /// What residents did, in the order of their beginnings, as the truth or the log tells it. A log in UTC, of a run that nobody knows, is
+    /// put on the wall of `zone`, where one is given.
     ///
     /// # Errors
     ///
-    /// Those of [`NamedLog::read`].
-    pub fn with_activities(&self) -> Result<Log, Error> {
+    /// [`Error::TimeZone`] if there is no such zone, and those of [`NamedLog::read`].
+    pub fn with_activities(&self, zone: Option<&str>) -> Result<Log, Error> {
+        let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
         let mut log = self.read()?;
+        if let Some(zone) = asked.filter(|_| self.zone().is_none()) {
+            put_on_wall(&mut log, &zone);
+        }
         if let Some(truth) = self.truth() {
             log.activities = activities(&truth, &self.clock())?;
             // Rows are put on the clock of the run, which is never set, as activities of the truth are.

@@ -47,10 +47,16 @@ mod store;
 mod recorded;
 mod live_home;
 
+/// Scenarios that begin: empty, from a template, or from the log of a home.
+pub mod begun;
+
 mod profiles;
 mod cohort_list;
 mod cohort_members;
+mod cohort_place;
 mod cohort;
+mod cohort_left;
+mod cohort_unfinished;
 pub mod fleet;
 
 mod idle_sensors;
@@ -64,6 +70,7 @@ mod examined;
 /// What is looked for over a whole log or run.
 pub mod find;
 mod found_in_log;
+mod falls;
 
 /// A log that was walked back, as a folder.
 pub mod walked;
@@ -72,12 +79,15 @@ mod calibration;
 
 pub use broker::{Tidied, tidy_up};
 pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};
-pub use cohort::{Cohort, CohortSetup, LivedCohort, UnfinishedCohort};
+pub use cohort::{Cohort, CohortSetup, LARGE_DAYS, LivedCohort};
 pub use cohort_list::{CohortList, ListedMember};
 pub use cohort_members::{CohortLayout, Member, MemberLived};
+pub use cohort_place::{bring_member, list_of_cohort};
+pub use cohort_unfinished::UnfinishedCohort;
 pub use destination::{Destination, Policy, Sink};
 pub use error::{BoxError, Error};
 pub use examined::{Examined, Examining};
+pub use falls::{Fallen, FallsFound, LogWithSilhouettes, Looked, falls_in, silhouettes_of};
 pub use following::{Following, Learnt, Presence};
 pub use found_in_log::find_in_log;
 pub use health::{Found, Health, health};
@@ -85,13 +95,14 @@ pub use homebody_infer::{Ailment, Ill, Kind, Spell};
 pub use homebody_log::examine::{Check, Verdict};
 pub use homebody_log::meter::News;
 pub use homebody_log::places::LIST;
+pub use homebody_log::truth::TruthKept;
 pub use homebody_log::{Cancel, Url, WhenDown};
 pub use homebody_routine::living::account::Difference;
 pub use instants::Instants;
 pub use live_home::LiveHome;
 pub use log_with_run::{LogWithRun, Lost, NamedLog, Unended, home_sensors, sensor_rooms};
 pub use meters::{Meters, Seen};
-pub use profiles::Profile;
+pub use profiles::{MOST_MEMBERS, Profile};
 pub use recorded::{Recorded, Unfinished, recording};
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};
 pub use scenario::{OpenScenario, numbers, open, template};

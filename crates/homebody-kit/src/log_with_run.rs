@@ -40,6 +40,8 @@ pub struct LogWithRun {
     pub rooms: BTreeMap<String, String>,
     /// From when to when the run was, if that is known.
     pub recorded: Option<Range<Micros>>,
+    /// The zone on whose wall its rows are, if that is known.
+    pub zone: Option<TimeZone>,
     /// The files that the log itself is in.
     pub files: Vec<PathBuf>,
     /// The files that it comes from, its truth's and its recording too, which nothing replaces.
@@ -132,11 +134,11 @@ impl LogWithRun {
             let zone = scenario.calendar.local(0).time_zone().clone();
             on_wall(instant(0), &zone)..on_wall(instant(run.length_us), &zone)
         });
-        if let Some(zone) = zone.filter(|_| log.clock == Clock::Utc) {
+        if let Some(zone) = zone.as_ref().filter(|_| log.clock == Clock::Utc) {
             for part in lives.iter_mut().flat_map(|life| life.activities.iter_mut().chain(&mut life.rooms)) {
-                (part.begin, part.end) = (on_wall(part.begin, &zone), on_wall(part.end, &zone));
+                (part.begin, part.end) = (on_wall(part.begin, zone), on_wall(part.end, zone));
             }
-            put_on_wall(&mut log, &zone);
+            put_on_wall(&mut log, zone);
         }
         // A recording that lies there by chance is of another time.
         let recorded = span.filter(|span| log.events.iter().all(|event| span.contains(&event.at)));
@@ -146,7 +148,8 @@ impl LogWithRun {
         let sources = files.iter().cloned().chain(truth).chain(beside).collect();
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
         let name = name + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
-        Ok(LogWithRun { name, log, lives, rooms, recorded, files, sources, home: scenario, truth: told, unfinished })
+        let home = scenario;
+        Ok(LogWithRun { name, log, lives, rooms, recorded, zone, files, sources, home, truth: told, unfinished })
     }
 
     /// Gives its sensors the names and rooms that they have in the home of a scenario. Says how many of them are in it.
@@ -155,6 +158,11 @@ impl LogWithRun {
         self.rooms = sensor_rooms(scenario);
         self.home = Some(scenario.clone());
         self.log.sensors.iter().filter(|sensor| self.rooms.contains_key(*sensor)).count()
+    }
+
+    /// The scenario with its home, where that is known.
+    pub fn scenario(&self) -> Option<&Scenario> {
+        self.home.as_ref()
     }
 
     /// How far it is from sensor to sensor along the ways of its home, where that is known. It is some tenths of a second of work.
@@ -167,6 +175,11 @@ impl LogWithRun {
             vec![id.to_owned(), one_word(id)]
         };
         Some(Ways::of(&scenario.home, &|from, to| mesh.path(from, to), &called))
+    }
+
+    /// What a map of its density is asked for: all of it, with what is known of when and where it was recorded.
+    pub fn density_asked(&self) -> Asked {
+        Asked { recorded: self.recorded.clone(), zone: self.zone.clone(), ..Asked::default() }
     }
 
     /// Measures of its days, with all that its home tells.
@@ -239,6 +252,11 @@ impl LogWithRun {
         let is_guest = |life: &&Life| !residents.contains(&life.resident.as_str());
         let guests = self.lives.iter().filter(is_guest);
         Some(guests.flat_map(|guest| guest.rooms.iter().map(|room| (room.begin, room.end))).collect())
+    }
+
+    /// When its recording ended, if that is known.
+    pub fn ended(&self) -> Option<Micros> {
+        self.recorded.as_ref().map(|recorded| recorded.end)
     }
 
     /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
@@ -346,6 +364,11 @@ impl NamedLog {
         let scenario = run.as_ref().and_then(|run| run.scenario().ok());
         let mapping = scenario.as_ref().map(|scenario| scenario.logger.clone()).unwrap_or_default();
         NamedLog { name: called(text), place, mapping, run, scenario }
+    }
+
+    /// The scenario of its run, if that is known.
+    pub fn scenario(&self) -> Option<&Scenario> {
+        self.scenario.as_ref()
     }
 
     /// The zone of its run's clocks, if that is known.

@@ -11,9 +11,11 @@ use crate::store::Lived;
 use homebody_core::problem::readable;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Scenario;
-use homebody_log::limits::LARGEST_RECORDING_BYTES;
+use homebody_log::limits::{LARGEST_LIST_BYTES, LARGEST_RECORDING_BYTES};
 use homebody_log::places::{LIST, RECORDING, SENSORS, is_all_there};
 use homebody_log::plain;
+use homebody_log::source::is_brief;
+use homebody_log::truth::TruthKept;
 use homebody_log::{Cancel, Destination, How, Places, Url, WhenDown};
 use homebody_routine::household::Household;
 use std::io::ErrorKind;
@@ -44,13 +46,15 @@ impl Recorded {
     /// # Errors
     ///
     /// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if there is none in this file, [`Error::Unfinished`] if the
-    /// run was killed or is still lived, [`Error::Problems`] if something is wrong with the scenario in it.
+    /// run was killed or is still lived, [`Error::OwnDrivers`] if a driver of the caller's own has moved somebody,
+    /// [`Error::Problems`] if something is wrong with the scenario in it.
     pub fn open(path: impl AsRef<Path>) -> Result<Recorded, Error> {
         let path = path.as_ref();
         let recording = recording(path)?;
         if !recording.is_complete() {
             return Err(Error::Unfinished { path: path.into(), folder: left_in(path) });
         }
+        must_live_again(path, &recording)?;
         let (scenario, household) = Household::recorded(&recording)?;
         let paced = Paced::new(Pace::default(), Cancel::new(), None);
         Ok(Recorded { recording, scenario: Arc::new(scenario), household, path: path.into(), paced })
@@ -106,7 +110,7 @@ impl Unfinished {
     ///
     /// [`Error::NotFolder`] if it is a file, [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the folder has no
     /// recording, [`Error::NotBegun`] if at most a part of one is there, [`Error::Complete`] if the run was lived to its end and all that it left is there, [`Error::OtherVersion`] if another version of the program
-    /// began it, [`Error::Problems`] if something is wrong with the scenario in it.
+    /// began it, [`Error::OwnDrivers`] if a driver of the caller's own has moved somebody, [`Error::Problems`] if something is wrong with the scenario in it.
     pub fn open(folder: impl AsRef<Path>) -> Result<Unfinished, Error> {
         let folder = folder.as_ref();
         must_be_folder(folder)?;
@@ -118,10 +122,14 @@ impl Unfinished {
         if recording.is_whole() && is_all_there(folder, &logger) {
             return Err(Error::Complete { what: RUN, folder: folder.into() });
         }
+        must_live_again(&folder.join(RECORDING), &recording)?;
         let recording = recording.begun_again();
         must_be_of_this_version(RUN, folder, &recording)?;
         let (scenario, household) = Household::recorded(&recording)?;
-        let places = Places::of_folder(folder, &scenario)?;
+        let mut places = Places::of_folder(folder, &scenario)?;
+        if places.truth.as_ref().is_some_and(is_brief) {
+            places.kept = TruthKept::Brief;
+        }
         let run = recording.run(&scenario, &household);
         Ok(Unfinished { run: LiveRun::of(Arc::new(scenario), run, recording, Vec::new()), places })
     }
@@ -195,6 +203,14 @@ impl Unfinished {
     }
 }
 
+/// The files of a scenario alone do not live a run again in which a driver of the caller's own has moved somebody.
+fn must_live_again(path: &Path, recording: &Recording) -> Result<(), Error> {
+    match recording.lives_again() {
+        true => Ok(()),
+        false => Err(Error::OwnDrivers { path: path.into(), residents: recording.own_drivers.clone() }),
+    }
+}
+
 /// What errors call a run.
 const RUN: &str = "run";
 
@@ -229,9 +245,13 @@ pub(crate) fn must_be_of_this_version(what: &'static str, folder: &Path, recordi
     }
 }
 
-/// Whether a folder holds nothing, or only the part of a recording or of a cohort's list that was being written.
+/// Whether a file is the part of a recording or of a cohort's list that was being written.
+pub(crate) fn is_part(name: &str) -> bool {
+    [RECORDING, LIST].iter().any(|of| name.starts_with(of)) && name.ends_with(".part")
+}
+
+/// Whether a folder holds nothing, or only such a part.
 fn was_not_begun(folder: &Path) -> bool {
-    let is_part = |name: &str| [RECORDING, LIST].iter().any(|of| name.starts_with(of)) && name.ends_with(".part");
     let Ok(mut entries) = std::fs::read_dir(folder) else { return false };
     entries.all(|entry| entry.is_ok_and(|entry| is_part(&entry.file_name().to_string_lossy())))
 }
@@ -242,7 +262,7 @@ fn was_not_begun(folder: &Path) -> bool {
 ///
 /// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if there is none in this file.
 pub fn recording(path: &Path) -> Result<Recording, Error> {
-    let text = text(path)?;
+    let text = text(path, LARGEST_RECORDING_BYTES)?;
     let wrong = |why: String| Error::Recording { path: path.into(), why };
     let recording: Recording = serde_json::from_str(&text).map_err(|error| wrong(readable(error.to_string())))?;
     let lengths = [Some(recording.length_us), recording.stopped_of_us];
@@ -264,9 +284,14 @@ pub(crate) fn has_its_scenario(path: &Path, recording: &Recording) -> Result<(),
     }
 }
 
+/// The text of the list of a cohort.
+pub(crate) fn text_of_list(path: &Path) -> Result<String, Error> {
+    text(path, LARGEST_LIST_BYTES)
+}
+
 /// The text of a recording, or of the list of a cohort.
-pub(crate) fn text(path: &Path) -> Result<String, Error> {
-    let text = plain::read_text(path, LARGEST_RECORDING_BYTES);
+fn text(path: &Path, most_bytes: u64) -> Result<String, Error> {
+    let text = plain::read_text(path, most_bytes);
     if text.as_ref().is_ok_and(|text| text.trim().is_empty()) {
         return Err(Error::Recording { path: path.into(), why: "it is empty".into() });
     }

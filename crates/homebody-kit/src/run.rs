@@ -147,7 +147,7 @@ impl RunSetup {
     /// A resident, by name, is moved by this driver instead of what their file says. It is made when the run begins, from
     /// the home and the seed; it draws its random numbers from [`homebody_core::random::Stream`]s of its own names.
     ///
-    /// A run with such a driver leaves no recording: the scenario's files alone do not live it again.
+    /// The recording of such a run tells whom it moved, and cannot be lived again: the scenario's files alone are not enough.
     pub fn driver<D: Driver + 'static>(
         mut self,
         resident: impl Into<String>,
@@ -194,6 +194,7 @@ impl RunSetup {
         let length = self.length.of(scenario)?;
         let household = opened.household_without(&self.without)?;
         let household = if self.one_of_many { Arc::new(household.one_of_many()) } else { household };
+        let own_drivers = self.drivers.keys().cloned().collect();
         let mut own = BTreeMap::new();
         for (name, make) in self.drivers {
             let index = scenario.residents.iter().position(|resident| resident.file.name == name);
@@ -202,18 +203,15 @@ impl RunSetup {
         }
         let seed = self.seed.unwrap_or(scenario.file.seed);
         let recording = Recording::of(scenario, VERSION, source.entry(), seed, length);
-        let recording = Recording { without: self.without, one_of_many: self.one_of_many, ..recording };
+        let (without, one_of_many) = (self.without, self.one_of_many);
+        let recording = Recording { without, one_of_many, own_drivers, ..recording };
         let provider = Provider { household: &household, own: &own };
         let run = Run::new(scenario, &provider, seed, length);
         let mut pace = self.pace;
         pace.count_from(0);
         let mut paced = Paced::new(pace, self.cancel, self.commands);
         paced.outside.extend(self.outside);
-        Ok(LiveRun {
-            has_own_driver: !own.is_empty(),
-            paced,
-            ..LiveRun::of(scenario.clone(), run, recording, opened.paths())
-        })
+        Ok(LiveRun { paced, ..LiveRun::of(scenario.clone(), run, recording, opened.paths()) })
     }
 }
 
@@ -230,8 +228,6 @@ pub struct LiveRun {
     pub(crate) sources: Vec<PathBuf>,
     pub(crate) paced: Paced,
     pub(crate) stretch: Stretch,
-    /// Whether somebody is moved by a driver of the caller's own, which no recording can hold.
-    pub(crate) has_own_driver: bool,
     pub(crate) events: Events,
     /// Where the last batch begins.
     pub(crate) begin: Micros,
@@ -305,8 +301,8 @@ impl LiveRun {
     pub(crate) fn of(scenario: Arc<Scenario>, run: Run, recording: Recording, sources: Vec<PathBuf>) -> LiveRun {
         let paced = Paced::new(Pace::default(), Cancel::new(), None);
         let (stretch, events) = (Stretch::new(LONGEST_BATCH), Events::default());
-        let (has_own_driver, meters) = (false, Meters::default());
-        LiveRun { scenario, run, recording, sources, paced, stretch, has_own_driver, events, begin: 0, meters }
+        let meters = Meters::default();
+        LiveRun { scenario, run, recording, sources, paced, stretch, events, begin: 0, meters }
     }
 
     /// Goes at this pace from now on, until it is cancelled.

@@ -119,8 +119,8 @@ impl OpenScenario {
         let known = self.household.foretold(days(length));
         let (mut told, mut all) = (BTreeSet::new(), Vec::new());
         for profile in profiles {
-            let says =
-                ["conditions", "severity", "onset", "over", "until", "routine"].map(|column| profile.row.get(column));
+            let says = ["conditions", "severity", "onset", "over", "until", "routine", "home"]
+                .map(|column| profile.row.get(column));
             if !told.insert(says) {
                 continue;
             }

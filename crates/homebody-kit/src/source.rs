@@ -41,7 +41,13 @@ impl Source {
         let path = path.as_ref();
         let meta = fs::metadata(path).map_err(|error| match error.kind() {
             ErrorKind::NotFound => {
-                let why = "there is no such scenario\n  hint: name its folder, or its scenario.json".into();
+                let template =
+                    path.to_str().filter(|name| !name.is_empty()).and_then(|name| Template::named(name).ok());
+                let hint = template.map_or_else(
+                    || "name its folder, or its scenario.json".to_owned(),
+                    |of| format!("it is a template, of which homebody new {0} --template {0} makes one", of.name()),
+                );
+                let why = format!("there is no such scenario\n  hint: {hint}");
                 Error::File { path: path.into(), why, source: Some(error) }
             }
             _ => Error::io(path, error),

@@ -64,15 +64,6 @@ impl Destinations {
     }
 
     fn places(&self, run: &LiveRun) -> Result<Places, Error> {
-        let mut places = self.found(run)?;
-        if run.has_own_driver {
-            // A driver of the caller's own is in no file.
-            places.recording = None;
-        }
-        Ok(places)
-    }
-
-    fn found(&self, run: &LiveRun) -> Result<Places, Error> {
         let Destinations { log, truth, recording, runs, replace, .. } = self;
         let runs = match runs {
             // What goes to servers is beside the folder, by which the run can be gone on with.
@@ -186,7 +177,8 @@ impl LiveRun {
         let mut places = to.places(&self)?;
         let servers = places.log.extract_if(.., |url| url.server().is_some());
         let servers: Vec<Url> = servers.collect();
-        let servers = beside::destinations(&servers, &to.when_down, folder_of(&places).as_deref(), &mut self.paced)?;
+        let servers =
+            beside::destinations(&servers, &to.when_down, self.folder_in(&places).as_deref(), &mut self.paced)?;
         let how = if to.replace { How::Replace } else { How::New };
         let lived = self.store_into(&places, servers.into_iter().chain(own).collect(), how, progress);
         if lived.is_err() {
@@ -196,6 +188,11 @@ impl LiveRun {
         lived
     }
 
+    /// The folder in which the run can be gone on with, where there is one.
+    fn folder_in(&self, places: &Places) -> Option<PathBuf> {
+        whole_folder(places).filter(|_| self.recording.lives_again())
+    }
+
     pub(crate) fn store_into(
         self,
         places: &Places,
@@ -203,7 +200,8 @@ impl LiveRun {
         how: How,
         progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
-        self.stored(places, own, how, progress).map_err(|error| error.of_run_in(folder_of(places)))
+        let folder = self.folder_in(places);
+        self.stored(places, own, how, progress).map_err(|error| error.of_run_in(folder))
     }
 
     fn stored(
@@ -247,7 +245,7 @@ impl LiveRun {
             sensors: self.sensors().map(str::to_owned).collect(),
             truth: places.truth.clone(),
             recorded: places.recording.clone(),
-            folder: folder_of(places),
+            folder: self.folder_in(places),
             progress: self.progress(),
             recording,
             stored,
@@ -257,7 +255,7 @@ impl LiveRun {
 }
 
 /// The folder that all of a run goes into, where there is one.
-fn folder_of(places: &Places) -> Option<PathBuf> {
+fn whole_folder(places: &Places) -> Option<PathBuf> {
     let folder = places.sensors.as_deref()?.parent()?;
     let is_here = |path: &Path, name: &str| path == folder.join(name);
     let is_whole = places.recording.as_deref().is_some_and(|path| is_here(path, RECORDING))

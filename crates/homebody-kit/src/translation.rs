@@ -91,6 +91,12 @@ pub enum Place {
 /// A chance that has changed by less is not told anew (ours).
 pub const LEAST_CHANGE: f32 = 0.05;
 
+/// What is added to the name of a scenario.
+const WALKED_BACK: &str = ", walked back";
+
+/// A scenario's name has no more characters, by its schema.
+const LONGEST_NAME: usize = 100;
+
 /// What the one is called who is not one of the residents.
 const GUEST: &str = "somebody else";
 
@@ -373,7 +379,8 @@ fn acted_out(
     let mut length = heard.length;
     let mut edit = scenario.edit().file(|file| {
         file.start = begins.strftime("%Y-%m-%dT%H:%M:%S").to_string();
-        file.name = format!("{}, walked back", file.name);
+        let own: String = file.name.chars().take(LONGEST_NAME - WALKED_BACK.len()).collect();
+        file.name = format!("{}{WALKED_BACK}", own.trim_end());
     });
     let residents = scenario.residents.len();
     if has_guest {

@@ -11,7 +11,8 @@ use homebody_core::time::{DAY, Micros, NEVER, SECOND};
 use homebody_kit::destination::{self, Begin, Cell, Destination, How, LogError, Policy, Sink, Watermark};
 use homebody_kit::pace::{Command, Pace, Speed};
 use homebody_kit::{
-    BoxError, Cancel, Destinations, Error, LiveRun, OpenScenario, Recorded, Unfinished, UnfinishedCohort, template,
+    BoxError, Cancel, Destinations, Error, LiveRun, LogWithRun, OpenScenario, Recorded, Unfinished, UnfinishedCohort,
+    template,
 };
 use std::collections::BTreeMap;
 use std::fs;
@@ -304,12 +305,21 @@ fn what_happened_before_a_driver_went_wrong_is_handed_on() {
 }
 
 #[test]
-fn a_run_with_a_driver_of_ones_own_leaves_no_recording_that_could_not_be_lived_again() {
+fn the_recording_of_a_run_with_a_driver_of_ones_own_tells_its_place_and_lives_nothing_again() {
     let folder = tempfile::tempdir().unwrap();
     let still = |_: &_, _| Odd(|now| segment(now, NEVER, MotionState::Rest { at: Point::new(6.0, 4.0) }));
     let run = tigerplace().run().days(0.25).driver("margaret", still).start().unwrap();
     let lived = run.store(&Destinations::new_folder_in(folder.path()), |_| ()).unwrap();
-    assert!(lived.recorded.is_none() && lived.truth.unwrap().file().unwrap().is_file());
+    let recording = lived.recorded.unwrap();
+    assert!(lived.folder.is_none(), "nobody can go on with it");
+    let folder = recording.parent().unwrap().to_owned();
+    let read = LogWithRun::read(&folder.display().to_string(), None).unwrap();
+    assert_eq!(read.zone.as_ref().unwrap().iana_name(), Some("America/Chicago"));
+    let named = read.scenario().unwrap().home.placed_sensors().len();
+    assert!(named > 0 && named == lived.sensors.len(), "its home is known");
+    assert_eq!(homebody_kit::recording(&recording).unwrap().own_drivers, ["margaret"]);
+    let told = Recorded::open(&recording).err().unwrap().to_string();
+    assert!(told.contains("does not live its run again: margaret was moved by a driver of another program"), "{told}");
 }
 
 #[test]

@@ -194,9 +194,9 @@ fn who_falls_lies_where_they_are_and_gets_up() {
     let truth = folder(&lived).join("truth.db");
     let fallen = count(&truth, "SELECT count(*) FROM activity WHERE name = 'fallen'");
     assert_eq!(fallen as usize, told.len() - out, "each fall is told");
-    // Each lies until the time is over: no movement that is no lying lies between.
+    // Each lies until the time is over: they are down on the floor.
     let lying = "SELECT count(*) FROM outside o WHERE what = 'fall' AND NOT EXISTS (SELECT 1 FROM movement m
-        WHERE m.posture = 'lying' AND m.end_at > o.at AND m.begin_at <= o.until_at)";
+        WHERE m.posture = 'down' AND m.end_at > o.at AND m.begin_at <= o.until_at)";
     assert_eq!(count(&truth, lying), 0);
     let walks_on =
         "SELECT count(*) FROM movement WHERE kind = 'stride' AND begin_at > (SELECT max(until_at) FROM outside)";

@@ -96,3 +96,14 @@ fn who_cancels_gets_nothing() {
     assert!(matches!(cancelled, Err(Error::Cancelled)));
     assert!(!to.exists());
 }
+
+#[test]
+fn a_home_of_the_longest_name_is_walked_back() {
+    let folder = TempDir::new().unwrap();
+    let (home, read) = (template("studio").unwrap(), log("studio", &folder));
+    let name = "é".repeat(100);
+    let named = home.scenario().edit().file(|file| file.name.clone_from(&name)).load().unwrap();
+    let told = walk_back(&read.log, &named, &Cancel::new(), |_| ()).unwrap();
+    let walked: serde_json::Value = serde_json::from_str(&told.files[&told.entry]).unwrap();
+    assert_eq!(walked["name"], format!("{}, walked back", "é".repeat(87)));
+}

@@ -339,6 +339,17 @@ pub enum LogError {
         /// What to do about it.
         hint: &'static str,
     },
+    /// A truth is brief, and what is asked for is in what it leaves out.
+    #[error(
+        "{place} leaves out the table {table:?}, as the truths of large cohorts do\n  hint: homebody replay, of the recording of the \
+         same member, lives it again with all tables"
+    )]
+    LeftOut {
+        /// The truth.
+        place: String,
+        /// The table.
+        table: String,
+    },
     /// What is there already cannot be gone on with: it is no beginning of this run.
     #[error(
         "{place} is not the beginning of this run: {what}\n  hint: it was changed since, or the recording is of another run; put \

@@ -38,7 +38,7 @@ pub mod elsewhere;
 
 pub mod clock;
 pub mod word;
-mod spreadsheet;
+pub mod spreadsheet;
 mod mapping;
 mod messages;
 pub mod destination;
@@ -53,6 +53,7 @@ pub mod truth;
 /// Fleets: many homes that tell one place.
 pub mod fleet;
 
+pub mod silhouettes;
 pub mod run_log;
 pub mod rows;
 
@@ -85,8 +86,8 @@ pub use run_log::RunLog;
 pub use sensor_info::SensorInfo;
 pub use sink::{Begin, How, Sink, Watermark};
 pub use source::{
-    Activity, Event, Life, Log, Movement, MovementKind, Movements, RunClock, SensorMap, Source, activities, ids, lives,
-    read, stream, survey, truth_at, truth_beside, truth_of,
+    Activity, Event, Life, LifeSpan, Log, Movement, MovementKind, Movements, RunClock, SensorMap, Source, SpanKind,
+    activities, ids, life_spans, lives, read, stream, survey, truth_at, truth_beside, truth_of,
 };
 pub use spool::WhenDown;
 pub use transfer::Transfer;

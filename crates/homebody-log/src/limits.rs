@@ -3,8 +3,11 @@
 /// No file of a scenario is larger, in bytes (ours). A list of profiles is one, too.
 pub const LARGEST_OF_SCENARIO_BYTES: u64 = 8 << 20;
 
-/// No recording and no list of a cohort's members is larger, in bytes (ours): it holds all files of a scenario.
+/// No recording is larger, in bytes (ours): it holds all files of a scenario.
 pub const LARGEST_RECORDING_BYTES: u64 = 64 << 20;
+
+/// No list of a cohort's members is larger, in bytes (ours): a hundred thousand of them take half a kilobyte each, and their table.
+pub const LARGEST_LIST_BYTES: u64 = 256 << 20;
 
 /// No row of a log or a truth has more bytes (ours): a mebibyte.
 pub const LONGEST_ROW_BYTES: usize = 1 << 20;

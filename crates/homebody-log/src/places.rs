@@ -4,10 +4,10 @@ use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file, whole};
 use crate::limits::LARGEST_RECORDING_BYTES;
 use crate::plain;
-use crate::truth::tables;
+use crate::truth::TruthKept;
 use crate::url::Url;
 use homebody_core::recording::Recording;
-pub use homebody_core::scenario::inside::{RECORDING, SENSORS, TRUTH};
+pub use homebody_core::scenario::inside::{RECORDING, SENSORS, SILHOUETTES, TRUTH};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES, Scheme, SchemeRow, Stands};
@@ -28,6 +28,8 @@ pub struct Places {
     pub log: Vec<Url>,
     /// Where its truth goes; `None`: it is not kept.
     pub truth: Option<Url>,
+    /// How much of its truth is kept.
+    pub kept: TruthKept,
     /// Where its recording goes; `None`: it is not kept.
     pub recording: Option<PathBuf>,
     /// The table of the sensors, in a run's folder.
@@ -48,7 +50,7 @@ impl Places {
         sources: &[PathBuf],
         force: bool,
     ) -> Result<Places, LogError> {
-        let places = Places { log, truth, recording, sensors: None, is_followed: false, made: Vec::new() };
+        let places = Places { log, truth, recording, ..Places::nowhere() };
         let files = places.files();
         can_be_written(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>(), sources, force)?;
         Ok(places)
@@ -86,7 +88,15 @@ impl Places {
     }
 
     fn nowhere() -> Places {
-        Places { log: Vec::new(), truth: None, recording: None, sensors: None, is_followed: false, made: Vec::new() }
+        Places {
+            log: Vec::new(),
+            truth: None,
+            kept: TruthKept::All,
+            recording: None,
+            sensors: None,
+            is_followed: false,
+            made: Vec::new(),
+        }
     }
 
     /// A new folder for a cohort of a scenario, with nothing in it.
@@ -96,8 +106,8 @@ impl Places {
     }
 
     /// The files of one member of a cohort, all in a folder of its own.
-    pub fn member(cohort: &Path, member: &str, scenario: &Scenario) -> Result<Places, LogError> {
-        let mut places = Places::nowhere();
+    pub fn member(cohort: &Path, member: &str, scenario: &Scenario, kept: TruthKept) -> Result<Places, LogError> {
+        let mut places = Places { kept, ..Places::nowhere() };
         let folder = cohort.join(member);
         // The cohort may be anybody's, to be gone on with.
         if fs::symlink_metadata(&folder).is_ok_and(|found| found.is_symlink()) {
@@ -111,8 +121,8 @@ impl Places {
 
     /// The files of one member of a cohort whose logs, and whose truths apart from them, are each a set that is parted by member:
     /// `log/member=0001/log.parquet`, and what a run's folder has besides in `members/0001`.
-    pub fn in_set(cohort: &Path, member: &str, form: Scheme) -> Result<Places, LogError> {
-        let mut places = Places::of_set(cohort, member, form);
+    pub fn in_set(cohort: &Path, member: &str, form: Scheme, kept: TruthKept) -> Result<Places, LogError> {
+        let mut places = Places::of_set(cohort, member, form, kept);
         for file in places.files() {
             if let Some(folder) = file.parent() {
                 places.make(folder)?;
@@ -123,7 +133,7 @@ impl Places {
     }
 
     /// Where they are, be they there or not.
-    pub fn of_set(cohort: &Path, member: &str, form: Scheme) -> Places {
+    pub fn of_set(cohort: &Path, member: &str, form: Scheme, kept: TruthKept) -> Places {
         let parted = |set: &str| cohort.join(set).join(format!("member={member}"));
         let usual = Path::new(form.row().usual);
         let ending = usual.extension().unwrap_or_default();
@@ -136,6 +146,7 @@ impl Places {
         Places {
             log: vec![Url::new(form, parted("log").join(usual))],
             truth: Some(truth),
+            kept,
             recording: Some(besides.join(RECORDING)),
             sensors: Some(besides.join(SENSORS)),
             ..Places::nowhere()
@@ -149,18 +160,14 @@ impl Places {
         let name = folder.file_name()?.to_str()?;
         let member = name.strip_prefix("member=").unwrap_or(name);
         let cohort = folder.parent()?.parent()?;
-        let of = |row: &SchemeRow| (row.stands != Stands::Server).then(|| Places::of_set(cohort, member, row.scheme));
+        let set = |form| Places::of_set(cohort, member, form, TruthKept::All);
+        let of = |row: &SchemeRow| (row.stands != Stands::Server).then(|| set(row.scheme));
         let is_it = |places: &Places| match log {
             Some(log) => places.log.iter().any(|url| url.path() == log),
             None => places.recording.as_deref() == Some(&folder.join(RECORDING)),
         };
         let there = |places: &Places| places.log.iter().all(|url| url.path().is_file());
         SCHEMES.iter().filter_map(of).filter(is_it).find(there)
-    }
-
-    /// Whether all of its files are there.
-    pub fn are_all_there(&self) -> bool {
-        self.files().iter().all(|file| file.is_file())
     }
 
     /// Makes a folder for the run, and puts everything into it that has no place yet.
@@ -220,7 +227,7 @@ impl Places {
     /// All files that are going to be written, those of the truth's tables too.
     pub fn files(&self) -> Vec<PathBuf> {
         let logs = self.log.iter().filter_map(Url::file).map(Path::to_owned);
-        let truth = self.truth.iter().flat_map(|truth| truth.files(&tables()));
+        let truth = self.truth.iter().flat_map(|truth| truth.files(&self.kept.tables()));
         logs.chain(truth).chain(self.recording.clone()).chain(self.sensors.clone()).collect()
     }
 }
@@ -295,10 +302,9 @@ fn files_of_run(folder: &Path, recording: Option<&Recording>) -> Vec<PathBuf> {
         truth: Some(Url::new(Scheme::Csv, folder.join(TRUTH).with_extension("csv"))),
         recording: Some(folder.join(RECORDING)),
         sensors: Some(folder.join(SENSORS)),
-        is_followed: false,
-        made: Vec::new(),
+        ..Places::nowhere()
     };
-    places.files().into_iter().chain([folder.join(TRUTH)]).collect()
+    places.files().into_iter().chain([folder.join(TRUTH), folder.join(SILHOUETTES)]).collect()
 }
 
 /// Where the log of a run may be in its folder: where its scenario says, or under a usual name.

@@ -20,6 +20,8 @@ pub struct RunInfo {
     pub home: Option<String>,
     /// Whether it was lived in a simulated home; of a log that was only read nobody can say.
     pub is_simulated: bool,
+    /// The home that it was lived in. None of a log that was only read.
+    pub plan: Option<PlanInfo>,
     /// The scenario's name.
     pub scenario: String,
     /// The number that all randomness of the run comes from.
@@ -36,6 +38,15 @@ pub struct RunInfo {
     pub rooms: Vec<String>,
     /// In the order of [`ThingId`](homebody_core::ids::ThingId).
     pub things: Vec<String>,
+}
+
+/// The home of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanInfo {
+    /// The name of its file in the scenario.
+    pub file: String,
+    /// What that file calls it.
+    pub name: String,
 }
 
 impl RunInfo {
@@ -59,6 +70,7 @@ impl RunInfo {
         RunInfo {
             id: recording.run_id(),
             home: recording.home.clone(),
+            plan: Some(PlanInfo { file: scenario.file.home.clone(), name: scenario.home.name.clone() }),
             is_simulated: true,
             scenario: scenario.file.name.clone(),
             seed: recording.seed,
@@ -80,6 +92,7 @@ impl RunInfo {
         RunInfo {
             id: 1,
             home: None,
+            plan: None,
             is_simulated: false,
             scenario: name.to_owned(),
             seed: 0,

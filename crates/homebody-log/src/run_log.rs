@@ -8,14 +8,15 @@ use crate::limits::LARGEST_RECORDING_BYTES;
 use crate::lock::{FileLock, FolderLock};
 use crate::logger::{Logger, RowsOfFirings, Stored, destinations};
 use crate::meter::Meter;
-use crate::places::Places;
+use crate::places::{Places, SILHOUETTES};
 use crate::plain;
 use crate::run_info::RunInfo;
+use crate::silhouettes::{SilhouetteLog, cameras};
 use crate::sink::How;
 use crate::sink::database::remove_database;
 use crate::sink::sqlite::can_be_replaced;
 use crate::spreadsheet::escaped;
-use crate::truth::{TruthLog, tables};
+use crate::truth::TruthLog;
 use crate::url::Url;
 use homebody_core::event::{Events, Fact};
 use homebody_core::recording::{Recording, RunDigest};
@@ -39,6 +40,8 @@ pub struct RunLog {
     /// Until it is completed.
     logger: Option<Logger>,
     truth: Option<TruthLog>,
+    /// Of a home with cameras, in the folder of its run.
+    silhouettes: Option<SilhouetteLog>,
     record: Option<PathBuf>,
     /// What is removed if the run fails and leaves no log by which it could be gone on with.
     given_up: Option<GivenUp>,
@@ -106,7 +109,7 @@ impl RunLog {
             places.recording.as_deref().filter(|_| folder.is_none()).map(FileLock::take).transpose()?,
         );
         let logs = places.log.iter().filter_map(Url::file).map(Path::to_owned);
-        for file in logs.chain(places.truth.iter().flat_map(|truth| truth.files(&tables()))) {
+        for file in logs.chain(places.truth.iter().flat_map(|truth| truth.files(&places.kept.tables()))) {
             // Its sink takes it for as long as it writes. Asked here, nothing is touched if one of them is another's.
             FileLock::take(&file)?;
         }
@@ -123,7 +126,8 @@ impl RunLog {
                 can_be_replaced(place, &info)?;
             }
             let beside = url.at(beside(place));
-            let files = beside.files(&tables()).into_iter().zip(url.files(&tables())).collect();
+            let kept = places.kept.tables();
+            let files = beside.files(&kept).into_iter().zip(url.files(&kept)).collect();
             let begun = Anew { files };
             // A program that died on its way has left some.
             begun.remove();
@@ -140,15 +144,20 @@ impl RunLog {
         all.extend(own);
         let opened = Logger::open(all, &scenario.logger, &info, how).and_then(|logger| {
             let truth = truth_url.as_ref();
-            let truth =
-                truth.map(|url| TruthLog::open(url, &places.log, &scenario.logger, &info, truth_how)).transpose()?;
+            let open = |url| TruthLog::open_keeping(places.kept, url, &places.log, &scenario.logger, &info, truth_how);
+            let truth = truth.map(open).transpose()?;
+            let mut silhouettes = None;
             if let Some(path) = &places.sensors {
                 write_sensors(path, &info)?;
+                if cameras(&scenario.home).next().is_some() {
+                    let path = path.with_file_name(SILHOUETTES);
+                    silhouettes = Some(SilhouetteLog::open(&path, &scenario.home, &info, how)?);
+                }
             }
-            Ok((logger, truth))
+            Ok((logger, truth, silhouettes))
         });
         match opened {
-            Ok((logger, truth)) => {
+            Ok((logger, truth, silhouettes)) => {
                 let record = places.recording.clone();
                 let beside = record.iter().chain(&places.sensors).cloned().collect();
                 let is_folder = places.sensors.is_some();
@@ -159,6 +168,7 @@ impl RunLog {
                 Ok(RunLog {
                     logger,
                     truth,
+                    silhouettes,
                     record,
                     given_up,
                     digest,
@@ -208,6 +218,9 @@ impl RunLog {
     /// The same for what happened a while ago, when all firings up to `settled` had been told.
     pub fn store_settled(&mut self, settled: Micros, events: &Events) -> Result<(), LogError> {
         self.digest.add(&events.firings);
+        if let Some(silhouettes) = &mut self.silhouettes {
+            silhouettes.store(&events.frames)?;
+        }
         let Some(logger) = &mut self.logger else { return Ok(()) };
         let joined = logger.store(&events.firings, settled)?;
         if let Some(truth) = &mut self.truth {
@@ -230,6 +243,9 @@ impl RunLog {
         if let Some(truth) = &mut self.truth {
             truth.wait_settled()?;
             truth.settle()?;
+        }
+        if let Some(silhouettes) = &mut self.silhouettes {
+            silhouettes.settle()?;
         }
         logger.settle()?;
         self.settled = (rows, Instant::now());
@@ -268,6 +284,9 @@ impl RunLog {
             truth.store(&under_way, &RowsOfFirings::default())?;
             truth.finish(now).map_err(early)?;
         }
+        if let Some(silhouettes) = self.silhouettes.take() {
+            silhouettes.finish().map_err(early)?;
+        }
         if let Some(anew) = self.anew.take() {
             anew.take_their_places()?;
         }
@@ -297,7 +316,7 @@ struct GivenUp {
 impl Drop for RunLog {
     fn drop(&mut self) {
         // They decide first what stays of the logs.
-        (self.logger, self.truth) = (None, None);
+        (self.logger, self.truth, self.silhouettes) = (None, None, None);
         if let Some(anew) = self.anew.take() {
             anew.remove();
         }
@@ -419,6 +438,7 @@ mod tests {
         let mut log = RunLog {
             logger: Some(Logger::open(vec![own(0, 10)], &file, &run, How::New).unwrap()),
             truth: Some(TruthLog::into(own(1, 0), &file, &run, How::New).unwrap()),
+            silhouettes: None,
             record: None,
             given_up: None,
             digest: RunDigest::default(),

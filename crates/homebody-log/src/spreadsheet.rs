@@ -15,7 +15,7 @@ pub(crate) fn cell(text: &str, is_safe: bool) -> Cow<'_, str> {
 }
 
 /// A text as it stands in a cell that is safe.
-pub(crate) fn escaped(text: &str) -> Cow<'_, str> {
+pub fn escaped(text: &str) -> Cow<'_, str> {
     // What looks escaped already is escaped once more, so that each text comes back as it was.
     match is_formula(text) || is_escaped(text) {
         true => format!("'{text}").into(),

@@ -36,7 +36,7 @@ fn each_residents_activities_and_rooms_are_told() {
         let file = LoggerFile { time, ..LoggerFile::default() };
         let path = folder.path().join("truth.db");
         let mut log = stage::open_truth(&path, &[], &file).unwrap();
-        log.store(&Events { firings: Vec::new(), facts: facts.clone() }, &RowsOfFirings::default()).unwrap();
+        log.store(&Events { facts: facts.clone(), ..Events::default() }, &RowsOfFirings::default()).unwrap();
         log.finish(3 * HOUR).unwrap();
 
         let span = |name: &str, begin, end| Activity { name: name.into(), begin: start + begin, end: start + end };
@@ -87,7 +87,7 @@ fn an_hour_that_is_told_twice_is_known_by_who_moves() {
             let url = Url::new(scheme, folder.path().join("truth"));
             let file = LoggerFile { time, ..LoggerFile::default() };
             let mut log = TruthLog::open(&url, &[], &file, &run, How::New).unwrap();
-            log.store(&Events { firings: Vec::new(), facts: facts.clone() }, &RowsOfFirings::default()).unwrap();
+            log.store(&Events { facts: facts.clone(), ..Events::default() }, &RowsOfFirings::default()).unwrap();
             log.finish(5 * HOUR).unwrap();
             let clock = RunClock::new(&calendar, 5 * HOUR, told_by);
             assert_eq!(lives(&url, &clock).unwrap(), std::slice::from_ref(&lived), "{time:?}, {scheme:?}");

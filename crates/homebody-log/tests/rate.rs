@@ -72,7 +72,11 @@ fn causes_are_written() {
             },
         };
         let joined = RowsOfFirings { rows: step.iter().map(|firing| firing.seq).collect(), offs: Vec::new() };
-        log.store(&Events { firings: step.to_vec(), facts: step.iter().map(provenance).collect() }, &joined).unwrap();
+        log.store(
+            &Events { firings: step.to_vec(), facts: step.iter().map(provenance).collect(), ..Events::default() },
+            &joined,
+        )
+        .unwrap();
     }
     log.finish(firings[firings.len() - 1].at).unwrap();
     println!("causes {:.0} rows/s", ROWS as f64 / began.elapsed().as_secs_f64());

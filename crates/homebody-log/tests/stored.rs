@@ -215,6 +215,7 @@ fn a_short_life() -> Events {
     let moving =
         |begin, end, doing| Fact::Movement { resident: ResidentId(0), begin, end, doing, posture: Posture::Standing };
     Events {
+        frames: Vec::new(),
         firings: vec![
             Firing { seq: 5, at: 2 * SECOND, sensor: SensorId(0), value: Value::Fire },
             Firing { seq: 6, at: 3 * SECOND, sensor: SensorId(1), value: Value::Fire },

@@ -26,6 +26,7 @@ How much there is depends on the scenario. Movement, rooms and causes are always
 path, acts of a routine or of held keys, needs and conditions of a routine alone. `off` has rows only where the log's messages are `on_off` or
 `occupancy`; `lost`, and the causes `duplicate` and `false`, only where the scenario has a link file (`docs/link.md`), or a sensor has failed from
 outside. `outside` has rows only where somebody has given orders while the run was lived (`docs/mqtt.md`); an act of theirs has no resident.
+Of a large cohort, `cause`, `off`, `movement` and `lost` are left out unless they are asked for (`docs/cohorts.md`).
 
 ## Log and truth together
 

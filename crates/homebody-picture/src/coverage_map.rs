@@ -28,6 +28,7 @@ pub fn coverage_map(home: &HomeFile, coverage: &Coverage, beams: &[(usize, Point
     let subtitle = "Coverage: how many motion sensors see a person who moves";
     let mut sheet = Sheet::new(&home.name, subtitle, &in_words(coverage), plan.bounds());
     sheet.svg.hatch(HATCH, DEAD_GROUND, DEAD);
+    layers::frames(&mut sheet, home);
     layers::floors(&mut sheet, &plan);
     let dead = shades(&mut sheet, coverage);
     layers::furniture(

@@ -39,9 +39,12 @@ pub fn density_map(density: &Density) -> String {
     for (map, words) in maps.iter().zip(&said) {
         svg.text(words, Point::new(LEFT, top - 18.0), &Type::new(15.0, INK));
         draw(&mut svg, map, top, density.step_per_h);
+        if let Some(words) = guesses(map) {
+            svg.text(&words, Point::new(LEFT, top + 24.0 * HOUR + 62.0), &AXIS);
+        }
         top += 24.0 * HOUR + BETWEEN;
     }
-    svg.finish(WIDTH, top - BETWEEN + 64.0)
+    svg.finish(WIDTH, top - BETWEEN + 78.0)
 }
 
 /// What the map comes to.
@@ -50,6 +53,18 @@ fn in_words(map: &Map) -> String {
     let density =
         map.density_per_h.map_or("never at home".into(), |density| format!("{density:.0} firings an hour at home"));
     format!("{}, {} to {last}: {density}, {:.1} h a day away.", map.name, map.from, map.away_h_per_day)
+}
+
+/// What is drawn as away and is not certain, if anything.
+fn guesses(map: &Map) -> Option<String> {
+    let count = map.absences.iter().filter(|absence| absence.is_guess).count();
+    let of = match map.absences.len() {
+        1 => "The absence is a guess".to_owned(),
+        all if all == count => "All absences are guesses".to_owned(),
+        all => format!("{count} of {all} absences are guesses"),
+    };
+    let why = "somebody was at the entrance, and then there was silence; no contact tells of a door";
+    (count > 0).then(|| format!("{of}: {why}."))
 }
 
 /// The colours from left to right: what is no density first, then the levels with the numbers between them.

@@ -116,9 +116,9 @@ fn body(sheet: &mut Sheet, person: &Person, colour: &str) {
 /// Standing is a disc, sitting a ring, lying a bar.
 fn mark(svg: &mut Svg, at: Point, posture: Posture, colour: &str) {
     match posture {
-        Posture::Standing => svg.circle(at, BODY, &Paint::fill(colour).outlined(WHITE, 1.5)),
-        Posture::Sitting => svg.circle(at, BODY - 1.0, &Paint::fill(WHITE).outlined(colour, 3.0)),
-        Posture::Lying => {
+        Posture::Standing | Posture::Bending => svg.circle(at, BODY, &Paint::fill(colour).outlined(WHITE, 1.5)),
+        Posture::Sitting | Posture::Kneeling => svg.circle(at, BODY - 1.0, &Paint::fill(WHITE).outlined(colour, 3.0)),
+        Posture::Lying | Posture::Down => {
             let half = Point::new(BODY + 4.0, BODY - 3.0);
             svg.rectangle(at - half, half * 2.0, &Paint::fill(colour).outlined(WHITE, 1.5));
         }

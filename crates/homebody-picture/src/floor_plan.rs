@@ -20,6 +20,7 @@ pub fn floor_plan(home: &HomeFile) -> String {
 
     let subtitle = format!("Floor plan: {rooms}, {sensors}");
     let mut sheet = Sheet::new(&home.name, &subtitle, &description, plan.bounds());
+    layers::frames(&mut sheet, home);
     layers::floors(&mut sheet, &plan);
     layers::furniture(&mut sheet, home, &layers::FURNITURE, &layers::ENTERABLE);
     layers::ceiling_areas(&mut sheet, home, SENSOR);

@@ -27,6 +27,11 @@ pub fn options() -> usvg::Options<'static> {
     usvg::Options { fontdb: FONTS.clone(), font_family: sans_serif, ..usvg::Options::default() }
 }
 
+/// Hands a font's file to `take`, with the number of the font in it; not called where there is no such font.
+pub fn with_data(id: fontdb::ID, take: impl FnOnce(&[u8], u32)) {
+    FONTS.with_face_data(id, |bytes, index| take(bytes, index));
+}
+
 /// How wide a line of text is at a font size, in the same unit.
 pub fn width(text: &str, size: f64) -> f64 {
     let mut svg = Svg::new("", "");
@@ -44,14 +49,24 @@ pub fn width(text: &str, size: f64) -> f64 {
 /// The words, or as much of their beginning and end as is no wider than `room`: names of things in one
 /// home often differ in their ends only.
 pub fn shortened(words: &str, size: f64, room: f64) -> String {
+    if width(words, size) <= room {
+        return words.to_owned();
+    }
     let letters: Vec<char> = words.chars().collect();
-    let mut kept = letters.len();
-    let mut short = words.to_owned();
-    while width(&short, size) > room && kept > 2 {
-        kept -= 1;
+    let with = |kept: usize| {
         let (head, tail) = (&letters[..kept.div_ceil(2)], &letters[letters.len() - kept / 2..]);
         let (head, tail): (String, String) = (head.iter().collect(), tail.iter().collect());
-        short = format!("{}…{}", head.trim_end(), tail.trim_start());
+        format!("{}…{}", head.trim_end(), tail.trim_start())
+    };
+    // Found by halving: to measure words takes long, and more of them are never narrower.
+    let (mut fits, mut too_many) = (2, letters.len());
+    while fits + 1 < too_many {
+        let middle = fits.midpoint(too_many);
+        if width(&with(middle), size) <= room {
+            fits = middle;
+        } else {
+            too_many = middle;
+        }
     }
-    short
+    if letters.len() > 2 { with(fits) } else { words.to_owned() }
 }

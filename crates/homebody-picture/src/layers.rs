@@ -1,10 +1,11 @@
 //! What plans are made of, layer by layer: floors, furniture, walls, doors, sensors and their names.
 
 use homebody_core::geometry::{self, Point};
-use homebody_core::home::plan::{Origin, Plan, furniture_outline, span_on_wall};
+use homebody_core::home::plan::{Floor, Origin, Plan, floors as floors_of, furniture_outline, span_on_wall};
 use homebody_core::scenario::home::{DoorFile, HomeFile, SensorFile};
 use homebody_core::sensors::Sensor;
 
+use super::font;
 use super::paint::{FLOOR, FURNITURE_EDGE, INK, MUTED, Paint, SENSOR, WALL, WHITE};
 use super::sheet::Sheet;
 use super::svg::{Type, polyline, rings};
@@ -30,6 +31,21 @@ pub fn floors(sheet: &mut Sheet, plan: &Plan) {
     // Only seen where rooms meet without a wall.
     for outline in &outlines {
         sheet.svg.polygon(outline, &Paint::line(FURNITURE_EDGE, 1.0).dashed("1 5"));
+    }
+}
+
+/// How far a floor's frame is from the rooms in it, in metres: walls stay inside.
+const FRAME_M: f64 = 0.35;
+const FLOOR_NAME: Type = Type { halo: true, ..Type::new(15.0, MUTED).strong() };
+
+/// A frame around each floor of a home that has several, and its name above it.
+pub fn frames(sheet: &mut Sheet, home: &HomeFile) {
+    for Floor { name, bounds: (least, most) } in floors_of(home) {
+        let (low, high) = (sheet.at(least - FRAME_M), sheet.at(most + FRAME_M));
+        let (corner, size) = (Point::new(low.x, high.y), Point::new(high.x - low.x, low.y - high.y));
+        sheet.svg.rectangle(corner, size, &Paint::line(MUTED, 1.2).dashed("10 5"));
+        let shown = font::shortened(&name, FLOOR_NAME.size, size.x);
+        sheet.svg.text(&shown, corner - Point::new(0.0, 6.0), &FLOOR_NAME);
     }
 }
 

@@ -70,7 +70,7 @@ impl Legend {
 }
 
 /// The words in lines that are no wider than `room`, unless a single word is.
-fn wrapped(words: &str, size: f64, room: f64) -> Vec<String> {
+pub fn wrapped(words: &str, size: f64, room: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in words.split(' ') {
         let longer = lines.last().map(|line| format!("{line} {word}"));

@@ -1,4 +1,4 @@
-//! Pictures: floor plans, coverage and firings, as SVG text and, from the same text, as PNG bytes.
+//! Pictures: floor plans, coverage and firings, as SVG text and, from the same text, as PNG bytes and pages of a PDF.
 //!
 //! A picture is right without its colours: whatever a colour says, a shape, a hatch, a number or a
 //! step of lightness says too. Colours are those of Okabe & Ito and of viridis, which colour-blind
@@ -16,6 +16,7 @@ mod density_map;
 mod film_strip;
 mod floor_plan;
 mod font;
+mod installing;
 mod label;
 mod layers;
 mod legend;
@@ -23,9 +24,11 @@ mod look_map;
 mod measures_picture;
 mod page;
 mod paint;
+mod pdf;
 mod realism_page;
 mod shade;
 mod sheet;
+mod silhouettes;
 mod svg;
 
 use resvg::{tiny_skia, usvg};
@@ -39,9 +42,12 @@ pub use day_chart::{Band, DayChart, Holds, Ticks, day_chart};
 pub use density_map::density_map;
 pub use film_strip::film_strip;
 pub use floor_plan::floor_plan;
+pub use installing::installing;
 pub use look_map::{look_map, look_page};
 pub use measures_picture::measures_picture;
+pub use pdf::{PdfError, pdf};
 pub use realism_page::{realism_chart, realism_page};
+pub use silhouettes::{FilmFrame, SilhouetteStrip, StripMoment, silhouette_film, silhouette_png, silhouette_strip};
 
 /// Why an SVG did not become a PNG.
 #[derive(Debug, thiserror::Error)]

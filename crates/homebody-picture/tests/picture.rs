@@ -3,16 +3,18 @@
 #[path = "../../homebody-analysis/tests/home/mod.rs"]
 mod home;
 
-use homebody_analysis::coverage::{STEP_M, coverage};
+use homebody_analysis::coverage::{STEP_M, coverage, of_home};
 use homebody_analysis::day::Day;
 use homebody_analysis::density::{Asked, density};
+use homebody_analysis::parts::Parts;
 use homebody_core::geometry::{Point, direction, point};
+use homebody_core::home::Build;
 use homebody_core::home::plan::Plan;
 use homebody_core::scenario::home::{HomeFile, SensorFile};
 use homebody_log::{Event, Log};
 use homebody_picture::{
     Activity, Band, DayChart, Holds, Lane, Panel, PngError, Reference, Ticks, TotalsLine, coverage_map, day_chart,
-    density_map, firing_chart, floor_plan, png, span_chart, totals_chart,
+    density_map, firing_chart, floor_plan, installing, pdf, png, span_chart, totals_chart,
 };
 use resvg::usvg;
 use serde_json::json;
@@ -151,7 +153,7 @@ fn the_chart_of_a_log_has_its_activities_and_firings() {
         activities: vec![homebody_log::Activity { name: "Cook".into(), begin: 40 * HOUR, end: 50 * HOUR }],
         ..Log::default()
     };
-    let chart = DayChart::of(&Day::of("log", &log, &[], jiff::civil::date(1970, 1, 2)));
+    let chart = DayChart::of(&Day::of("log", &log, &[], None, jiff::civil::date(1970, 1, 2)));
     assert_eq!(chart.title, "log: Friday 2 January 1970");
     assert_eq!((chart.bands.len(), chart.ticks.len()), (1, 2));
     // As many as are told, though three of them are seen.
@@ -171,6 +173,23 @@ fn names_are_escaped() {
     let mut odd = home::furnished();
     odd.name = "bell \u{7} and null \0 and ]]>".to_owned();
     well_formed(&floor_plan(&odd));
+}
+
+#[test]
+fn floors_have_frames_with_their_names() {
+    let mut file = home::furnished();
+    let frames = |svg: &str| svg.matches("stroke-dasharray=\"10 5\"").count();
+    assert_eq!(frames(&floor_plan(&file)), 0);
+    file.rooms[0].floor = Some("ground & <1>".to_owned());
+    file.rooms[1].floor = Some("first floor".to_owned());
+    for svg in [floor_plan(&file), map(&file)] {
+        well_formed(&svg);
+        assert!(svg.contains(">ground &amp; &lt;1&gt;<") && svg.contains(">first floor<"));
+        assert_eq!(frames(&svg), 2);
+    }
+    let ground = file.rooms[0].floor.clone();
+    file.rooms[1].floor = ground;
+    assert_eq!(frames(&floor_plan(&file)), 1);
 }
 
 #[test]
@@ -292,4 +311,50 @@ fn rows_left_out_of_a_table_are_told_before_its_sum() {
     let svg = map(&file);
     let place = |words: &str| svg.find(words).unwrap_or_else(|| panic!("the map lacks {words}"));
     assert!(place("and 7 more") < place(">all<"));
+}
+
+#[test]
+fn sheets_are_pages_of_a_pdf_with_words_that_can_be_copied() {
+    let file = home::furnished();
+    let parts = Parts::of(&file);
+    let pages = installing(&file, &of_home(&file, Build::adult(), STEP_M), &parts);
+    let whole = pdf(&file.name, &pages).unwrap();
+    assert!(whole.starts_with(b"%PDF-1.7") && whole.trim_ascii_end().ends_with(b"%%EOF"));
+    let count = |what: &str| whole.windows(what.len()).filter(|bytes| *bytes == what.as_bytes()).count();
+    assert_eq!(count("/Type /Page\n"), pages.len());
+    // One font, of which a part is in the file, with what its letters mean; the hatch of dead zones is a pattern.
+    assert!(count("/ToUnicode") >= 1 && count("/FontFile2") >= 1 && count("/PatternType 1") >= 1, "{}", whole.len());
+    // Letters of both fonts whole would be half a megabyte.
+    assert!(whole.len() < 200_000, "{} bytes", whole.len());
+    assert_eq!(pdf(&file.name, &pages).unwrap(), whole, "the same pages are the same bytes");
+    let words: Vec<&str> = pages.last().unwrap().split('>').filter_map(|part| part.strip_suffix("</text")).collect();
+    for part in &parts.parts {
+        assert!(words.iter().any(|line| part.place.starts_with(line) || line.contains(&part.place)), "{}", part.place);
+    }
+
+    // The controls: what is no picture, and what a page cannot have.
+    assert!(pdf("", &["<svg".into()]).is_err());
+    let masked = "<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'><linearGradient id='g'><stop offset='0' \
+                  stop-color='red'/><stop offset='1' stop-color='blue'/></linearGradient><rect width='9' height='9' fill='url(#g)'/></svg>";
+    assert!(pdf("", &[masked.into()]).unwrap_err().to_string().contains("gradients"));
+}
+
+#[test]
+fn a_long_list_goes_over_sheets_and_a_long_name_stays_on_its_own() {
+    let sensor = |number: usize| {
+        let name = if number == 7 { "very ".repeat(800) } else { format!("sensor {number}") };
+        json!({ "kind": "motion", "name": name, "at": [2.0, 3.95], "facing_deg": 270 })
+    };
+    let file = home::two_rooms(json!([]), (0..60).map(sensor).collect());
+    let seen = of_home(&file, Build::adult(), STEP_M);
+    let pages = installing(&file, &seen, &Parts::of(&file));
+    assert!(pages.len() > 4, "{}", pages.len());
+    let all: String = pages[2..].concat();
+    assert!((0..60).all(|number| number == 7 || all.contains(&format!(">sensor {number}</text>"))));
+    // Nothing is wider than its sheet.
+    for page in &pages[2..] {
+        let tree = usvg::Tree::from_str(page, &usvg::Options::default()).unwrap();
+        assert_eq!((tree.size().width(), tree.size().height()), (1200.0, 1697.0));
+    }
+    assert!(!all.contains(&"very ".repeat(60)), "the name is cut");
 }

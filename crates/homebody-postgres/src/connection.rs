@@ -6,7 +6,7 @@ use crate::tls;
 use crate::trouble::{away, silent, told};
 use homebody_log::LogError;
 use std::future::Future;
-use std::sync::{Arc, Mutex, Once, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use tokio::runtime::{Builder, Runtime};
 use tokio::task::JoinHandle;
@@ -41,10 +41,6 @@ impl Connection {
         let runtime = Builder::new_current_thread().enable_io().enable_time().build();
         let runtime = runtime.map_err(|error| away(server, format!("the system gives no connection: {error}")))?;
         let found = password::find(server);
-        if let Some(ignored) = &found.ignored {
-            static TOLD: Once = Once::new();
-            TOLD.call_once(|| eprintln!("warning: {ignored}"));
-        }
         let mut config = Config::new();
         config
             .user(&server.user)

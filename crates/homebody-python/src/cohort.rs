@@ -3,7 +3,8 @@
 use crate::fault::{json, named, raised};
 use crate::scenario::Scenario;
 use crate::work::Watched;
-use homebody_kit::{CohortLayout, Error, LivedCohort, MemberLived, Url};
+use homebody_core::problem::Problem;
+use homebody_kit::{CohortLayout, Error, LivedCohort, MemberLived, TruthKept, Url};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
@@ -11,6 +12,8 @@ use std::path::PathBuf;
 #[pyclass(frozen, module = "homebody._homebody")]
 pub struct Cohort {
     cohort: homebody_kit::Cohort,
+    /// What is right in what was asked, and hardly meant.
+    remarks: Vec<Problem>,
 }
 
 /// What a cohort is to be, as `homebody._cohort` says it.
@@ -30,6 +33,9 @@ pub struct Wanted {
     /// Such as `parquet`.
     #[pyo3(item)]
     form: String,
+    /// `all` or `brief`.
+    #[pyo3(item)]
+    truth: Option<String>,
 }
 
 #[pymethods]
@@ -41,8 +47,15 @@ impl Cohort {
         let layout = CohortLayout::of(&place).map_err(|why| named("ScenarioError", why))?;
         let opened = &scenario.opened;
         let made = py.detach(|| -> Result<_, Error> {
+            let file = &opened.scenario().file;
+            let length = opened.scenario().calendar.span_of_days(wanted.days.unwrap_or(file.days));
+            let mut remarks = opened.remarks(length);
             let setup = match (&wanted.profiles, wanted.residents) {
-                (Some((name, text)), _) => opened.cohort_of(opened.profiles_of(name, text, &wanted.without)?),
+                (Some((name, text)), _) => {
+                    let profiles = opened.profiles_of(name, text, &wanted.without)?;
+                    remarks.extend(opened.remarks_on(name, &profiles, length)?);
+                    opened.cohort_of(profiles)
+                }
                 (None, count) => opened.cohort(count.unwrap_or(1)),
             };
             let mut setup = setup.without(&wanted.without).layout(layout);
@@ -52,15 +65,26 @@ impl Cohort {
             if let Some(seed) = wanted.seed {
                 setup = setup.seed(seed);
             }
-            setup.start()
+            if let Some(kept) = &wanted.truth {
+                setup = setup.truth(if kept == "brief" { TruthKept::Brief } else { TruthKept::All });
+            }
+            Ok(Cohort { cohort: setup.start()?, remarks })
         });
-        made.map(|cohort| Cohort { cohort }).map_err(raised)
+        made.map_err(raised)
     }
 
     /// The one that was begun in a folder.
     #[staticmethod]
     fn left_in(py: Python<'_>, folder: PathBuf) -> PyResult<Cohort> {
-        py.detach(|| homebody_kit::Cohort::left_in(&folder)).map(|(cohort, _)| Cohort { cohort }).map_err(raised)
+        py.detach(|| homebody_kit::Cohort::left_in(&folder))
+            .map(|(cohort, _)| Cohort { cohort, remarks: Vec::new() })
+            .map_err(raised)
+    }
+
+    /// What is right in what was asked, and hardly meant: in words, of one that was not begun before.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.remarks.iter().map(Problem::to_string).collect()
     }
 
     #[getter]
@@ -105,9 +129,21 @@ impl Cohort {
                 opened => opened.map_err(raised)?,
             };
             let progress = |lived: homebody_kit::Progress| watched.tell(lived.lived as f64, lived.length as f64);
-            let lived = unfinished.cancel(&watched.cancel).go_on(progress).map_err(raised)?;
+            let lived = watched.beside(|| unfinished.cancel(&watched.cancel).go_on(progress)).map_err(raised)?;
             Ok(LivedCohort::is_stopped(&lived))
         });
         watched.over(result)
     }
+}
+
+/// The text of the list of the cohort in a folder or a store.
+#[pyfunction]
+pub fn list_of_cohort(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
+    py.detach(|| homebody_kit::list_of_cohort(&folder)).map_err(raised)
+}
+
+/// Copies a member's files into another folder.
+#[pyfunction]
+pub fn bring_member(py: Python<'_>, folder: PathBuf, form: &str, name: &str, to: PathBuf) -> PyResult<()> {
+    py.detach(|| homebody_kit::bring_member(&folder, form, name, &to)).map_err(raised)
 }

@@ -60,7 +60,7 @@ impl Driver for PythonDriver {
         let Some(asked) = &self.asked else { return Next::Failed("it could not be made".into()) };
         let answer = Python::attach(|py| {
             let plan = around.plan();
-            let body = |body: Body| (body.resident.index(), xy(body.at), xy(body.to), posture_name(body.posture));
+            let body = |body: Body| (body.resident.index(), xy(body.at), xy(body.to), body.posture.name());
             let own = around.body();
             let room = own.and_then(|own| around.room_at(own.at)).map(|room| plan.rooms[room.index()].name.clone());
             let others: Vec<_> = around.others().map(body).collect();
@@ -91,14 +91,6 @@ impl Driver for PythonDriver {
 
 fn xy(at: Point) -> (f64, f64) {
     (at.x, at.y)
-}
-
-fn posture_name(posture: Posture) -> &'static str {
-    match posture {
-        Posture::Standing => "standing",
-        Posture::Sitting => "sitting",
-        Posture::Lying => "lying",
-    }
 }
 
 /// An answer: what it is, then what belongs to it.
@@ -148,10 +140,8 @@ fn next(answer: &Bound<'_, PyAny>, around: &Surroundings, home: &Home) -> PyResu
 }
 
 fn posture_of(name: &str) -> PyResult<Posture> {
-    match name {
-        "standing" => Ok(Posture::Standing),
-        "sitting" => Ok(Posture::Sitting),
-        "lying" => Ok(Posture::Lying),
-        other => Err(PyValueError::new_err(format!("posture {other:?}: it is standing, sitting or lying"))),
-    }
+    Posture::named(name).ok_or_else(|| {
+        let known = Posture::ALL.map(Posture::name).join(", ");
+        PyValueError::new_err(format!("posture {name:?}: it is one of {known}"))
+    })
 }

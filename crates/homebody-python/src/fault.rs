@@ -14,15 +14,22 @@ const ERRORS: &str = "homebody.errors";
 pub fn raised(error: Error) -> PyErr {
     match error {
         Error::Problems(problems) => with_problems(&problems),
-        Error::TimeZone(_) | Error::Length { .. } | Error::Resident { .. } | Error::Template { .. } => {
-            named("ScenarioError", error)
-        }
+        Error::TimeZone(_)
+        | Error::Length { .. }
+        | Error::Members { .. }
+        | Error::Resident { .. }
+        | Error::Template { .. } => named("ScenarioError", error),
         Error::Driver { .. } => named("DriverError", error),
+        Error::Exists { .. } | Error::NotEmpty { .. } => named("Exists", error),
         Error::Cancelled => named("Stopped", error),
         Error::File { .. }
         | Error::Log(_)
         | Error::StoppedAway { .. }
         | Error::NoLog { .. }
+        | Error::NoSilhouettes { .. }
+        | Error::NoRecording { .. }
+        | Error::OwnDrivers { .. }
+        | Error::NotFolder { .. }
         | Error::IsCohort { .. }
         | Error::NoRows { .. } => named("LogError", error),
         error => named("HomebodyError", error),

@@ -29,6 +29,7 @@ fn command(words: Vec<OsString>) {
 fn _homebody(module: &Bound<'_, PyModule>) -> PyResult<()> {
     homebody_kit::elsewhere::install_all();
     module.add("VERSION", homebody_kit::VERSION)?;
+    module.add("MOST_MEMBERS", homebody_kit::MOST_MEMBERS)?;
     module.add_class::<table::Stream>()?;
     module.add_class::<scenario::Scenario>()?;
     module.add_class::<log::Log>()?;
@@ -40,6 +41,8 @@ fn _homebody(module: &Bound<'_, PyModule>) -> PyResult<()> {
         wrap_pyfunction!(log::compare, module)?,
         wrap_pyfunction!(log::translate, module)?,
         wrap_pyfunction!(pictures::png, module)?,
+        wrap_pyfunction!(cohort::list_of_cohort, module)?,
+        wrap_pyfunction!(cohort::bring_member, module)?,
     ] {
         module.add_function(function)?;
     }

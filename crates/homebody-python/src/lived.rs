@@ -8,7 +8,7 @@ use pyo3::PyResult;
 /// What Python is told of a run that was stored.
 pub fn lived(lived: &Lived) -> PyResult<String> {
     let recording = &lived.recording;
-    // Without a recording nothing says which folder it is.
+    // That of a run with a driver in Python, too, which cannot be gone on with.
     let folder = lived.truth.as_ref().and_then(|truth| truth.path().parent()).map(|path| path.display().to_string());
     json(&serde_json::json!({
         "seed": recording.seed,

@@ -7,18 +7,19 @@ use crate::work::Watched;
 use arrow_array::{ArrayRef, RecordBatch};
 use homebody_analysis::dates::{Asked, date_of};
 use homebody_analysis::day::Day;
-use homebody_analysis::density::{self, density};
+use homebody_analysis::density::density;
 use homebody_analysis::windows::windows;
 use homebody_arrow::{Frame, Texts, Unshaped, whole_file};
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::walked::walk_into;
 use homebody_kit::{Error, Instants, LogWithRun, NamedLog};
-use homebody_log::source::Value;
+use homebody_log::source::{Clock, Value};
 use homebody_log::table::ColumnKind;
 use homebody_log::truth::tables;
 use homebody_log::{How, Transfer, Url, label};
 use homebody_picture::{DayChart, day_chart, density_map, measures_picture};
 use jiff::tz::TimeZone;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -96,6 +97,12 @@ impl Log {
 impl Log {
     #[new]
     fn new(py: Python<'_>, text: String, zone: Option<String>) -> PyResult<Log> {
+        if let Some(zone) = zone.as_deref().filter(|zone| TimeZone::get(zone).is_err()) {
+            let hint = "write a name such as Europe/Berlin";
+            return Err(PyValueError::new_err(format!(
+                "time_zone is {zone:?}: no time zone has this name\n  hint: {hint}"
+            )));
+        }
         let log = Log { text, zone, instants: OnceLock::new(), on_the_wall: OnceLock::new() };
         py.detach(|| log.named()).map_err(raised)?;
         Ok(log)
@@ -124,7 +131,11 @@ impl Log {
         py.detach(|| {
             let log = &self.instants()?.log;
             let skipped = log.problems.iter().map(|skipped| format!("line {}: {}", skipped.line, skipped.why));
-            Ok(log.remarks.iter().cloned().chain(skipped).collect())
+            let is_of_no_place = log.clock == Clock::Utc && self.zone.is_none();
+            let is_of_no_place = is_of_no_place && self.named().map_err(raised)?.zone().is_none();
+            let hours = "its hours are those of UTC: time_zone tells the home's own";
+            let hours = is_of_no_place.then(|| hours.to_owned());
+            Ok(log.remarks.iter().cloned().chain(hours).chain(skipped).collect())
         })
     }
 
@@ -180,9 +191,9 @@ impl Log {
     fn windows(&self, py: Python<'_>, span_s: f64) -> PyResult<Stream> {
         py.detach(|| {
             let Instants { log, lives, zone } = self.instants()?;
-            let cut = windows(log, lives, (span_s * SECOND as f64).round() as Micros);
-            let cut = cut.map_err(|why| named("HomebodyError", why))?;
             let wall = zone.as_deref().and_then(|zone| TimeZone::get(zone).ok()).unwrap_or(TimeZone::UTC);
+            let cut = windows(log, lives, (span_s * SECOND as f64).round() as Micros, &wall);
+            let cut = cut.map_err(|why| PyValueError::new_err(format!("span is {span_s} s: {why}")))?;
             let (mut residents, mut labels, mut rooms) = (Texts::default(), Texts::default(), Texts::default());
             let mut last = Texts::of(cut.sensors.clone());
             let (mut times, mut hours, mut weekdays) = (Vec::new(), Vec::new(), Vec::new());
@@ -252,10 +263,13 @@ impl Log {
                     let date = date_of(begin + number.saturating_mul(86_400 * SECOND));
                     (first..=last).contains(&date).then_some(date)
                 }
-                Err(_) => day.parse::<Asked>().map_err(|why| named("LogError", why))?.within(there),
+                Err(_) => {
+                    let wrong = |why| PyValueError::new_err(format!("day is {day:?}: {why}"));
+                    day.parse::<Asked>().map_err(wrong)?.within(there)
+                }
             };
-            let no_day = || named("LogError", format!("there is no day {day}: it goes from {first} to {last}"));
-            let day = Day::of(&read.name, &read.log, &read.lives, date.ok_or_else(no_day)?);
+            let no_day = || PyValueError::new_err(format!("day is {day}: the log goes from {first} to {last}"));
+            let day = Day::of(&read.name, &read.log, &read.lives, read.ended(), date.ok_or_else(no_day)?);
             Ok((json(&day)?, day_chart(&DayChart::of(&day))))
         })
     }
@@ -264,8 +278,8 @@ impl Log {
     fn density(&self, py: Python<'_>) -> PyResult<(String, String)> {
         py.detach(|| {
             let read = self.on_the_wall()?;
-            let asked = density::Asked { recorded: read.recorded.clone(), ..density::Asked::default() };
-            let map = density((&read.name, &read.log, &asked), None).map_err(|why| named("LogError", why))?;
+            let map =
+                density((&read.name, &read.log, &read.density_asked()), None).map_err(|why| named("LogError", why))?;
             Ok((json(&map)?, density_map(&map)))
         })
     }
@@ -321,20 +335,21 @@ impl Cells {
 }
 
 /// How alike two logs are, as JSON and in words.
+///
+/// Each is named with the zone that was asked for as it was read.
 #[pyfunction]
-pub fn compare(py: Python<'_>, a: &str, b: &str) -> PyResult<(String, String)> {
+pub fn compare(py: Python<'_>, a: (String, Option<String>), b: (String, Option<String>)) -> PyResult<(String, String)> {
     py.detach(|| {
-        let found = [a, b].map(NamedLog::find);
-        let [a, b] = found;
-        let found = [a.map_err(raised)?, b.map_err(raised)?];
+        let find = |text: &str| NamedLog::find(text).map_err(raised);
+        let found = [find(&a.0)?, find(&b.0)?];
         // A run knows what its own log's ids mean, and those of a copy of it.
         let name = |id: &str| found.iter().find_map(|named| named.name_of(id)).unwrap_or(id).to_owned();
-        let read = |named: &NamedLog| {
-            let mut log = named.with_activities().map_err(raised)?;
+        let read = |named: &NamedLog, zone: &Option<String>| {
+            let mut log = named.with_activities(zone.as_deref()).map_err(raised)?;
             log.sensors.iter_mut().for_each(|sensor| *sensor = name(sensor));
             Ok::<_, PyErr>(log)
         };
-        let comparison = homebody_analysis::compare::compare(&read(&found[0])?, &read(&found[1])?);
+        let comparison = homebody_analysis::compare::compare(&read(&found[0], &a.1)?, &read(&found[1], &b.1)?);
         Ok((json(&comparison)?, comparison.to_string()))
     })
 }

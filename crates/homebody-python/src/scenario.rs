@@ -5,12 +5,13 @@ use crate::fault::{json, named, raised};
 use crate::lived::lived;
 use crate::stepped::LiveRun;
 use crate::work::Watched;
-use homebody_analysis::coverage::{self, STEP_M, Seen};
-use homebody_core::geometry::Point;
+use homebody_analysis::coverage::{self, STEP_M};
 use homebody_core::home::Build;
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::NoText;
 use homebody_kit::{Destinations, Error, OpenScenario, RunSetup, Source, Template};
 use homebody_picture::{coverage_map, floor_plan};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -48,13 +49,25 @@ pub struct Wanted {
 }
 
 impl Scenario {
+    /// As it is, or with a run that begins when that is said.
+    fn starting(&self, start: Option<&str>) -> PyResult<OpenScenario> {
+        let Some(start) = start else { return Ok(self.opened.clone()) };
+        self.opened.starting(start).map_err(|error| match error {
+            // Of a scenario that is right, it is the start that is not.
+            Error::Problems(Problems(problems)) => {
+                let told = problems.iter().map(|Problem { what, hint, .. }| {
+                    hint.as_ref().map_or_else(|| what.clone(), |hint| format!("{what}\n  hint: {hint}"))
+                });
+                PyValueError::new_err(format!("start is {start:?}: {}", told.collect::<Vec<_>>().join("\n")))
+            }
+            error => raised(error),
+        })
+    }
+
     /// A run as it is wanted, and where exceptions of its drivers are left.
-    fn setup(&self, wanted: Wanted) -> Result<(RunSetup, Raised), Error> {
+    fn setup(&self, wanted: Wanted) -> PyResult<(RunSetup, Raised)> {
         let Wanted { days, seed, start, without, numbers, one_of_many, drivers } = wanted;
-        let opened = match start {
-            Some(start) => self.opened.starting(start)?,
-            None => self.opened.clone(),
-        };
+        let opened = self.starting(start.as_deref())?;
         let mut setup = opened.run().without(without);
         if let Some(days) = days {
             setup = setup.days(days);
@@ -185,10 +198,17 @@ impl Scenario {
         plan.room_at(homebody_core::geometry::point([x, y])).map(|room| plan.rooms[room].name.clone())
     }
 
-    /// What is right in it and hardly meant, in a run of so many days.
-    fn remarks(&self, py: Python<'_>, days: f64) -> PyResult<String> {
-        let length = self.opened.scenario().calendar.span_of_days(days);
-        json(&py.detach(|| self.opened.remarks(length)))
+    /// What is right in it and hardly meant, in a run of so many days, that begins then, with numbers of the models set.
+    fn remarks(
+        &self,
+        py: Python<'_>,
+        days: f64,
+        start: Option<&str>,
+        numbers: BTreeMap<String, f64>,
+    ) -> PyResult<String> {
+        let opened = self.starting(start)?.with_numbers(numbers).map_err(raised)?;
+        let length = opened.scenario().calendar.span_of_days(days);
+        json(&py.detach(|| opened.remarks(length)))
     }
 
     fn plan_svg(&self, py: Python<'_>) -> String {
@@ -201,13 +221,13 @@ impl Scenario {
         py.detach(|| {
             let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));
             let seen = coverage::of_home(&scenario.home, build, STEP_M);
-            Ok((json(&seen.coverage)?, coverage_map(&seen.home, &seen.coverage, &beams(&seen))))
+            Ok((json(&seen.coverage)?, coverage_map(&seen.home, &seen.coverage, &seen.beams())))
         })
     }
 
     /// Lives a run into a new folder in `runs`; returns what became of it as JSON.
     fn run(&self, py: Python<'_>, runs: PathBuf, wanted: Wanted, told: Option<Py<PyAny>>) -> PyResult<String> {
-        let (setup, by_driver) = self.setup(wanted).map_err(raised)?;
+        let (setup, by_driver) = self.setup(wanted)?;
         let watched = Watched::new(told);
         let result = py.detach(|| {
             let run = setup.cancel(&watched.cancel).start().map_err(|error| or_raised(error, &by_driver))?;
@@ -221,15 +241,8 @@ impl Scenario {
 
     /// A run at its beginning, to be stepped.
     fn live(&self, py: Python<'_>, wanted: Wanted) -> PyResult<LiveRun> {
-        let (setup, by_driver) = self.setup(wanted).map_err(raised)?;
+        let (setup, by_driver) = self.setup(wanted)?;
         let run = py.detach(|| setup.start()).map_err(|error| or_raised(error, &by_driver))?;
         Ok(LiveRun::new(run, by_driver))
     }
-}
-
-/// The wall sensors' beams on a standing body, to draw.
-fn beams(Seen { sensors, field, .. }: &Seen) -> Vec<(usize, Point, Point)> {
-    let walls = (0..sensors.len()).filter(|&sensor| sensors[sensor].is_on_wall());
-    let of = |sensor| field.beams[field.range(sensor)].iter().map(move |beam| (sensor, beam.start, beam.end()));
-    walls.flat_map(of).collect()
 }

@@ -4,7 +4,6 @@ use crate::driver::{Raised, or_raised};
 use crate::fault::{json, named};
 use crate::table::Stream;
 use homebody_arrow::{Frame, Texts};
-use homebody_core::scenario::path::Posture;
 use homebody_core::time::{SECOND, seconds};
 use pyo3::prelude::*;
 use serde_json::json;
@@ -67,15 +66,10 @@ impl LiveRun {
         let run = self.lock()?;
         let scene = run.scene();
         let plan = &run.home().plan;
-        let posture = |posture| match posture {
-            Posture::Standing => "standing",
-            Posture::Sitting => "sitting",
-            Posture::Lying => "lying",
-        };
         let bodies = run.residents().into_iter().zip(&scene.bodies).map(|(name, body)| {
             let body = body.as_ref().map(|body| {
                 let room = body.room.map(|room| plan.rooms[room.index()].name.clone());
-                json!({ "x": body.at.x, "y": body.at.y, "posture": posture(body.posture), "room": room })
+                json!({ "x": body.at.x, "y": body.at.y, "posture": body.posture.name(), "room": room })
             });
             (name, body.unwrap_or(serde_json::Value::Null))
         });

@@ -2,6 +2,7 @@
 
 use homebody_kit::Cancel;
 use pyo3::prelude::*;
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -44,6 +45,27 @@ impl Watched {
             state.raised = Some(error);
             self.cancel.cancel();
         }
+    }
+
+    /// Does work whose threads are others' while this one asks Python whether to go on: only the thread that Python began in is told
+    /// of Ctrl-C, and it would do nothing but wait.
+    pub fn beside<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        std::thread::scope(|scope| {
+            let (is_doing, is_done) = mpsc::channel::<()>();
+            let doing = scope.spawn(move || {
+                let done = work();
+                drop(is_doing);
+                done
+            });
+            while is_done.recv_timeout(EVERY) == Err(RecvTimeoutError::Timeout) {
+                // Not with the state in hand: who tells how far it is has that, and waits for Python.
+                if let Err(error) = Python::attach(|py| py.check_signals()) {
+                    self.state.lock().unwrap_or_else(PoisonError::into_inner).raised.get_or_insert(error);
+                    self.cancel.cancel();
+                }
+            }
+            doing.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        })
     }
 
     /// What Python has raised meanwhile is raised; else what came of the work stands.

@@ -4,7 +4,7 @@ use crate::language::LAST_WEEK;
 use crate::language::activities::phrase;
 use crate::routine::{
     Activity, Chance, Change, DayKind, Days, Effect, Habit, Moment, PartOfDay, Person, Phase, Quote, Response, Routine,
-    Rule, Shy, When,
+    Rule, Shy, USUAL_SHARE, When,
 };
 use homebody_core::fuzzy::Fuzzy;
 use serde::Serialize;
@@ -160,9 +160,13 @@ fn row(line: u32, said: &str, kind: Kind, what: String) -> Row {
 
 fn of_habit(habit: &Habit) -> Row {
     let who = habit.visitor.as_deref().unwrap_or("the person");
-    let what = match &habit.visitor {
-        Some(visitor) => format!("{visitor} {}", phrase(&habit.activity)),
+    let doing = match habit.falling.map(|falling| falling.words()).filter(|words| !words.is_empty()) {
+        Some(words) => format!("{}: {words}", phrase(&habit.activity)),
         None => phrase(&habit.activity),
+    };
+    let what = match &habit.visitor {
+        Some(visitor) => format!("{visitor} {doing}"),
+        None => doing.clone(),
     };
     let start = match &habit.when {
         When::At(at) => Some(Spread::of(at)),
@@ -174,12 +178,19 @@ fn of_habit(habit: &Habit) -> Row {
         (least, most) if least == most => format!("{least} times"),
         (least, most) => format!("{least} to {most} times"),
     };
-    let when = when_words(&habit.when, &habit.activity);
+    let mostly = habit.falling.and_then(|falling| falling.mostly);
+    let when = match mostly {
+        Some(part) => {
+            let when = when_words(&When::Within(part), &habit.activity);
+            format!("{} times out of 4 {}, else at another time", 4.0 * USUAL_SHARE, when.trim_start_matches("start "))
+        }
+        None => when_words(&habit.when, &habit.activity),
+    };
     let place = habit.place.as_ref().map(|place| format!("at the {place}"));
     let lasting = habit.lasts.as_ref().map(|lasts| format!("lasts {}", lasts_words(lasts)));
     let until = habit.until.as_ref().map(|until| format!("until {}", clock_words(until)));
     let said = [
-        Some(format!("{} {who} {}", days_words(&habit.days, &habit.chance), phrase(&habit.activity))),
+        Some(format!("{} {who} {doing}", days_words(&habit.days, &habit.chance))),
         place,
         Some(times.clone()),
         Some(when.clone()),
@@ -187,7 +198,8 @@ fn of_habit(habit: &Habit) -> Row {
         until.clone(),
         Some(phase_words(&habit.phase)),
     ];
-    let short_when = [times, short_when(&habit.when), until.unwrap_or_default()];
+    let short_mostly = mostly.map_or_else(|| short_when(&habit.when), |part| format!("mostly {}", part.word()));
+    let short_when = [times, short_mostly, until.unwrap_or_default()];
     Row {
         place: habit.place.clone(),
         days: short_days(&habit.days, &habit.chance),
@@ -250,6 +262,9 @@ fn effect_words(effect: &Effect) -> String {
         Effect::Later { activity, by } => shift(&phrase(activity), by, "later", "earlier"),
         Effect::Longer { activity, factor: by } => format!("{} {} as long", phrase(activity), factor(by)),
         Effect::LongerBy { activity, by } => shift(&phrase(activity), by, "longer", "shorter"),
+        Effect::Oftener { activity, part: when, factor: by } if by.high <= 0.0 => {
+            format!("never {}{}", phrase(activity), part(when))
+        }
         Effect::Oftener { activity, part: when, factor: by } => {
             format!("{}{} {} as often", phrase(activity), part(when), factor(by))
         }

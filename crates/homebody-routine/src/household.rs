@@ -132,10 +132,12 @@ impl Household {
             scenario: scenario.clone(),
         };
         let mut problems = household.not_shown(without);
+        let people = household.people().residents;
         for (resident, routine) in scenario.residents.iter().zip(&household.routines) {
             if let Some(routine) = routine {
-                let (plan, conditions) = (scenario.home.plan(), &household.conditions);
-                problems.extend(needs_of_home::check(&scenario, plan, &resident.file, routine, conditions));
+                let others = people - usize::from(routine.is_of_person());
+                let known = &household.conditions;
+                problems.extend(needs_of_home::check(&scenario, &resident.file, routine, known, others));
             }
         }
         if !problems.is_empty() {
@@ -273,8 +275,7 @@ impl Household {
         let mut all = BTreeSet::new();
         for (resident, routine) in self.scenario.residents.iter().zip(&self.routines) {
             let routine = routine.as_ref()?;
-            let is_person = routine.person.as_ref().is_none_or(|person| person.kind == Kind::Person);
-            if is_person {
+            if routine.is_of_person() {
                 all.extend(needs_of_home::used_things(home, plan, &resident.file, routine, &self.conditions));
             }
         }
@@ -297,10 +298,7 @@ impl Household {
 
     /// Everybody who lives or comes there.
     fn people(&self) -> Arc<People> {
-        let is_person = |routine: &Option<Routine>| {
-            let person = routine.as_ref().and_then(|routine| routine.person.as_ref());
-            person.is_none_or(|person| person.kind == Kind::Person)
-        };
+        let is_person = |routine: &Option<Routine>| routine.as_ref().is_none_or(Routine::is_of_person);
         let mut are_people: Vec<bool> = self.routines.iter().map(is_person).collect();
         let residents = are_people.iter().filter(|&&is| is).count();
         let first = are_people.len();

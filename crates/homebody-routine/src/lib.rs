@@ -15,5 +15,6 @@ pub mod rhythm;
 
 // The living of it, and everybody of a scenario who does.
 pub mod living;
+mod room_for;
 mod needs_of_home;
 pub mod household;

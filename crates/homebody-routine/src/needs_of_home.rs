@@ -2,39 +2,42 @@
 
 use crate::living::places::{Places, Spot};
 use crate::living::script::ACTED_ON;
-use crate::routine::{Activity, Kind, Quote, Response, Routine, Rule, USUAL, shows};
+use crate::room_for;
+use crate::routine::{Activity, FallEnds, Habit, Quote, Response, Routine, Rule, USUAL, shows};
 use homebody_core::geometry;
 use homebody_core::home::plan::{self, Plan};
 use homebody_core::numbers::Numbers;
 use homebody_core::problem::Problem;
 use homebody_core::role::Role;
-use homebody_core::scenario::home::HomeFile;
+use homebody_core::scenario::home::{FurnitureFile, HomeFile};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::resident::ResidentFile;
 use homebody_walk::Mesh;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is missing, and what there is no way to, for one resident and the conditions that their routine shows.
+/// What is missing, and what there is no way to, for one resident and the conditions that their routine shows. So many other people live
+/// there.
 pub fn check(
     scenario: &Scenario,
-    plan: &Plan,
     resident: &ResidentFile,
     routine: &Routine,
     conditions: &BTreeMap<String, Routine>,
+    others: usize,
 ) -> Vec<Problem> {
+    let plan = scenario.home.plan();
     let places = Places::new(&scenario.home, plan, &mesh(plan, resident, scenario.home.numbers()), &resident.name);
     let texts = with_conditions(routine, conditions);
-    let kind = routine.person.as_ref().map_or(Kind::Person, |person| person.kind);
     let mut check = Check {
         home: &scenario.home,
         numbers: scenario.home.numbers(),
         resident,
+        others,
         file: &routine.file,
         bed: String::new(),
         told: BTreeSet::new(),
         problems: Vec::new(),
     };
-    check.all(&places, &texts, kind == Kind::Person);
+    check.all(&places, &texts, routine.is_of_person());
     check.problems
 }
 
@@ -89,10 +92,36 @@ const MOST_EXPLAINED: usize = 3;
 /// So many pieces of furniture are tried for each (ours).
 const MOST_PIECES: usize = 12;
 
+/// What everybody needs, what is said where there is none, and what to do then.
+type Need = (Role, &'static str, &'static str);
+
+const NO_BED: Need = (
+    Role::Bed,
+    "there is nowhere in this home to sleep",
+    "give it a piece of furniture \"bed\" that is enterable, or one with the \"role\" \"bed\"",
+);
+const NO_TOILET: Need = (
+    Role::Toilet,
+    "there is no toilet in this home",
+    "give it a piece of furniture or a place \"toilet\", or a piece with the \"role\" \"toilet\"",
+);
+const NO_SEAT: Need = (
+    Role::Armchair,
+    "there is nowhere to sit in this home",
+    "give it an \"armchair\" that is enterable, or another piece with the \"role\" \"armchair\"",
+);
+const NO_KITCHEN: Need = (
+    Role::Fridge,
+    "there is no kitchen in this home",
+    "give it a room \"kitchen\", a place \"fridge\", or a piece of furniture with the \"role\" \"fridge\"",
+);
+
 struct Check<'a> {
     home: &'a HomeFile,
     numbers: &'a Numbers,
     resident: &'a ResidentFile,
+    /// How many other people live there.
+    others: usize,
     /// The routine's file.
     file: &'a str,
     /// Where the resident sleeps.
@@ -105,9 +134,14 @@ struct Check<'a> {
 impl Check<'_> {
     fn all(&mut self, places: &Places, texts: &[&Routine], is_person: bool) {
         let anybodys = || places.anybodys(Role::Bed).into_iter().next().filter(|_| !is_person);
+        if is_person {
+            self.missing(places);
+        }
         let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
-            let hint = "give it a piece of furniture \"bed\" that is enterable, or one with the \"role\" \"bed\"";
-            return self.say(None, "there is nowhere in this home to sleep", hint);
+            if !is_person {
+                self.say(None, NO_BED.1, NO_BED.2);
+            }
+            return;
         };
         self.bed = bed.name.clone();
         // Who cannot get out of bed gets nowhere.
@@ -119,9 +153,6 @@ impl Check<'_> {
         }
         let of_pets = [(Role::Basket, None), (Role::FoodBowl, None)];
         let used = if is_person { used_roles(places, texts) } else { of_pets.into() };
-        if is_person {
-            self.missing(places);
-        }
         for (role, said) in used {
             if let Some(spot) = places.out_of_reach(role) {
                 self.no_way(spot, said);
@@ -138,31 +169,46 @@ impl Check<'_> {
             let hint = "mark a door as \"outside\", or name a place \"front door\"";
             self.say(Some((self.file, &habit.said)), "there is no way out of this home", hint);
         }
+        self.unfound(texts);
     }
 
-    /// What everybody needs and the home does not have.
-    fn missing(&mut self, places: &Places) {
-        for (role, what, hint) in [
-            (
-                Role::Toilet,
-                "there is no toilet in this home",
-                "give it a piece of furniture or a place \"toilet\", or a piece with the \"role\" \"toilet\"",
-            ),
-            (
-                Role::Armchair,
-                "there is nowhere to sit in this home",
-                "give it an \"armchair\" that is enterable, or another piece with the \"role\" \"armchair\"",
-            ),
-            (
-                Role::Fridge,
-                "there is no kitchen in this home",
-                "give it a room \"kitchen\", a place \"fridge\", or a piece of furniture with the \"role\" \"fridge\"",
-            ),
-        ] {
-            if places.of(role).is_none() {
-                self.say(None, what, hint);
-            }
+    /// Nobody is there, or comes, to find who lies on the floor until they are found.
+    fn unfound(&mut self, texts: &[&Routine]) {
+        let habits = || texts.iter().flat_map(|text| text.habits.iter().map(move |habit| (text.file.as_str(), habit)));
+        if self.others > 0 || habits().any(|(_, habit)| habit.visitor.is_some()) {
+            return;
         }
+        let waits = |habit: &Habit| habit.falling.is_some_and(|falling| falling.ends == FallEnds::Found);
+        if let Some((file, habit)) = habits().find(|(_, habit)| waits(habit)) {
+            let what = format!("nobody finds {}: nobody else lives here, and nobody visits", self.resident.name);
+            let hint = "say who comes: \"her daughter visits every morning for 20 minutes\"; or for how long she lies \
+                there: \"and lies there for 2 hours\"";
+            self.say(Some((file, &habit.said)), &what, hint);
+        }
+    }
+
+    /// What everybody needs and the home does not have, each with a place where it could be. These are beside each other: whoever
+    /// does all that is said has a home to live in.
+    fn missing(&mut self, places: &Places) {
+        let mut home = self.home.clone();
+        for (role, what, hint) in [NO_BED, NO_TOILET, NO_SEAT, NO_KITCHEN] {
+            if places.of(role).is_some() {
+                continue;
+            }
+            let piece = room_for::piece(&home, role, self.resident, self.numbers);
+            let example = piece.as_ref().map(|piece| self.example(piece)).unwrap_or_default();
+            home.furniture.extend(piece);
+            self.say(None, what, &format!("{hint}{example}"));
+        }
+    }
+
+    /// A piece as it is written into a home, and in which room that is.
+    fn example(&self, piece: &FurnitureFile) -> String {
+        let outline = plan::furniture_outline(piece);
+        let room = Plan::new(self.home).room_at(geometry::inner_point(&outline));
+        let room = room.map(|room| format!(" in {:?}", self.home.rooms[room].name)).unwrap_or_default();
+        let text = serde_json::to_string(piece).unwrap_or_default();
+        format!("; there is room{room}: add to \"furniture\" {}", text.replace("\":", "\": ").replace(',', ", "))
     }
 
     /// There is no way to a place, which is told once.
@@ -258,8 +304,11 @@ fn used_roles<'t>(places: &Places, texts: &[&'t Routine]) -> Vec<(Role, Option<(
         used.push((Activity::UseComputer, None));
     }
     let mut all: Vec<(Role, Option<(&str, &Quote)>)> = Vec::new();
-    for (activity, said) in used {
-        for &role in activity.roles() {
+    let falls = texts.iter().flat_map(|text| text.habits.iter().map(move |habit| (habit, text.file.as_str())));
+    let falls = falls.filter_map(|(habit, file)| Some((habit.falling?.roles(), Some((file, &habit.said)))));
+    let of_doing = used.into_iter().map(|(activity, said)| (activity.roles().to_vec(), said));
+    for (roles, said) in of_doing.chain(falls) {
+        for role in roles {
             if all.iter().all(|(known, _)| *known != role) {
                 all.push((role, said));
             }

@@ -4,12 +4,14 @@
 //! nobody said, such as how long a breakfast takes, is for the living to fill in.
 
 pub use days::{DayKind, Days, Moment, PartOfDay, Phase};
+pub use falling::{FallEnds, Falling, FallsFrom, USUAL_SHARE};
 use homebody_core::activity::{self, UsualLength};
 use homebody_core::fuzzy::{Fuzzy, Quantifier};
 use homebody_core::role::Role;
 use serde::Serialize;
 
 mod days;
+mod falling;
 
 /// A routine file, or a condition file, which is about nobody in particular.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
@@ -81,6 +83,9 @@ pub struct Habit {
     pub until: Option<Fuzzy>,
     /// How many times in each span that `when` names: the least and the most.
     pub times: (u32, u32),
+    /// How somebody falls, if more is said than that they do.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub falling: Option<Falling>,
 }
 
 /// What can be done. Most are done at a place that the home names after them.
@@ -124,6 +129,8 @@ pub enum Activity {
     LieAwake,
     /// Losing one's footing, and lying on the floor for a while.
     Fall,
+    /// Losing one's footing, and not falling.
+    Stumble,
     /// Something that needs no acting out of its own: the label of its row in the table of activities.
     Everyday(&'static str),
     /// What the user names, by place and duration, such as `knits`.
@@ -326,6 +333,11 @@ pub enum Shy {
 }
 
 impl Routine {
+    /// Whether it is that of a person, and not of an animal.
+    pub fn is_of_person(&self) -> bool {
+        self.person.as_ref().is_none_or(|person| person.kind == Kind::Person)
+    }
+
     /// Where somebody sleeps at night, if it is said.
     pub fn sleeps_at(&self) -> Option<&str> {
         let beds = self.habits.iter().filter(|habit| habit.activity == Activity::GoToBed && habit.visitor.is_none());
@@ -335,7 +347,7 @@ impl Routine {
 
 impl Activity {
     /// Those that are acted out in a way of their own.
-    pub const OWN_WAYS: [Activity; 33] = {
+    pub const OWN_WAYS: [Activity; 34] = {
         use Meal::{Breakfast, Dinner, Lunch};
         [
             Activity::GetUp,
@@ -371,6 +383,7 @@ impl Activity {
             Activity::Lap,
             Activity::LieAwake,
             Activity::Fall,
+            Activity::Stumble,
         ]
     };
 
@@ -423,6 +436,7 @@ impl Activity {
             Activity::Lap => activity::LAPPING,
             Activity::LieAwake => activity::LYING_AWAKE,
             Activity::Fall => activity::FALLEN,
+            Activity::Stumble => activity::STUMBLING,
             Activity::Everyday(label) => label,
             Activity::Other(words) => words,
         }

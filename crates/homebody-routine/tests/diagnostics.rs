@@ -511,7 +511,7 @@ fn sentences_that_contradict_each_other() {
         "two times of the same day: line 1",
         "",
     );
-    let out = "she is out then, by line 1";
+    let out = "the person is out then, by line 1";
     refused("She goes out from 10:00 to 15:00.\nShe eats lunch at 12:30.", "eats lunch", out, "on which days");
     understood("On Monday she goes out from 10:00 to 15:00.\nFrom Tuesday to Sunday she eats lunch at 12:30.");
     let home = "line 1 says, too, when she comes home";

@@ -36,6 +36,7 @@ fn every_sentence_is_said_again_in_words() {
              day 85, gone after 14 days more.",
         ),
         ("She gets up 45 to 90 minutes earlier.", "Gets up 45 min to 1 h 30 min earlier."),
+        ("She does not go out on Sunday.", "Never leaves the apartment; on each Sunday."),
         (
             "Whenever she has been in bed for 10 hours, she often gets up.",
             "Whenever the person has been in bed for 9 h to 11 h, with probability 0.7 the person gets up.",

@@ -115,7 +115,7 @@ impl Moment {
     }
 
     pub fn posture(&self) -> &'static str {
-        self.body.map_or("out", |(_, posture)| posture_name(posture))
+        self.body.map_or("out", |(_, posture)| posture.name())
     }
 
     pub fn hour(&self) -> f64 {
@@ -150,7 +150,7 @@ impl Moment {
             let map: Map = [
                 ("name", Dynamic::from(name)),
                 ("room", self.room_name(other.at).into()),
-                ("posture", Dynamic::from(posture_name(other.posture).to_owned())),
+                ("posture", Dynamic::from(other.posture.name().to_owned())),
                 ("x", other.at.x.into()),
                 ("y", other.at.y.into()),
                 ("distance", self.at().distance(other.at).into()),
@@ -241,14 +241,6 @@ impl Moment {
             self.streams.insert(name.into(), stream);
         }
         self.streams.get_mut(name).ok_or_else(|| wrong("there is no such stream"))
-    }
-}
-
-fn posture_name(posture: Posture) -> &'static str {
-    match posture {
-        Posture::Standing => "standing",
-        Posture::Sitting => "sitting",
-        Posture::Lying => "lying",
     }
 }
 

@@ -67,9 +67,10 @@ impl Step {
     /// How one stirs where nothing is said of it.
     pub fn usual_manner(posture: Posture) -> Manner {
         match posture {
-            Posture::Standing => Manner::BUSY,
+            Posture::Standing | Posture::Bending | Posture::Kneeling => Manner::BUSY,
             Posture::Sitting => Manner::READING,
             Posture::Lying => Manner::AWAKE_IN_BED,
+            Posture::Down => Manner::FALLEN,
         }
     }
 }

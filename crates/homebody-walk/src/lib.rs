@@ -52,6 +52,7 @@ mod pattern;
 // Where things are done in a home, how a body that stays there stirs, and how it gets from one place to the next.
 pub mod places;
 pub mod stations;
+mod standing;
 pub mod manner;
 pub mod body;
 

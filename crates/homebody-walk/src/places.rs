@@ -1,5 +1,6 @@
 //! Where things are done in this home: the places, seats and things that it names after them.
 
+use super::standing::{around_in_room, beside, just_inside, sides_of};
 use super::stations::{chore, is_opened};
 use crate::mesh::Mesh;
 use homebody_core::geometry::{self, Point};
@@ -130,13 +131,7 @@ impl Places {
         }
         let hub = hub(&spots, mesh);
         let is_reachable = |at: Point| hub.is_some_and(|hub| mesh.can_reach(hub, at));
-        spots.iter_mut().for_each(|spot| spot.is_reachable = is_reachable(spot.at));
-        for (index, around) in sides {
-            let spot = &mut spots[index];
-            if let Some(at) = around.into_iter().find(|&at| !spot.is_reachable && is_reachable(at)) {
-                *spot = Spot { at, room: plan.room_at(at), is_reachable: true, ..spot.clone() };
-            }
-        }
+        find_ways(plan, &mut spots, sides, is_reachable);
         let roles = home.doors.iter().map(|_| None).chain(home.furniture.iter().map(|piece| piece.role));
         let roles = roles.chain(std::iter::repeat(None));
         let things = plan.things.iter().map(|thing| thing.name.to_lowercase()).zip(roles).collect();
@@ -250,11 +245,10 @@ impl Places {
         let is_alike = |other: &&Spot| {
             let shares_role = || ROLES.iter().any(|row| spot.is_of(row.role) && other.is_of(row.role));
             match spot.posture {
-                Posture::Standing => shares_role(),
                 Posture::Sitting => {
                     other.posture == Posture::Sitting && !is_toilet(other) && !is_toilet(spot) || shares_role()
                 }
-                Posture::Lying => shares_role(),
+                _ => shares_role(),
             }
         };
         let others = self.spots.iter().filter(|other| other.name != spot.name && other.is_reachable);
@@ -385,32 +379,24 @@ impl Places {
     }
 }
 
-/// A point in a room half a metre or so from a door in its wall.
-fn just_inside(plan: &Plan, door: Point) -> Point {
-    let around = (0..16).map(|part| door + geometry::direction(f64::from(part) * 22.5) * 0.5);
-    let free = around.filter(|&at| plan.room_at(at).is_some() && plan.is_walkable(at, 0.25));
-    // The farther from walls the better: straight ahead.
-    let room = |at: &Point| {
-        let solids = plan.solids.iter().filter(|solid| solid.stops_bodies);
-        solids.map(|solid| geometry::distance_to_area(&solid.outline, *at)).fold(f64::INFINITY, f64::min)
+/// Marks the spots that there is a way to. What has places around it is reached by the first of them that there is a way to, and a
+/// room in whose middle something stands beside that.
+fn find_ways(plan: &Plan, spots: &mut [Spot], sides: Vec<(usize, Vec<Point>)>, is_reachable: impl Fn(Point) -> bool) {
+    /// So many places of such a room are tried (ours): each costs a search for a way.
+    const MOST_TRIED: usize = 20;
+    spots.iter_mut().for_each(|spot| spot.is_reachable = is_reachable(spot.at));
+    let around_middle = |(index, spot): (usize, &Spot)| {
+        let room = spot.room.filter(|_| spot.is_room && !spot.is_reachable)?;
+        Some((index, around_in_room(plan, room, spot.at).into_iter().take(MOST_TRIED).collect()))
     };
-    free.max_by(|a, b| room(a).total_cmp(&room(b))).unwrap_or(door)
-}
-
-/// Where somebody can stand at a piece of furniture: before the middles of its sides where there is room, the nearest to its
-/// middle first.
-fn beside(plan: &Plan, outline: &[Point]) -> Vec<Point> {
-    /// From its edge, in metres: a body and a hand's breadth (ours).
-    const OFF_M: f64 = 0.32;
-    let middle = geometry::inner_point(outline);
-    let side = |(a, b): (Point, Point)| {
-        let off = (b - a).normalize_or_zero().perp() * -OFF_M;
-        (a + b) / 2.0 + off
-    };
-    let free = geometry::sides(outline).map(side).filter(|&at| plan.is_walkable(at, OFF_M - 0.05));
-    let mut free: Vec<Point> = free.collect();
-    free.sort_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)));
-    free
+    let rooms = spots.iter().enumerate().filter_map(around_middle);
+    let around: Vec<(usize, Vec<Point>)> = rooms.chain(sides).collect();
+    for (index, around) in around {
+        let spot = &mut spots[index];
+        if let Some(at) = around.into_iter().find(|&at| !spot.is_reachable && is_reachable(at)) {
+            *spot = Spot { at, room: plan.room_at(at), is_reachable: true, ..spot.clone() };
+        }
+    }
 }
 
 /// A place from which there is a way to most of the others; nothing where there is no place to stand at all.
@@ -423,38 +409,6 @@ fn hub(spots: &[Spot], mesh: &Mesh) -> Option<Point> {
         }
     }
     parts.into_iter().reduce(|a, b| if b.1 > a.1 { b } else { a }).map(|(of, _)| of)
-}
-
-/// Where people lie side by side in a bed, or sit in a row on a sofa; none where there is room for one.
-fn sides_of(outline: &[Point], posture: Posture) -> Vec<Point> {
-    /// A bed that is narrower is for one; what somebody who sits takes of a sofa (ours).
-    const BED_M: f64 = 1.1;
-    const SEAT_M: f64 = 0.6;
-    let Some((a, b)) = geometry::sides(outline).max_by(|(a, b), (c, d)| a.distance(*b).total_cmp(&c.distance(*d)))
-    else {
-        return Vec::new();
-    };
-    let along = (b - a).normalize_or_zero();
-    let across = along.perp();
-    let middle = geometry::inner_point(outline);
-    let extent = |direction: Point| {
-        let shares = outline.iter().map(|corner| (*corner - middle).dot(direction));
-        shares.fold((0.0, 0.0), |(least, most): (f64, f64), share| (least.min(share), most.max(share)))
-    };
-    let direction = if posture == Posture::Lying { across } else { along };
-    let (least, most) = extent(direction);
-    let count = match posture {
-        Posture::Lying => {
-            if most - least < BED_M {
-                1
-            } else {
-                2
-            }
-        }
-        _ => ((most - least) / SEAT_M) as usize,
-    };
-    let place = |index| middle + direction * (least + (most - least) * (index as f64 + 0.5) / count as f64);
-    if count < 2 { Vec::new() } else { (0..count).map(place).collect() }
 }
 
 /// Whether it is called after somebody, such as `ruth's bed`.
@@ -520,6 +474,46 @@ mod tests {
     }
 
     #[test]
+    fn the_way_out_is_before_a_door_however_thick_its_wall_is() {
+        for thickness_m in [0.1, 0.5, 0.6, 1.0] {
+            let door = json!({ "name": "front door", "from": [4.0, 0.0], "to": [5.0, 0.0], "outside": true });
+            let wall = json!({ "from": [0.0, 0.0], "to": [8.0, 0.0], "thickness_m": thickness_m });
+            let outline = [[0, 0], [8, 0], [8, 4], [0, 4]];
+            let home = json!({
+                "name": "stone", "rooms": [{ "name": "hall", "outline": outline }], "walls": [wall], "doors": [door],
+                "furniture": [{ "name": "bed", "at": [1.0, 2.5], "size_m": [0.9, 2.0], "height_m": 0.5, "enterable": true }],
+            });
+            let home: HomeFile = serde_json::from_value(home).unwrap();
+            let plan = Plan::new(&home);
+            let places = Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna");
+            let (way_out, _) = places.door.clone().unwrap();
+            assert!(way_out.is_reachable, "{thickness_m}");
+            assert!(
+                way_out.at.distance(Point::new(4.5, 0.0)) < thickness_m / 2.0 + 0.55,
+                "{thickness_m}: {}",
+                way_out.at
+            );
+        }
+    }
+
+    #[test]
+    fn people_stand_beside_what_is_in_the_middle_of_a_room() {
+        let home = json!({
+            "name": "island", "rooms": [{ "name": "kitchen", "outline": [[0, 0], [6, 0], [6, 4], [0, 4]] }], "walls": [],
+            "furniture": [
+                { "name": "island", "at": [3.0, 2.0], "size_m": [2.2, 1.5], "height_m": 0.9 },
+                { "name": "bed", "at": [0.6, 2.0], "size_m": [0.9, 2.0], "height_m": 0.5, "enterable": true },
+            ],
+        });
+        let home: HomeFile = serde_json::from_value(home).unwrap();
+        let plan = Plan::new(&home);
+        let places = Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna");
+        let kitchen = places.named("kitchen").unwrap();
+        assert!(kitchen.is_room && kitchen.is_reachable && plan.is_walkable(kitchen.at, 0.22), "{}", kitchen.at);
+        assert!(kitchen.at.distance(Point::new(3.0, 2.0)) < 1.2, "{}", kitchen.at);
+    }
+
+    #[test]
     fn people_sit_at_a_desk() {
         let places = places(&["desk", "desk chair"], "anna");
         let spot = places.of(Role::Desk).unwrap();
@@ -539,5 +533,28 @@ mod tests {
         ] {
             assert_eq!(places(&[name], "anna").named(name).unwrap().posture, posture, "{name}");
         }
+    }
+
+    #[test]
+    fn what_stands_in_a_narrow_place_is_reached_over() {
+        let wall = json!({ "from": [0, 0], "to": [0, 4], "thickness_m": 0.1 });
+        let outline = [[0, 0], [4, 0], [4, 4], [0, 4]];
+        let is_reached = |tables: &[[f64; 4]]| {
+            let table = |(index, [x, y, width, depth]): (usize, &[f64; 4])| json!({ "name": format!("table {index}"), "at": [x, y], "size_m": [width, depth], "height_m": 0.7 });
+            let basin = json!({ "name": "basin", "at": [0.35, 2], "size_m": [0.6, 0.6], "height_m": 0.9 });
+            let furniture: Vec<_> = tables.iter().enumerate().map(table).chain([basin]).collect();
+            let home = json!({
+                "name": "one room", "rooms": [{ "name": "bath", "outline": outline }], "walls": [wall], "furniture": furniture,
+            });
+            let home: HomeFile = serde_json::from_value(home).unwrap();
+            let plan = Plan::new(&home);
+            Places::new(&home, &plan, &Mesh::new(&plan, 0.22), "anna").of(Role::Washbasin).unwrap().is_reachable
+        };
+        // A table before it, and two that leave half a metre beside it.
+        let before = [1.05, 2.0, 0.7, 0.6];
+        assert!(is_reached(&[before, [0.9, 3.0, 0.6, 1.1], [0.9, 1.0, 0.6, 1.1]]));
+        // There is no way to the gap.
+        let around = [[0.5, 3.0, 1.0, 1.1], [0.5, 1.0, 1.0, 1.1]];
+        assert!(!is_reached(&[before, around[0], around[1]]));
     }
 }

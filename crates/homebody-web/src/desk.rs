@@ -1,12 +1,14 @@
 //! The desk: where the scenario's files are written in the page. What is asked about a draft never touches the disk; saving
 //! replaces only what the page has seen.
 
-mod entries;
+pub(crate) mod entries;
+mod installing;
 mod life;
 mod lived_draft;
 mod log;
 mod naming;
 mod plan;
+mod suggesting;
 
 use crate::shelf::Shelf;
 use crate::wire::{
@@ -37,11 +39,12 @@ pub struct Desk {
     writing: Arc<Mutex<()>>,
     /// Held while a draft is lived: one after the other, so that the run on the stage has a core. What is kept of the last.
     living: Arc<Mutex<Option<lived_draft::LivedDraft>>>,
+    suggesting: Arc<suggesting::Suggesting>,
 }
 
 impl Desk {
     pub fn new(shelf: Shelf) -> Desk {
-        Desk { shelf, writing: Arc::default(), living: Arc::default() }
+        Desk { shelf, writing: Arc::default(), living: Arc::default(), suggesting: Arc::default() }
     }
 
     /// All files that can be written, and what the scenario takes them for.
@@ -82,11 +85,15 @@ impl Desk {
         if names.len() < save.files.len() {
             return Err("a file is named twice".into());
         }
-        let mut places = Vec::new();
-        for file in &save.files {
-            let unknown = || readable(format!("{:?} is no name for a file of this scenario", file.name));
-            places.push(self.shelf.place_of(&file.name).ok_or_else(unknown)?);
-        }
+        let is_made = self.make_folder(&names)?;
+        let unknown = |name: &str| readable(format!("{name:?} is no name for a file of this scenario"));
+        let place = |file: &SaveFile| self.shelf.place_of(&file.name).ok_or_else(|| unknown(&file.name));
+        let places = save.files.iter().map(place).collect::<Result<Vec<_>, _>>().inspect_err(|_| {
+            if is_made {
+                // Nothing is in it.
+                let _ = std::fs::remove_dir(&self.shelf.scenario);
+            }
+        })?;
         let there = |name: &str| self.file(name).unwrap_or_else(|| gone(name));
         let is_as_seen = |file: &SaveFile| there(&file.name).version == file.version.clone().unwrap_or_default();
         let others = save.files.iter().filter(|file| !is_as_seen(file));
@@ -110,6 +117,18 @@ impl Desk {
             saved.insert(file.name.clone(), version(&file.text));
         }
         Ok(SavedView { saved, changed })
+    }
+
+    /// Makes the scenario's folder where it is gone and its own file is written back; whether that was so.
+    fn make_folder(&self, names: &BTreeSet<&str>) -> Result<bool, String> {
+        let folder = &self.shelf.scenario;
+        if folder.exists() || !names.contains(self.shelf.entry.as_str()) {
+            return Ok(false);
+        }
+        let failed =
+            |error: std::io::Error| format!("the scenario's folder is gone, and cannot be made again: {error}");
+        std::fs::create_dir(folder).map_err(failed)?;
+        Ok(true)
     }
 
     /// The scenario's files with a draft laid over them.

@@ -1,14 +1,17 @@
 //! A home and what is in it, in the words of the wire.
 
 use crate::wire::{
-    At, BodyView, DoorView, HomeView, Posture, RoomView, SensorView, SolidKind, SolidView, ThingKind, ThingView,
+    At, BodyView, CameraView, DoorView, HomeView, Posture, RoomView, SensorView, SolidKind, SolidView, ThingKind,
+    ThingView,
 };
+use homebody_analysis::coverage::cameras::CameraFloor;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::bake;
 use homebody_core::home::plan::{Origin, Plan};
 use homebody_core::role::Role;
 use homebody_core::scenario::home::{FurnitureFile, HomeFile, SensorFile};
 use homebody_core::scenario::path;
+use homebody_core::sensors::camera::CameraFile;
 use homebody_core::sensors::form::{Bearer, Mount};
 use homebody_core::sensors::{Kind, Sensor};
 
@@ -30,10 +33,12 @@ pub fn home(file: &HomeFile, plan: &Plan, sensors: &[Sensor]) -> HomeView {
         rooms: plan
             .rooms
             .iter()
-            .map(|room| RoomView {
+            .zip(&file.rooms)
+            .map(|(room, file)| RoomView {
                 name: room.name.clone(),
                 outline: outline(&room.outline),
                 middle: at(geometry::inner_point(&room.outline)),
+                floor: file.floor.clone(),
             })
             .collect(),
         solids: plan
@@ -113,11 +118,21 @@ fn sensor(sensor: &Sensor, file: &SensorFile, plan: &Plan) -> SensorView {
         at: at(sensor.at),
         facing_deg: match file {
             SensorFile::Motion(motion) => Some(motion.facing_deg),
+            SensorFile::Camera(camera) => Some(camera.facing_deg),
             _ => None,
         },
         beams: beams.iter().map(|beam| [at(beam.start), at(beam.start + beam.direction * beam.length)]).collect(),
         area,
+        camera: match file {
+            SensorFile::Camera(camera) => Some(self::camera(camera, plan)),
+            _ => None,
+        },
     }
+}
+
+fn camera(file: &CameraFile, plan: &Plan) -> CameraView {
+    let CameraFloor { seen, hidden } = CameraFloor::of(plan, &file.lens());
+    CameraView { pixels: file.pixels, period_us: file.period(), always: file.always, seen, hidden }
 }
 
 /// A body; `heading_deg` is where it faced last.
@@ -133,9 +148,9 @@ pub fn body(seen: &homebody_core::scene::Presence, heading_deg: f64, activity: O
 
 pub fn posture(posture: path::Posture) -> Posture {
     match posture {
-        path::Posture::Standing => Posture::Standing,
-        path::Posture::Sitting => Posture::Sitting,
-        path::Posture::Lying => Posture::Lying,
+        path::Posture::Standing | path::Posture::Bending => Posture::Standing,
+        path::Posture::Sitting | path::Posture::Kneeling => Posture::Sitting,
+        path::Posture::Lying | path::Posture::Down => Posture::Lying,
     }
 }
 

@@ -22,8 +22,14 @@ use tokio::sync::watch;
 /// The header that the token comes in.
 pub const TOKEN: HeaderName = HeaderName::from_static("x-homebody-token");
 
+/// How long a token is: twice as many digits.
+pub const TOKEN_BYTES: usize = 32;
+
 /// Where pages say what they want, and see what there is.
 pub const SOCKET: &str = "/api/live";
+
+/// Below this each home of a library has what a server of it alone has below `/api/`.
+pub const HOMES: &str = "/api/homes/";
 
 /// What scripts, pictures and connections the page may have: its own.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; \
@@ -47,11 +53,9 @@ pub struct Guard {
 type Turn = Arc<tokio::sync::Mutex<()>>;
 
 impl Guard {
-    /// A guard with a new token of 256 bits.
-    pub fn new(address: SocketAddr) -> Result<Guard, getrandom::Error> {
-        let mut bytes = [0; 32];
-        getrandom::fill(&mut bytes)?;
-        let token = bytes.iter().map(|byte| format!("{byte:02x}")).collect();
+    /// A guard with this token, or with a new one of 256 bits.
+    pub fn new(address: SocketAddr, token: Option<String>) -> Result<Guard, getrandom::Error> {
+        let token = token.map_or_else(fresh_token, Ok)?;
         let has_entered = watch::Sender::new(false);
         Ok(Guard { hosts: hosts(address), token, wrong: Arc::default(), has_entered })
     }
@@ -116,6 +120,18 @@ impl Guard {
     }
 }
 
+/// Whether a path is that of the socket of the scenario, or of some home.
+fn is_socket(path: &str) -> bool {
+    let of_home = path.strip_prefix(HOMES).and_then(|rest| rest.split_once('/'));
+    path == SOCKET || of_home.is_some_and(|(_, rest)| rest == "live")
+}
+
+fn fresh_token() -> Result<String, getrandom::Error> {
+    let mut bytes = [0; TOKEN_BYTES];
+    getrandom::fill(&mut bytes)?;
+    Ok(bytes.iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
 /// Where somebody comes from. Of an IPv6 address it is the network: whoever has one address has all of its network.
 fn place_of(from: IpAddr) -> IpAddr {
     match from {
@@ -150,7 +166,7 @@ pub async fn watch(
         given.is_some_and(|token| guard.knows(token, &visit))
     };
     // The socket's token comes in its first message.
-    let is_open = !path.starts_with("/api/") || path == SOCKET;
+    let is_open = !path.starts_with("/api/") || is_socket(path);
     let mut response = if !guard.is_for_us(headers, request.uri()) {
         (StatusCode::FORBIDDEN, "This server has another name.").into_response()
     } else if !guard.is_from_us(headers) {

@@ -1,22 +1,18 @@
 //! What becomes of stored runs: they are called something, noted about, put aside and fetched back.
 //!
-//! What somebody calls a run is a small file of JSON in its folder. A run that is put aside is moved into a hidden folder beside the
-//! others, where no listing finds it, until it is fetched back or somebody removes that folder.
+//! What somebody calls a run is a small file of JSON in its folder.
 
+use crate::aside::{self, Unmoved};
 use crate::shelf::Shelf;
 use crate::stored_log::{Refusal, damaged};
 use crate::wire::{PutAside, RunAbout};
 use homebody_kit::walked::RELIVED;
 use homebody_log::fresh::FreshFile;
 use homebody_log::plain;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What the file is called.
 pub const ABOUT: &str = "about-run.json";
-
-/// The folder of runs that are put aside, beside the others.
-const ASIDE: &str = ".put-aside";
 
 /// How many letters there are at most (ours).
 const LONGEST_TITLE: usize = 100;
@@ -60,37 +56,24 @@ pub fn put_aside(shelf: &Shelf, run: &str) -> Result<PutAside, Refusal> {
     let name =
         shelf.run(run).map(|_| run.strip_suffix(RELIVED).and_then(|folder| folder.strip_suffix('/')).unwrap_or(run));
     let name = name.ok_or_else(|| unknown(run))?;
-    let failed = |error: std::io::Error| damaged(format!("{name} cannot be put aside: {error}"));
-    let aside = shelf.runs.join(ASIDE);
-    fs::create_dir_all(&aside).map_err(failed)?;
-    let is_free = |key: &String| fs::symlink_metadata(aside.join(key)).is_err();
-    let flat = name.replace('/', "+");
-    let key = (1..).map(|number| format!("{flat}~{number}")).find(is_free).expect("a number that is not taken");
-    fs::rename(shelf.runs.join(name), aside.join(&key)).map_err(failed)?;
-    Ok(PutAside { key })
+    let key = aside::put(&shelf.runs, name);
+    key.map(|key| PutAside { key }).map_err(|error| damaged(format!("{name} cannot be put aside: {error}")))
 }
 
 /// Fetches back what was put aside under a key, and says which run it is.
 pub fn fetch_back(shelf: &Shelf, key: &str) -> Result<String, Refusal> {
-    let gone = || Refusal::Unknown(format!("Nothing is put aside as {key:?}."));
-    let aside = shelf.runs.join(ASIDE);
-    let listed = fs::read_dir(&aside).map_err(|_| gone())?.flatten();
-    let found = listed.map(|entry| entry.file_name()).find(|name| name.to_str() == Some(key)).ok_or_else(gone)?;
-    let name = key.rsplit_once('~').ok_or_else(gone)?.0.replace('+', "/");
-    let failed = |error: std::io::Error| damaged(format!("{name} cannot be fetched back: {error}"));
-    let to = shelf.runs.join(&name);
-    if fs::symlink_metadata(&to).is_ok() {
-        return Err(damaged(format!("There is another run called {name} now.")));
-    }
-    let folder = to.parent().unwrap_or(&shelf.runs);
-    fs::create_dir_all(folder).and_then(|()| fs::rename(aside.join(found), &to)).map_err(failed)?;
-    Ok(name)
+    aside::fetch_back(&shelf.runs, key).map_err(|why| match why {
+        Unmoved::Unknown => Refusal::Unknown(format!("Nothing is put aside as {key:?}.")),
+        Unmoved::Taken(name) => damaged(format!("There is another run called {name} now.")),
+        Unmoved::Failed(error) => damaged(format!("{key} cannot be fetched back: {error}")),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use homebody_log::places::RECORDING;
+    use std::fs;
 
     fn shelf(runs: &[&str]) -> (tempfile::TempDir, Shelf) {
         let folder = tempfile::tempdir().unwrap();

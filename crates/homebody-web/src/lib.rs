@@ -16,20 +16,28 @@ pub mod staged_run;
 mod dates;
 mod draw;
 mod growth;
+mod driven;
 mod input_keeper;
 mod effort;
+mod looks;
 
 /// Files that are written in the page.
 pub mod desk;
 pub mod stage;
 
 /// Runs that are stored, day by day; logs that were walked back are played as runs.
+mod film;
 mod stored_log;
 mod walked;
 pub mod playback;
 
 /// What stored runs are called, and what becomes of them.
+mod aside;
 mod keeping;
+
+/// A folder of homes.
+mod copied;
+pub mod library;
 
 /// Logs that are opened in the page, and what they hold.
 pub mod walks;
@@ -44,11 +52,15 @@ mod visit;
 pub mod guard;
 mod connections;
 mod doorway;
+pub mod kept_address;
 mod page;
+mod answers;
+mod house;
+mod homes;
 pub mod server;
 mod socket;
 mod metrics;
 
 pub use metrics::serve_metrics;
 pub use page::has_page;
-pub use server::{Address, Options, ServeError, serve};
+pub use server::{Address, Offer, Options, ServeError, serve};

@@ -35,7 +35,7 @@ pub fn serve_metrics(
                 _ => ServeError::Port { address, source },
             })?;
             let address = listener.local_addr().map_err(ServeError::Broken)?;
-            let guard = Guard::new(address).map_err(ServeError::Token)?;
+            let guard = Guard::new(address, None).map_err(ServeError::Token)?;
             drop(_entered);
             Ok((runtime, listener, address, guard))
         });

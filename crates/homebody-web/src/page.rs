@@ -4,6 +4,9 @@ use axum::http::{StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
 use include_dir::{Dir, include_dir};
 
+/// Where the first page of a library is.
+pub const FIRST_PAGE: &str = "/library/";
+
 static PAGE: Dir = include_dir!("$HOMEBODY_PAGE");
 
 /// Whether the page was built into this program; without it there is a page that says why.
@@ -15,6 +18,8 @@ pub fn has_page() -> bool {
 pub async fn file(uri: Uri) -> Response {
     let name = match uri.path() {
         "/" => "index.html",
+        // The first page of a library, and those of its homes: which it is, the page knows from its address.
+        path if path == FIRST_PAGE || is_of_home(path) => "index.html",
         path => path.trim_start_matches('/'),
     };
     let Some(file) = PAGE.get_file(name) else {
@@ -24,6 +29,12 @@ pub async fn file(uri: Uri) -> Response {
     let cache = if name.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };
     let headers = [(header::CONTENT_TYPE, kind(name)), (header::CACHE_CONTROL, cache)];
     (headers, file.contents()).into_response()
+}
+
+/// Whether a path is `/homes/NAME/`.
+fn is_of_home(path: &str) -> bool {
+    let name = path.strip_prefix("/homes/").and_then(|rest| rest.strip_suffix('/'));
+    name.is_some_and(|name| !name.is_empty() && !name.contains('/'))
 }
 
 fn kind(name: &str) -> &'static str {

@@ -1,30 +1,38 @@
 //! Runs that are stored, day by day: what the log says, and beside it, where there is one, what the truth knows.
 //!
-//! A run is opened once: its log is read into memory, its truth is asked day by day. The last few that were opened are kept, as
-//! long as their files stay as they are.
+//! A run is opened once: its log is read into a file without a name, while the page shows what has come of it; its truth is asked day by
+//! day. The last few that were opened are kept, as long as their files stay as they are.
 
+mod coming;
+mod filmed;
 mod finding;
 mod lanes;
+mod lived;
+mod reading;
 
 use crate::dates;
 use crate::draw;
+use crate::film::Film;
 use crate::keeping;
 use crate::shelf::Shelf;
 pub use crate::stored_log::Refusal;
-use crate::stored_log::{MOST_ROWS, StoredRows, damaged, numbers, shortened, tell_of};
+use crate::stored_log::{StoredRows, damaged, shortened};
 use crate::walked::{Walked, chances_of, reported};
 use crate::wire::{
-    Chance, DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ResidentView, StoredView,
+    Chance, DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ReadingView, ResidentView, StoredView,
 };
+use coming::Grows;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::scheme::{self, Scheme};
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::find::Stay;
-use homebody_log::places::RECORDING;
-use homebody_log::{Log, LogError, Movement, MovementKind, Movements, RunClock, Url};
+use homebody_log::places::{RECORDING, SILHOUETTES};
+use homebody_log::{LogError, Movement, MovementKind, Movements, RunClock, Url};
 use homebody_routine::household::Household;
+use lived::{Lived, Lives, Spans};
+use reading::Reading;
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -36,6 +44,9 @@ const MOST_OPEN: usize = 3;
 
 /// So much is remembered of runs for their list (ours): some hundred bytes each.
 const MOST_LISTED: usize = 20_000;
+
+/// So long is waited for the log of a run that is opened (ours): most are read by then, and what is wrong with them is said at once.
+const OPENS_WITHIN: Duration = Duration::from_millis(800);
 
 /// So many spans of activities are told of a whole run; of a year they would be tens of thousands (ours).
 const MOST_SPANS: usize = 6000;
@@ -86,12 +97,16 @@ struct Opened {
     /// What it was read from, and what that was like.
     files: Vec<PathBuf>,
     state: State,
-    view: Arc<PlaybackView>,
-    /// In the order of time, each with the sensor's number in the view.
-    rows: Option<Mutex<StoredRows>>,
-    /// By resident; none where there is no truth.
-    rooms: Vec<Vec<(i64, i64, u32)>>,
-    activities: Vec<Vec<(i64, i64, u32)>>,
+    /// What is known without the log.
+    view: PlaybackView,
+    /// The log, if there is one.
+    reading: Option<Reading>,
+    /// With all of the log.
+    whole: OnceLock<Arc<PlaybackView>>,
+    /// What its truth tells, if it has one.
+    lived: Option<Lived>,
+    /// All of that, once it was wanted.
+    lives: OnceLock<Arc<Lives>>,
     movements: Option<Mutex<Movements>>,
     /// By resident; none but of a log that was walked back.
     chances: Vec<Vec<Chance>>,
@@ -99,6 +114,8 @@ struct Opened {
     clock: RunClock,
     /// The messages that never reached the logger, once somebody has looked for them.
     lost: OnceLock<Vec<Stay<'static>>>,
+    /// What its cameras have kept.
+    film: Option<Film>,
 }
 
 /// When a run's files were written, and how long they are.
@@ -112,6 +129,11 @@ impl Playback {
     /// All runs, the latest first.
     pub fn list(&self) -> Vec<StoredView> {
         self.shelf.runs().into_iter().map(|name| self.stored(name)).collect()
+    }
+
+    /// The latest runs.
+    pub fn latest(&self, most: usize) -> Vec<StoredView> {
+        self.shelf.runs().into_iter().take(most).map(|name| self.stored(name)).collect()
     }
 
     fn stored(&self, name: String) -> StoredView {
@@ -180,9 +202,14 @@ impl Playback {
         recorded
     }
 
-    /// A run as a whole.
+    /// A run as a whole, with what is known of its log by now.
     pub fn run(&self, name: &str) -> Result<Arc<PlaybackView>, Refusal> {
-        Ok(self.open(name)?.view.clone())
+        self.open(name)?.known()
+    }
+
+    /// How far the log of a run is read.
+    pub fn reading(&self, name: &str) -> Result<ReadingView, Refusal> {
+        Ok(ReadingView { read_us: self.open(name)?.read_us()? })
     }
 
     /// A day of a run, the first being 0.
@@ -192,15 +219,20 @@ impl Playback {
         let count = if days == 1 { "one day".into() } else { format!("{days} days") };
         let unknown = || Refusal::Unknown(format!("{name:?} has {count}, numbered from 0."));
         let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(unknown)?;
-        let rows = match &run.rows {
-            Some(rows) => rows.lock().unwrap_or_else(PoisonError::into_inner).of(day).map_err(damaged)?,
+        let rows = match &run.reading {
+            Some(reading) => reading.until(end_us)?.of(day)?,
             None => Vec::new(),
         };
-        let mut lives = vec![LifeView::default(); run.rooms.len()];
+        let mut lives = run.nobody_yet();
         let until_us = run.moved(begin_us, end_us, &mut lives)?;
+        if let Some(lived) = &run.lived {
+            let known = lived.coming().until(end_us)?;
+            for (index, life) in lives.iter_mut().enumerate() {
+                life.rooms = overlapping(&known.lives().rooms[index], begin_us, end_us);
+                life.activities = overlapping(&known.lives().activities[index], begin_us, end_us);
+            }
+        }
         for (index, life) in lives.iter_mut().enumerate() {
-            life.rooms = overlapping(&run.rooms[index], begin_us, end_us);
-            life.activities = overlapping(&run.activities[index], begin_us, end_us);
             life.chances = run.chances.get(index).map_or(Vec::new(), |all| chances_of(all, begin_us, end_us));
         }
         Ok(DayView { rows: rows.iter().map(|row| (row.at, row.sensor, row.value)).collect(), lives, until_us })
@@ -211,7 +243,7 @@ impl Playback {
         let run = self.open(name)?;
         let unknown = || Refusal::Unknown(format!("{name:?} has no such day."));
         let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(unknown)?;
-        let mut lives = vec![LifeView::default(); run.rooms.len()];
+        let mut lives = run.nobody_yet();
         let until_us = run.moved(from.clamp(begin_us, end_us), end_us, &mut lives)?;
         Ok(DayView { rows: Vec::new(), lives, until_us })
     }
@@ -224,7 +256,7 @@ impl Playback {
         let mut opened = self.opened.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(at) = opened.iter().position(|run| run.name == name) {
             let run = opened.remove(at);
-            if run.state == state(&run.files) {
+            if run.read_us().is_ok() && run.state == state(&run.files) {
                 opened.push(run.clone());
                 return Ok(run);
             }
@@ -247,50 +279,72 @@ impl Playback {
         let walked = self.shelf.walked(name).map(Walked::at).transpose()?;
         let log = self.log(name, &scenario);
         let truth = self.shelf.file_of_run(name, TRUTH);
+        let silhouettes = self.shelf.file_of_run(name, SILHOUETTES);
         let folder = recording_path.parent().unwrap_or(Path::new("")).to_owned();
-        let mut files = vec![recording_path, folder.join(TRUTH)];
+        let mut files = vec![recording_path, folder.join(TRUTH), folder.join(SILHOUETTES)];
         files.extend(log.iter().filter_map(|log| log.file().map(Path::to_owned)));
         files.extend(walked.iter().flat_map(Walked::files));
         // Looked at before they are read: what changes meanwhile is read again.
         let state = state(&files);
 
-        let rows = match (&walked, &log) {
-            (Some(walked), _) => Some(walked.rows(&scenario, &mut view, &self.shelf.runs)?),
+        let begun = Instant::now();
+        let reading = match (&walked, log) {
+            (Some(walked), _) => {
+                let rows = walked.rows(&scenario, &mut view, &self.shelf.runs)?;
+                Some(Reading::whole(rows, &mut view))
+            }
             (None, Some(url)) => {
-                Some(rows_of_run(url, &scenario, recording.is_complete(), &mut view, &self.shelf.runs)?)
+                let beside = &self.shelf.runs;
+                let rows = StoredRows::new(beside, &view, &scenario.calendar, Micros::MAX).map_err(damaged)?;
+                let reading = Reading::begin(url, &scenario, recording.is_complete(), &view, rows)?;
+                Some(reading)
             }
             (None, None) => {
                 view.remarks.push("There is no log in its folder.".into());
                 None
             }
         };
-        view.hours = rows.as_ref().map_or_else(|| vec![vec![0; 24]; view.days.len()], |rows| rows.hours.clone());
 
         let mut run = Opened {
             name: name.into(),
             files,
             state,
-            view: Arc::new(view.clone()),
-            rows: rows.map(Mutex::new),
-            rooms: Vec::new(),
-            activities: Vec::new(),
+            view: view.clone(),
+            reading,
+            whole: OnceLock::new(),
+            lived: None,
+            lives: OnceLock::new(),
             movements: None,
             chances: Vec::new(),
             truth: truth.as_deref().map(|truth| Url::new(Scheme::Sqlite, truth)),
             clock: RunClock::of(&scenario, length),
             lost: OnceLock::new(),
+            film: None,
         };
+        if let Some(path) = silhouettes.filter(|_| walked.is_none()) {
+            run.film = Some(Film::new(path, scenario.clone(), &view));
+            view.has_silhouettes = true;
+        }
         if let Some(truth) = &truth {
-            view.has_truth = true;
-            match run.learn(truth, &scenario, &mut view) {
-                Err(LogError::NoTruth { .. }) if !recording.is_complete() => view.has_truth = false,
-                learnt => learnt.map_err(damaged)?,
+            match run.learn(truth) {
+                Err(LogError::NoTruth { .. }) if !recording.is_complete() => {}
+                learnt => {
+                    run.lived = Some(learnt.map_err(damaged)??);
+                    view.has_truth = true;
+                }
             }
         }
         if let Some(walked) = &walked {
             run.chances = walked.chances(&scenario, &mut view)?;
         }
-        run.view = Arc::new(view);
+        run.view = view;
+        let left = || OPENS_WITHIN.saturating_sub(begun.elapsed());
+        if let Some(reading) = &run.reading {
+            reading.wait(Micros::MAX, left()).read_us()?;
+        }
+        if let Some(lived) = &run.lived {
+            lived.coming().wait(Micros::MAX, left()).read_us()?;
+        }
         Ok(run)
     }
 
@@ -311,7 +365,77 @@ impl Playback {
     }
 }
 
+impl Drop for Opened {
+    fn drop(&mut self) {
+        self.reading.iter().for_each(Reading::stop);
+        self.lived.iter().for_each(|lived| lived.coming().stop());
+    }
+}
+
 impl Opened {
+    /// Up to when log and truth are read; `None` once all of both is. Or why they cannot be.
+    fn read_us(&self) -> Result<Option<Micros>, Refusal> {
+        let log = self.reading.as_ref().map_or(Ok(None), |reading| reading.known().read_us())?;
+        let truth = self.lived.as_ref().map_or(Ok(None), |lived| lived.coming().known().read_us())?;
+        Ok(log.into_iter().chain(truth).min())
+    }
+
+    /// What is known by now.
+    fn known(&self) -> Result<Arc<PlaybackView>, Refusal> {
+        if let Some(whole) = self.whole.get() {
+            return Ok(whole.clone());
+        }
+        let mut view = self.view.clone();
+        view.read_us = self.read_us()?;
+        match &self.reading {
+            Some(reading) => {
+                let known = reading.known();
+                view.sensors = known.sensors.clone();
+                view.values = known.values.clone();
+                view.hours = known.rows.hours.clone();
+                view.remarks.extend_from_slice(&known.remarks);
+            }
+            None => view.hours = vec![vec![0; 24]; view.days.len()],
+        }
+        if let Some(lived) = &self.lived {
+            let known = lived.coming().known();
+            view.activities = known.lives().names.clone();
+            if view.read_us.is_none() {
+                view.spans = few(&known.lives().activities);
+            }
+        }
+        Ok(match view.read_us {
+            None => self.whole.get_or_init(|| Arc::new(view)).clone(),
+            Some(_) => Arc::new(view),
+        })
+    }
+
+    /// What is known once all is read.
+    fn whole(&self) -> Result<Arc<PlaybackView>, Refusal> {
+        if let Some(reading) = &self.reading {
+            drop(reading.until(Micros::MAX)?);
+        }
+        self.lives()?;
+        self.known()
+    }
+
+    /// All that the truth tells of lives, if there is one.
+    fn lives(&self) -> Result<Option<&Lives>, Refusal> {
+        if self.lives.get().is_none()
+            && let Some(lived) = &self.lived
+        {
+            let whole = lived.whole()?;
+            return Ok(Some(self.lives.get_or_init(|| whole)));
+        }
+        Ok(self.lives.get().map(|lives| &**lives))
+    }
+
+    /// Lives of which nothing is told yet; none where there is no truth.
+    fn nobody_yet(&self) -> Vec<LifeView> {
+        let count = if self.truth.is_some() { self.view.residents.len() } else { 0 };
+        vec![LifeView::default(); count]
+    }
+
     /// Tells lives what bodies did in a span, hour by hour, as long as there is time for an answer. Returns up to when.
     fn moved(&self, begin: Micros, end: Micros, lives: &mut [LifeView]) -> Result<Micros, Refusal> {
         let Some(movements) = &self.movements else { return Ok(end) };
@@ -348,32 +472,13 @@ impl Opened {
         }
     }
 
-    /// Reads what the truth tells of the whole run.
-    fn learn(&mut self, truth: &Path, scenario: &Scenario, view: &mut PlaybackView) -> Result<(), LogError> {
-        let clock = RunClock::of(scenario, view.length_us);
-        let names: Vec<String> = view.residents.iter().map(|resident| resident.name.clone()).collect();
-        let rooms: HashMap<&str, u32> = view.home.rooms.iter().map(|room| room.name.as_str()).zip(0..).collect();
-        let mut known: HashMap<String, u32> = HashMap::new();
-        self.rooms = vec![Vec::new(); names.len()];
-        self.activities = vec![Vec::new(); names.len()];
+    /// Opens the truth, and begins to read what it tells of the whole run.
+    fn learn(&mut self, truth: &Path) -> Result<Result<Lived, Refusal>, LogError> {
+        let names: Vec<String> = self.view.residents.iter().map(|resident| resident.name.clone()).collect();
+        let rooms: Vec<String> = self.view.home.rooms.iter().map(|room| room.name.clone()).collect();
         let truth = Url::new(Scheme::Sqlite, truth);
-        for life in homebody_log::lives(&truth, &clock)? {
-            let Some(resident) = names.iter().position(|name| *name == life.resident) else { continue };
-            for room in &life.rooms {
-                let number = rooms.get(room.name.as_str());
-                self.rooms[resident].extend(number.map(|&number| (room.begin, room.end, number)));
-            }
-            for activity in &life.activities {
-                let number = *known.entry(activity.name.clone()).or_insert_with(|| {
-                    view.activities.push(activity.name.clone());
-                    view.activities.len() as u32 - 1
-                });
-                self.activities[resident].push((activity.begin, activity.end, number));
-            }
-        }
-        view.spans = few(&self.activities);
-        self.movements = Some(Mutex::new(Movements::open(&truth, &names, clock)?));
-        Ok(())
+        self.movements = Some(Mutex::new(Movements::open(&truth, &names, self.clock.clone())?));
+        Ok(Lived::begin(truth, self.clock.clone(), names, &rooms))
     }
 }
 
@@ -397,28 +502,6 @@ pub fn state(files: &[PathBuf]) -> State {
     files.iter().map(look).collect()
 }
 
-/// The rows of a run's own log.
-fn rows_of_run(
-    url: &Url,
-    scenario: &Scenario,
-    is_complete: bool,
-    view: &mut PlaybackView,
-    beside: &Path,
-) -> Result<StoredRows, Refusal> {
-    let mut rows = StoredRows::new(beside, view, &scenario.calendar, Micros::MAX).map_err(damaged)?;
-    let log = match rows.read(url, &scenario.logger, MOST_ROWS) {
-        // A run that was killed before its first row, or has only just begun.
-        Err(LogError::NoTables { .. }) if !is_complete => Log::default(),
-        log => log.map_err(damaged)?,
-    };
-    if log.rows == 0 && !is_complete {
-        view.remarks.push("The run has no rows yet.".into());
-    }
-    rows.numbers = numbers(&log, url, scenario, view);
-    tell_of(log, view);
-    Ok(rows)
-}
-
 /// What is known of a run before its log is read.
 fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
     let radius = |index: usize| run.home().field(index, Posture::Standing).size.radius_m;
@@ -440,15 +523,17 @@ fn whole(name: &str, run: &Run, scenario: &Scenario) -> PlaybackView {
         activities: Vec::new(),
         spans: Vec::new(),
         walk: None,
+        has_silhouettes: false,
         remarks: Vec::new(),
+        read_us: None,
     }
 }
 
 /// Spans of activities, no more than [`MOST_SPANS`] in all: what goes on after a pause is one, and the shortest are left out.
-fn few(activities: &[Vec<(i64, i64, u32)>]) -> Vec<Vec<(i64, i64, u32)>> {
-    let mut few: Vec<Vec<(i64, i64, u32)>> = Vec::new();
+fn few(activities: &[Spans]) -> Vec<Spans> {
+    let mut few: Vec<Spans> = Vec::new();
     for all in activities {
-        let mut merged: Vec<(i64, i64, u32)> = Vec::new();
+        let mut merged = Spans::new();
         for &(begin, end, name) in all {
             match merged.last_mut() {
                 Some(last) if last.2 == name && begin - last.1 <= PAUSE => last.1 = last.1.max(end),

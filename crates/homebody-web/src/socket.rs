@@ -6,15 +6,17 @@ use crate::guard::Guard;
 use crate::stage::{Seen, Stage};
 use crate::visit::Visit;
 use crate::wire::Say;
-use axum::extract::ws::{CloseFrame, Message, WebSocket};
+use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade};
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::{IntoResponse, Response};
 use futures_util::StreamExt;
-use std::sync::Arc;
+use futures_util::stream::{SplitSink, SplitStream};
 use std::time::Duration;
-use tokio::sync::Semaphore;
+use tokio::sync::{Semaphore, watch};
 use tokio::time::{Instant, interval, sleep_until, timeout};
 
 /// A message of a page is no longer than this (ours).
-pub const LONGEST_MESSAGE_BYTES: usize = 64 << 10;
+const LONGEST_MESSAGE_BYTES: usize = 64 << 10;
 
 /// No page sees more pictures than sixty a second.
 const FRAME: Duration = Duration::from_micros(16_000);
@@ -31,30 +33,80 @@ const WRONG_TOKEN: u16 = 4401;
 /// What a socket is closed with where too many pages look already: it may try again later.
 const TOO_MANY: u16 = 1013;
 
+/// What a socket is closed with whose home is not there, or not any more.
+const NO_HOME: u16 = 4404;
+
 /// A page that has not read what was sent to it for so long is gone (ours).
 const LONGEST_UNREAD: Duration = Duration::from_secs(900);
 
-/// Serves a page until it goes. It takes one of `pages` once it has said the token.
-pub async fn serve(mut socket: WebSocket, visit: Visit, guard: Guard, pages: Arc<Semaphore>, stage: Stage) {
+/// Takes a socket of our own page, which is shown what there is once it has said the token.
+pub fn upgraded<F: Future<Output = ()> + Send>(
+    upgrade: WebSocketUpgrade,
+    headers: &HeaderMap,
+    visit: Visit,
+    guard: Guard,
+    show: impl FnOnce(WebSocket, Visit) -> F + Send + 'static,
+) -> Response {
+    if !guard.is_socket_from_us(headers) {
+        return (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response();
+    }
+    let upgrade = upgrade.max_message_size(LONGEST_MESSAGE_BYTES).max_frame_size(LONGEST_MESSAGE_BYTES);
+    upgrade.on_upgrade(async move |socket| {
+        let shown = async {
+            if let Some(socket) = let_in(socket, &visit, &guard).await {
+                show(socket, visit.clone()).await;
+            }
+        };
+        tokio::select! {
+            () = shown => {}
+            () = visit.sent_away() => {}
+        }
+    })
+}
+
+/// Serves a page that was let in until it goes, or its home does. It takes one of `pages`.
+pub async fn serve(socket: WebSocket, visit: Visit, pages: &Semaphore, stage: &Stage, mut gone: watch::Receiver<bool>) {
+    let Ok(_place) = pages.try_acquire() else { return close_for_now(socket).await };
+    visit.mark_page();
+    let held = Held { stage, keys: false };
+    let (mut out, mut heard) = socket.split();
+    // The page is gone when either side of it is.
+    let is_home_gone = tokio::select! {
+        _ = talk(&mut out, &mut heard, held) => false,
+        // Who tells lives as long as this.
+        _ = gone.wait_for(|gone| *gone) => true,
+    };
+    if let (true, Ok(socket)) = (is_home_gone, out.reunite(heard)) {
+        close_without_home(socket).await;
+    }
+}
+
+/// Tells a page that there is no such home, or not any more.
+pub async fn close_without_home(socket: WebSocket) {
+    close(socket, NO_HOME, "there is no such home").await;
+}
+
+/// Tells a page that it may try again later.
+pub async fn close_for_now(socket: WebSocket) {
+    close(socket, TOO_MANY, "too much is looked at already").await;
+}
+
+/// The socket again once its page has said the token; else it is closed.
+async fn let_in(mut socket: WebSocket, visit: &Visit, guard: &Guard) -> Option<WebSocket> {
     let hello = timeout(LONGEST_HELLO, socket.recv()).await;
     let is_known = match &hello {
         Ok(Some(Ok(Message::Text(text)))) => match serde_json::from_str(text) {
-            Ok(Say::Hello { token }) => guard.knows(&token, &visit),
+            Ok(Say::Hello { token }) => guard.knows(&token, visit),
             _ => false,
         },
         _ => false,
     };
-    if !is_known {
-        guard.delay(visit.from()).await;
-        return close(socket, WRONG_TOKEN, "the token is missing or wrong").await;
+    if is_known {
+        return Some(socket);
     }
-    let Ok(_place) = pages.try_acquire() else {
-        return close(socket, TOO_MANY, "too many pages look already").await;
-    };
-    visit.mark_page();
-    let held = Held { stage: &stage, keys: false };
-    // The page is gone when either side of it is.
-    let _ = talk(socket, held).await;
+    guard.delay(visit.from()).await;
+    close(socket, WRONG_TOKEN, "the token is missing or wrong").await;
+    None
 }
 
 async fn close(mut socket: WebSocket, code: u16, reason: &'static str) {
@@ -75,12 +127,15 @@ impl Drop for Held<'_> {
     }
 }
 
-async fn talk(socket: WebSocket, mut held: Held<'_>) -> Option<()> {
+async fn talk(
+    out: &mut SplitSink<WebSocket, Message>,
+    heard: &mut SplitStream<WebSocket>,
+    mut held: Held<'_>,
+) -> Option<()> {
     let stage = held.stage;
     let mut changed = stage.changed();
     let mut seen = Seen::default();
     let mut next = Instant::now();
-    let (mut out, mut heard) = socket.split();
     let mut alive = interval(Duration::from_secs(20));
     changed.mark_changed();
     loop {
@@ -108,18 +163,18 @@ async fn talk(socket: WebSocket, mut held: Held<'_>) -> Option<()> {
                 let news = stage.news(&mut seen, MOST_ROWS);
                 let sending = async {
                     for tell in news.tells {
-                        feed(&mut out, Message::Text(serde_json::to_string(&tell).ok()?.into())).await?;
+                        feed(out, Message::Text(serde_json::to_string(&tell).ok()?.into())).await?;
                     }
                     let Some(frame) = news.frame else { return Some(()) };
-                    feed(&mut out, Message::Binary(rmp_serde::to_vec_named(&frame).ok()?.into())).await
+                    feed(out, Message::Binary(rmp_serde::to_vec_named(&frame).ok()?.into())).await
                 };
                 timeout(LONGEST_UNREAD, sending).await.ok()??;
             }
-            _ = alive.tick() => timeout(LONGEST_UNREAD, feed(&mut out, Message::Ping(Default::default()))).await.ok()??,
+            _ = alive.tick() => timeout(LONGEST_UNREAD, feed(out, Message::Ping(Default::default()))).await.ok()??,
         }
     }
 }
 
-async fn feed(out: &mut (impl futures_util::Sink<Message> + Unpin), message: Message) -> Option<()> {
+async fn feed(out: &mut SplitSink<WebSocket, Message>, message: Message) -> Option<()> {
     futures_util::SinkExt::send(out, message).await.ok()
 }

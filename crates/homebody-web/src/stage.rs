@@ -163,6 +163,11 @@ impl Stage {
         lived.is_some_and(|lived| lived.view.id.as_deref() == Some(run))
     }
 
+    /// Whether a run is going on now.
+    pub fn is_playing(&self) -> bool {
+        locked(&self.board).lived.as_ref().is_some_and(|lived| lived.frame.state == State::Playing)
+    }
+
     /// Changes whenever there is something new to be seen.
     pub fn changed(&self) -> watch::Receiver<u64> {
         self.changed.clone()

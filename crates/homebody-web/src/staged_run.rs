@@ -3,21 +3,21 @@
 use crate::dates;
 use crate::desk;
 use crate::draw;
+use crate::driven::drive;
 use crate::effort::AT_ONCE;
 use crate::growth::Growth;
 use crate::input_keeper::{InputKeeper, input_text};
+use crate::looks::Looks;
 use crate::shelf::Shelf;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State, Tell};
 use homebody_core::drivers::input::Input;
 use homebody_core::event::{Events, Fact};
 use homebody_core::geometry::Point;
-use homebody_core::home::plan::Plan;
 use homebody_core::ids::ResidentId;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
-use homebody_core::scenario::edit::ScenarioEdit;
-use homebody_core::scenario::input::{self, InputFile, KeysFile, UseFile};
+use homebody_core::scenario::input::{self, KeysFile, UseFile};
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::path;
 use homebody_core::scene::Scene;
@@ -103,6 +103,7 @@ pub struct StagedRun {
     fresh: Vec<FiringView>,
     /// How many rows it has got of each sensor.
     counts: Vec<u64>,
+    looks: Looks,
     activities: Vec<Option<String>>,
     headings: Vec<f64>,
     /// Its files are complete.
@@ -220,6 +221,10 @@ impl StagedRun {
 
     /// A recording, to be lived again.
     pub fn again(recording: Recording) -> Result<StagedRun, Unbegun> {
+        if !recording.lives_again() {
+            let moved = recording.own_drivers.join(", ");
+            return Err(format!("It cannot be lived again: a driver of another program has moved {moved}.").into());
+        }
         let (scenario, household) = Household::recorded(&recording)?;
         let run = recording.run(&scenario, &household);
         let start = Start { without: recording.without.clone(), ..Start::default() };
@@ -246,6 +251,7 @@ impl StagedRun {
         Ok(StagedRun {
             growth: Arc::new(Mutex::new(growth)),
             known_input: start.input.len(),
+            looks: Looks::of(&scenario.home),
             start,
             scenario,
             conditions,
@@ -351,6 +357,7 @@ impl StagedRun {
         }
         self.furthest.take_if(|furthest| furthest.now() <= self.run.now());
         self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
+        self.looks.take(&self.events.frames);
         for fact in &self.events.facts {
             if let Fact::Activity { resident, name, .. } = fact {
                 self.activities[resident.index()].clone_from(name);
@@ -536,6 +543,7 @@ impl StagedRun {
             told: self.counts.iter().sum(),
             counts: self.counts.clone(),
             firings: Vec::new(),
+            looks: self.looks.at(scene.now, &scene.awake),
         }
     }
 
@@ -577,24 +585,4 @@ fn key_of(key: Key) -> input::Key {
         Key::Fast => input::Key::Fast,
         Key::Slow => input::Key::Slow,
     }
-}
-
-/// Makes a resident one who is moved by keys; returns also the name of the file that holds them.
-fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(ScenarioEdit, String), String> {
-    let resident = scenario.residents.get(driven).ok_or("there is no such resident")?;
-    let name = format!("{}.keys.json", scenario.file.residents[driven].trim_end_matches(".json"));
-    let at = standing_place(scenario.home.plan(), resident.file.radius_m);
-    let keys = InputFile { schema: None, keys: input.to_vec() };
-    Ok((scenario.edit().keys(driven, &name, &keys, [at.x, at.y]), name))
-}
-
-/// Where somebody stands who is about to be driven: a place with a name and room around it, else any free place.
-fn standing_place(plan: &Plan, radius_m: f64) -> Point {
-    /// Beside the body, so that it can leave the place (ours).
-    const ROOM_M: f64 = 0.1;
-    let (least, most) = plan.bounds();
-    let named = plan.places.iter().map(|(_, at)| *at);
-    let steps = || (1..40).map(|step| f64::from(step) / 40.0);
-    let all = steps().flat_map(|x| steps().map(move |y| least + (most - least) * Point::new(x, y)));
-    named.chain(all).find(|&at| plan.is_walkable(at, radius_m + ROOM_M)).unwrap_or((least + most) / 2.0)
 }

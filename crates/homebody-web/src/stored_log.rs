@@ -2,11 +2,9 @@
 
 use crate::wire::{DateView, PlaybackView};
 use homebody_core::scenario::calendar::Calendar;
-use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Micros, SECOND};
-use homebody_log::{Event, Log, LogError, RunClock, Source, Url};
-use std::collections::HashMap;
+use homebody_log::{Event, Log, LogError, RunClock, Source};
 use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
@@ -23,6 +21,8 @@ pub enum Refusal {
     Unknown(String),
     /// Its files cannot be understood.
     Damaged(String),
+    /// It has not come so far yet.
+    Early(String),
 }
 
 pub fn damaged(error: impl Display) -> Refusal {
@@ -51,6 +51,8 @@ pub struct StoredRows {
     /// The numbers of sensors in the view, by sensor of the log.
     pub numbers: Vec<u32>,
     count: u64,
+    /// The instant of the last row that came.
+    last: Micros,
 }
 
 /// How a row lies in the file: instant, sensor and value.
@@ -61,45 +63,60 @@ const HOUR: Micros = 3600 * SECOND;
 impl StoredRows {
     /// No rows yet; their file is to be in this folder, or else where temporary files are.
     pub fn new(beside: &Path, view: &PlaybackView, calendar: &Calendar, until: Micros) -> io::Result<StoredRows> {
+        StoredRows::of_days(beside, view.days.clone(), calendar, view.length_us, until)
+    }
+
+    /// The same of these days, of a run of some length.
+    pub fn of_days(
+        beside: &Path,
+        days: Vec<DateView>,
+        calendar: &Calendar,
+        length: Micros,
+        until: Micros,
+    ) -> io::Result<StoredRows> {
         let file = tempfile::tempfile_in(beside).or_else(|_| tempfile::tempfile())?;
         Ok(StoredRows {
             file: BufWriter::with_capacity(1 << 20, file),
-            days: view.days.clone(),
+            spans: vec![0..0; days.len()],
+            hours: vec![vec![0; 24]; days.len()],
+            days,
             calendar: calendar.clone(),
-            length: view.length_us,
+            length,
             until,
-            spans: vec![0..0; view.days.len()],
-            hours: vec![vec![0; 24]; view.days.len()],
             numbers: Vec::new(),
             count: 0,
+            last: Micros::MIN,
         })
     }
 
     /// Reads a log with so many of its rows at most, and remarks if there are more.
     pub fn read(&mut self, from: impl Into<Source>, logger: &LoggerFile, most: u64) -> Result<Log, LogError> {
         let mut clock = None;
-        let mut last = Micros::MIN;
-        let mut failed = None;
-        let mut log = homebody_log::stream(from, logger, &mut |part| {
-            let clock = clock.get_or_insert_with(|| RunClock::new(&self.calendar, self.length, part.clock));
-            for row in &part.events {
-                if self.count >= most {
-                    break;
-                }
-                last = clock.instant(row.at, last);
-                if let Err(error) = self.add(last, row) {
-                    failed.get_or_insert(error);
-                }
+        let mut log = homebody_log::stream(from, logger, &mut |part| self.take(part, &mut clock, most).map(drop))?;
+        self.flush(&mut log, most)?;
+        Ok(log)
+    }
+
+    /// Adds a part of a log, with so many rows of the log at most; `clock` is that of the parts before. Returns the instant of its last row.
+    pub fn take(&mut self, part: &Log, clock: &mut Option<RunClock>, most: u64) -> Result<Micros, LogError> {
+        let clock = clock.get_or_insert_with(|| RunClock::new(&self.calendar, self.length, part.clock));
+        for row in &part.events {
+            if self.count >= most {
+                break;
             }
-            Ok(())
-        })?;
-        if let Some(source) = failed.or_else(|| self.file.flush().err()) {
-            return Err(LogError::File { place: "the file of its rows".into(), source });
+            self.last = clock.instant(row.at, self.last);
+            self.add(self.last, row).map_err(unwritten)?;
         }
+        Ok(self.last)
+    }
+
+    /// After the last part. A remark says that a log has more rows than were taken.
+    pub fn flush(&mut self, log: &mut Log, most: u64) -> Result<(), LogError> {
+        self.file.flush().map_err(unwritten)?;
         if log.rows > self.count && self.count >= most {
             log.remarks.push(format!("The log has {} rows, of which the first {most} are shown.", log.rows));
         }
-        Ok(log)
+        Ok(())
     }
 
     fn add(&mut self, at: Micros, row: &Event) -> io::Result<()> {
@@ -129,9 +146,12 @@ impl StoredRows {
     pub fn of(&mut self, day: usize) -> io::Result<Vec<Event>> {
         let span = self.spans.get(day).cloned().unwrap_or_default();
         let mut bytes = vec![0; (span.end - span.start) as usize * ROW_BYTES];
+        // More may be on its way to the file, behind what is looked for.
+        self.file.flush()?;
         let file = self.file.get_mut();
         file.seek(SeekFrom::Start(span.start * ROW_BYTES as u64))?;
         file.read_exact(&mut bytes)?;
+        file.seek(SeekFrom::End(0))?;
         let number = |bytes: &[u8]| u32::from_le_bytes(bytes.try_into().expect("four bytes"));
         let row = |bytes: &[u8]| Event {
             at: Micros::from_le_bytes(bytes[..8].try_into().expect("eight bytes")),
@@ -146,36 +166,32 @@ impl StoredRows {
     }
 }
 
-/// The numbers of a run's sensors in its view, by sensor of its log; those that stand nowhere in the home come last there.
-pub fn numbers(log: &Log, url: &Url, scenario: &Scenario, view: &mut PlaybackView) -> Vec<u32> {
-    let names: Vec<String> = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
-    view.sensors = homebody_log::ids(url, &scenario.logger, &names);
-    let known: HashMap<String, u32> = view.sensors.iter().cloned().zip(0..).collect();
-    let number = |sensor: &String| known.get(sensor).copied().unwrap_or_else(|| stranger(sensor, view));
-    log.sensors.iter().map(number).collect()
-}
-
 /// The number of a sensor that stands nowhere in the home.
-pub fn stranger(id: &str, view: &mut PlaybackView) -> u32 {
-    view.sensors.push(id.to_owned());
-    view.sensors.len() as u32 - 1
+pub fn stranger(id: &str, sensors: &mut Vec<String>) -> u32 {
+    sensors.push(id.to_owned());
+    sensors.len() as u32 - 1
 }
 
-/// Tells a view what else is known of a log.
-pub fn tell_of(log: Log, view: &mut PlaybackView) {
-    view.remarks.extend(log.remarks);
+/// What else is known of a log, in sentences.
+pub fn told_of(log: &Log) -> Vec<String> {
+    let mut remarks = log.remarks.clone();
     if let Some(first) = log.problems.first() {
         let why = shortened(&first.why);
-        view.remarks.push(format!("{} lines of the log were skipped; line {}: {why}", log.skipped, first.line));
+        remarks.push(format!("{} lines of the log were skipped; line {}: {why}", log.skipped, first.line));
     }
-    view.values = log.values;
+    remarks
+}
+
+fn unwritten(source: io::Error) -> LogError {
+    LogError::File { place: "the file of its rows".into(), source }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::scenario::load::Files;
+    use homebody_core::scenario::load::{Files, Scenario};
     use homebody_kit::Template;
+    use homebody_log::Url;
     use std::collections::BTreeMap;
     use std::fs;
 
@@ -196,17 +212,9 @@ mod tests {
         for (most, remarks) in [(20, vec![]), (7, vec!["The log has 20 rows, of which the first 7 are shown."])] {
             let days = crate::dates::all(&scenario.calendar, 86_400 * SECOND);
             let count = days.len();
-            let mut all = StoredRows {
-                file: BufWriter::new(tempfile::tempfile().unwrap()),
-                days,
-                calendar: scenario.calendar.clone(),
-                length: 86_400 * SECOND,
-                until: Micros::MAX,
-                spans: vec![0..0; count],
-                hours: vec![vec![0; 24]; count],
-                numbers: vec![5],
-                count: 0,
-            };
+            let mut all =
+                StoredRows::of_days(folder.path(), days, &scenario.calendar, 86_400 * SECOND, Micros::MAX).unwrap();
+            all.numbers = vec![5];
             let log = all.read(&url, &LoggerFile::default(), most).unwrap();
             assert_eq!(log.remarks, remarks);
             let rows: Vec<Event> = (0..count).flat_map(|day| all.of(day).unwrap()).collect();

@@ -7,7 +7,7 @@ use crate::walked::given;
 use crate::wire::{CareView, KeptLogView, WalksView};
 use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::care::care;
-use homebody_analysis::density::{Asked, density};
+use homebody_analysis::density::density;
 use homebody_analysis::look::{HomeSensor, Looker};
 use homebody_analysis::realism::{NotComparable, Told, realism};
 use homebody_core::scenario::load::Scenario;
@@ -176,7 +176,7 @@ impl Logs {
 /// The map of a log's density, where it has motion sensors, and days that are not too many.
 fn density_of(named: NamedLog, zone: &str) -> Option<String> {
     let log = LogWithRun::of(named, Some(zone)).ok()?;
-    let asked = Asked { recorded: log.recorded.clone(), ..Asked::default() };
+    let asked = log.density_asked();
     density((&log.name, &log.log, &asked), None).ok().map(|density| density_map(&density))
 }
 

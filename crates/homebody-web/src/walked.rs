@@ -1,6 +1,6 @@
 //! A log that was walked back, as playback shows it: its rows as they were, and how likely everybody was in each room.
 
-use crate::stored_log::{MOST_ROWS, Refusal, StoredRows, damaged, shortened, stranger, tell_of};
+use crate::stored_log::{MOST_ROWS, Refusal, StoredRows, damaged, shortened, stranger, told_of};
 use crate::wire::{BETWEEN, Chance, OUT, PlaybackView, WalkView};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{Micros, SECOND};
@@ -64,9 +64,11 @@ impl Walked {
         let log = rows.read(self.given.place.clone(), &self.given.mapping, MOST_ROWS);
         let log = log.map_err(|error| damaged(without(&self.folder, &error)))?;
         let known = sensors_of_home(&log, scenario).into_iter().zip(&log.sensors);
-        let number = |(number, id): (Option<usize>, &String)| number.map_or_else(|| stranger(id, view), |of| of as u32);
+        let strange = |id: &String, view: &mut PlaybackView| stranger(id, &mut view.sensors);
+        let number = |(number, id): (Option<usize>, &String)| number.map_or_else(|| strange(id, view), |of| of as u32);
         rows.numbers = known.map(number).collect();
-        tell_of(log, view);
+        view.remarks.extend(told_of(&log));
+        view.values = log.values;
         view.remarks.extend(self.reported.remarks.iter().map(|remark| shortened(remark)));
         Ok(rows)
     }

@@ -78,6 +78,11 @@ impl Walks {
         self.locked().as_ref().map(|walk| walk.view.clone())
     }
 
+    /// Whether a log is coming, or being walked back.
+    pub fn is_going_on(&self) -> bool {
+        self.now().is_some_and(|walk| walk.is_going_on())
+    }
+
     /// Ends what is being done, soon.
     pub fn stop(&self) {
         if let Some(walk) = self.locked().as_ref() {
@@ -89,8 +94,7 @@ impl Walks {
     pub fn close(&self) {
         self.stop();
         let begun = Instant::now();
-        let is_going_on = || self.now().is_some_and(|walk| walk.is_going_on());
-        while is_going_on() && begun.elapsed() < LONGEST_FAREWELL {
+        while self.is_going_on() && begun.elapsed() < LONGEST_FAREWELL {
             thread::sleep(Duration::from_millis(10));
         }
         if let Some(walk) = self.locked().as_ref().filter(|walk| walk.view.is_going_on()) {

@@ -10,10 +10,16 @@
 mod care;
 mod draft;
 mod finding;
+mod installing;
+mod library;
+mod silhouettes;
 
 pub use care::*;
 pub use draft::*;
 pub use finding::*;
+pub use installing::*;
+pub use library::*;
+pub use silhouettes::*;
 
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -44,6 +50,8 @@ pub struct RoomView {
     pub outline: Vec<At>,
     /// Where its name goes.
     pub middle: At,
+    /// The floor that it is on, in a home of several.
+    pub floor: Option<String>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
@@ -107,6 +115,8 @@ pub struct SensorView {
     pub beams: Vec<[At; 2]>,
     /// What it sees from the ceiling, or the mat or bed that it feels.
     pub area: Option<Vec<At>>,
+    /// Of cameras.
+    pub camera: Option<CameraView>,
 }
 
 /// A run that is being lived, or about to be.
@@ -174,6 +184,8 @@ pub struct Frame {
     pub counts: Vec<u64>,
     /// The last of those since the frame before, in order.
     pub firings: Vec<FiringView>,
+    /// The cameras, in the order of sensors.
+    pub looks: Vec<LookView>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
@@ -292,8 +304,21 @@ pub struct PlaybackView {
     /// Of a log that was walked back: then the rows are those of the log as it was given, and instead of the truth there is
     /// what was made of them.
     pub walk: Option<WalkView>,
+    /// Whether its cameras have kept silhouettes.
+    pub has_silhouettes: bool,
     /// What is missing or was skipped, in sentences.
     pub remarks: Vec<String>,
+    /// Up to when the log is read by now; what else is told of it here, its sensors, values and hours, is as far. `None` once all is read.
+    #[ts(type = "number | null")]
+    pub read_us: Option<i64>,
+}
+
+/// How far the log of a stored run is read that is open already.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct ReadingView {
+    /// `None` once all of it is.
+    #[ts(type = "number | null")]
+    pub read_us: Option<i64>,
 }
 
 /// How often each sensor of a stored run spoke, in parts of it of equal length.

@@ -29,8 +29,9 @@ fn memory_kb() -> u64 {
 }
 
 #[test]
-fn neither_huge_bodies_nor_late_or_hasty_months_nor_stuck_browsers_take_memory() {
+fn neither_huge_bodies_nor_long_logs_nor_late_or_hasty_months_nor_stuck_browsers_take_memory() {
     huge_bodies();
+    long_logs();
     late_months();
     hasty_months();
     stuck_browsers();
@@ -74,6 +75,49 @@ fn send_huge_bodies(served: &Served) {
             assert!(answer.starts_with("HTTP/1.1 413") || answer.is_empty() && !is_told, "{route}: {answer:?}");
         }
     }
+}
+
+/// The rows of an open run's log lie on disk, two million as a few: of ten years there are more.
+fn long_logs() {
+    const ROWS: u64 = 2_000_000;
+    let served = Served::scenario("tigerplace");
+    let mut page = served.page();
+    page.say(r#"{"say":"speed","times":1000}"#);
+    page.say(r#"{"say":"play"}"#);
+    page.until(|frame| frame["told"].as_u64().is_some_and(|told| told > 0));
+    page.say(r#"{"say":"stop"}"#);
+    page.until(|frame| frame["state"] == "over");
+    let run = served.only_run();
+    let log = rusqlite::Connection::open(run.join("log.db")).unwrap();
+    let more = "WITH RECURSIVE more(n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM more WHERE n < ?)
+        INSERT INTO event SELECT run_id, seq + n, ts_local, sensor_id, event_code
+        FROM (SELECT * FROM event ORDER BY seq DESC LIMIT 1), more";
+    log.execute(more, [ROWS as i64]).unwrap();
+    drop(log);
+
+    let (before, begun) = (memory_kb(), Instant::now());
+    let path = format!("/api/runs/{}", run.file_name().unwrap().to_str().unwrap());
+    let asked = |path: &str| -> serde_json::Value {
+        let answer = served.api(path);
+        assert_eq!(answer.code, 200, "{path}: {}", String::from_utf8_lossy(&answer.body));
+        serde_json::from_slice(&answer.body).unwrap()
+    };
+    asked(&path);
+    while !asked(&format!("{path}/reading"))["read_us"].is_null() {
+        thread::sleep(Duration::from_millis(100));
+    }
+    let growth = memory_kb().saturating_sub(before);
+    println!("memory grows by {growth} kB over a log of {ROWS} rows, in {:?}", begun.elapsed());
+    let hours = asked(&path)["hours"].clone();
+    let rows: u64 = hours
+        .as_array()
+        .unwrap()
+        .iter()
+        .flat_map(|day| day.as_array().unwrap())
+        .filter_map(|count| count.as_u64())
+        .sum();
+    assert!(rows > ROWS, "{rows}");
+    assert!(growth < MOST_KB, "{growth} kB");
 }
 
 /// The last days of two hundred are drawn, and those before only lived.

@@ -1,6 +1,7 @@
 //! Stored runs are played back as they were stored.
 
 use homebody_core::time::{DAY, Micros, SECOND};
+use homebody_kit::Cancel;
 use homebody_web::playback::{Playback, Refusal};
 use homebody_web::shelf::Shelf;
 use homebody_web::staged_run::{StagedRun, Start};
@@ -22,17 +23,22 @@ struct Stored {
 impl Stored {
     /// A scenario, changed, lived for some time.
     fn lived(scenario: &str, length: Micros, change: impl Fn(&str, String) -> String) -> Stored {
+        let (stored, mut act, shelf) = Stored::begun(scenario, change);
+        live(&mut act, length, &shelf);
+        act.finish().unwrap();
+        stored
+    }
+
+    /// A scenario, changed, at its beginning.
+    fn begun(scenario: &str, change: impl Fn(&str, String) -> String) -> (Stored, StagedRun, Shelf) {
         let folder = TempDir::new().unwrap();
         let own = folder.path().join("scenario");
         copy(&scenarios().join(scenario), &own, &change);
         copy(&scenarios().join("../conditions"), &folder.path().join("conditions"), &change);
         let shelf =
             Shelf { scenario: own, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
-        let mut act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
-        live(&mut act, length, &shelf);
-        act.finish().unwrap();
-        let playback = Playback::new(shelf);
-        Stored { folder, playback }
+        let act = StagedRun::new(&shelf, &shelf.entry, Start::default()).unwrap();
+        (Stored { folder, playback: Playback::new(shelf.clone()) }, act, shelf)
     }
 
     fn name(&self) -> String {
@@ -357,7 +363,7 @@ fn who_is_driven_does_not_go_back_to_a_moment() {
 fn find(stored: &Stored, what: FindWhat, name: &str, between_min: Option<(u32, u32)>, least_s: f64) -> FoundView {
     let name = (!name.is_empty()).then(|| name.to_owned());
     let asked = Find { what, name, between_min, least_s };
-    stored.playback.find(&stored.name(), &asked, || Ok(Vec::new())).unwrap()
+    stored.playback.find(&stored.name(), &asked, &Cancel::new(), || Ok(Vec::new())).unwrap()
 }
 
 #[test]
@@ -394,11 +400,14 @@ fn what_is_looked_for_over_a_run_is_what_log_and_truth_say() {
     assert!(on.all > 0 && on.hits.iter().all(|hit| rows.contains(&hit.begin_us)));
     for (wrong, what) in [("attic", FindWhat::Room), ("attic", FindWhat::On), ("flying", FindWhat::Doing)] {
         let asked = Find { what, name: Some(wrong.into()), between_min: None, least_s: 0.0 };
-        let refused = stored.playback.find(&stored.name(), &asked, || Ok(Vec::new()));
+        let refused = stored.playback.find(&stored.name(), &asked, &Cancel::new(), || Ok(Vec::new()));
         assert!(matches!(refused, Err(Refusal::Unknown(_))), "{wrong}: {refused:?}");
     }
     let nonsense = Find { what: FindWhat::Still, name: None, between_min: Some((7, 7)), least_s: f64::NAN };
-    assert!(matches!(stored.playback.find(&stored.name(), &nonsense, || Ok(Vec::new())), Err(Refusal::Damaged(_))));
+    assert!(matches!(
+        stored.playback.find(&stored.name(), &nonsense, &Cancel::new(), || Ok(Vec::new())),
+        Err(Refusal::Damaged(_))
+    ));
 }
 
 #[test]
@@ -414,7 +423,7 @@ fn lost_messages_are_those_of_the_truth_by_their_sensor_and_without_one_nobody_k
     drop(connection);
     fs::remove_file(stored.file("truth.db")).unwrap();
     let asked = Find { what: FindWhat::Lost, name: None, between_min: None, least_s: 0.0 };
-    let refused = stored.playback.find(&stored.name(), &asked, || Ok(Vec::new())).unwrap_err();
+    let refused = stored.playback.find(&stored.name(), &asked, &Cancel::new(), || Ok(Vec::new())).unwrap_err();
     assert!(matches!(&refused, Refusal::Unknown(why) if why.contains("truth")), "{refused:?}");
     // Where somebody is, sensors say as well.
     let name = stored.view().home.rooms[0].name.clone();
@@ -434,4 +443,121 @@ fn runs_are_listed_as_their_files_are_now() {
     // What has become of a recording since it was read is told.
     fs::write(stored.file("recording.json"), "{}").unwrap();
     assert!(listed().problem.is_some());
+}
+
+/// Sam in the room with three cameras, for two minutes.
+fn postures() -> Stored {
+    Stored::lived("postures", 120 * SECOND, as_it_is)
+}
+
+#[test]
+fn silhouettes_come_in_parts_that_are_those_of_the_file() {
+    let stored = postures();
+    let view = stored.view();
+    assert!(view.has_silhouettes && view.home.sensors.iter().all(|sensor| sensor.camera.is_some()));
+    let connection = Connection::open(stored.file("silhouettes.db")).unwrap();
+    let start = stored_start(&connection);
+    let sql = "SELECT utc_us, name, packed FROM silhouette JOIN camera USING (camera) ORDER BY silhouette.rowid";
+    let mut statement = connection.prepare(sql).unwrap();
+    let row = |row: &rusqlite::Row| Ok((row.get::<_, i64>(0)? - start, row.get(1)?, row.get(2)?));
+    let file: Vec<(i64, String, Vec<u8>)> = statement.query_map([], row).unwrap().map(Result::unwrap).collect();
+    let (begin, end) = (4 * SECOND, 64 * SECOND);
+    let (mut told, mut from, mut parts) = (Vec::new(), begin, 0);
+    while from < end {
+        let film = stored.playback.film(&stored.name(), (from, end), 0).unwrap();
+        assert!(film.until_us > from, "it comes on");
+        for moment in &film.moments {
+            let name = |sensor: u32| view.home.sensors[sensor as usize].name.clone();
+            told.extend(moment.pictures.iter().map(|of| (moment.at_us, name(of.sensor), of.packed.clone())));
+        }
+        (from, parts) = (film.until_us, parts + 1);
+    }
+    let expected: Vec<_> = file.iter().filter(|(at, ..)| (begin..end).contains(at)).cloned().collect();
+    assert!(expected.len() > 500 && told == expected, "{} of {} in {parts} parts", told.len(), expected.len());
+    // Of instants that are five seconds apart nothing else is told.
+    let film = stored.playback.film(&stored.name(), (0, 60 * SECOND), 5 * SECOND).unwrap();
+    assert!(film.moments.windows(2).all(|two| two[1].at_us - two[0].at_us >= 5 * SECOND) && film.moments.len() > 1);
+    // Beyond the run there is nothing, and of a run without cameras nobody knows any.
+    let beyond = stored.playback.film(&stored.name(), (i64::MAX - 1, i64::MAX), 0).unwrap();
+    assert!(beyond.moments.is_empty());
+    let without = Stored::lived("studio", HOUR, as_it_is);
+    assert!(!without.view().has_silhouettes);
+    assert!(matches!(without.playback.film(&without.name(), (0, HOUR), 0), Err(Refusal::Unknown(_))));
+}
+
+/// The instant of UTC at which the run begins.
+fn stored_start(connection: &Connection) -> i64 {
+    let first: i64 = connection.query_row("SELECT min(utc_us) FROM silhouette", [], |row| row.get(0)).unwrap();
+    // It begins on a whole hour, and cameras that never sleep see who is there at once.
+    first - first.rem_euclid(HOUR)
+}
+
+#[test]
+fn the_voxel_person_stands_and_lies_where_the_body_does() {
+    let stored = postures();
+    let person = |at: Micros| {
+        let film = stored.playback.film(&stored.name(), (at, at + SECOND / 5), 0).unwrap();
+        (film.moments[0].persons[0].clone(), film.corner, film.edge_m)
+    };
+    let (standing, corner, edge_m) = person(5 * SECOND);
+    assert!(standing.upright > 0.5 && (standing.at[0] - 2.6).abs() < 0.3, "{standing:?}");
+    // The cubes are where it says that somebody is, and the highest at its top.
+    let cubes: Vec<&[u16]> = standing.cubes.chunks(3).collect();
+    assert!(cubes.len() > 100);
+    let mean = |axis: usize| cubes.iter().map(|cube| f64::from(cube[axis])).sum::<f64>() / cubes.len() as f64;
+    assert!((corner[0] + (mean(0) + 0.5) * edge_m - standing.at[0]).abs() < 0.15, "{standing:?}");
+    assert!((corner[1] + (mean(1) + 0.5) * edge_m - standing.at[1]).abs() < 0.15);
+    let top = cubes.iter().map(|cube| cube[2]).max().unwrap();
+    assert!((f64::from(top + 1) * edge_m - standing.height_m).abs() < 0.2, "{top} {standing:?}");
+    let (down, ..) = person(76 * SECOND);
+    assert!(down.on_the_ground > 0.5 && down.height_m < 0.6, "{down:?}");
+}
+
+#[test]
+fn what_cameras_take_for_falls_is_found_and_nobody_who_has_gone_keeps_it_looking() {
+    let stored = postures();
+    let asked = Find { what: FindWhat::SeenFall, name: None, between_min: None, least_s: 0.0 };
+    let cancelled = Cancel::new();
+    cancelled.cancel();
+    let stopped = stored.playback.find(&stored.name(), &asked, &cancelled, || Ok(Vec::new()));
+    assert!(matches!(stopped, Err(Refusal::Damaged(why)) if why.contains("cancelled")));
+    let found = stored.playback.find(&stored.name(), &asked, &Cancel::new(), || Ok(Vec::new())).unwrap();
+    let fall = found.hits.iter().find(|hit| hit.words.contains("very likely a fall, room")).unwrap();
+    // Sam falls after 66 s.
+    assert!((66 * SECOND..72 * SECOND).contains(&fall.begin_us) && fall.end_us > fall.begin_us, "{found:?}");
+}
+
+#[test]
+fn cameras_of_a_run_that_is_lived_are_dark_while_they_sleep_and_else_show_what_they_keep() {
+    let (stored, mut act, shelf) = Stored::begun("cameras", as_it_is);
+    let view = act.view();
+    let cameras: Vec<u32> =
+        (0u32..).zip(&view.home.sensors).filter(|(_, of)| of.camera.is_some()).map(|(at, _)| at).collect();
+    // Nobody stirs at midnight.
+    let looks = act.frame(State::Playing, None).looks;
+    assert_eq!(looks.iter().map(|look| look.sensor).collect::<Vec<_>>(), cameras);
+    assert!(looks.iter().all(|look| !look.awake && look.packed.is_empty()), "{looks:?}");
+    let mut seen = Vec::new();
+    for step in 0..300 {
+        live(&mut act, 8 * HOUR + step * 17 * SECOND, &shelf);
+        for look in act.frame(State::Playing, None).looks {
+            assert!(look.awake || look.packed.is_empty(), "{look:?}");
+            seen.push((act.now(), look));
+        }
+    }
+    act.finish().unwrap();
+    let shown: Vec<_> = seen.iter().filter(|(_, look)| !look.packed.is_empty()).collect();
+    let asleep = seen.iter().filter(|(_, look)| !look.awake).count();
+    assert!(shown.len() > 10 && asleep > 10, "{} shown, {asleep} asleep", shown.len());
+    // A picture that is shown is the last that was kept.
+    let connection = Connection::open(stored.file("silhouettes.db")).unwrap();
+    let start: i64 = 1_748_847_600_000_000;
+    // What is due at the very instant to which a run has come has not happened yet.
+    let sql = "SELECT packed FROM silhouette JOIN camera USING (camera) WHERE name = ? AND utc_us < ? \
+               ORDER BY silhouette.rowid DESC LIMIT 1";
+    for (now, look) in shown {
+        let name = &view.home.sensors[look.sensor as usize].name;
+        let kept: Vec<u8> = connection.query_row(sql, (name, start + now), |row| row.get(0)).unwrap();
+        assert_eq!(look.packed, kept, "{name} at {now}");
+    }
 }

@@ -5,9 +5,11 @@ mod generated;
 
 use generated::is_generated;
 use homebody_core::activity::{ACTIVITIES, ActivityKind, KIND_WORDS};
+use homebody_core::scenario::device::Device;
 use homebody_core::sensors::form::{Colour, KindRow, Mount};
 use homebody_core::sensors::kinds::KINDS;
 use homebody_web::wire;
+use serde_json::json;
 use ts_rs::{Config, TS};
 
 /// Every type that crosses the wire, in reading order.
@@ -26,6 +28,7 @@ fn declarations() -> Vec<String> {
         ThingView,
         ThingKind,
         SensorView,
+        CameraView,
         RunView,
         ResidentView,
         Frame,
@@ -33,11 +36,25 @@ fn declarations() -> Vec<String> {
         BodyView,
         Posture,
         FiringView,
+        LookView,
         StoredView,
         RunAbout,
         PutAside,
+        LibraryView,
+        HomeEntryView,
+        AsideView,
+        TemplateView,
+        CardView,
+        NewHome,
+        MadeView,
+        CallHome,
         PlaybackView,
         LanesView,
+        ReadingView,
+        FilmView,
+        MomentView,
+        PictureView,
+        PersonView,
         CareView,
         WalksView,
         CareDayView,
@@ -100,6 +117,17 @@ fn declarations() -> Vec<String> {
         Connect,
         ConnectView,
         GrowthView,
+        PartView,
+        PartsView,
+        Layouts,
+        NamedLayout,
+        LayoutsView,
+        LayoutView,
+        DiffersView,
+        Suggest,
+        SuggestionView,
+        StepView,
+        ReachedView,
     )
 }
 
@@ -141,6 +169,38 @@ fn the_page_knows_our_sensors() {
         &format!(
             "// Made from crates/homebody-core/src/sensors/kinds.rs and the rows that it lists; form.rs says what each means.\n\n\
          export const SENSOR_KINDS = {{\n{rows}}} as const;\n"
+        ),
+    );
+}
+
+#[test]
+fn the_page_knows_our_devices() {
+    let row = |device: Device| {
+        let [across, down] = device.field_deg.value;
+        let timing = device.preset.timing();
+        format!(
+            "  {{ key: {:?}, name: {:?}, network: {:?}, height_m: {}, field_deg: [{across}, {down}], reach_m: {}, refire_s: {:?}, sources: {} }},\n",
+            device.key(),
+            device.name(),
+            device.network,
+            device.height_m.value,
+            device.reach_m.value,
+            timing.refire_s,
+            json!({
+                "height": device.height_m.source, "field": device.field_deg.source, "reach": device.reach_m.source,
+                "timing": device.timing,
+            }),
+        )
+    };
+    let rows: String = Device::all().map(row).collect();
+    is_generated(
+        "web/src/devices.ts",
+        &format!(
+            "// Made from crates/homebody-core/src/scenario/device.rs, which says what each means.\n\n\
+         export type Device = {{\n  /** What `preset` calls it. */\n  key: string;\n  name: string;\n  network: string;\n  \
+         height_m: number;\n  field_deg: [number, number];\n  reach_m: number;\n  refire_s: [number, number];\n  \
+         /** Where each is from. */\n  sources: {{ height: string; field: string; reach: string; timing: string }};\n}};\n\n\
+         export const DEVICES: readonly Device[] = [\n{rows}];\n"
         ),
     );
 }

@@ -22,6 +22,8 @@ use homebody_core::scenario::load::{Files, NoText, Overlay, Scenario};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_core::world::World;
 use homebody_log::logger::destinations;
+use homebody_log::places::SILHOUETTES;
+use homebody_log::silhouettes::{SilhouetteLog, cameras};
 use homebody_log::{How, Logger, RunInfo, Url};
 use homebody_routine::household::Household;
 use measure::{Spread, insert, rows};
@@ -47,12 +49,13 @@ type Figure<'a> = &'a dyn Fn(&str) -> String;
 fn main() {
     let zigbee = || LinkFile { preset: Network::Zigbee, ..LinkFile::default() };
     homebody_kit::elsewhere::install_all();
-    let figures: [(&str, Figure); 7] = [
+    let figures: [(&str, Figure); 8] = [
         ("life_vs_kernel", &|name| against_kernel(name, None, 90 * DAY)),
         ("life_with_link_vs_kernel", &|name| against_kernel(name, Some(zigbee()), 90 * DAY)),
         ("life_sqlite_vs_bare", &|name| against_inserts(name, YEAR)),
         ("parquet_vs_none", &|name| against_no_place(name, YEAR)),
         ("script_vs_life", &script_against_life),
+        ("cameras_vs_none", &cameras_against_none),
         ("DECLINE", &decline),
         ("cohort_vs_programs", &cohort_against_programs),
     ];
@@ -158,6 +161,40 @@ fn script_against_life(name: &str) -> String {
     Spread::of(&ratios).line(name, 3)
 }
 
+/// Four weeks with two cameras that sensors wake, with their silhouettes in a file, against the same weeks without cameras: how many
+/// times as long they take.
+fn cameras_against_none(name: &str) -> String {
+    let length = 28 * DAY;
+    let folder = tempfile::tempdir().expect("a folder");
+    let log = folder.path().join("run.db");
+    let [two, none] = [2, 0].map(with_cameras);
+    let mut ratios = Vec::new();
+    for _ in 0..ROUNDS {
+        let none_s = live_into_database(&log, &none.0, &none.1, length);
+        let two_s = live_into_database(&log, &two.0, &two.1, length);
+        println!("four weeks: two cameras {two_s:.2} s, none {none_s:.2} s");
+        ratios.push(two_s / none_s);
+    }
+    Spread::of(&ratios).line(name, 2)
+}
+
+/// The studio with the first of its cameras.
+fn with_cameras(count: usize) -> (Scenario, Household) {
+    let folder = Folder(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/cameras"));
+    let text = folder.read("home.json").expect("a home");
+    let mut home: HomeFile = serde_json::from_str(&text).expect("a home");
+    let mut left = count;
+    home.sensors.retain(|sensor| {
+        let is_camera = sensor.row().key == "camera";
+        let stays = !is_camera || left > 0;
+        left -= usize::from(is_camera && stays);
+        stays
+    });
+    let texts = [("home.json".to_owned(), serde_json::to_string(&home).expect("a home"))].into();
+    let files = Overlay { texts, others: &folder };
+    Household::load(&files, "scenario.json", &[]).expect("a scenario without problems")
+}
+
 /// The apartment with its resident driven by a script.
 fn with_script(script: &str) -> (Scenario, Household) {
     let folder = Folder(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenarios/tigerplace"));
@@ -235,13 +272,25 @@ fn live_into(urls: &[Url], scenario: &Scenario, household: &Household, length: M
     let info = Arc::new(RunInfo::of(scenario, &run, &recording));
     let places = destinations(urls, How::Replace).expect("a place that can be written");
     let mut logger = Logger::open(places, &Default::default(), &info, How::Replace).expect("an open database");
+    // Beside the log, as a run's folder has them.
+    let beside = urls.first().map(|url| url.path().with_file_name(SILHOUETTES));
+    let mut silhouettes = beside.filter(|_| cameras(&scenario.home).next().is_some()).map(|path| {
+        let _ = fs::remove_file(&path);
+        SilhouetteLog::open(&path, &scenario.home, &info, How::Replace).expect("an open database")
+    });
     let mut events = Events::default();
     while run.now() < length {
         run.advance(run.now() + STEP, &mut events).expect(SOUND);
         logger.store(&events.firings, run.now()).expect("stored firings");
+        if let Some(silhouettes) = &mut silhouettes {
+            silhouettes.store(&events.frames).expect("stored pictures");
+        }
         events.clear();
     }
     logger.finish().expect("a finished log");
+    if let Some(silhouettes) = silhouettes {
+        silhouettes.finish().expect("a finished file");
+    }
     start.elapsed().as_secs_f64()
 }
 

@@ -2,6 +2,7 @@
 
 use homebody_core::drivers::error::DriverError;
 use homebody_core::problem::Problems;
+use homebody_experiment::people::NotLived;
 use homebody_kit::Error;
 use homebody_log::LogError;
 use std::fmt::Display;
@@ -37,6 +38,16 @@ impl Failure {
 impl From<Problems> for Failure {
     fn from(problems: Problems) -> Failure {
         Failure::Problems(problems)
+    }
+}
+
+impl From<NotLived> for Failure {
+    fn from(error: NotLived) -> Failure {
+        match error {
+            NotLived::Problems(problems) => Failure::Problems(problems),
+            NotLived::NoRoutine => Failure::usage(error),
+            NotLived::NotMeasured(_) | NotLived::Stopped => Failure::Io(error.to_string()),
+        }
     }
 }
 
@@ -81,11 +92,13 @@ impl From<Error> for Failure {
                 resume.display()
             )),
             Error::File { .. }
+            | Error::Exists { .. }
             | Error::StoppedAway { .. }
             | Error::NoLog { .. }
             | Error::NoRecording { .. }
             | Error::NotBegun { .. }
             | Error::NotFolder { .. }
+            | Error::NotEmpty { .. }
             | Error::Threads(_) => Failure::Io(error.to_string()),
             error => Failure::usage(error),
         }

@@ -1,19 +1,14 @@
 //! The command `homebody`: a table of contents. Each command is a file in `commands`. The program is `main.rs`; whoever has it inside of
 //! another program, as Python has, calls [`run`].
 
-mod beginning;
 mod commands;
 mod failure;
-mod from_log;
-mod inhabited;
 mod installation;
 mod length;
 mod pace;
 mod print;
-mod sensor_table;
 mod signals;
 mod start;
-mod traced;
 mod prometheus;
 mod watched;
 

@@ -34,7 +34,7 @@ pub struct Asked {
 impl Asked {
     /// Whether anything but as fast as it can is asked for.
     pub fn is_said(&self) -> bool {
-        self.control || self.speed != Speed::Max
+        self.control || self.paused || self.speed != Speed::Max
     }
 
     pub fn pace(&self) -> Pace {

@@ -27,6 +27,11 @@ fn address(text: &str) -> Result<SocketAddr, String> {
 }
 
 impl Watched {
+    /// Whether numbers are asked for.
+    pub fn is_said(&self) -> bool {
+        self.metrics.is_some()
+    }
+
     /// Begins to serve the numbers of a run, where somebody wants them. That a destination is away is told unless the command is quiet.
     pub fn begin(&self, scenario: &str, is_quiet: bool) -> Result<Meters, Failure> {
         let meters = if is_quiet { Meters::default() } else { Meters::telling(|news| tell(news)) };

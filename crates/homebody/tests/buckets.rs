@@ -1,4 +1,5 @@
-//! The command and a bucket of S3: a run goes there day by day, is gone on with after a death, looked at, read, labelled and refused.
+//! The command and a bucket of S3: a run goes there day by day, is gone on with after a death, looked at, read, labelled and refused; a
+//! cohort member by member.
 //!
 //! It is tried in builds with the feature `cloud`, with the server of moto: `moto_server` on the `PATH`, or as `HOMEBODY_MOTO` names it.
 #![cfg(all(unix, feature = "cloud"))]
@@ -53,12 +54,19 @@ impl Store {
     }
 
     fn ask(&self, method: &str, path: &str) -> String {
+        String::from_utf8_lossy(&self.bytes(method, path)).into_owned()
+    }
+
+    fn bytes(&self, method: &str, path: &str) -> Vec<u8> {
         let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
-        let head =
-            format!("{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 0\r\nConnection: close\r\n\r\n");
+        // The store does not look who it is, as long as somebody says so.
+        let head = format!(
+            "{method} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nAuthorization: AWS ann:signed\r\nContent-Length: 0\r\n\
+            Connection: close\r\n\r\n"
+        );
         stream.write_all(head.as_bytes()).unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).unwrap();
         answer
     }
 
@@ -138,4 +146,49 @@ fn a_killed_run_is_gone_on_with_in_a_bucket() {
     store.run(&folder, "convert parquet:s3://bucket/died --to csv:read.csv").ok();
     let rows = |name: &str| folder.read(name).lines().count();
     assert_eq!(rows("read.csv"), rows("again.csv"));
+}
+
+/// All files below a folder, with what they hold.
+fn held(folder: &Folder, below: &str) -> Vec<(String, Vec<u8>)> {
+    let bytes = |name: String| Some((name.strip_prefix(below)?.to_owned(), std::fs::read(folder.path(&name)).unwrap()));
+    folder.files().into_iter().filter_map(bytes).collect()
+}
+
+#[test]
+fn a_cohort_goes_into_a_bucket_as_into_a_folder_and_goes_on_there() {
+    let Some(store) = Store::start() else { return };
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    let run = "run studio --residents 6 --for 2d --quiet --out parquet:";
+    folder.run(&format!("{run}cohort")).ok();
+    let here = held(&folder, "cohort/");
+    store.run(&folder, &format!("{run}s3://bucket/whole")).ok();
+    let same = |below: &str| {
+        let body = |answer: Vec<u8>| {
+            let head = answer.windows(4).position(|end| end == b"\r\n\r\n").map_or(0, |head| head + 4);
+            answer[head..].to_vec()
+        };
+        for (name, bytes) in &here {
+            let there = body(store.bytes("GET", &format!("/bucket/{below}/{}", name.replace('=', "%3D"))));
+            assert!(there == *bytes, "{below}: {name} has {} bytes, and {} here", there.len(), bytes.len());
+        }
+        assert_eq!(store.files(&format!("{below}/")), here.len(), "{below} has no file besides");
+    };
+    same("whole");
+    // Nothing is replaced, whatever it is; one that is complete is not gone on with.
+    store.run(&folder, &format!("{run}s3://bucket/whole")).fails(1, "a cohort was begun there");
+    store.run(&folder, "run --resume s3://bucket/whole").fails(2, "is complete");
+    store.run(&folder, "run --resume s3://bucket/nowhere").fails(1, "there is no such recording");
+    // Killed on its way, it has members as wholes, and goes on to the same bytes.
+    let mut child = store.command(&folder, &format!("{run}s3://bucket/died")).spawn().unwrap();
+    let begun = Instant::now();
+    while store.files("died/members/") < 2 {
+        assert!(begun.elapsed() < Duration::from_secs(60), "a member is there");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(store.files("died/") < here.len(), "it was killed on its way");
+    store.run(&folder, "run --resume parquet:s3://bucket/died").ok();
+    same("died");
 }

@@ -32,6 +32,17 @@ export function instantAt(from_us: number, to_us: number, width: number, x: numb
   return from_us + share * (to_us - from_us);
 }
 
+/** The place in `all`, which is in order, of the first that is not before. */
+export function firstFrom(all: ArrayLike<number>, at_us: number): number {
+  let [low, high] = [0, all.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (all[middle]! < at_us) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
 const SECOND_US = 1e6;
 const DAY_US = 86_400 * SECOND_US;
 /** Round times within a day, and how many days are a round number of them. */

@@ -6,16 +6,22 @@ import { colourOf } from '../plan/moving';
 import { type Palette, contrast } from '../plan/palette';
 import { FONT, type Ink, glyph, penOf } from '../plan/pen';
 import { fitting, isolated, spoken } from '../plan/words';
-import { AXIS, type Sight, drawAxis, left, right, xOf } from './axis';
+import { AXIS, type Sight, drawAxis, firstFrom, left, right, xOf } from './axis';
 import { activityKind } from './kinds-of-activities';
 import { type Shade, columns } from './shades';
+import { type Unseen, hatch, unseenIn } from './unseen';
 
 export const LANE = 15;
 export const BAND = 19;
 
-/** What somebody did, as a band above the lanes. `who` is a resident's number, whose colour stands before the name. */
-export type Band = { name: string; who: number | null; spans: readonly Span[]; names: readonly string[]; isRoom?: boolean };
+/** What somebody did, as a band above the lanes. `who` is a resident's number, whose colour stands before the name; `isBeside` is of another run; of `unseen` it is not known. */
+export type Band = { name: string; who: number | null; spans: readonly Span[]; names: readonly string[]; isRoom?: boolean; isBeside?: boolean; unseen?: readonly Unseen[] };
 type Span = readonly [begin: number, end: number, what: number];
+
+/** Whose band it is; a long name is cut at its end. */
+export function bandName({ name, isBeside }: Pick<Band, 'name' | 'isBeside'>): string {
+  return isBeside ? `second: ${name}` : name;
+}
 
 /** A sensor, or several of one kind, and when they fired. */
 export type Lane = {
@@ -32,6 +38,10 @@ export type Lane = {
   /** How often it fired in each part of the run; then this is drawn instead of each firing. */
   density?: Counts;
   beside?: Beside;
+  /** When it fired without that being known one by one. */
+  unseen?: readonly Unseen[];
+  /** Where it is drawn as counts: another run's, and its own in those parts that the other run has. */
+  densityBeside?: { counts: Counts; shared: Counts };
 };
 
 export type Curve = { values: ArrayLike<number>; low: number; high: number };
@@ -59,15 +69,17 @@ export function countBetween({ bucket_us, counts, sums }: Counts, from_us: numbe
   return before(to_us) - before(from_us);
 }
 
-/** How often a lane fired in what is in sight. */
-export function countIn({ fired, density, beside }: Lane, { from_us, to_us }: Sight): number {
-  if (density !== undefined) return countBetween(density, from_us, to_us);
+/** How often a lane fired in what is in sight; of what was not seen all of it. */
+export function countIn({ fired, density, beside, densityBeside, unseen }: Lane, sight: Sight): number {
+  const { from_us, to_us } = sight;
+  if (density !== undefined) return countBetween(density, from_us, to_us) + (densityBeside === undefined ? 0 : countBetween(densityBeside.counts, from_us, to_us));
   const of = (all: ArrayLike<number>) => firstFrom(all, to_us) - firstFrom(all, from_us);
-  return of(fired) + (beside === undefined ? 0 : of(beside.fired));
+  const missing = unseenIn(unseen, sight).reduce((sum, part) => sum + part.missing, 0);
+  return of(fired) + missing + (beside === undefined ? 0 : of(beside.fired));
 }
 
-/** When the same sensor of another run fired, and what each of both has alone. */
-export type Beside = { fired: ArrayLike<number>; onlyFirst: ArrayLike<number>; onlySecond: ArrayLike<number> };
+/** When the same sensor of another run fired and what it said, by the place in `fired`, and what each of both has alone. Its curve has the range of the lane's own. */
+export type Beside = { fired: ArrayLike<number>; said: (index: number) => string; curve?: Curve; onlyFirst: ArrayLike<number>; onlySecond: ArrayLike<number> };
 
 /** What is drawn of a run: bands of what was done, shades of where it was unsure who is, lanes of firings. */
 export type Drawing = { calendar: Pick<Calendar, 'days'>; sight: Sight; bands: Band[]; shades?: Shade[]; lanes: Lane[] };
@@ -103,7 +115,8 @@ export function drawHead(pen: Ink, width: number, { sight, bands, shades = [] }:
     pen.font = `600 12px ${FONT}`;
     pen.textAlign = 'left';
     pen.fillStyle = palette.text;
-    pen.fillText(isolated(fitting(band.name, left(width) - named - 6, measure) ?? ''), named, top + BAND / 2);
+    pen.fillText(isolated(fitting(bandName(band), left(width) - named - 6, measure) ?? ''), named, top + BAND / 2);
+    hatch(pen, width, sight, band.unseen, [top + 3, BAND - 6], palette.quiet);
     drawBand(pen, width, top, sight, band, palette);
     top += BAND;
   }
@@ -169,7 +182,12 @@ export function drawNights(pen: Ink, width: number, top: number, high: number, {
   pen.globalAlpha = 1;
 }
 
-/** What somebody has marked, or has found: a flag in the row of times, and a stripe below it. */
+/** What is wider than so much of the drawing would colour all of it (ours). */
+const LONG_SHARE = 0.05;
+/** How high what is long is drawn. */
+const THIN = 3;
+
+/** What somebody has marked, or has found: a flag in the row of times, and a stripe below it. Of what is long the stripe is in the first row alone, with a line where it begins and ends. */
 export type Mark = { begin_us: number; end_us: number; isOwn?: boolean };
 
 export function drawMarks(pen: Ink, width: number, top: number, high: number, { from_us, to_us }: Sight, marks: readonly Mark[], palette: Palette, flags: boolean): void {
@@ -178,13 +196,20 @@ export function drawMarks(pen: Ink, width: number, top: number, high: number, { 
     if (end_us < from_us || begin_us > to_us) continue;
     const begin = xOf(from_us, to_us, width, Math.max(begin_us, from_us));
     const end = xOf(from_us, to_us, width, Math.min(end_us, to_us));
-    pen.fillStyle = isOwn ? palette.beam : palette.seen;
+    pen.fillStyle = isOwn ? palette.marked : palette.found;
+    const isLong = end - begin > LONG_SHARE * (right(width) - left(width));
+    if (isLong && flags) {
+      pen.globalAlpha = 0.7;
+      pen.fillRect(begin, top, end - begin, THIN);
+    }
     pen.globalAlpha = 0.22;
-    if (end - begin >= 1) pen.fillRect(begin, top, end - begin, high);
+    if (!isLong && end - begin >= 1) pen.fillRect(begin, top, end - begin, high);
     pen.globalAlpha = 0.7;
-    if (begin - last >= 1) pen.fillRect(begin - 0.5, top, 1, high);
+    const begins = begin_us >= from_us;
+    if (begins && begin - last >= 1) pen.fillRect(begin - 0.5, top, 1, high);
+    if (isLong && end_us <= to_us) pen.fillRect(end - 0.5, top, 1, high);
     pen.globalAlpha = 1;
-    if (flags && begin - last >= 2) {
+    if (flags && begins && begin - last >= 2) {
       pen.beginPath();
       pen.moveTo(begin - 4, top);
       pen.lineTo(begin + 4, top);
@@ -212,8 +237,10 @@ export function drawFirings(pen: Ink, width: number, top: number, { sight, lanes
     pen.fillStyle = palette.text;
     const words = fitting(lane.name, left(width) - 30, measure);
     if (words !== null) pen.fillText(isolated(words), 23, middle + 0.5);
-    if (lane.density !== undefined) shadesOf(pen, width, sight, lane.density, middle, palette);
-    else if (lane.curve !== undefined) drawCurve(pen, width, sight, lane.fired, lane.curve, middle, palette);
+    hatch(pen, width, sight, lane.unseen, [middle - 4.5, 9], palette.quiet);
+    if (lane.density !== undefined && lane.densityBeside !== undefined) shadesBeside(pen, width, sight, lane.density, lane.densityBeside, middle, palette);
+    else if (lane.density !== undefined) shadesOf(pen, width, sight, [lane.density], counted(lane.density), [middle - 5, 10], palette.text);
+    else if (lane.curve !== undefined) drawCurves(pen, width, sight, lane, lane.curve, middle, palette);
     else if (lane.beside === undefined) ticks(pen, width, sight, lane.fired, middle - 4.5, 9, palette.text);
     else besides(pen, width, sight, lane.fired, lane.beside, middle, palette);
     top += LANE;
@@ -223,21 +250,31 @@ export function drawFirings(pen: Ink, width: number, top: number, { sight, lanes
 /** So many steps of shade are told apart; neighbours of one shade are one stroke. */
 const SHADES = 12;
 
-/** Counts as shades: the more firings a pixel has, the darker. */
-function shadesOf(pen: Ink, width: number, { from_us, to_us }: Sight, counts: Counts, middle: number, palette: Palette): void {
+type Between = (from_us: number, to_us: number) => number;
+
+const counted = (counts: Counts): Between => (from_us, to_us) => countBetween(counts, from_us, to_us);
+
+/** What there is more of than less; what is less than half a firing is none. */
+const more = (counts: Counts, less: Counts): Between => (from_us, to_us) => {
+  const by = countBetween(counts, from_us, to_us) - countBetween(less, from_us, to_us);
+  return by < 0.5 ? 0 : by;
+};
+
+/** Counts as shades: the more firings a pixel has, the darker; as dark as can be is the most of `all` of them. */
+function shadesOf(pen: Ink, width: number, { from_us, to_us }: Sight, all: readonly Counts[], between: Between, [top, high]: [number, number], colour: string, palest = 0.12): void {
   const [begin, wide] = [left(width), Math.max(Math.floor(right(width) - left(width)), 1)];
   const a_pixel = (to_us - from_us) / wide;
-  const most = Math.max(counts.most * Math.max(a_pixel / counts.bucket_us, 0.02), 1e-9);
-  pen.fillStyle = palette.text;
+  const most = Math.max(...all.map(({ most, bucket_us }) => most * Math.max(a_pixel / bucket_us, 0.02)), 1e-9);
+  pen.fillStyle = colour;
   let [shade, since] = [0, 0];
   const flush = (until: number) => {
     if (shade === 0) return;
-    pen.globalAlpha = 0.12 + (0.88 * shade) / SHADES;
-    pen.fillRect(begin + since, middle - 5, until - since, 10);
+    pen.globalAlpha = palest + ((1 - palest) * shade) / SHADES;
+    pen.fillRect(begin + since, top, until - since, high);
   };
   for (let column = 0; column < wide; column++) {
     const from = from_us + column * a_pixel;
-    const count = countBetween(counts, from, from + a_pixel);
+    const count = between(from, from + a_pixel);
     const now = count <= 0 ? 0 : Math.max(Math.ceil(Math.sqrt(Math.min(count / most, 1)) * SHADES), 1);
     if (now === shade) continue;
     flush(column);
@@ -247,8 +284,24 @@ function shadesOf(pen: Ink, width: number, { from_us, to_us }: Sight, counts: Co
   pen.globalAlpha = 1;
 }
 
+/** As firings of two runs are: the first run's counts above the line, the second's below it; what one has more of is in its colour, and farther out. */
+function shadesBeside(pen: Ink, width: number, sight: Sight, density: Counts, { counts, shared }: { counts: Counts; shared: Counts }, middle: number, palette: Palette): void {
+  const both = [density, counts];
+  shadesOf(pen, width, sight, both, counted(density), [middle - 4, 4], palette.text);
+  shadesOf(pen, width, sight, both, counted(counts), [middle + 1, 4], palette.text);
+  // Little of a colour on a thin stripe would not be seen.
+  shadesOf(pen, width, sight, both, more(shared, counts), [middle - 7, 3], palette.seen, 0.4);
+  shadesOf(pen, width, sight, both, more(counts, shared), [middle + 5, 3], palette.beam, 0.4);
+}
+
+/** What a sensor said as numbers; of two runs each in its colour, the first one's on top. */
+function drawCurves(pen: Ink, width: number, sight: Sight, { fired, beside }: Lane, curve: Curve, middle: number, palette: Palette): void {
+  if (beside?.curve !== undefined) drawCurve(pen, width, sight, beside.fired, beside.curve, middle, palette.beam);
+  drawCurve(pen, width, sight, fired, curve, middle, beside === undefined ? palette.beam : palette.seen);
+}
+
 /** Numbers as a line that steps from one to the next, between the lowest and the highest of all. */
-function drawCurve(pen: Ink, width: number, { from_us, to_us }: Sight, fired: ArrayLike<number>, { values, low, high }: Curve, middle: number, palette: Palette): void {
+function drawCurve(pen: Ink, width: number, { from_us, to_us }: Sight, fired: ArrayLike<number>, { values, low, high }: Curve, middle: number, colour: string): void {
   const x = (at: number) => xOf(from_us, to_us, width, Math.min(Math.max(at, from_us), to_us));
   const y = (value: number) => middle + 5.5 - ((value - low) / Math.max(high - low, 1e-9)) * 11;
   const first = Math.max(firstFrom(fired, from_us) - 1, 0);
@@ -266,7 +319,7 @@ function drawCurve(pen: Ink, width: number, { from_us, to_us }: Sight, fired: Ar
     [last, level] = [place, next];
   }
   if (last !== -Infinity) pen.lineTo(x(to_us), level);
-  pen.strokeStyle = palette.beam;
+  pen.strokeStyle = colour;
   pen.lineWidth = 1.4;
   pen.stroke();
 }
@@ -279,17 +332,6 @@ function besides(pen: Ink, width: number, sight: Sight, fired: ArrayLike<number>
   pen.globalAlpha = 1;
   ticks(pen, width, sight, onlyFirst, middle - 7, 7, palette.seen, 2);
   ticks(pen, width, sight, onlySecond, middle + 1, 7, palette.beam, 2);
-}
-
-/** The place in `all`, which is in order, of the first that is not before. */
-export function firstFrom(all: ArrayLike<number>, at_us: number): number {
-  let [low, high] = [0, all.length];
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (all[middle]! < at_us) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }
 
 function ticks(pen: Ink, width: number, { from_us, to_us }: Sight, fired: ArrayLike<number>, top: number, high: number, colour: string, wide = 1): void {

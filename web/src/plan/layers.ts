@@ -6,11 +6,13 @@ export type Layers = {
   sensorNames: boolean;
   furnitureNames: boolean;
   trails: boolean;
+  cameras: boolean;
 };
 
 export const LAYERS: { id: keyof Layers; title: string }[] = [
   { id: 'beams', title: 'Beams of sensors' },
   { id: 'areas', title: 'Areas of sensors' },
+  { id: 'cameras', title: 'What cameras see of the floor' },
   { id: 'sensorNames', title: 'Names of sensors' },
   { id: 'furnitureNames', title: 'Names of furniture' },
   { id: 'trails', title: 'Trails' },
@@ -18,5 +20,5 @@ export const LAYERS: { id: keyof Layers; title: string }[] = [
 
 /** Names of sensors would cover a plan that has many. */
 export function usual(sensors: number): Layers {
-  return { beams: true, areas: true, sensorNames: sensors <= 24, furnitureNames: true, trails: true };
+  return { beams: true, areas: true, sensorNames: sensors <= 24, furnitureNames: true, trails: true, cameras: true };
 }

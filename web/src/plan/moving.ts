@@ -7,7 +7,7 @@ import { type Palette, contrast, floor, people } from './palette';
 import { FONT, type Pen, capsule, segments, text, trace } from './pen';
 import { GLYPH, place } from './still';
 import { type Step, Trails } from './trails';
-import { type View, toScreen } from './transform';
+import { type Size, type View, toScreen } from './transform';
 import { isolated, shortened } from './words';
 
 /** An opening wider than this has no leaf. */
@@ -213,9 +213,9 @@ export function colourOf(resident: number): string {
 /** `sure` is how likely somebody is there, from 0 to 1: who is unsure is faint. */
 export type Person = { resident: ResidentView; body: BodyView; index: number; driven: boolean; sure: number };
 
-export function drawPeople(pen: Pen, view: View, palette: Palette, persons: Person[]): void {
+export function drawPeople(pen: Pen, view: View, palette: Palette, persons: Person[], size: Size): void {
   for (const person of persons) body(pen, view, palette, person);
-  for (const person of persons) name(pen, view, palette, person);
+  for (const person of persons) name(pen, view, palette, person, size);
 }
 
 function body(pen: Pen, view: View, palette: Palette, { resident, body, index, driven, sure }: Person): void {
@@ -267,15 +267,19 @@ function body(pen: Pen, view: View, palette: Palette, { resident, body, index, d
   pen.setLineDash([]);
 }
 
-function name(pen: Pen, view: View, palette: Palette, { resident, body, index, sure }: Person): void {
-  const [x, y] = toScreen(view, body.at);
+function name(pen: Pen, view: View, palette: Palette, { resident, body, index, sure }: Person, size: Size): void {
+  const [at, y] = toScreen(view, body.at);
   const radius = Math.max(resident.radius_m * view.scale, 6);
   const words = `${shortened(resident.name, 18)}${sure < SURE ? '?' : ''}`;
   pen.font = `600 11px ${FONT}`;
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
   const width = pen.measureText(words).width + 12;
-  const top = y - radius * 1.6 - 21;
+  // At an edge of the picture it stays inside, as long as the body does.
+  const isIn = at >= 0 && at <= size.width;
+  const x = isIn ? Math.min(Math.max(at, width / 2 + 2), Math.max(size.width - width / 2 - 2, width / 2 + 2)) : at;
+  const above = y - radius * 1.6 - 21;
+  const top = above < 2 && y >= 0 ? y + radius * 1.6 + 4 : above;
   capsule(pen, x - width / 2, top, width, 17);
   const colour = colourOf(index);
   pen.fillStyle = colour;

@@ -31,6 +31,15 @@ for (const [name, palette] of Object.entries({ light, dark })) {
   }
 }
 
+for (const [name, palette] of Object.entries({ light, dark })) {
+  test(`marks on a time line stand out, and are not taken for what one of two runs has alone: ${name}`, () => {
+    for (const mark of [palette.found, palette.marked]) {
+      expect(contrast(mark, palette.halo)).toBeGreaterThanOrEqual(4.5);
+      expect([palette.seen, palette.beam]).not.toContain(mark);
+    }
+  });
+}
+
 test('it is dark at night and a lamp helps', () => {
   expect(contrast(floor(light, daylight(-1), 0), light.floorDay)).toBeGreaterThan(1.3);
   expect(floor(light, daylight(-1), 1)).toBe(light.floorLit);

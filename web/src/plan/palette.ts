@@ -74,7 +74,11 @@ export type Palette = {
   sensor: string;
   halo: string;
   beam: string;
+  /** Seen by a sensor; of two runs that are compared the first, as `beam` is the second. */
   seen: string;
+  /** On a time line: what was looked for and found, and what somebody has marked. */
+  found: string;
+  marked: string;
   area: string;
   on: string;
   outline: string;
@@ -95,6 +99,8 @@ export const light: Palette = {
   halo: '#ffffff',
   beam: '#0072B2',
   seen: '#D55E00',
+  found: '#00795A',
+  marked: '#A4497B',
   area: '#0072B2',
   on: '#B34700',
   outline: '#16202b',
@@ -115,6 +121,8 @@ export const dark: Palette = {
   halo: '#12171d',
   beam: '#56B4E9',
   seen: '#F5B041',
+  found: '#3FD0A2',
+  marked: '#E39AC4',
   area: '#56B4E9',
   on: '#FFC247',
   outline: '#f4f7fa',

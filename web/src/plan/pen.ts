@@ -13,6 +13,9 @@ export type Ink = Pick<
   'fillRect' | 'fillText' | 'measureText' | 'beginPath' | 'moveTo' | 'lineTo' | 'closePath' | 'arc' | 'fill' | 'stroke' | 'globalAlpha' | 'fillStyle' | 'strokeStyle' | 'lineWidth' | 'lineJoin' | 'font' | 'textAlign' | 'textBaseline'
 >;
 
+/** Left, top, right, bottom on the screen. */
+export type Box = [number, number, number, number];
+
 export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-serif';
 
 /** Pixels of the screen for each of the page's; more than two are not seen. */

@@ -5,6 +5,7 @@ import type { Frame } from '../wire';
 import { usual } from './layers';
 import { light } from './palette';
 import { type Scene, Stage } from './stage';
+import { toScreen } from './transform';
 
 type Call = { canvas: HTMLCanvasElement; name: string; args: unknown[] };
 
@@ -62,6 +63,15 @@ test('what stands still is drawn once, and copied from then on', () => {
   expect(seen.filter(({ name }) => name === 'drawImage')).toHaveLength(2);
   stage.zoom(2);
   expect(drawn(32).kept.length).toBeGreaterThan(100);
+});
+
+test('no door is drawn over names', () => {
+  const { seen } = drawn(0);
+  const last = (of: string) => seen.findLastIndex(({ name }) => name === of);
+  expect(scene.home.doors.length).toBeGreaterThan(0);
+  expect(last('stroke')).toBeGreaterThan(-1);
+  // Before a frame has come the sheet with all names is the last that is laid on.
+  expect(last('drawImage')).toBeGreaterThan(last('stroke'));
 });
 
 test('where nothing changes nothing is drawn', () => {
@@ -125,4 +135,51 @@ test('with the next run of the same home nobody is drawn before a frame has come
   expect(named()).toBe(true);
   stage.set({ ...scene, home: { ...run.home } });
   expect(named()).toBe(false);
+});
+
+test('a clock with a long name hides nothing of the home', () => {
+  const corner = () => toScreen(stage.view, [run.home.bounds[0][0], run.home.bounds[1][1]]);
+  const hides = ([x, y]: [number, number], { width, height }: { width: number; height: number }) => x < width + 10 && y < height + 10;
+  const clock = { width: 500, height: 150 };
+  expect(hides(corner(), clock)).toBe(true);
+  stage.past(clock);
+  expect(hides(corner(), clock)).toBe(false);
+  // Where somebody has moved the home, it stays.
+  stage.pan(-5, -5);
+  const moved = stage.view;
+  stage.past({ width: 100, height: 400 });
+  expect(stage.view).toEqual(moved);
+});
+
+test('the plan stays where it is while words in the clock come and go', () => {
+  stage.past({ width: 500, height: 150 });
+  const { view } = stage;
+  for (const [width, height] of [[120, 92], [500, 92], [300, 150], [0, 0]] as const) {
+    stage.past({ width, height });
+    expect(stage.view).toEqual(view);
+  }
+  stage.past({ width: 120, height: 200 });
+  expect(stage.view).not.toEqual(view);
+});
+
+test('names of people and of sensors stay inside the picture', () => {
+  const at = (words: string) => drawn(0).seen.filter((call) => call.name === 'fillText' && String(call.args[0]).includes(words)).map((call) => Number(call.args[2]));
+  take({}, 0);
+  const [first] = at('Agnes');
+  // The name is above her, and there is no room for it.
+  stage.pan(0, -first! - 4);
+  expect(at('Agnes')[0]).toBeGreaterThan(8);
+  // Who is out of the picture has no name in it.
+  stage.pan(0, -400);
+  expect(at('Agnes')[0]).toBeLessThan(0);
+  stage.fit();
+  let names = 0;
+  for (let step = 0; step < 60; step++) {
+    stage.pan(0, 13);
+    for (const { args } of drawn(0).kept.filter(({ name, args }) => name === 'fillText' && /motion|contact/.test(String(args[0])))) {
+      names += 1;
+      expect(Number(args[2])).toBeLessThan(600 - 8);
+    }
+  }
+  expect(names).toBeGreaterThan(0);
 });

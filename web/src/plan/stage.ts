@@ -2,6 +2,7 @@
 
 import type { Frame, HomeView, ResidentView } from '../wire';
 import { type At, distance } from './geometry';
+import { NAME_HIGH, floorsOf, framed } from './floors';
 import { Eased, Glow, Pulses, Throttle, isFast } from './glow';
 import type { Layers } from './layers';
 import {
@@ -13,11 +14,13 @@ import { drawNames, drawStill, place } from './still';
 import { Trails } from './trails';
 import { type Insets, type Size, type View, fitBest, pan, toPlan, toScreen, zoom } from './transform';
 
-/** The clock and the scale are at the left, or above and below; the buttons are at the right. */
-const WAYS: Insets[] = [
-  { left: 168, top: 12, right: 58, bottom: 12 },
-  { left: 14, top: 112, right: 58, bottom: 42 },
-];
+/** The clock is at the left, or above; a scale is below it; the buttons are at the right. */
+export function waysPast({ width, height }: Size): Insets[] {
+  return [
+    { left: width + 18, top: 12, right: 58, bottom: 12 },
+    { left: 14, top: height + 20, right: 58, bottom: 42 },
+  ];
+}
 
 /** How near the pointer must come to a sensor to be told its name, in pixels. */
 const NEAR = 14;
@@ -36,6 +39,8 @@ export class Stage {
   private size: Size = { width: 0, height: 0 };
   private dpr = 1;
   private scene: Scene | null = null;
+  /** How large the clock was at most, or is until it is told. */
+  private clock: Size = { width: 150, height: 92 };
   private fitted = true;
   private sides: number[] = [];
   /** What lies below the beams that see somebody, and what must be read over them. */
@@ -90,10 +95,22 @@ export class Stage {
     this.stale();
   }
 
+  /** A clock of this size hides nothing of the plan. What it says changes as time goes on, and the plan stays where it is when that is less. */
+  past({ width, height }: Size): void {
+    const clock = { width: Math.max(width, this.clock.width), height: Math.max(height, this.clock.height) };
+    if (clock.width === this.clock.width && clock.height === this.clock.height) return;
+    this.clock = clock;
+    if (this.fitted) this.fit();
+  }
+
   /** All of the home, in the middle. */
   fit(): void {
     this.fitted = true;
-    if (this.scene) this.view = fitBest(this.scene.home.bounds, this.size, WAYS);
+    if (this.scene) {
+      const { home } = this.scene;
+      const named = floorsOf(home.rooms).length > 0 ? NAME_HIGH : 0;
+      this.view = fitBest(framed(home), this.size, waysPast(this.clock).map((way) => ({ ...way, top: way.top + named })));
+    }
     this.stale();
   }
 
@@ -164,14 +181,15 @@ export class Stage {
     this.copy(pen, this.still);
     this.paint?.(pen, view);
     drawSeen(pen, scene.home, view, scene.palette, this.glow.levels, scene.layers);
-    this.copy(pen, this.names);
+    // Below all names, for a sensor on a door is where the door is.
     drawDoors(pen, scene.home, view, scene.palette, frame?.on ?? [], this.sides);
+    this.copy(pen, this.names);
     if (frame === null) return true;
     drawOn(pen, scene.home, view, scene.palette, frame.on);
     if (scene.layers.trails && !scene.reducedMotion && !fast) drawTrails(pen, view, this.trails.of, now_ms);
     drawPulses(pen, scene.home, view, scene.palette, pulses, scene.reducedMotion);
     if (fast) drawCounts(pen, scene.home, view, scene.palette, this.shown);
-    drawPeople(pen, view, scene.palette, persons(scene, frame, this.sure));
+    drawPeople(pen, view, scene.palette, persons(scene, frame, this.sure), this.size);
     return true;
   }
 

@@ -2,36 +2,47 @@
 // each frame; the floor is not in it, for that changes with the sun and the lamps.
 
 import type { HomeView, SensorView } from '../wire';
+import { drawCameraFloors } from './cameras';
+import { drawFloorNames, drawFrames } from './floors';
 import { type At, box, facing, middle } from './geometry';
 import { kindOf } from './kinds';
 import type { Layers } from './layers';
 import type { Palette } from './palette';
-import { FONT, type Pen, glyph, segments, text, trace } from './pen';
+import { type Box, FONT, type Pen, glyph, segments, text, trace } from './pen';
+import { drawSymbol, frameOf } from './symbols';
 import { type Size, type View, toScreen } from './transform';
 import { fitting, isolated, shortened } from './words';
 
-/** Left, top, right, bottom on the screen. */
-type Box = [number, number, number, number];
-
 export const GLYPH = 6.5;
 
+/** Below so many pixels a metre, signs of furniture are blots, and names of sensors hide the home (ours). */
+const LEAST_SYMBOL = 22;
+const LEAST_SENSOR_NAME = 20;
+
 export function drawStill(pen: Pen, home: HomeView, view: View, layers: Layers, palette: Palette): void {
+  drawFrames(pen, home, view, palette);
+  if (layers.cameras) drawCameraFloors(pen, home.sensors, view);
   furniture(pen, home, view, palette);
   if (layers.areas) areas(pen, home.sensors, view, palette);
   if (layers.beams) beams(pen, home.sensors, view, palette);
   walls(pen, home, view, palette);
 }
 
-/** Glyphs and names. None is written over another: what finds no place is left away. */
-export function drawNames(pen: Pen, home: HomeView, view: View, layers: Layers, palette: Palette, size: Size): void {
-  const taken: Box[] = [];
+/**
+ * Glyphs and names. None is written over another: what finds no place is left away.
+ * @param marks what is drawn over them, which they keep off.
+ */
+export function drawNames(pen: Pen, home: HomeView, view: View, layers: Layers, palette: Palette, size: Size, marks: Box[] = []): void {
+  const taken: Box[] = [...marks];
+  drawFloorNames(pen, home, view, palette, taken);
   sensors(pen, home.sensors, view, palette, taken);
   roomNames(pen, home, view, palette, taken);
   if (layers.furnitureNames) furnitureNames(pen, home, view, palette, taken);
-  if (layers.sensorNames) sensorNames(pen, home.sensors, view, palette, taken, size);
+  if (layers.sensorNames && view.scale >= LEAST_SENSOR_NAME) sensorNames(pen, home.sensors, view, palette, taken, size);
 }
 
 function furniture(pen: Pen, home: HomeView, view: View, palette: Palette): void {
+  const walls = home.solids.filter(({ kind }) => kind === 'wall').map(({ outline }) => outline);
   for (const solid of home.solids) {
     if (solid.kind !== 'furniture') continue;
     pen.beginPath();
@@ -45,6 +56,13 @@ function furniture(pen: Pen, home: HomeView, view: View, palette: Palette): void
     pen.strokeStyle = palette.furnitureEdge;
     pen.setLineDash(solid.enterable ? [5, 3] : []);
     pen.stroke();
+    const frame = solid.name === null ? null : frameOf(solid.name, solid.outline, walls);
+    if (frame === null || view.scale < LEAST_SYMBOL) continue;
+    pen.setLineDash([]);
+    pen.lineWidth = 0.9;
+    pen.globalAlpha = 0.7;
+    drawSymbol(pen, view, solid.name!, frame);
+    pen.globalAlpha = 1;
   }
   pen.setLineDash([]);
 }
@@ -173,7 +191,7 @@ function sensorNames(pen: Pen, sensors: SensorView[], view: View, palette: Palet
     const [right, left]: At[] = [[x + 11, y], [x - 11 - width, y]];
     const looksLeft = Math.cos(facing(sensor)) < -0.1;
     const spots: At[] = [looksLeft ? left! : right!, looksLeft ? right! : left!, [x - width / 2, y + 15], [x - width / 2, y - 15], [x + 9, y + 13], [x + 9, y - 13], [x - 9 - width, y + 13], [x - 9 - width, y - 13]];
-    const spot = spots.find(([left, at]) => left > 2 && left + width < size.width - 2 && isFree([left, at - 7, left + width, at + 7], taken));
+    const spot = spots.find(([left, at]) => left > 2 && left + width < size.width - 2 && at > 9 && at < size.height - 9 && isFree([left, at - 7, left + width, at + 7], taken));
     if (spot === undefined) continue;
     taken.push([spot[0], spot[1] - 7, spot[0] + width, spot[1] + 7]);
     text(pen, isolated(words), spot[0], spot[1], palette.sensor, palette.halo, 3);

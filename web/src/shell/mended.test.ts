@@ -1,15 +1,54 @@
 import { expect, test } from 'vitest';
 import type { FilesView, ProblemView } from '../wire';
-import { wayTo } from './mended';
+import { mendOf, wayTo } from './mended';
 
 const files: FilesView = { entry: 'scenario.json', home: 'home.json', logger: 'logger.json', lives: [{ name: 'ann / b', routine: 'ann.routine' }], files: [] };
 const problem = (file: string, line: number): ProblemView => ({ file, line, column: 1, width: 1, what: '', hint: null });
 
 test('what is wrong leads to where it is mended', () => {
-  expect(wayTo(problem('home.json', 12), files)).toEqual({ word: 'Plan', href: '#/plan/line%2012' });
-  expect(wayTo(problem('home.json', 0), files)!.href).toBe('#/plan');
-  expect(wayTo(problem('logger.json', 5), files)!.href).toBe('#/log');
-  expect(wayTo(problem('ann.routine', 5), files)).toEqual({ word: 'Life of ann / b', href: '#/life/ann%20%2F%20b' });
-  expect(wayTo(problem('scenario.json', 1), files)).toBeNull();
-  expect(wayTo(problem('home.json', 1), null)).toBeNull();
+  const at = (of: ProblemView, more: Partial<Parameters<typeof wayTo>[1]> = {}) => wayTo(of, { files, check: null, text: () => '', ...more });
+  expect(at(problem('home.json', 12))).toEqual({ word: 'Plan', href: '#/plan/line%2012' });
+  expect(at(problem('home.json', 0))!.href).toBe('#/plan');
+  expect(at(problem('logger.json', 5))!.href).toBe('#/log');
+  expect(at(problem('ann.routine', 5))).toEqual({ word: 'Life of ann / b', href: '#/life/ann%20%2F%20b' });
+  // A life that does not go with the home is mended where the home is.
+  const homeless = { ...problem('ann.routine', 0), what: 'Ann cannot get from "bed" to "sofa"' };
+  expect(at(homeless)!.word).toBe('Plan');
+  expect(at({ ...homeless, line: 3 })!.word).toBe('Life of ann / b');
+  // Of a routine that cannot be read there is no text.
+  expect(at(homeless, { text: () => undefined })!.word).toBe('Life of ann / b');
+  // What stands for more problems than are told is of its sentences, whatever it says.
+  const problems = (count: number) => ({ problems: [...Array.from({ length: count }, (_, line) => problem('ann.routine', line + 1)), homeless], warnings: [] });
+  expect([99, 100].map((count) => at(homeless, { check: problems(count) })!.word)).toEqual(['Plan', 'Life of ann / b']);
+  expect(at(problem('scenario.json', 1))).toBeNull();
+  expect(at(problem('home.json', 1), { files: null })).toBeNull();
+});
+
+const home = '{\n  "furniture": [\n    { "name": "table", "at": [1, 1] }\n  ],\n  "sensors": [\n    { "kind": "contact", "on": "dor \\"1\\"", "nam": "x" }\n  ]\n}\n';
+const texts: Record<string, string> = { 'home.json': home, 'ann.routine': 'Ann is 80.\nShe 😀 wtches television at 8.\n' };
+const mend = (of: Partial<ProblemView>) => mendOf({ ...problem('home.json', 1), ...of }, { files, check: null, text: (name) => texts[name] });
+
+test('a name that is nearly one is written as it was meant, in files of JSON and in sentences', () => {
+  const value = mend({ line: 6, column: 32, hint: 'did you mean "door \\"1\\""?' })!;
+  expect(value.what).toBe('Write “door "1"”');
+  expect(value.texts()).toEqual({ 'home.json': home.replace('dor', 'door') });
+  expect(mend({ line: 6, column: 45, hint: 'did you mean "name"?' })!.texts()).toEqual({ 'home.json': home.replace('"nam"', '"name"') });
+  const said = mend({ file: 'ann.routine', line: 2, column: 7, width: 17, hint: 'did you mean "watches television"?' })!;
+  expect(said.texts()).toEqual({ 'ann.routine': 'Ann is 80.\nShe 😀 watches television at 8.\n' });
+  // Where no name stands, or more than one thing could be meant, nothing is offered.
+  expect(mend({ line: 6, column: 5, hint: 'did you mean "door"?' })).toBeNull();
+  expect(mend({ line: 6, column: 32, hint: 'it is one of "door" and "window"' })).toBeNull();
+  expect(mend({ file: 'gone.json', line: 6, column: 32, hint: 'did you mean "door"?' })).toBeNull();
+  expect(mend({ line: 0, hint: 'did you mean "door"?' })).toBeNull();
+});
+
+test('what the home lacks is put where the hint says that there is room', () => {
+  const bed = '{"name": "bed", "at": [0.55, 1.05], "size_m": [0.9, 2.0], "height_m": 0.5, "enterable": true}';
+  const lacks = mend({ file: 'ann.routine', line: 0, hint: `give it a bed; there is room in "room": add to "furniture" ${bed}` })!;
+  expect([lacks.what, lacks.rest]).toEqual(['Put “bed” into “room”', 'give it a bed']);
+  expect(JSON.parse(lacks.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1] }, JSON.parse(bed)]);
+  const enterable = mend({ hint: 'write "enterable": true for "table"' })!;
+  expect(enterable.what).toBe('Let people be in “table”');
+  expect(JSON.parse(enterable.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1], enterable: true }]);
+  expect(mend({ hint: 'add to "furniture" what it lacks' })).toBeNull();
 });

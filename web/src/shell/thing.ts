@@ -11,7 +11,8 @@ const ONE: Record<string, string> = {
 };
 
 const LONGEST = 60;
-const quoted = (name: string) => `“${name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name}”`;
+/** A name in quotes, cut where it is long. */
+export const quoted = (name: string) => `“${name.length > LONGEST ? `${name.slice(0, LONGEST)}…` : name}”`;
 
 /** Whose file it is, as people call it. */
 function fileInWords(file: string, files: FilesView): string {

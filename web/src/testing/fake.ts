@@ -230,7 +230,7 @@ class FakeServer implements Wire {
     const frame: Frame = {
       now_us: this.now_us, clock: clock(this.now_us), state: this.state, speed: this.speed, bodies,
       seeing: this.state === 'playing' ? this.seeing : [],
-      on: [...this.on], sun: -Math.cos(((hour - 0.5) / 24) * 2 * Math.PI), told: this.told, counts: this.counts, firings,
+      on: [...this.on], sun: -Math.cos(((hour - 0.5) / 24) * 2 * Math.PI), told: this.told, counts: this.counts, looks: [], firings,
     };
     this.onmessage?.({ data: encode(frame) });
   }

@@ -15,6 +15,7 @@ export function frame(with_: Partial<Frame> = {}): Frame {
     told: 0,
     counts: [],
     firings: [],
+    looks: [],
     ...with_,
   };
 }

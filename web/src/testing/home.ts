@@ -74,7 +74,7 @@ function centre([left, bottom, right, top]: Rect): At {
 const VERBS: Record<ThingView['kind'], [string, string]> = { door: ['Open', 'Close'], furniture: ['Use', 'Stop using'], lamp: ['Turn on', 'Turn off'] };
 
 export function madeUpHome(sensors = 18, names: (name: string) => string = (name) => name): HomeView {
-  const rooms: RoomView[] = ROOMS.map(([name, rect]) => ({ name: names(name), outline: corners(rect), middle: centre(rect) }));
+  const rooms: RoomView[] = ROOMS.map(([name, rect]) => ({ name: names(name), outline: corners(rect), middle: centre(rect), floor: null }));
   const solids: SolidView[] = [
     ...walls().map((outline) => ({ kind: 'wall' as const, name: null, outline, enterable: false })),
     ...FURNITURE.map(([name, rect, enterable]) => ({ kind: 'furniture' as const, name: names(name), outline: corners(rect), enterable })),
@@ -167,12 +167,12 @@ function sensor(index: number, names: (name: string) => string): SensorView {
     const corner = (index * 3 + round) % 4;
     const at: At = [corner % 2 ? right - 0.12 - 0.25 * round * 0.4 : left + 0.12 + 0.25 * round * 0.4, corner < 2 ? bottom + 0.15 : top - 0.15];
     const towards = Math.atan2((bottom + top) / 2 - at[1], (left + right) / 2 - at[0]);
-    return { name: names(`${room} motion${round > 0 ? ` ${round + 1}` : ''}`), kind: 'motion', room: names(room), at, facing_deg: (towards * 180) / Math.PI, beams: fan(at, towards, [left, bottom, right, top]), area: null };
+    return { name: names(`${room} motion${round > 0 ? ` ${round + 1}` : ''}`), kind: 'motion', room: names(room), at, facing_deg: (towards * 180) / Math.PI, beams: fan(at, towards, [left, bottom, right, top]), area: null, camera: null };
   }
   const kind = KINDS[(index + round) % KINDS.length]!;
   const at: At = [left + 0.6 + ((index * 0.83) % Math.max(right - left - 1.2, 0.1)), bottom + 0.6 + ((index * 0.47) % Math.max(top - bottom - 1, 0.1))];
   const area: At[] | null = ['ceiling_motion', 'bed', 'pressure'].includes(kind) ? corners([at[0] - 0.5, at[1] - 0.4, at[0] + 0.5, at[1] + 0.4]) : null;
-  return { name: names(`${room} ${kind.replaceAll('_', ' ')}${round > 0 ? ` ${round + 1}` : ''}`), kind, room: names(room), at, facing_deg: null, beams: [], area };
+  return { name: names(`${room} ${kind.replaceAll('_', ' ')}${round > 0 ? ` ${round + 1}` : ''}`), kind, room: names(room), at, facing_deg: null, beams: [], area, camera: null };
 }
 
 function fan(at: At, towards: number, [left, bottom, right, top]: Rect): [At, At][] {

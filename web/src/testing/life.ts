@@ -46,7 +46,7 @@ function problemsOf(file: string, text: string): ProblemView[] {
 function explained(file: string, text: string): ExplainView {
   const sentences = text.split('\n').flatMap((line, index): ExplainView['sentences'] => {
     const said = line.replace(/#.*/, '').trim();
-    if (said === '' || said === 'Every day' || said.includes('wtches')) return [];
+    if (said === '' || said === 'Every day') return [];
     return [{ line: index + 1, said, kind: 'habit', what: said.slice(0, 40), days: 'p 1', when: '06:30-07:00', start_s: [23_400, 24_300, 25_200], lasts_s: [600, 900, 1200], in_words: `In words: ${said}` }];
   });
   const shows = /shows moderate (\w+)/.exec(text)?.[1];

@@ -32,7 +32,9 @@ export function storedRun(name: string, days = 3, with_: Partial<PlaybackView> =
       [day * DAY_US + 12 * HOUR_US, day * DAY_US + 13 * HOUR_US, 1],
     ]).flat()),
     walk: null,
+    has_silhouettes: false,
     remarks: [],
+    read_us: null,
     ...with_,
   };
 }
@@ -78,7 +80,7 @@ export function walkedDay(run: PlaybackView, number: number): DayView {
 }
 
 /** Answers as the server does, for runs of these names. */
-export function fakeRuns(names: string[], make: (name: string) => PlaybackView = storedRun): Fetch {
+export function fakeRuns(names: string[], make: (name: string) => PlaybackView = storedRun, without: Record<string, string[]> = {}): Fetch {
   const runs = new Map(names.map((name) => [name, make(name)]));
   return async (path) => {
     if (path === '/api/walk') return Response.json(null);
@@ -89,12 +91,12 @@ export function fakeRuns(names: string[], make: (name: string) => PlaybackView =
       const run = runs.get(decodeURIComponent(asked[1]!))!;
       const counts = run.sensors.map((_, sensor) => Array.from({ length: run.days.length * 24 }, (_, hour) => (hour % 24 < 6 ? 0 : (hour * 7 + sensor * 3) % 11)));
       if (asked[2] === 'lanes') return new Response(encode({ bucket_us: HOUR_US, counts }) as BodyInit);
-      const hits = run.days.map(({ begin_us }) => ({ begin_us: begin_us + 2 * HOUR_US, end_us: begin_us + 2 * HOUR_US + 240e6, words: run.residents[0]!.name }));
+      const hits = run.days.map(({ begin_us }) => ({ begin_us: begin_us + 2 * HOUR_US, end_us: begin_us + 2 * HOUR_US + 240e6, is_fall: false, words: run.residents[0]!.name }));
       return Response.json({ hits, all: hits.length, remarks: [] });
     }
     const [, name, day] = /^\/api\/runs\/([^/]+)(?:\/days\/(\d+))?$/.exec(path) ?? [];
     if (name === undefined) {
-      const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth, walk }) => ({ name, scenario, start, days: days.length, has_truth, walked_back: walk?.log ?? null, problem: null, made_ms: null, seed: 7, without: [], about: { title: '', note: '' } }));
+      const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth, walk }) => ({ name, scenario, start, days: days.length, has_truth, walked_back: walk?.log ?? null, problem: null, made_ms: null, seed: 7, without: without[name] ?? [], about: { title: '', note: '' } }));
       return Response.json(list);
     }
     const run = runs.get(decodeURIComponent(name));

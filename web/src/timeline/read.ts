@@ -1,18 +1,28 @@
 // What a place on the time line tells.
 
-import type { Band, Lane } from '../charts/lanes';
-import { countBetween, firstFrom } from '../charts/lanes';
+import type { Band, Counts, Lane } from '../charts/lanes';
+import { firstFrom } from '../charts/axis';
+import { countBetween } from '../charts/lanes';
 import { spoken } from '../plan/words';
 
 /** What a lane says at an instant, of what lies within so much of it. */
 export function laneAt(lane: Lane, at_us: number, near_us: number): { at_us: number; words: string } | null {
   if (lane.density !== undefined) {
-    const count = countBetween(lane.density, at_us - near_us, at_us + near_us);
-    return { at_us, words: count === 0 ? 'nothing' : count === 1 ? 'once about here' : `about ${Math.round(count).toLocaleString('en-GB')} times here` };
+    const about = (counts: Counts) => Math.round(countBetween(counts, at_us - near_us, at_us + near_us));
+    const count = about(lane.density);
+    const words = count === 0 ? 'nothing' : count === 1 ? 'once about here' : `about ${count.toLocaleString('en-GB')} times here`;
+    return { at_us, words: lane.densityBeside === undefined ? words : `${words}, in the second run ${about(lane.densityBeside.counts).toLocaleString('en-GB')}` };
   }
-  const at = nearest(lane.fired, at_us);
-  if (at === null || Math.abs(lane.fired[at]! - at_us) > near_us) return null;
-  return { at_us: lane.fired[at]!, words: lane.said?.(at) ?? '' };
+  const own = saidNear(lane.fired, lane.said, at_us, near_us);
+  const other = lane.beside === undefined ? null : saidNear(lane.beside.fired, lane.beside.said, at_us, near_us);
+  const isOther = other !== null && (own === null || Math.abs(other.at_us - at_us) < Math.abs(own.at_us - at_us));
+  return isOther ? { at_us: other.at_us, words: `${other.words} in the second run`.trimStart() } : own;
+}
+
+function saidNear(fired: ArrayLike<number>, said: ((index: number) => string) | undefined, at_us: number, near_us: number): { at_us: number; words: string } | null {
+  const at = nearest(fired, at_us);
+  if (at === null || Math.abs(fired[at]! - at_us) > near_us) return null;
+  return { at_us: fired[at]!, words: said?.(at) ?? '' };
 }
 
 /** The place of what is nearest in what is in order. */

@@ -1,7 +1,10 @@
 // What is in sight as a table of text, for other programs.
 
 import type { Sight } from '../charts/axis';
-import { type Band, type Lane, firstFrom } from '../charts/lanes';
+import type { Runs } from './caption';
+import { firstFrom } from '../charts/axis';
+import type { Band, Counts, Lane } from '../charts/lanes';
+import { unseenIn } from '../charts/unseen';
 
 /** A cell: what has a comma, a quote or a line's end stands in quotes, and what a spreadsheet would take for a formula is none. */
 function cell(text: string): string {
@@ -9,29 +12,50 @@ function cell(text: string): string {
   return /[",\n\r]/.test(plain) ? `"${plain.replaceAll('"', '""')}"` : plain;
 }
 
-/** A row for each span and each firing, or, of counts, for each part of the time that has some. */
-export function tableOf(sight: Sight, bands: readonly Band[], lanes: readonly Lane[], clock: (at_us: number) => string): string {
+/**
+ * A row for each span and each firing, or, of counts, for each part of the time that has some; what another run has is said to be beside, and what
+ * was not seen to be so, with how many firings that were.
+ */
+export function tableOf(
+  sight: Sight, bands: readonly Band[], lanes: readonly Lane[], clock: (at_us: number) => string, { first, second }: Pick<Runs, 'first' | 'second'>,
+): string {
   const rows: [at: number, string][] = [];
-  const row = (begin: number, end: number | null, what: string, name: string, said: string) =>
-    rows.push([begin, [clock(begin), end === null ? '' : clock(end), what, name, said].map(cell).join(',')]);
+  const row = (begin: number, end: number | null, what: string, isBeside: boolean, name: string, said: string) => {
+    const cells = [clock(begin), end === null ? '' : clock(end), isBeside ? `${what} beside` : what, name, said, isBeside ? (second ?? '') : first];
+    rows.push([begin, cells.map(cell).join(',')]);
+  };
   const { from_us, to_us } = sight;
-  for (const { name, spans, names, isRoom } of bands) {
+  const notSeen = (name: string, unseen: Lane['unseen']) => {
+    for (const part of unseenIn(unseen, sight)) {
+      // As long as it is, since the number is of all of it.
+      row(part.from_us, part.to_us, 'not seen', false, name, part.missing === 0 ? '' : part.missing === 1 ? '1 firing' : `${part.missing} firings`);
+    }
+  };
+  for (const { name, spans, names, isRoom, isBeside, unseen } of bands) {
+    notSeen(name, unseen);
     for (const [begin, end, what] of spans) {
-      if (end > from_us && begin < to_us) row(Math.max(begin, from_us), Math.min(end, to_us), isRoom ? 'room' : 'activity', name, names[what] ?? '');
+      if (end > from_us && begin < to_us) row(Math.max(begin, from_us), Math.min(end, to_us), isRoom ? 'room' : 'activity', isBeside ?? false, name, names[what] ?? '');
     }
   }
-  for (const { name, fired, said, density, curve } of lanes) {
+  const counted = (name: string, { counts, bucket_us }: Counts, isBeside: boolean) => {
+    for (let part = Math.max(Math.floor(from_us / bucket_us), 0); part < counts.length && part * bucket_us < to_us; part++) {
+      if (counts[part]! > 0) row(part * bucket_us, (part + 1) * bucket_us, 'count', isBeside, name, String(Math.round(counts[part]! * 100) / 100));
+    }
+  };
+  const fires = (name: string, fired: ArrayLike<number>, isBeside: boolean, said: (index: number) => string) => {
+    for (let index = firstFrom(fired, from_us); index < fired.length && fired[index]! <= to_us; index++) row(fired[index]!, null, 'sensor', isBeside, name, said(index));
+  };
+  for (const lane of lanes) {
+    notSeen(lane.name, lane.unseen);
+    const { name, fired, said, density, curve } = lane;
     if (density !== undefined) {
-      const { counts, bucket_us } = density;
-      for (let part = Math.max(Math.floor(from_us / bucket_us), 0); part < counts.length && part * bucket_us < to_us; part++) {
-        if (counts[part]! > 0) row(part * bucket_us, (part + 1) * bucket_us, 'count', name, String(counts[part]));
-      }
+      counted(name, density, false);
+      if (lane.densityBeside) counted(name, lane.densityBeside.counts, true);
       continue;
     }
-    for (let index = firstFrom(fired, from_us); index < fired.length && fired[index]! <= to_us; index++) {
-      row(fired[index]!, null, 'sensor', name, curve === undefined ? (said?.(index) ?? '') : String(curve.values[index]));
-    }
+    fires(name, fired, false, (index) => (curve === undefined ? (said?.(index) ?? '') : String(curve.values[index])));
+    if (lane.beside) fires(name, lane.beside.fired, true, lane.beside.said);
   }
   rows.sort(([a], [b]) => a - b);
-  return `begin,end,what,name,said\n${rows.map(([, text]) => `${text}\n`).join('')}`;
+  return `begin,end,what,name,said,run\n${rows.map(([, text]) => `${text}\n`).join('')}`;
 }

@@ -1,7 +1,10 @@
 import { expect, test } from 'vitest';
-import { ticksOf } from '../charts/axis';
-import { type Lane, countBetween, countIn, countsOf } from '../charts/lanes';
+import { ticksOf, xOf } from '../charts/axis';
+import { type Lane, countBetween, countIn, countsOf, drawFirings, drawHead, drawMarks } from '../charts/lanes';
+import { unseenWords } from '../charts/unseen';
+import { light } from '../plan/palette';
 import { daysFrom } from '../testing/dates';
+import { captionHeight, drawCaption } from './caption';
 import { SvgInk } from './ink';
 import { ordered } from './order';
 import { bandAt, laneAt, neighbour } from './read';
@@ -71,8 +74,48 @@ test('a place on a lane tells what is near, a place on a band what was done', ()
 
 test('a table has what is in sight, and no formulas', () => {
   const bands = [{ name: '=evil()', who: 0, names: ['sleep,ing'], spans: [[0, 50, 0]] as [number, number, number][] }];
-  const text = tableOf({ from_us: 10, to_us: 40 }, bands, [lane('x', [5, 20]), lane('t', [30], { curve: { values: [-1.5], low: -1.5, high: 3 } })], (at) => `t${at}`);
-  expect(text).toBe('begin,end,what,name,said\nt10,t40,activity,\'=evil(),"sleep,ing"\nt20,,sensor,x,ON\nt30,,sensor,t,-1.5\n');
+  const text = tableOf({ from_us: 10, to_us: 40 }, bands, [lane('x', [5, 20]), lane('t', [30], { curve: { values: [-1.5], low: -1.5, high: 3 } })], (at) => `t${at}`, { first: 'run', second: null });
+  expect(text).toBe('begin,end,what,name,said,run\nt10,t40,activity,\'=evil(),"sleep,ing",run\nt20,,sensor,x,ON,run\nt30,,sensor,t,-1.5,run\n');
+});
+
+/** The rectangles of a drawing: left, top, width, height. */
+const rects = (ink: SvgInk) => [...ink.svg(10, 10, '#fff').matchAll(/<rect x="(.*?)" y="(.*?)" width="(.*?)" height="(.*?)"/g)].map((found) => found.slice(1).map(Number));
+
+test('what was found and is short is a stripe over all lanes, what is long a thin one in the first row', () => {
+  const sight = { from_us: 0, to_us: DAY };
+  const drawn = (begin_us: number, end_us: number, flags = true) => {
+    const ink = new SvgInk(null);
+    drawMarks(ink, 1000, 10, 300, sight, [{ begin_us, end_us }], light, flags);
+    return rects(ink).filter(([, , wide]) => wide! > 1).map(([, , wide, high]) => [Math.round(wide!), high]);
+  };
+  expect(drawn(2 * HOUR, 3 * HOUR)).toEqual([[35, 300]]);
+  expect(drawn(-5 * HOUR, 30 * HOUR)).toEqual([[838, 3]]);
+  expect(drawn(2 * HOUR, 5 * HOUR)).toEqual([[105, 3]]);
+  // Among the lanes nothing is left of it.
+  expect(drawn(-5 * HOUR, 30 * HOUR, false)).toEqual([]);
+  expect(drawn(2 * HOUR, 3 * HOUR, false)).toEqual([[35, 300]]);
+});
+
+test('a kept picture says from when to when it is and of which runs, and which colour is whose', () => {
+  const calendar = { days: daysFrom('2009-03-02', 2 * DAY), length_us: 2 * DAY };
+  const caption = (second: string | null, isCounts = false, unseen: string | null = null) => {
+    const ink = new SvgInk(null);
+    const runs = { first: 'flat-1', second, isCounts };
+    drawCaption(ink, 100, calendar, { from_us: DAY, to_us: 2 * DAY }, runs, unseen, light);
+    const svg = ink.svg(600, 100 + captionHeight(runs, unseen), '#fff');
+    const rows = [...svg.matchAll(/<text x=".*?" y="(.*?)".*?>(.*?)<\/text>/g)].map(([, y, words]) => [Number(y), words] as const);
+    expect(rows.every(([y]) => y > 100 && y < 100 + captionHeight(runs, unseen))).toBe(true);
+    return { words: rows.map(([, words]) => words), colours: [...svg.matchAll(/<rect x="10".*? fill="(.*?)"/g)].map(([, colour]) => colour) };
+  };
+  const span = 'Tue, 3 March 2009, 00:00:00 to Wed, 4 March 2009, 00:00:00';
+  expect(caption(null)).toEqual({ words: [span, 'flat-1'], colours: [] });
+  expect(caption(null, false, '2 of 5 firings are shown').words).toEqual([span, '2 of 5 firings are shown', 'flat-1']);
+  const two = caption('flat-2 without depression');
+  expect(two.words.slice(0, 3)).toEqual([span, 'above the line: flat-1', 'below the line: flat-2 without depression']);
+  expect(two.colours).toEqual([light.seen, light.beam]);
+  expect([two.words[3], caption('x', true).words[3]].map((words) => /what each (.*?);/.exec(words!)![1])).toEqual(['has alone, and its curve of numbers', 'has more of']);
+  // Where names of twins differ is at their ends.
+  expect(caption(`${'x'.repeat(900)} without depression`).words[2]).toMatch(/^below the line: x{39}…x+ without depression$/);
 });
 
 test('what is drawn as lines is text where it is text', () => {
@@ -88,4 +131,27 @@ test('what is drawn as lines is text where it is text', () => {
   expect(svg).not.toContain('<script');
   expect(new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement.tagName).toBe('svg');
   expect(svg).toContain('M0 0L1.24 4');
+});
+
+test('what was not seen is hatched, said in words, and a row of the table', () => {
+  const unseen = [{ from_us: 10, to_us: 40, missing: 983 }];
+  const [bands, lanes] = [[{ name: 'Ada', who: 0, names: ['sleep'], spans: [], unseen: [{ from_us: 10, to_us: 50, missing: 0 }] }], [lane('x', [45, 50], { unseen }), lane('y', [5])]];
+  const sight = { from_us: 0, to_us: 100 };
+  expect(unseenWords(bands, lanes, sight)).toBe('3 of 986 firings are shown. Hatched: not seen');
+  expect(unseenWords(bands, lanes, { from_us: 20, to_us: 100 })).toBe('2 firings are shown, up to 983 are not. Hatched: not seen');
+  expect(unseenWords(bands, lanes, { from_us: 42, to_us: 100 })).toBe('Hatched: what people did was not seen');
+  expect(unseenWords(bands, lanes, { from_us: 60, to_us: 100 })).toBeNull();
+  // A lane of which nothing was seen is not silent.
+  expect(ordered([lane('z', [], { unseen }), lane('y', [])], 'home', true, sight)).toEqual([0]);
+  const table = tableOf(sight, bands, lanes, (at) => `t${at}`, { first: 'run', second: null });
+  expect(table.split('\n').slice(1, 5)).toEqual(['t5,,sensor,y,ON,run', 't10,t50,not seen,Ada,,run', 't10,t40,not seen,x,983 firings,run', 't45,,sensor,x,ON,run']);
+  const lines = (draw: (ink: SvgInk) => void) => {
+    const ink = new SvgInk(null);
+    draw(ink);
+    return [...ink.svg(1000, 100, '#fff').matchAll(/<path d="(M[^"]*L[^"]*)"[^>]*opacity="0.55"/g)].map(([, d]) => [...d!.matchAll(/[ML](\S+) /g)].map(([, x]) => Number(x)));
+  };
+  for (const [drawn, end] of [[lines((ink) => drawFirings(ink, 1000, 0, { sight, lanes }, light)), 40], [lines((ink) => drawHead(ink, 1000, { calendar: { days: daysFrom('2009-03-02', DAY) }, sight, bands }, light)), 50]] as const) {
+    expect(drawn).toHaveLength(1);
+    expect([Math.min(...drawn[0]!), Math.max(...drawn[0]!)].map((x, index) => Math.abs(x - xOf(0, 100, 1000, [10, end][index]!)) < 6)).toEqual([true, true]);
+  }
 });

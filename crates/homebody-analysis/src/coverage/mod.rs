@@ -12,6 +12,7 @@
 //!
 //! Left out: how often somebody is at a place, and how surely a sensor notices.
 
+pub mod cameras;
 mod grid;
 mod table;
 
@@ -136,6 +137,16 @@ pub struct Seen {
     pub sensors: Vec<Sensor>,
     /// What they see of a body of this build that stands.
     pub field: Field,
+}
+
+impl Seen {
+    /// The wall sensors' beams on a standing body, to draw: the sensor's number among those that look, and both ends.
+    pub fn beams(&self) -> Vec<(usize, Point, Point)> {
+        let Seen { sensors, field, .. } = self;
+        let walls = (0..sensors.len()).filter(|&sensor| sensors[sensor].is_on_wall());
+        let beams = |sensor: usize| field.beams[field.range(sensor)].iter();
+        walls.flat_map(|sensor| beams(sensor).map(move |beam| (sensor, beam.start, beam.end()))).collect()
+    }
 }
 
 /// What the sensors of a home that has passed its checks see of a body of this build that stands, in cells of `step_m`.

@@ -3,11 +3,12 @@
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_log::Log;
 use jiff::civil::Date;
+use jiff::tz::TimeZone;
 use serde::Serialize;
 use std::ops::Range;
 
 use super::{Absence, Cell, Entrance, LEAST, Sign, State, Sum, absences, is_seat};
-use crate::dates::{date_of, midnight};
+use crate::dates::{ClockSet, clocks_set, date_of, midnight};
 use crate::signs::{Kind, LogSensors, Says, says};
 
 const HOUR: Micros = 3600 * SECOND;
@@ -25,6 +26,8 @@ pub struct Asked {
     pub away_after: Micros,
     /// From when to when the log was recorded, if that is known.
     pub recorded: Option<Range<Micros>>,
+    /// The zone on whose wall the log is, if that is known: on a day on which clocks are set, it says how long its hours are.
+    pub zone: Option<TimeZone>,
     /// The first day; `None`: the first of the log.
     pub from: Option<Date>,
     /// How many days from the first on; `None`: to the last of the log.
@@ -33,7 +36,7 @@ pub struct Asked {
 
 impl Default for Asked {
     fn default() -> Asked {
-        Asked { doors: Vec::new(), away_after: LEAST, recorded: None, from: None, days: None }
+        Asked { doors: Vec::new(), away_after: LEAST, recorded: None, zone: None, from: None, days: None }
     }
 }
 
@@ -139,11 +142,12 @@ impl Map {
                 cell.events += 1;
             }
         }
+        let set = asked.zone.as_ref().map_or_else(Vec::new, |zone| clocks_set(&days.span(), zone));
         for span in &recorded {
-            days.add(&mut cells, span.clone(), |cell, hours| cell.recorded_h += hours);
+            days.add_lived(&mut cells, span, &set, |cell, hours| cell.recorded_h += hours);
         }
         for absence in &absences {
-            days.add(&mut cells, absence.begin..absence.end, |cell, hours| cell.away_h += hours);
+            days.add_lived(&mut cells, &(absence.begin..absence.end), &set, |cell, hours| cell.away_h += hours);
         }
         let shown = |absence: &&Absence| absence.begin < days.span().end && absence.end > days.span().start;
         let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();
@@ -277,6 +281,21 @@ impl Days {
                 add(cell, seconds(next - at) / 3600.0);
             }
             at = next;
+        }
+    }
+
+    /// The same as it was lived: what the clock on the wall leaves out is none of the span, and what it shows again is in it twice.
+    fn add_lived(
+        &self,
+        cells: &mut [[Cell; 24]],
+        span: &Range<Micros>,
+        set: &[ClockSet],
+        add: impl Fn(&mut Cell, f64),
+    ) {
+        self.add(cells, span.clone(), &add);
+        for ClockSet { wall, is_again } in set {
+            let part = span.start.max(wall.start)..span.end.min(wall.end);
+            self.add(cells, part, |cell, hours| add(cell, if *is_again { hours } else { -hours }));
         }
     }
 }

@@ -1,7 +1,8 @@
 //! The motion density map of Wang and Skubic (2008): how much somebody moved in each hour of each day, and when nobody was
 //! at home.
 //!
-//! A cell is an hour of a day on the clock on the wall. Its density is the number of motion events divided by the hours
+//! A cell is an hour of a day on the clock on the wall; where the zone is known, one that is left out as clocks are set on is without data,
+//! and one that comes twice has two hours. Its density is the number of motion events divided by the hours
 //! that somebody was at home in it, `events / at_home_h`; where these are less than ten minutes, the hour is away and has
 //! none. An event is a row by which a motion sensor says that something began: `ON`, `FIRE`, `true`. Contacts, lights and
 //! readings are no motion. `away` says when nobody was at home, `texture` how alike neighbouring hours are.

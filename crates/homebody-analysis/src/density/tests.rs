@@ -44,6 +44,13 @@ fn what_is_away_is_no_hour_at_home() {
     assert_eq!((map.density_per_h, map.events), (Some(6.0 / 22.5), 7));
     assert!(map.csv().contains("1970-01-01,1,3,0.5000,6.0000\n1970-01-01,2,1,0.0000,\n"), "{}", map.csv());
 
+    // Where clocks are set from 2 to 3, that hour does not come; where they are set back, the hour from 1 to 2 comes twice.
+    let zone = |rule: &str| Some(jiff::tz::TimeZone::posix(rule).unwrap());
+    let set_on = self::map(&rows, &Asked { zone: zone("EST5EDT,J1,J200"), ..asked.clone() });
+    assert_eq!((set_on.recorded_h, set_on.cells[0][2].state(), set_on.away_h), (23.0, State::NoData, 0.5));
+    let set_back = self::map(&rows, &Asked { zone: zone("EST5EDT,J100,J1"), ..asked.clone() });
+    assert_eq!((set_back.recorded_h, set_back.cells[0][1].recorded_h, set_back.away_h), (25.0, 2.0, 2.0));
+
     // With the hall as the entrance it is the same, with the bedroom nobody was away.
     let doors = |door: &str| Asked { doors: vec![door.into()], ..asked.clone() };
     assert_eq!(self::map(&rows, &doors("hall")).absences.len(), 1);

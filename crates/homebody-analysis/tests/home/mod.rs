@@ -32,6 +32,7 @@ pub fn two_rooms(furniture: Value, sensors: Value) -> HomeFile {
     serde_json::from_value(home).expect("a home")
 }
 
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn furnished() -> HomeFile {
     two_rooms(
         json!([
@@ -49,6 +50,7 @@ pub fn furnished() -> HomeFile {
 
 /// A made-up way to see: wall sensors see a fan up to their reach unless something tall stands between,
 /// ceiling sensors see their areas.
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn sees(home: &HomeFile, plan: &Plan, p: Point) -> SensorSet {
     let seen = home.sensors.iter().enumerate().filter(|(_, sensor)| match sensor {
         SensorFile::Motion(motion) => {
@@ -67,6 +69,7 @@ pub fn sees(home: &HomeFile, plan: &Plan, p: Point) -> SensorSet {
 }
 
 /// Where a beam from `a` to `b` ends at something tall.
+#[allow(dead_code, reason = "each test that shares this file uses a part of it")]
 pub fn beam_end(plan: &Plan, a: Point, b: Point) -> Point {
     let tall = plan.solids.iter().filter(|solid| solid.height_m > 1.0);
     let hits = tall.filter_map(|solid| homebody_core::geometry::segment_inside_convex(&solid.outline, a, b));

@@ -2,6 +2,7 @@
 
 pub mod bake;
 pub mod field;
+pub mod outlook;
 pub mod plan;
 pub mod resolved;
 pub mod sun;
@@ -37,7 +38,7 @@ pub struct Home {
     pub numbers: Numbers,
     /// One field for each size of body that lives here.
     pub fields: Vec<Field>,
-    /// The resident's field in each posture, by [`Posture`].
+    /// The resident's fields: of who stands, of who sits, and of who lies.
     postures: Vec<[usize; 3]>,
 }
 
@@ -65,8 +66,8 @@ impl Build {
     pub fn size(&self, posture: Posture, numbers: &Numbers) -> Size {
         let share = match posture {
             Posture::Standing => 1.0,
-            Posture::Sitting => numbers.of(&SITTING),
-            Posture::Lying => numbers.of(&LYING),
+            Posture::Sitting | Posture::Bending | Posture::Kneeling => numbers.of(&SITTING),
+            Posture::Lying | Posture::Down => numbers.of(&LYING),
         };
         Size { radius_m: self.radius_m, top_m: self.height_m * share }
     }
@@ -103,6 +104,11 @@ impl Home {
 
     /// What the sensors see of a resident in a posture.
     pub fn field(&self, resident: usize, posture: Posture) -> &Field {
-        &self.fields[self.postures[resident][posture as usize]]
+        let height = match posture {
+            Posture::Standing => 0,
+            Posture::Sitting | Posture::Bending | Posture::Kneeling => 1,
+            Posture::Lying | Posture::Down => 2,
+        };
+        &self.fields[self.postures[resident][height]]
     }
 }

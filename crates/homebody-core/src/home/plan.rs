@@ -88,6 +88,32 @@ pub struct Plan {
 /// How far off a wall's middle line a door's jamb may be, in metres.
 pub const JAMB_TOLERANCE_M: f64 = 0.01;
 
+/// Furniture that is no higher, such as a carpet, stops nobody, in metres (ours): people step over it.
+pub const FLAT_M: f64 = 0.05;
+
+/// A floor of a home that has several.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Floor {
+    /// What its rooms call it.
+    pub name: String,
+    /// The corners of the box around its rooms, in metres.
+    pub bounds: (Point, Point),
+}
+
+/// The floors that the rooms of a home are on, in the order of the file; none where no room says so.
+pub fn floors(home: &HomeFile) -> Vec<Floor> {
+    let mut floors: Vec<Floor> = Vec::new();
+    for room in &home.rooms {
+        let Some(name) = &room.floor else { continue };
+        let (least, most) = geometry::bounds(room.outline.iter().map(|&at| point(at)));
+        match floors.iter_mut().find(|floor| floor.name == *name) {
+            Some(Floor { bounds, .. }) => *bounds = (bounds.0.min(least), bounds.1.max(most)),
+            None => floors.push(Floor { name: name.clone(), bounds: (least, most) }),
+        }
+    }
+    floors
+}
+
 impl Plan {
     /// Resolves a home that has passed its checks.
     pub fn new(home: &HomeFile) -> Plan {
@@ -128,7 +154,8 @@ impl Plan {
                 outline.reverse();
             }
             let origin = Origin::Furniture(index);
-            solids.push(Solid { origin, outline, height_m: piece.height_m, stops_bodies: !piece.enterable });
+            let stops_bodies = !piece.enterable && piece.height_m > FLAT_M;
+            solids.push(Solid { origin, outline, height_m: piece.height_m, stops_bodies });
         }
         let rooms: Vec<Room> = home
             .rooms

@@ -48,6 +48,16 @@ impl ResolvedHome {
         home
     }
 
+    /// The same home without cameras, for whom lives alone count: pictures are most of what such a home costs.
+    pub fn without_cameras(&self) -> ResolvedHome {
+        let sees = |sensor: &SensorFile| matches!(sensor, SensorFile::Camera(_));
+        let mut home = self.clone();
+        let mut files = self.file.sensors.iter();
+        home.sensors.retain(|_| !files.next().is_some_and(sees));
+        home.file.sensors.retain(|sensor| !sees(sensor));
+        home
+    }
+
     /// Its floor plan.
     pub fn plan(&self) -> &Plan {
         &self.plan

@@ -66,13 +66,15 @@ pub fn garbled_value(value: Value, damage: f64) -> Option<Value> {
         others.into_iter().nth(below(2) as usize)
     };
     match value {
-        Value::Fire => None,
+        Value::Fire | Value::Seen => None,
         Value::On => Some(Value::Off),
         Value::Off => Some(Value::On),
         Value::Open => Some(Value::Close),
         Value::Close => Some(Value::Open),
         Value::In => Some(Value::Out),
         Value::Out => Some(Value::In),
+        Value::Woke => Some(Value::Slept),
+        Value::Slept => Some(Value::Woke),
         Value::Restless(level) => (1..=4).filter(|&other| other != level).nth(below(3) as usize).map(Value::Restless),
         Value::Pulse(band) => other_band(band).map(Value::Pulse),
         Value::Respiration(band) => other_band(band).map(Value::Respiration),
@@ -98,7 +100,17 @@ mod tests {
     #[test]
     fn a_damaged_value_is_another() {
         let bands = [Band::Low, Band::Normal, Band::High];
-        let values = [Value::On, Value::Off, Value::Open, Value::Close, Value::In, Value::Out, Value::Reading(-1)];
+        let values = [
+            Value::On,
+            Value::Off,
+            Value::Open,
+            Value::Close,
+            Value::In,
+            Value::Out,
+            Value::Woke,
+            Value::Slept,
+            Value::Reading(-1),
+        ];
         let levels = (1..=4).map(Value::Restless);
         for value in levels.chain(bands.map(Value::Pulse)).chain(bands.map(Value::Respiration)).chain(values) {
             for damage in LUCK {

@@ -37,9 +37,10 @@ impl Calendar {
         })
     }
 
-    /// The instant on the world's clock.
+    /// The instant on the world's clock, which stands still at the calendar's end.
     pub fn timestamp(&self, at: Micros) -> Timestamp {
-        self.start.timestamp() + SignedDuration::from_micros(at)
+        let start = self.start.timestamp();
+        start.saturating_add(SignedDuration::from_micros(at)).unwrap_or(start)
     }
 
     /// The instant on the clock on the wall.
@@ -169,6 +170,13 @@ mod tests {
         assert_eq!(time_of_day("07:30"), Some(450 * minute));
         assert_eq!(time_of_day("07:30:15.5"), Some(450 * minute + 15_500_000));
         assert_eq!(time_of_day("23:59:59.999999"), Some(24 * 60 * minute - 1));
+    }
+
+    #[test]
+    fn at_the_calendars_end_the_clock_stands_still() {
+        let calendar = Calendar::new("9999-12-27T18:00:00", "America/Chicago").unwrap();
+        assert_eq!(calendar.wall_clock(DAY), "9999-12-28 18:00:00");
+        assert_eq!(calendar.wall_clock(40 * DAY), calendar.wall_clock(Micros::MAX));
     }
 
     #[test]

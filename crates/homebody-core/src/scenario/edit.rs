@@ -184,7 +184,7 @@ mod tests {
     fn one_room() -> ScenarioEdit {
         let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
         let mut home = HomeFile::new("one room");
-        home.rooms.push(RoomFile { name: "room".into(), outline: corners.to_vec() });
+        home.rooms.push(RoomFile::new("room", corners.to_vec()));
         home.walls.extend((0..4).map(|side| WallFile::new(corners[side], corners[(side + 1) % 4])));
         home.sensors.push(SensorFile::Motion(MotionFile::new("motion", [0.05, 1.5], 0.0)));
         let path =

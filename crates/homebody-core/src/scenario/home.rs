@@ -3,7 +3,8 @@
 use crate::geometry::At;
 use crate::home::sun::COLUMBIA_DEG;
 use crate::role::Role;
-use crate::scenario::notice::{ChanceFile, Notice};
+use crate::scenario::notice::Notice;
+pub use crate::scenario::preset::{Preset, Timing};
 use crate::sensors::form::{DeviceForm, KindRow, Moment, Wrong};
 use crate::sensors::kinds::{CEILING_MOTION, MOTION, devices};
 use schemars::JsonSchema;
@@ -118,6 +119,21 @@ pub struct RoomFile {
     /// The corners in order; the last is joined to the first.
     #[schemars(length(min = 3, max = 500), inner(inner(range(min = -10_000, max = 10_000))))]
     pub outline: Vec<At>,
+    /// The floor that the room is on, in a home of several that are drawn beside each other, such as `first floor`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(length(min = 1, max = 100))]
+    pub floor: Option<String>,
+    /// How high the ceiling is above the floor. Nobody who lives there is taller, and no camera hangs higher.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 0.5, max = 20))]
+    pub ceiling_m: Option<f64>,
+}
+
+impl RoomFile {
+    /// A room of this name with these corners, in a home of one floor.
+    pub fn new(name: impl Into<String>, outline: Vec<At>) -> RoomFile {
+        RoomFile { name: name.into(), outline, floor: None, ceiling_m: None }
+    }
 }
 
 /// A straight wall between two points of its middle line.
@@ -190,7 +206,7 @@ pub struct FurnitureFile {
     /// Beams that pass lower than this are stopped.
     #[schemars(range(min = 0, max = 10))]
     pub height_m: f64,
-    /// Whether a person can be where it stands: a bed, an armchair, a rug.
+    /// Whether a person can be where it stands: a bed, an armchair, a rug. What is at most 5 cm high stops nobody in any case.
     #[serde(default)]
     pub enterable: bool,
     /// What it is for, whatever its name is; without it, its name says so.
@@ -280,6 +296,16 @@ impl SensorFile {
         self.device().and_then(DeviceForm::area)
     }
 
+    /// Where it hangs, where its form says the point and it does not look for movement.
+    pub fn spot(&self) -> Option<At> {
+        self.device().and_then(DeviceForm::spot)
+    }
+
+    /// The names of the sensors whose words wake it, where it sleeps.
+    pub fn woken_by(&self) -> &[String] {
+        self.device().map(DeviceForm::woken_by).unwrap_or_default()
+    }
+
     /// What is wrong with it whatever the home is like, as far as its kind alone knows.
     pub fn wrong(&self) -> Vec<Wrong> {
         self.device().map(DeviceForm::wrong).unwrap_or_default()
@@ -306,6 +332,15 @@ impl SensorFile {
             SensorFile::Motion(MotionFile { level: Level::Zones(_), .. }) => Some(Notice::All),
             SensorFile::Motion(s) => Some(s.notice.unwrap_or(s.preset.notice())),
             SensorFile::CeilingMotion(s) => Some(s.notice.unwrap_or(s.preset.notice())),
+            _ => None,
+        }
+    }
+
+    /// The device that it is, where it looks for movement.
+    pub fn preset(&self) -> Option<Preset> {
+        match self {
+            SensorFile::Motion(sensor) => Some(sensor.preset),
+            SensorFile::CeilingMotion(sensor) => Some(sensor.preset),
             _ => None,
         }
     }
@@ -466,84 +501,6 @@ pub struct ZonesFile {
     pub window_s: f64,
 }
 
-/// A device whose timing is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Default)]
-#[serde(rename_all = "snake_case")]
-#[schemars(title = "preset")]
-pub enum Preset {
-    /// The sensor of Godsey & Skubic 2009: first after 1-2 s, then every 6-8 s.
-    #[default]
-    Paper,
-    /// X10 ActiveEye MS16A by its manual: 10 s before it can trip again.
-    X10Ms16a,
-    /// CASAS homes with Bosch units, whose ON lasts a fixed 4 s.
-    CasasPulse,
-    /// CASAS homes with Control4 units, whose ON follows the movement.
-    CasasFollow,
-    /// Aqara RTCGQ11LM: blind for 60 s after a detection.
-    Aqara,
-    /// Philips Hue indoor motion sensor.
-    Hue,
-}
-
-impl Preset {
-    /// Whether it is a unit of the CASAS homes, which have wide sensors on walls beside narrow ones on ceilings.
-    pub fn is_casas(self) -> bool {
-        matches!(self, Preset::CasasPulse | Preset::CasasFollow)
-    }
-
-    /// What the device notices. The paper's notices all: its rays are cast at whatever moves.
-    pub fn notice(self) -> Notice {
-        match self {
-            Preset::Paper => Notice::All,
-            Preset::X10Ms16a | Preset::CasasPulse | Preset::CasasFollow | Preset::Aqara | Preset::Hue => {
-                Notice::Chance(ChanceFile::default())
-            }
-        }
-    }
-}
-
-/// The numbers of the timing state machine, in seconds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Timing {
-    /// From the first movement to the first firing, least and most.
-    pub first_fire_s: [f64; 2],
-    /// From a firing to the decision about the next, least and most.
-    pub refire_s: [f64; 2],
-    /// How long before that decision a movement still counts.
-    pub persist_s: f64,
-}
-
-impl Preset {
-    /// Every preset, in the order in which documents list them.
-    pub const ALL: [Preset; 6] =
-        [Preset::Paper, Preset::X10Ms16a, Preset::CasasPulse, Preset::CasasFollow, Preset::Aqara, Preset::Hue];
-
-    /// The timing of the device. Where a maker states one number, the range collapses to it.
-    ///
-    /// No source gives `persist_s`: 1 s is ours. Of first delays only the paper's are measured: 0.1 to 0.5 s is ours.
-    pub fn timing(self) -> Timing {
-        let timing = |first_fire_s, refire_s, persist_s| Timing { first_fire_s, refire_s, persist_s };
-        match self {
-            // Godsey & Skubic 2009, section III.D, but for `persist_s`.
-            Preset::Paper => timing([1.0, 2.0], [6.0, 8.0], 1.0),
-            // X10 Active Eye setup guide: 10 s until it trips again. The first delay is the paper's, whose sensors
-            // are of this class.
-            Preset::X10Ms16a => timing([1.0, 2.0], [10.0, 10.0], 1.0),
-            // Read off a CASAS home with Bosch units: never again before about 5.4 s, and then with the next movement that is
-            // noticed. That makes the 5th percentile of ON to ON, 5.5 s, and leaves the median, 8.8 s, to chance.
-            Preset::CasasPulse => timing([0.05, 0.4], [5.4, 5.6], 0.1),
-            // Read off CASAS homes with Control4 units: of the ONs that are longer than the shortest, 1.1 s, the shortest last 1.7 s:
-            // a movement 0.55 s after the last prolongs the ON to 1.1 s after itself.
-            Preset::CasasFollow => timing([0.05, 0.4], [0.55, 0.65], 0.45),
-            // Zigbee2MQTT, page RTCGQ11LM: ignores movement for exactly 60 s.
-            Preset::Aqara => timing([0.1, 0.5], [60.0, 60.0], 1.0),
-            // Ours: the maker publishes no blind time.
-            Preset::Hue => timing([0.1, 0.5], [10.0, 10.0], 1.0),
-        }
-    }
-}
-
 /// Where TigerPlace is.
 pub fn latitude() -> f64 {
     COLUMBIA_DEG
@@ -562,19 +519,19 @@ fn wall_thickness() -> f64 {
     0.1
 }
 /// Ours, above the 6 ft (1.83 m) that the manual of the X10 HawkEye MS13A asks for.
-fn mounting_height() -> f64 {
+pub(crate) fn mounting_height() -> f64 {
     2.1
 }
 /// The axis meets the floor at 2.355 mounting heights (spaceti.com installation guide).
-fn tilt() -> f64 {
+pub(crate) fn tilt() -> f64 {
     23.0
 }
 /// Godsey & Skubic 2009, section III.D.
-fn field() -> [f64; 2] {
+pub(crate) fn field() -> [f64; 2] {
     [145.0, 50.0]
 }
 /// 9.6 m for a walking person in an installation guide (spaceti.com), rounded.
-fn reach() -> f64 {
+pub(crate) fn reach() -> f64 {
     10.0
 }
 /// Ours: at 3 m the middle two beams are 0.04 m apart and the outermost two 0.36 m, less than a body is wide.

@@ -21,9 +21,11 @@ pub const RECORDING: &str = "recording.json";
 pub const TRUTH: &str = "truth.db";
 /// What a run's folder calls the table of its sensors: id in the log, name in the home, kind, room and place.
 pub const SENSORS: &str = "sensors.csv";
+/// What a run's folder calls the database of its cameras' silhouettes, where its home has cameras.
+pub const SILHOUETTES: &str = "silhouettes.db";
 
 /// What a run leaves in its folder besides its logs.
-const OF_RUN: [&str; 3] = [RECORDING, TRUTH, SENSORS];
+const OF_RUN: [&str; 4] = [RECORDING, TRUTH, SENSORS, SILHOUETTES];
 
 /// What comes behind the name of a file in the names of those that are beside it while it is written.
 const BESIDE: [&str; 6] = ["-wal", "-shm", "-journal", ".lock", ".anew", ".anew.lock"];

@@ -356,6 +356,9 @@ impl Loader<'_> {
                 let resident: Read<ResidentFile> = self.link(&source, &root, &link, FileKind::Resident)?;
                 if let Some(file) = &resident.data {
                     names.check(&resident.source, file, &mut self.problems);
+                    if let Some(home) = surroundings.home {
+                        check::resident::check_height(&resident.source, file, home, &mut self.problems);
+                    }
                 }
                 self.resident(index, resident, &surroundings, calendar.as_ref())
             })

@@ -8,6 +8,7 @@
 
 pub mod calendar;
 mod check;
+pub mod device;
 pub mod edit;
 pub mod home;
 pub mod input;
@@ -18,6 +19,7 @@ pub mod logger;
 pub mod nearest;
 pub mod notice;
 pub mod path;
+pub mod preset;
 pub mod remarks;
 pub mod resident;
 pub mod schema;

@@ -148,6 +148,35 @@ pub enum Posture {
     Sitting,
     /// On a bed or on the floor: the body is lowest, by the number `posture.lying`.
     Lying,
+    /// Bent forward, as to an oven: as high as when sitting.
+    Bending,
+    /// On both knees, or on hands and knees where the body moves: as high as when sitting.
+    Kneeling,
+    /// On the floor after a fall: as low as when lying.
+    Down,
+}
+
+impl Posture {
+    /// All of them, from the highest to the lowest.
+    pub const ALL: [Posture; 6] =
+        [Posture::Standing, Posture::Bending, Posture::Sitting, Posture::Kneeling, Posture::Lying, Posture::Down];
+
+    /// What files call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Posture::Standing => "standing",
+            Posture::Sitting => "sitting",
+            Posture::Lying => "lying",
+            Posture::Bending => "bending",
+            Posture::Kneeling => "kneeling",
+            Posture::Down => "down",
+        }
+    }
+
+    /// The posture of a name.
+    pub fn named(name: &str) -> Option<Posture> {
+        Posture::ALL.into_iter().find(|posture| posture.name() == name)
+    }
 }
 
 /// More steps and waypoints than this are no path (ours): two weeks of somebody whose every way was found by a log.

@@ -229,7 +229,8 @@ impl DeviceModel for Bed {
                     MotionState::InPlace { at, .. } | MotionState::Rest { at } => Some(at),
                     MotionState::Stride { .. } | MotionState::Away => None,
                 };
-                let is_in = posture != Posture::Standing && place.is_some_and(|p| geometry::covers(&self.outline, p));
+                let is_in = matches!(posture, Posture::Sitting | Posture::Lying)
+                    && place.is_some_and(|p| geometry::covers(&self.outline, p));
                 after.since = if is_in { before.since.or(Some(at)) } else { None };
                 after.lies = posture == Posture::Lying;
                 after.stirs = matches!(doing, MotionState::InPlace { .. });
@@ -240,7 +241,7 @@ impl DeviceModel for Bed {
                     after.news = Some(at);
                 }
             }
-            Change::Use { .. } => {}
+            Change::Use { .. } | Change::Fired => {}
         }
         if after != before {
             self.sleepers[resident] = after;

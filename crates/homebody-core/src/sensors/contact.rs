@@ -97,7 +97,7 @@ mod tests {
                 &mut outbox,
             );
         }
-        let values: Vec<Value> = outbox.0.iter().map(|(value, _)| *value).collect();
+        let values: Vec<Value> = outbox.said.iter().map(|(value, _)| *value).collect();
         assert_eq!(values, [Value::Open, Value::Close]);
     }
 }

@@ -48,6 +48,18 @@ macro_rules! device {
                 match self { $(Device::$kind(device) => device.feels_bodies()),* }
             }
 
+            fn sees_bodies(&self) -> bool {
+                match self { $(Device::$kind(device) => device.sees_bodies()),* }
+            }
+
+            fn woken_by(&self) -> &[String] {
+                match self { $(Device::$kind(device) => device.woken_by()),* }
+            }
+
+            fn is_awake(&self) -> bool {
+                match self { $(Device::$kind(device) => device.is_awake()),* }
+            }
+
             fn on_event(&mut self, at: Micros, change: &Change, outbox: &mut Outbox) {
                 match self { $(Device::$kind(device) => device.on_event(at, change, outbox)),* }
             }

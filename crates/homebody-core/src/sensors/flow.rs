@@ -123,10 +123,10 @@ mod tests {
             if flow.timer() < at {
                 let due = flow.timer();
                 flow.on_timer(due, &mut outbox);
-                messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
+                messages.extend(outbox.said.drain(..).map(|(value, _)| (due, value)));
             }
             flow.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(7), on }, &mut outbox);
-            messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
+            messages.extend(outbox.said.drain(..).map(|(value, _)| (at, value)));
         }
         messages
     }

@@ -8,10 +8,12 @@
 //!
 //! Left out: what depends on other sensors, which the check and its remarks see to.
 
+use crate::camera::outlook::Outlook;
 use crate::event::Value;
 use crate::geometry::{At, Point};
 use crate::ids::ThingId;
 use crate::time::Micros;
+use std::sync::Arc;
 
 /// A kind of sensor, as check, page and the destinations of logs have to know it. All are in
 /// [`KINDS`](super::kinds::KINDS).
@@ -53,6 +55,8 @@ pub enum Mount {
     Thing(&'static [Bearer]),
     /// Anywhere in a room that the file names.
     Room,
+    /// At a point in a room, at a height that the file says.
+    Free,
 }
 
 /// What a sensor can hang on or lie in.
@@ -109,6 +113,8 @@ pub enum Shape {
     Star,
     /// Of `temperature`.
     Cross,
+    /// Of `camera`: it looks to where the lens does.
+    Eye,
 }
 
 /// A colour of Okabe and Ito's palette, which the colour-blind tell apart, too.
@@ -148,6 +154,16 @@ pub trait DeviceForm {
     /// The corners of the floor that it covers, where it lies on the floor.
     fn area(&self) -> Option<&[At]> {
         None
+    }
+
+    /// Where it hangs, where the file says the point.
+    fn spot(&self) -> Option<At> {
+        None
+    }
+
+    /// The names of the sensors whose words wake it, where it sleeps.
+    fn woken_by(&self) -> &[String] {
+        &[]
     }
 
     /// What is wrong with it whatever the home is like.
@@ -209,6 +225,8 @@ pub struct Site {
     pub outline: Vec<Point>,
     /// How high the piece of furniture is; 0 for the floor.
     pub height_m: f64,
+    /// Of what looks around: what there is to see.
+    pub outlook: Arc<Outlook>,
 }
 
 /// For keys of forms that are 0 unless they are given.

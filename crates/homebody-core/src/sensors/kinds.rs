@@ -24,6 +24,7 @@ macro_rules! devices {
             Flow(flow, FlowFile)
             Light(light, LightFile)
             Temperature(temperature, TemperatureFile)
+            Camera(camera, CameraFile)
         }
     };
 }

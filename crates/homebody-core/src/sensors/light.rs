@@ -215,7 +215,7 @@ mod tests {
                 assert!(light.timer() > due);
                 messages.extend(
                     outbox
-                        .0
+                        .said
                         .drain(..)
                         .map(|(value, provenance)| (due, value, provenance.resident.map(|resident| resident.0))),
                 );

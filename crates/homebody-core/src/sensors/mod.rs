@@ -1,6 +1,7 @@
 //! The sensors: one file per kind, all in the same shape, and the timing they share. [`kinds`] lists them.
 
 pub mod bed;
+pub mod camera;
 pub mod ceiling_motion;
 pub mod contact;
 pub mod device;
@@ -21,6 +22,7 @@ pub(crate) mod zones;
 
 use crate::event::Value;
 use crate::geometry::{self, Point};
+use crate::home::outlook::outlook;
 use crate::home::plan::Plan;
 use crate::ids::{RoomId, ThingId};
 use crate::scenario::home::SensorFile;
@@ -29,6 +31,7 @@ use device::Device;
 use form::{KindRow, Site, Unit};
 use motion::Motion;
 use notice::Chance;
+use std::sync::Arc;
 use timing::Timing;
 
 /// A sensor as a run uses it.
@@ -137,10 +140,17 @@ impl Sensor {
 
 /// Where a device is; nothing where the plan does not have what it is on, or the room that it is in.
 fn site(file: &SensorFile, plan: &Plan) -> Option<Site> {
+    if let Some(spot) = file.spot() {
+        let at = geometry::point(spot);
+        let lamp = plan.room_at(at).and_then(|room| plan.lamp(&plan.rooms[room].name));
+        let outlook = Arc::new(outlook(plan));
+        let thing = ThingId::of(lamp.unwrap_or(plan.things.len()));
+        return Some(Site { thing, at, outlook, ..Site::default() });
+    }
     if let Some(area) = file.area() {
         let outline: Vec<Point> = area.iter().map(|&at| geometry::point(at)).collect();
         let at = geometry::inner_point(&outline);
-        return Some(Site { thing: ThingId::of(plan.things.len()), is_open: false, at, outline, height_m: 0.0 });
+        return Some(Site { thing: ThingId::of(plan.things.len()), is_open: false, at, outline, ..Site::default() });
     }
     let thing = match (file.on(), file.room()) {
         (Some(on), _) => plan.thing(on)?,
@@ -154,5 +164,6 @@ fn site(file: &SensorFile, plan: &Plan) -> Option<Site> {
         at: found.at,
         outline: piece.map(|piece| piece.outline.clone()).unwrap_or_default(),
         height_m: piece.map_or(f64::INFINITY, |piece| piece.height_m),
+        ..Site::default()
     })
 }

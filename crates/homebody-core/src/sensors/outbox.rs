@@ -8,11 +8,13 @@
 //!
 //! Left out: what becomes of a message on its way to the logger.
 
+use crate::body::figure::Stature;
+use crate::camera::silhouette::Picture;
 use crate::event::{MotionState, Provenance, Trigger, Value, Vitals};
 use crate::home::sun::Sun;
 use crate::ids::{ResidentId, ThingId};
 use crate::numbers::Numbers;
-use crate::random::Stream;
+use crate::random::{DrawnValue, Stream};
 use crate::scenario::path::Posture;
 use crate::time::{Micros, NEVER};
 
@@ -32,6 +34,8 @@ pub enum Change {
     Body {
         /// Whose body it is.
         resident: ResidentId,
+        /// How large it is.
+        stature: Stature,
         /// When it began to do this; may be past.
         begin: Micros,
         /// Until when it does this, unless something else is told before.
@@ -40,7 +44,11 @@ pub enum Change {
         doing: MotionState,
         /// How it holds itself meanwhile.
         posture: Posture,
+        /// What chance says of it, the same to all that are told: which way somebody falls.
+        chance: DrawnValue,
     },
+    /// A sensor that it is tied to has spoken.
+    Fired,
     /// From now on a resident's heart and lungs are like this.
     Vitals {
         /// Whose they are.
@@ -62,6 +70,21 @@ pub trait DeviceModel: Clone {
         false
     }
 
+    /// Whether it wants to be told what all bodies do, those of cats, too, as it looks at them.
+    fn sees_bodies(&self) -> bool {
+        false
+    }
+
+    /// The names of the sensors whose words it wants to be told of.
+    fn woken_by(&self) -> &[String] {
+        &[]
+    }
+
+    /// Whether it takes pictures now.
+    fn is_awake(&self) -> bool {
+        false
+    }
+
     /// Something happens at `at`; timers that are due earlier have run out before, those that are due then have not. What
     /// depends on all that happens at this instant waits for a timer that is due now.
     fn on_event(&mut self, _at: Micros, _change: &Change, _outbox: &mut Outbox) {}
@@ -77,13 +100,18 @@ pub trait DeviceModel: Clone {
 
 /// What devices say, for the world to send.
 #[derive(Clone, Debug, Default)]
-pub struct Outbox(pub Vec<(Value, Provenance)>);
+pub struct Outbox {
+    /// Messages.
+    pub said: Vec<(Value, Provenance)>,
+    /// Pictures that are kept apart from the messages.
+    pub pictures: Vec<Picture>,
+}
 
 impl Outbox {
     /// Says something now: whose doing it was, if anybody's, when that began to be noticed, and what kind of cause it
     /// was.
     pub fn say(&mut self, value: Value, resident: Option<ResidentId>, seen_at: Micros, trigger: Trigger) {
-        self.0.push((value, Provenance { resident, seen_at, trigger }));
+        self.said.push((value, Provenance { resident, seen_at, trigger }));
     }
 }
 

@@ -191,7 +191,7 @@ mod tests {
             power.on_event(at, &act(on), &mut outbox);
             assert_eq!(power.timer(), NEVER);
         }
-        assert_eq!(outbox.0.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
+        assert_eq!(outbox.said.iter().map(|(value, _)| *value).collect::<Vec<_>>(), [Value::On, Value::Off]);
     }
 
     #[test]
@@ -207,7 +207,7 @@ mod tests {
         }
         power.on_event(power.timer(), &act(false), &mut outbox);
         assert_eq!(power.timer(), NEVER);
-        let (last, all) = outbox.0.split_last().unwrap();
+        let (last, all) = outbox.said.split_last().unwrap();
         assert_eq!((all[0].0, all[all.len() - 1].0, last.0), (Value::On, Value::Off, Value::Reading(500)));
         let watts: Vec<f64> = all
             .iter()

@@ -130,7 +130,7 @@ impl DeviceModel for Pressure {
     }
 
     fn on_event(&mut self, at: Micros, change: &Change, _outbox: &mut Outbox) {
-        let Change::Body { resident, begin, end, doing, posture } = *change else { return };
+        let Change::Body { resident, begin, end, doing, posture, .. } = *change else { return };
         let resident = resident.index();
         if resident >= self.spans.len() {
             self.spans.resize(resident + 1, NOT);
@@ -138,7 +138,8 @@ impl DeviceModel for Pressure {
         let span = match doing {
             MotionState::Stride { from, to } if self.is_mat => self.crossing(from, to, begin, end),
             MotionState::InPlace { at: place, .. } | MotionState::Rest { at: place }
-                if (self.is_mat || posture != Posture::Standing) && geometry::covers(&self.outline, place) =>
+                if (self.is_mat || matches!(posture, Posture::Sitting | Posture::Lying))
+                    && geometry::covers(&self.outline, place) =>
             {
                 (Micros::MIN, NEVER)
             }

@@ -268,10 +268,10 @@ mod tests {
                 let due = stove.timer();
                 stove.on_timer(due, &mut outbox);
                 assert!(stove.timer() > due);
-                messages.extend(outbox.0.drain(..).map(|(value, _)| (due, value)));
+                messages.extend(outbox.said.drain(..).map(|(value, _)| (due, value)));
             }
             stove.on_event(at, &Change::Use { resident: Some(ResidentId(0)), thing: ThingId(2), on }, &mut outbox);
-            messages.extend(outbox.0.drain(..).map(|(value, _)| (at, value)));
+            messages.extend(outbox.said.drain(..).map(|(value, _)| (at, value)));
         }
         messages
     }
@@ -306,8 +306,8 @@ mod tests {
         told_first.on_event(crossing, &act(false), &mut a);
         due_first.on_event(crossing, &act(false), &mut b);
         told_first.on_timer(crossing, &mut a);
-        assert_eq!((a.0.clone(), told_first), (b.0, due_first));
-        assert_eq!(a.0.len(), 1);
+        assert_eq!((a.said.clone(), told_first), (b.said, due_first));
+        assert_eq!(a.said.len(), 1);
     }
 
     #[test]

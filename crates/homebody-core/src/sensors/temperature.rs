@@ -188,7 +188,7 @@ mod tests {
             let due = device.timer();
             device.on_timer(due, &mut outbox);
             assert!(device.timer() > due);
-            readings.extend(outbox.0.drain(..).filter_map(|(value, _)| match value {
+            readings.extend(outbox.said.drain(..).filter_map(|(value, _)| match value {
                 Value::Reading(thousandths) => Some((due, f64::from(thousandths) / 1000.0)),
                 _ => None,
             }));

@@ -135,6 +135,8 @@ fn names_that_are_taken() {
             "home.json:28:15: another sensor is named \"kitchen motion\" too\nlogger.json:5:36: the home has no sensor \"bedroom motion\"; there are \"kitchen motion\", \"bed\""),
         ("home.json", r#""name": "window""#, r#""name": "  ""#,
             "home.json:24:15: a name must not be blank"),
+        ("home.json", r#""name": "kitchen", "outline""#, r#""floor": " ", "name": "kitchen", "outline""#,
+            "home.json:4:16: a name must not be blank"),
         ("home.json", r#""name": "window""#, r#""name": "a\tb""#,
             r#"home.json:24:15: the name "a\tb" must not hold control characters"#),
     ]);

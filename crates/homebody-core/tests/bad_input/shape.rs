@@ -142,9 +142,9 @@ fn numbers() {
 fn names_of_a_list() {
     check(&[
         ("home.json", r#""preset": "hue""#, r#""preset": "hew""#,
-            r#"home.json:29:17: "preset" cannot be "hew"; it is one of "paper", "x10_ms16a", "casas_pulse", "casas_follow", "aqara", "hue""#),
+            r#"home.json:29:17: "preset" cannot be "hew"; it is one of "paper", "x10_ms16a", "casas_pulse", "casas_follow", "aqara", "hue", "aqara_p1", "fibaro", "aeotec""#),
         ("home.json", r#""preset": "hue""#, r#""preset": "philips""#,
-            r#"home.json:29:17: "preset" cannot be "philips"; it is one of "paper", "x10_ms16a", "casas_pulse", "casas_follow", "aqara", "hue""#),
+            r#"home.json:29:17: "preset" cannot be "philips"; it is one of "paper", "x10_ms16a", "casas_pulse", "casas_follow", "aqara", "hue", "aqara_p1", "fibaro", "aeotec""#),
         ("home.json", r#""ceiling_motion""#, r#""ceiling""#,
             r#"home.json:30:30: "ceiling" is no kind of sensor; did you mean "ceiling_motion"?"#),
         ("home.json", r#""ceiling_motion""#, r#""celing_motion""#,

@@ -41,6 +41,7 @@ fn said(messages: &[(Micros, u32, Value)]) -> Events {
     Events {
         firings: messages.iter().enumerate().map(firing).collect(),
         facts: messages.iter().enumerate().map(provenance).collect(),
+        ..Events::default()
     }
 }
 

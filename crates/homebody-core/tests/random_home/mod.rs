@@ -89,6 +89,10 @@ pub fn crowded(case: u64, model: Model, more: i64) -> HomeFile {
         furniture.push(json!({ "name": "rug", "at": [width / 2.0, depth / 2.0], "size_m": [1.5, 1], "height_m": 0.01,
             "turn_deg": dice.between(-90.0, 90.0), "enterable": true }));
         sensors.extend((0..dice.below(12)).map(|index| device(dice, index, width, depth)));
+        let dice = &mut Dice::new(case, "cameras");
+        if dice.one_in(3) {
+            sensors.push(camera(dice));
+        }
     }
     let home = json!({ "name": format!("home {case}"), "rooms": rooms, "walls": walls, "doors": doors,
         "furniture": furniture, "sensors": sensors });
@@ -154,6 +158,14 @@ pub fn device(dice: &mut Dice, index: i64, width: f64, depth: f64) -> Value {
     };
     device.as_object_mut().expect("an object").insert("name".into(), json!(format!("device {index}")));
     device
+}
+
+/// A small camera in a corner of the western room, which the first sensor wakes.
+fn camera(dice: &mut Dice) -> Value {
+    json!({ "kind": "camera", "name": "camera", "at": [dice.between(0.1, 0.4), dice.between(0.1, 0.4)],
+        "facing_deg": dice.between(20.0, 70.0), "tilt_deg": dice.between(20.0, 40.0), "field_deg": dice.between(60.0, 110.0),
+        "height_m": dice.between(1.8, 2.4), "pixels": [32, 24], "frames_per_s": 2,
+        "woken_by": ["sensor 0"], "sleeps_after_s": dice.between(1.0, 8.0) })
 }
 
 /// What one resident uses, and how their heart and lungs change; much of it on round times.

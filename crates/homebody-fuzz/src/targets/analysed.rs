@@ -5,7 +5,7 @@ use crate::target::Verdict;
 use homebody_analysis::compare::compare;
 use homebody_analysis::dates;
 use homebody_analysis::day::Day;
-use homebody_analysis::density::{Asked, density};
+use homebody_analysis::density::density;
 use homebody_analysis::look::Looker;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::Scheme;
@@ -117,7 +117,7 @@ fn labelled(from: &Source, mapping: &LoggerFile, survey: &Log, truth: &Path, fol
 fn drawn(given: &LogWithRun) -> Result<(), String> {
     if let Some((first, last)) = given.dates() {
         for date in [first, last] {
-            let day = Day::of(&given.name, &given.log, &given.lives, date);
+            let day = Day::of(&given.name, &given.log, &given.lives, given.ended(), date);
             let _ = day.to_string();
             let svg = day_chart(&DayChart::of(&day));
             // Pixels take their time: some days have to do.
@@ -129,7 +129,7 @@ fn drawn(given: &LogWithRun) -> Result<(), String> {
         }
         let _ = dates::Asked::First.within((first, last));
     }
-    let asked = Asked { recorded: given.recorded.clone(), ..Asked::default() };
+    let asked = given.density_asked();
     match density((&given.name, &given.log, &asked), Some((&given.name, &given.log, &asked))) {
         Ok(density) => drop((density.to_string(), density_map(&density), density.of.map.csv())),
         Err(why) => told::message(&why.to_string())?,

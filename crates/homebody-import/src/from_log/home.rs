@@ -368,7 +368,7 @@ fn put_together(
         })
     });
     let furniture = furniture.collect();
-    let room = |(room, rect): (&Room, &Rect)| RoomFile { name: room.name.clone(), outline: rect.corners() };
+    let room = |(room, rect): (&Room, &Rect)| RoomFile::new(&room.name, rect.corners());
     let home = HomeFile {
         schema: Some(SCHEMA.to_owned()),
         name: String::new(),

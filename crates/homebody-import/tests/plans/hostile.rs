@@ -8,8 +8,8 @@ use std::f64::consts::FRAC_PI_2;
 use std::time::{Duration, Instant};
 use zip::CompressionMethod;
 
-/// A second in an optimised build; tests are optimised less, and share their machine.
-const SOON: Duration = Duration::from_secs(4);
+/// Much more than any of it takes, also where the machine is busy with other things: nothing here takes minutes.
+const SOON: Duration = Duration::from_secs(20);
 
 /// Why a file is not imported.
 #[track_caller]
@@ -28,9 +28,8 @@ fn what_is_no_plan_is_refused_in_sentences() {
     for bytes in [&b""[..], b"PK", b"<home/>", &[0; 1000], &[0xff; 1000]] {
         assert!(text(bytes).starts_with("this is no Sweet Home 3D file: it is no zip archive"));
     }
-    for entries in [&[][..], &[("Home", &b"\xac\xed"[..])], &[("home.xml", b"<home/>")], &[("a/Home.xml", b"<home/>")]]
-    {
-        let hint = "it has no Home.xml\n  hint: save it with Sweet Home 3D 5.3 or later, which adds Home.xml";
+    for entries in [&[][..], &[("home.xml", &b"<home/>"[..])], &[("a/Home.xml", b"<home/>")]] {
+        let hint = "it has no Home.xml\n  hint: name the .sh3d file that Sweet Home 3D has saved";
         assert_eq!(text(&archive(entries)), format!("this is no Sweet Home 3D file: {hint}"));
     }
     let xml = |xml: &[u8]| text(&archive(&[("Home.xml", xml)]));

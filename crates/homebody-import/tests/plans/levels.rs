@@ -1,4 +1,4 @@
-//! Plans of several levels: a home is one of them.
+//! Plans of several levels: a home is one of them, or all that stairs join.
 
 use crate::plan::{Home, file, import, piece, room, two_rooms, wall};
 use homebody_import::{NotImported, sweet_home};
@@ -31,14 +31,85 @@ fn house() -> String {
 }
 
 #[test]
-fn the_level_with_the_most_walls_is_taken() {
+fn the_level_is_taken_by_which_people_come_home() {
     let home = Home::of(&house());
     assert_eq!(home.rooms(), ["Living room", "Bedroom"]);
     home.remarks(
-        "of 3 levels, this is 2 \"Ground floor\", which has the most walls; left out are 1 \"Cellar\", 3 \"Attic\"",
+        "of 3 levels, this is 2 \"Ground floor\", by which people come home; left out are 1 \"Cellar\", 3 \"Attic\"",
     );
     assert_eq!(home.file.about, "The level \"Ground floor\" of a plan made with Sweet Home 3D.");
     assert!(home.file.furniture.is_empty(), "a group's pieces are on its level");
+    assert!(home.file.rooms.iter().all(|room| room.floor.is_none()));
+    // An upper floor may have more walls.
+    let walls: String =
+        (0..6).map(|n| wall([120.0 + 10.0 * f64::from(n), 150.0], [120.0 + 10.0 * f64::from(n), 200.0])).collect();
+    let cellar = walls.replace("<wall id=", "<wall level='l0' id=");
+    assert_eq!(Home::of(&(house() + &cellar)).rooms(), ["Living room", "Bedroom"]);
+    // Without a way out anywhere, walls decide; what the plan does not show is not looked at.
+    let shut = house().replace("name='Front door'", "name='Window' elevation='87'");
+    Home::of(&shut).remarks("this is 2 \"Ground floor\", which has the most walls");
+    let hidden = house().replace("<level id='l1'", "<level id='l1' viewable='false'");
+    assert_eq!(Home::of(&hidden).rooms(), ["Cellar"]);
+}
+
+/// What is drawn, on a level.
+fn on(level: &str, drawn: &str) -> String {
+    let tags = ["wall", "room", "doorOrWindow", "pieceOfFurniture"];
+    let with = |text: String, tag: &&str| text.replace(&format!("<{tag} id="), &format!("<{tag} level='{level}' id="));
+    tags.iter().fold(drawn.to_owned(), with)
+}
+
+/// Two floors of two rooms each, with stairs in the bedroom below; those above have other names.
+fn two_floors(stairs: &str) -> String {
+    let above =
+        two_rooms().replace("Living room", "Studio").replace("Bedroom", "Landing").replace("Front door", "Balcony");
+    [
+        "<level id='a' name='Ground floor' elevation='0'/><level id='b' name='First floor' elevation='260'/>"
+            .to_owned(),
+        on("a", &two_rooms()),
+        on("a", stairs),
+        on("b", &above),
+        on("b", &piece("Bed", [200.0, 250.0], [140.0, 200.0, 50.0], "")),
+    ]
+    .concat()
+}
+
+#[test]
+fn floors_that_stairs_join_are_drawn_beside_each_other() {
+    let stairs = piece("Staircase", [840.0, 250.0], [80.0, 240.0, 280.0], "catalogId='eTeks#staircase'");
+    let home = Home::of(&two_floors(&stairs));
+    assert_eq!(home.rooms(), ["Living room", "Bedroom", "stairs", "Studio", "Landing"]);
+    home.remarks("the floors \"Ground floor\", \"First floor\" are drawn beside each other");
+    let floors: Vec<Option<&str>> = home.file.rooms.iter().map(|room| room.floor.as_deref()).collect();
+    let (below, above) = (Some("Ground floor"), Some("First floor"));
+    assert_eq!(floors, [below, below, None, above, above]);
+    let frames = homebody_core::home::plan::floors(&home.file);
+    assert_eq!(frames.len(), 2);
+    assert!(frames[0].bounds.1.x < frames[1].bounds.0.x, "{frames:?}");
+    // The passage takes the place of the stairs, and is as long as they are to walk.
+    assert_eq!(home.file.furniture.len(), 1);
+    assert_eq!(home.joins("foot of the stairs"), [Some("Bedroom"), Some("stairs")]);
+    assert_eq!(home.joins("head of the stairs"), [Some("stairs"), Some("Landing")]);
+    let stairs = homebody_core::geometry::signed_area(&home.plan.rooms[2].outline).abs();
+    assert!((stairs - 2.4_f64.hypot(2.6)).abs() < 0.01, "{stairs}");
+    // The way out is that of the lower floor.
+    assert!(home.file.doors[0].name == "Front door" && home.file.doors[0].outside);
+    // Of each floor rooms are as large as they were.
+    let area = |room: usize| homebody_core::geometry::signed_area(&home.plan.rooms[room].outline).abs();
+    assert_eq!([area(0), area(1), area(3), area(4)].map(|area| (area * 1e3).round() / 1e3), [20.0, 12.0, 20.0, 12.0]);
+}
+
+#[test]
+fn floors_that_no_stairs_join_are_not() {
+    let shelf = piece("Shelf", [840.0, 250.0], [80.0, 240.0, 280.0], "");
+    let home = Home::of(&two_floors(&shelf));
+    assert_eq!(home.rooms(), ["Living room", "Bedroom"]);
+    home.remarks("of 2 levels, this is 1 \"Ground floor\", by which people come home");
+    let one = sweet_home(&file(&two_floors(&shelf)), "test", Some("First floor")).unwrap();
+    assert_eq!(Home::from(one).rooms(), ["Studio", "Landing"]);
+    // Steps are no stairs.
+    let steps = piece("Staircase", [840.0, 250.0], [80.0, 100.0, 60.0], "catalogId='eTeks#staircase'");
+    assert_eq!(Home::of(&two_floors(&steps)).rooms().len(), 2);
 }
 
 #[test]

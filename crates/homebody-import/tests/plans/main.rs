@@ -4,5 +4,7 @@ mod plan;
 
 mod flats;
 mod levels;
+mod practice;
+mod habits;
 mod hostile;
 mod random;

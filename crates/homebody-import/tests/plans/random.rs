@@ -191,8 +191,9 @@ fn random_flats_keep_their_lengths_and_joints() {
         assert!(geometry::bounds(ends).0.distance(Point::ZERO) < 0.002, "case {case}: the corner is the origin");
         let least = flat.least();
         let room = |cell| home.plan.room_at(flat.middle(cell, least)).expect("each cell is a room");
-        for (door, (name, sides)) in home.file.doors.iter().zip(&joined) {
-            assert_eq!((&door.name, door.outside), (name, sides.contains(&None)), "case {case}");
+        for (name, sides) in &joined {
+            let door = home.file.doors.iter().find(|door| door.name == *name).expect("each door is there");
+            assert_eq!(door.outside, sides.contains(&None), "case {case}");
             let mut expected = sides.map(|cell| cell.map(|cell| home.file.rooms[room(cell)].name.as_str()));
             let mut found = home.joins(name);
             expected.sort();

@@ -99,10 +99,8 @@ mod tests {
         let mut home = HomeFile::new("one room");
         let area = vec![[1.0, 1.0], [2.0, 1.0], [2.0, 2.0]];
         home.sensors.push(SensorFile::CeilingMotion(CeilingMotionFile { preset: Preset::CasasFollow, ..hall(area) }));
-        home.rooms.push(homebody_core::scenario::home::RoomFile {
-            name: "hall".into(),
-            outline: vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]],
-        });
+        let corners = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
+        home.rooms.push(homebody_core::scenario::home::RoomFile::new("hall", corners));
         let edit = ScenarioEdit::new(ScenarioFile::new("made", "2009-03-02T00:00:00", 1.0), home);
         let texts = fitted(edit, timing, &LoggerFile::default(), None).into_texts();
         let read = |name: &str| texts.get(name).cloned();

@@ -1,4 +1,5 @@
-//! What is looked for over a whole log or run: where somebody is, what is on, when nothing stirs, falls, lost messages, alerts.
+//! What is looked for over a whole log or run: where somebody is, what is on, when nothing stirs, falls and what cameras take for
+//! them, lost messages, alerts.
 //!
 //! What is found are spans. They are cut to hours of the day where some are asked for, and only then held against how long they are to
 //! be at least: of a stay from 5:50 to 6:10, "between 0 and 6" has ten minutes. Rooms and activities are the truth's, where there is one;
@@ -24,6 +25,9 @@ const PAUSE: Micros = MINUTE;
 /// Of a sensor that never says that something ends, what it says again after no longer than this is one (ours).
 const BOUT: Micros = 10 * MINUTE;
 
+/// How words begin about a fall that the truth tells of, beside those that cameras see.
+pub const BY_TRUTH: &str = "by the truth: ";
+
 /// What is looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum What {
@@ -37,6 +41,8 @@ pub enum What {
     Doing,
     /// Somebody has fallen.
     Fall,
+    /// Cameras take something for a fall; beside these what the truth tells of falls.
+    SeenFall,
     /// A message never reached the logger.
     Lost,
     /// Something is different from before.
@@ -45,7 +51,8 @@ pub enum What {
 
 impl What {
     /// All of them.
-    pub const ALL: [What; 7] = [What::Room, What::On, What::Still, What::Doing, What::Fall, What::Lost, What::Alert];
+    pub const ALL: [What; 8] =
+        [What::Room, What::On, What::Still, What::Doing, What::Fall, What::SeenFall, What::Lost, What::Alert];
 
     /// In a word, as it is asked for.
     pub fn word(self) -> &'static str {
@@ -55,6 +62,7 @@ impl What {
             What::Still => "still",
             What::Doing => "doing",
             What::Fall => "fall",
+            What::SeenFall => "seen-fall",
             What::Lost => "lost",
             What::Alert => "alert",
         }
@@ -67,7 +75,7 @@ impl What {
 
     /// Whether it is known without a look at the rows.
     fn is_told(self) -> bool {
-        matches!(self, What::Doing | What::Fall | What::Lost | What::Alert)
+        matches!(self, What::Doing | What::Fall | What::SeenFall | What::Lost | What::Alert)
     }
 }
 
@@ -76,7 +84,7 @@ impl What {
 pub struct Query {
     /// What is looked for.
     pub what: What,
-    /// Which room, which sensor, what is done; of lost messages and alerts, whose alone.
+    /// Which room, which sensor, what is done; of lost messages, alerts and falls that cameras see, whose alone.
     pub name: Option<String>,
     /// Between which hours of the day.
     pub hours: Option<Hours>,
@@ -93,7 +101,7 @@ pub struct Stay<'a> {
     pub end: Micros,
     /// Whose it was.
     pub who: Option<Cow<'a, str>>,
-    /// The room, what was done, the sensor of a lost message, the rule of an alert.
+    /// The room, what was done, the sensor of a lost message, the rule of an alert or of a fall that cameras see.
     pub name: Cow<'a, str>,
     /// What is said of it besides.
     pub words: Cow<'a, str>,
@@ -139,6 +147,8 @@ pub struct Hit {
     pub begin: Micros,
     /// Until when.
     pub end: Micros,
+    /// The room, the sensor, what was done, or the rule; empty where nothing stirs.
+    pub name: String,
     /// Whose it was, and what, as far as it is known.
     pub words: String,
 }
@@ -214,7 +224,7 @@ pub fn find(query: &Query, ground: &mut Ground) -> Result<Found, Unfindable> {
             debug_assert!(what.is_told());
             return Err(Unfindable::NoTruth(match what {
                 What::Doing => "activities",
-                What::Fall => "falls",
+                What::Fall | What::SeenFall => "falls",
                 What::Lost => "lost messages",
                 _ => "it",
             }));
@@ -233,7 +243,7 @@ pub fn find(query: &Query, ground: &mut Ground) -> Result<Found, Unfindable> {
 /// The parts of what was found that lie in spans in order.
 fn parts(hit: &Hit, within: &[Span]) -> Vec<Hit> {
     let parts = hours::cut((hit.begin, hit.end), within).into_iter();
-    parts.map(|(begin, end)| Hit { begin, end, words: hit.words.clone() }).collect()
+    parts.map(|(begin, end)| Hit { begin, end, ..hit.clone() }).collect()
 }
 
 fn rooms<'a>(ground: &'a Ground) -> impl Iterator<Item = &'a str> {
@@ -263,7 +273,7 @@ fn hit(stay: &Stay) -> Hit {
         (Some(who), words) => format!("{who}: {words}"),
         (None, words) => words.to_owned(),
     };
-    Hit { begin: stay.begin, end: stay.end, words }
+    Hit { begin: stay.begin, end: stay.end, name: stay.name.to_string(), words }
 }
 
 /// The stays of one name, by whose they are; what goes on after a pause is one.
@@ -288,8 +298,8 @@ fn merged(told: Vec<Stay>, name: &str) -> Vec<Hit> {
 }
 
 /// Spans of which nothing more is said.
-fn wordless(spans: Vec<Span>) -> Vec<Hit> {
-    spans.into_iter().map(|(begin, end)| Hit { begin, end, words: String::new() }).collect()
+fn wordless(spans: Vec<Span>, name: &str) -> Vec<Hit> {
+    spans.into_iter().map(|(begin, end)| Hit { begin, end, name: name.to_owned(), words: String::new() }).collect()
 }
 
 /// What the values of rows say.
@@ -320,7 +330,7 @@ fn by_sensors(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Res
     spans.extend(since.map(|begin| (begin, last)));
     remarks
         .push("By its sensors: from what one of the room says until one of another room does, whoever it is.".into());
-    Ok(wordless(spans))
+    Ok(wordless(spans, &name))
 }
 
 fn on(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unfindable> {
@@ -356,7 +366,7 @@ fn on(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<
         let minutes = BOUT / MINUTE;
         remarks.push(format!("{name} never says that it is off: what it says again within {minutes} minutes is one."));
     }
-    Ok(wordless(spans))
+    Ok(wordless(spans, &name))
 }
 
 fn still(ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unfindable> {
@@ -384,7 +394,18 @@ fn still(ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unf
             spans
         }
     };
-    Ok(wordless(spans))
+    Ok(wordless(spans, ""))
+}
+
+/// Falls, and in which room each was, by who was where. `by` says who tells of them, and may be empty.
+pub fn falls_in_rooms<'a>(falls: Vec<Stay<'a>>, stays: &[Stay], by: &str) -> Vec<Stay<'a>> {
+    let told = |fall: Stay<'a>| {
+        let is_there = |stay: &&Stay| stay.who == fall.who && (stay.begin..stay.end).contains(&fall.begin);
+        let room = stays.iter().find(is_there).filter(|stay| !stay.name.is_empty());
+        let words = room.map_or_else(|| format!("{by}has fallen"), |room| format!("{by}has fallen, {}", room.name));
+        Stay { words: Cow::Owned(words), ..fall }
+    };
+    falls.into_iter().map(told).collect()
 }
 
 /// When somebody was at home: all stays in rooms together, with short ways between rooms.

@@ -2,10 +2,12 @@
 
 use super::sentences::OwnSentences;
 use homebody_core::problem::Problems;
+use homebody_core::scenario::edit::ScenarioEdit;
+use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::{Driver, Files, Scenario};
 use homebody_routine::household::Household;
 use homebody_routine::routine::{Kind, Routine};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// Who one member of a cohort is.
@@ -21,6 +23,8 @@ pub struct Profile {
     pub(super) resident: Option<usize>,
     /// What they live by instead of their own routine.
     pub(super) routine: Option<Arc<Other>>,
+    /// Where they live instead of in the scenario's home.
+    pub(super) home: Option<Arc<OtherHome>>,
     pub(super) said: OwnSentences,
     /// Of the conditions that are asked to be left out, those that this member would show.
     pub without: Vec<String>,
@@ -35,12 +39,19 @@ pub(super) struct Other {
     pub text: String,
 }
 
-/// A routine that a member lives by instead of the scenario's.
-pub(crate) struct OwnRoutine {
-    /// Index of the resident.
-    pub resident: usize,
+/// A home beside the scenario's, with its text.
+#[derive(Debug, PartialEq)]
+pub(super) struct OtherHome {
     pub file: String,
     pub text: String,
+}
+
+/// A routine that a member lives by instead of the scenario's.
+struct OwnRoutine {
+    /// Index of the resident.
+    resident: usize,
+    file: String,
+    text: String,
 }
 
 /// A scenario that members differ from.
@@ -66,15 +77,49 @@ impl Base<'_> {
 
     /// The scenario with what a profile says in it, and without these conditions.
     pub(super) fn with(&self, profile: &Profile, without: &[String]) -> Result<(Scenario, Household), Problems> {
-        let Some(OwnRoutine { resident, file, text }) = self.own_routine(profile) else {
-            return Ok((self.scenario.clone(), self.household.without(without)?));
-        };
-        let edit = self.scenario.edit().routine(resident, &file, text);
-        Household::load(&edit.over(self.files), &self.scenario.entry, without)
+        match self.edited(profile) {
+            None => Ok((self.scenario.clone(), self.household.without(without)?)),
+            Some(edit) => Household::load(&edit.over(self.files), &self.scenario.entry, without),
+        }
     }
 
-    /// What a profile has its resident live by; `None` where it is what the scenario says. Nothing is loaded for it.
-    pub fn own_routine(&self, profile: &Profile) -> Option<OwnRoutine> {
+    /// The texts by which a member's life differs from the scenario, by name; none where it is as the scenario says. Nothing is
+    /// loaded for it.
+    pub fn own_texts(&self, profile: &Profile) -> BTreeMap<String, String> {
+        let texts = self.edited(profile).map(ScenarioEdit::into_texts).unwrap_or_default();
+        let is_own = |(name, text): &(String, String)| self.scenario.sources.get(name) != Some(text);
+        texts.into_iter().filter(is_own).collect()
+    }
+
+    /// The scenario with what a profile says in it, unchecked; `None` where it is as it was.
+    fn edited(&self, profile: &Profile) -> Option<ScenarioEdit> {
+        let (home, routine) = (profile.home.as_deref(), self.own_routine(profile));
+        if home.is_none() && routine.is_none() {
+            return None;
+        }
+        let mut edit = self.scenario.edit();
+        if let Some(OtherHome { file, text }) = home {
+            edit = edit.file(|scenario| scenario.home = file.clone()).text(file, text.clone());
+            edit = self.with_its_ids(edit, text);
+        }
+        if let Some(OwnRoutine { resident, file, text }) = routine {
+            edit = edit.routine(resident, &file, text);
+        }
+        Some(edit)
+    }
+
+    /// In another home, the logger knows the ids of the sensors that it has: others keep their name.
+    fn with_its_ids(&self, edit: ScenarioEdit, home: &str) -> ScenarioEdit {
+        // What is wrong with a home is said when it is loaded.
+        let Ok(home) = serde_json::from_str::<HomeFile>(home) else { return edit };
+        let mut logger = self.scenario.logger.clone();
+        let known: BTreeSet<&str> = home.sensors.iter().map(|sensor| sensor.name()).collect();
+        logger.ids.retain(|sensor, _| known.contains(sensor.as_str()));
+        if logger == self.scenario.logger { edit } else { edit.logger(&logger) }
+    }
+
+    /// What a profile has its resident live by; `None` where it is what the scenario says.
+    fn own_routine(&self, profile: &Profile) -> Option<OwnRoutine> {
         let resident = profile.resident?;
         let Driver::Routine { file, text } = &self.scenario.residents[resident].driver else { return None };
         let other = profile.routine.as_deref();

@@ -1,6 +1,6 @@
 //! The rows of a table as profiles: each cell with what may stand there.
 
-use super::profile::{Base, Other, Profile};
+use super::profile::{Base, Other, OtherHome, Profile};
 use super::sentences::OwnSentences;
 use super::table::{Cell, Table};
 use homebody_core::problem::Problem;
@@ -16,19 +16,40 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// What may be said of a member.
-const COLUMNS: [&str; 11] =
-    ["name", "seed", "age", "pace_mps", "conditions", "severity", "onset", "over", "until", "routine", "resident"];
+const COLUMNS: [&str; 12] = [
+    "name",
+    "seed",
+    "age",
+    "pace_mps",
+    "conditions",
+    "severity",
+    "onset",
+    "over",
+    "until",
+    "routine",
+    "resident",
+    "home",
+];
+
+/// What of it is said of nobody in the home.
+const OF_NOBODY: [&str; 3] = ["name", "seed", "home"];
 
 /// What goes before the name of a condition.
 const SHOWS: &str = "the person shows ";
 
-/// More members than this are refused.
-pub(crate) const MOST: u32 = 100_000;
+/// No cohort has more members (ours).
+pub const MOST_MEMBERS: u32 = 100_000;
 
 /// The profiles of all rows, and all that is wrong with them.
 pub(crate) fn read(table: &Table, base: &Base, without: &[String]) -> (Vec<Profile>, Vec<Problem>) {
-    let mut reader =
-        Reader { table, base, problems: Vec::new(), routines: BTreeMap::new(), understood: BTreeMap::new() };
+    let mut reader = Reader {
+        table,
+        base,
+        problems: Vec::new(),
+        routines: BTreeMap::new(),
+        homes: BTreeMap::new(),
+        understood: BTreeMap::new(),
+    };
     let profiles = reader.profiles(without);
     (profiles, reader.problems)
 }
@@ -40,9 +61,14 @@ struct Reader<'a> {
     problems: Vec<Problem>,
     /// The other routines of residents; nothing for those that are not sound.
     routines: BTreeMap<(Option<usize>, String), Option<Arc<Other>>>,
+    /// The other homes; nothing for those that cannot be read.
+    homes: BTreeMap<String, Option<Arc<OtherHome>>>,
     /// What is understood of sentences, with the condition of the scenario's own: many rows say the same.
     understood: BTreeMap<(String, Option<String>), Routine>,
 }
+
+/// In what a member differs from the scenario: the home, whom it is about, the routine, and what is said in it.
+type Differs = (Option<String>, Option<usize>, Option<String>, OwnSentences);
 
 /// What is known of those who differ in the same way from the scenario.
 struct Seen {
@@ -69,25 +95,26 @@ impl<'a> Reader<'a> {
             let hint = "write a row for each member below the names of the columns".to_owned();
             self.problems.push(self.table.problem_of_file("there is nobody in it", Some(hint)));
         }
-        if self.table.rows.len() > MOST as usize {
-            let what = format!("{} members are more than {MOST}", self.table.rows.len());
+        if self.table.rows.len() > MOST_MEMBERS as usize {
+            let what = format!("{} members are more than {MOST_MEMBERS}", self.table.rows.len());
             self.problems.push(self.table.problem_of_file(what, None));
             return Vec::new();
         }
         let mut names = BTreeSet::new();
-        let mut seen: BTreeMap<(Option<usize>, Option<String>, OwnSentences), Seen> = BTreeMap::new();
+        let mut seen: BTreeMap<Differs, Seen> = BTreeMap::new();
         let mut profiles = Vec::new();
         for cells in &self.table.rows {
             let before = self.problems.len();
             let row = self.row(&columns, cells);
             let name = self.name(&row, cells, &mut names);
-            let mut profile = self.profile(name, &row);
+            let mut profile = self.profile(name, &row, &columns);
             if self.problems.len() > before {
                 continue;
             }
             // Who differs in the same way from the scenario is sound in the same way.
             let routine = profile.routine.as_ref().map(|other| other.routine.file.clone());
-            let key = (profile.resident, routine, profile.said.clone());
+            let home = profile.home.as_ref().map(|other| other.file.clone());
+            let key = (home, profile.resident, routine, profile.said.clone());
             if !seen.contains_key(&key) {
                 match self.base.with(&profile, &[]) {
                     Ok((scenario, household)) => {
@@ -187,7 +214,7 @@ impl<'a> Reader<'a> {
         name.clone()
     }
 
-    fn profile(&mut self, name: String, row: &Row) -> Profile {
+    fn profile(&mut self, name: String, row: &Row, columns: &[Option<&str>]) -> Profile {
         let seed = row.get("seed").and_then(|cell| {
             let seed = cell.text.parse().ok().filter(|&seed: &u64| seed <= GREATEST_SEED);
             if seed.is_none() {
@@ -197,18 +224,24 @@ impl<'a> Reader<'a> {
             seed
         });
         let told = row.iter().filter(|(column, _)| !["name", "seed"].contains(column));
-        let told = told.map(|(column, cell)| ((*column).to_owned(), cell.text.clone())).collect();
+        let mut told: BTreeMap<String, String> =
+            told.map(|(column, cell)| ((*column).to_owned(), cell.text.clone())).collect();
+        if columns.contains(&Some("home")) {
+            // Where homes are mixed, each member's is told.
+            told.entry("home".into()).or_insert_with(|| self.base.scenario.file.home.clone());
+        }
         let mut profile = Profile {
             name,
             seed,
             row: told,
             resident: None,
             routine: None,
+            home: row.get("home").and_then(|cell| self.home(cell)),
             said: OwnSentences::default(),
             without: Vec::new(),
             texts: Arc::default(),
         };
-        if !profile.row.is_empty() {
+        if row.keys().any(|column| !OF_NOBODY.contains(column)) {
             profile.resident = self.resident(row);
             profile.routine = row.get("routine").and_then(|cell| self.routine(profile.resident, cell));
             profile.said = self.said(row);
@@ -229,7 +262,7 @@ impl<'a> Reader<'a> {
                         ("it is not said whom this is about", format!("add a column resident: {}", names.join(" or ")))
                     }
                 };
-                let told = row.iter().find(|(column, _)| !["name", "seed"].contains(column));
+                let told = row.iter().find(|(column, _)| !OF_NOBODY.contains(column));
                 let problem = |(_, cell)| self.table.problem(cell, what, Some(hint).filter(|hint| !hint.is_empty()));
                 self.problems.extend(told.map(|(column, cell)| (column, *cell)).map(problem));
             }
@@ -258,20 +291,36 @@ impl<'a> Reader<'a> {
     }
 
     fn read_routine(&mut self, resident: Option<usize>, cell: &Cell) -> Option<Other> {
+        let text = self.text(cell, "routine")?;
+        let other = self.base.other(resident?, &cell.text, text);
+        other.map_err(|wrong| self.problems.extend(wrong.0)).ok()
+    }
+
+    /// Another home, if it can be read; whether it is sound is seen with all that the row says. Each is read once.
+    fn home(&mut self, cell: &Cell) -> Option<Arc<OtherHome>> {
+        if cell.text == self.base.scenario.file.home {
+            return None;
+        }
+        if !self.homes.contains_key(&cell.text) {
+            let text = self.text(cell, "home");
+            let other = text.map(|text| Arc::new(OtherHome { file: cell.text.clone(), text }));
+            self.homes.insert(cell.text.clone(), other);
+        }
+        self.homes[&cell.text].clone()
+    }
+
+    /// The text of a file in the scenario's folder, such as a routine.
+    fn text(&mut self, cell: &Cell, kind: &str) -> Option<String> {
         if let Some(what) = outside_folder(&cell.text, "the scenario's folder") {
             self.fault(cell, what, WHERE);
             return None;
         }
-        let text = match self.base.files.read(&cell.text) {
-            Ok(text) => text,
-            Err(why) => {
-                let what = format!("{:?} cannot be read: {why}", cell.text);
-                self.fault(cell, what, "name a routine in the scenario's folder");
-                return None;
-            }
+        let read = self.base.files.read(&cell.text);
+        let unread = |why| {
+            let what = format!("{:?} cannot be read: {why}", cell.text);
+            self.fault(cell, what, format!("name a {kind} in the scenario's folder"));
         };
-        let other = self.base.other(resident?, &cell.text, text);
-        other.map_err(|wrong| self.problems.extend(wrong.0)).ok()
+        read.map_err(unread).ok()
     }
 
     /// What is to stand in the routine.

@@ -3,7 +3,7 @@
 use crate::error::LogError;
 use crate::mapping::Columns;
 use crate::table::Table;
-use crate::truth::{self, LATER};
+use crate::truth;
 use homebody_core::scenario::logger::LoggerFile;
 
 /// The table of a log by the names of a mapping, and what the column of the run's id is called.
@@ -16,8 +16,7 @@ pub fn log_table(mapping: &LoggerFile) -> Result<(Table, String), LogError> {
     Ok((columns.log_table(), columns.run.clone()))
 }
 
-/// The tables of a truth, but for those that are not there because an earlier version wrote it.
+/// The tables of a truth, but for those that are not there because an earlier version wrote it, or because it was to be brief.
 pub fn truth_tables(is_there: impl Fn(&str) -> bool) -> Vec<Table> {
-    let is_wanted = |table: &Table| !LATER.contains(&table.name.as_str()) || is_there(&table.name);
-    truth::tables().into_iter().filter(is_wanted).collect()
+    truth::tables_of(is_there)
 }

@@ -293,7 +293,7 @@ fn time_type(time: TimeFormat) -> &'static str {
 ///
 /// Its times are simulated ones: a log does not depend on when it was made. `ended_at` stays empty until the run is
 /// complete.
-fn tell_run<'a>(
+pub(crate) fn tell_run<'a>(
     run: &'a RunInfo,
     time: TimeFormat,
     clock: &'a mut Clock,
@@ -312,7 +312,7 @@ fn tell_run<'a>(
 }
 
 /// Refuses a database that another run has left, or another program.
-fn can_go_on(database: &Database, run: &RunInfo) -> Result<(), LogError> {
+pub(crate) fn can_go_on(database: &Database, run: &RunInfo) -> Result<(), LogError> {
     let other = |what: &str| LogError::Changed { place: place_of(database.path()), what: what.into() };
     let columns = "SELECT count(*) FROM pragma_table_info('run') WHERE name = 'run_id'";
     if database.ask(|connection| connection.query_row(columns, [], |row| row.get::<_, i64>(0)))? == 0 {

@@ -15,7 +15,7 @@ use std::path::Path;
 use std::time::Duration;
 
 /// The database in a file.
-pub(super) fn connect(path: &Path) -> rusqlite::Result<Connection> {
+pub(crate) fn connect(path: &Path) -> rusqlite::Result<Connection> {
     match connect_only(path) {
         // A run that was killed has left a transaction half written: it has to be undone before anything is read.
         Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::ReadOnly) => {
@@ -72,6 +72,20 @@ pub(super) fn tables(connection: &Connection) -> rusqlite::Result<Vec<String>> {
                WHERE pragma_table_list.schema = 'main' AND pragma_table_list.type = 'table'
                  AND sqlite_schema.type = 'table' ORDER BY sqlite_schema.rowid";
     connection.prepare(sql)?.query_map([], |row| row.get(0))?.collect()
+}
+
+/// The first of a table's row numbers from 1 to `last` that is not before what is looked for, found by halving; `last` + 1 if all are.
+/// Rows lie in order, so that `is_before` holds for those up to one of them.
+pub(crate) fn first_row<E>(last: i64, mut is_before: impl FnMut(i64) -> Result<bool, E>) -> Result<i64, E> {
+    let (mut low, mut high) = (1, last + 1);
+    while low < high {
+        let middle = low + (high - low) / 2;
+        match is_before(middle)? {
+            true => low = middle + 1,
+            false => high = middle,
+        }
+    }
+    Ok(low)
 }
 
 /// What a cell of a row tells as an instant: microseconds since 1970, on whichever clock.

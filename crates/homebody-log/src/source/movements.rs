@@ -4,7 +4,7 @@
 //! and those of a span are found by halving. The one in which somebody is as the span ends may be long, such as a
 //! visitor's absence of weeks; it is looked for further on, once.
 
-use super::database::{instant, text};
+use super::database::{self, instant, text};
 use super::instant::Instants;
 use super::recorded_truth::RecordedTruth;
 use super::run_clock::RunClock;
@@ -15,7 +15,7 @@ use homebody_core::geometry::Point;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use rusqlite::types::ValueRef;
-use rusqlite::{OptionalExtension, Row};
+use rusqlite::{Connection, OptionalExtension, Row};
 
 /// Beyond the end of a span by this, what is not found yet is looked for by name (ours).
 const FURTHER: Micros = 3600 * SECOND;
@@ -55,7 +55,6 @@ pub struct Movements {
     truth: RecordedTruth,
     clock: RunClock,
     residents: Vec<String>,
-    rows: i64,
     instants: Instants,
     /// By resident, those that lasted beyond a span by far.
     long: Vec<Vec<Movement>>,
@@ -71,14 +70,11 @@ impl Movements {
     /// [`LogError::NoTruth`] if there is none in this place.
     pub fn open(truth: &Url, residents: &[String], clock: RunClock) -> Result<Movements, LogError> {
         let truth = RecordedTruth::open(truth, &[Truth::Movement])?;
-        let sql = "SELECT coalesce(max(rowid), 0) FROM movement";
-        let rows = truth.connection.query_row(sql, [], |row| row.get(0)).map_err(|error| truth.error(error))?;
         let clock = truth.clock(&clock);
         Ok(Movements {
             truth,
             clock,
             residents: residents.to_vec(),
-            rows,
             instants: Instants::default(),
             long: vec![Vec::new(); residents.len()],
         })
@@ -90,8 +86,8 @@ impl Movements {
     }
 
     fn read(&mut self, begin: Micros, end: Micros) -> rusqlite::Result<Vec<Vec<Movement>>> {
-        let first = self.first_that_ends_after(begin)?;
-        let Movements { truth: RecordedTruth { connection, .. }, clock, residents, instants, long, .. } = self;
+        let Movements { truth: RecordedTruth { connection, .. }, clock, residents, instants, long } = self;
+        let first = first_row(connection, instants, |end| clock.instant(end, Micros::MIN) <= begin - FURTHER)?;
         let mut of: Vec<Vec<Movement>> = vec![Vec::new(); residents.len()];
         let mut last_row = first;
         let sql = format!("SELECT {COLUMNS}, rowid FROM movement WHERE rowid >= ? ORDER BY rowid");
@@ -133,24 +129,23 @@ impl Movements {
         }
         Ok(of)
     }
+}
 
-    /// The first row whose movement goes on after an instant. On a clock that goes back an hour is told twice, so it is looked
-    /// for an hour before.
-    fn first_that_ends_after(&mut self, at: Micros) -> rusqlite::Result<i64> {
-        let sql = "SELECT end_at FROM movement WHERE rowid >= ? ORDER BY rowid LIMIT 1";
-        let mut statement = self.truth.connection.prepare_cached(sql)?;
-        let (mut low, mut high) = (1, self.rows + 1);
-        while low < high {
-            let middle = low + (high - low) / 2;
-            let instants = &mut self.instants;
-            let told = statement.query_row([middle], |row| instant(row, 0, instants)).optional()?.flatten();
-            match told.map(|told| self.clock.instant(told, Micros::MIN)) {
-                Some(end) if end <= at - FURTHER => low = middle + 1,
-                _ => high = middle,
-            }
-        }
-        Ok(low)
-    }
+/// The first row whose movement does not end before what is looked for; `is_before` is asked of ends as the rows tell them. On a clock
+/// that goes back an hour is told twice: whoever asks looks from an hour before.
+pub(super) fn first_row(
+    connection: &Connection,
+    instants: &mut Instants,
+    is_before: impl Fn(Micros) -> bool,
+) -> rusqlite::Result<i64> {
+    let last = "SELECT coalesce(max(rowid), 0) FROM movement";
+    let last = connection.prepare_cached(last)?.query_row([], |row| row.get(0))?;
+    let sql = "SELECT end_at FROM movement WHERE rowid >= ? ORDER BY rowid LIMIT 1";
+    let mut statement = connection.prepare_cached(sql)?;
+    database::first_row(last, |row| {
+        let end = statement.query_row([row], |row| instant(row, 0, instants)).optional()?.flatten();
+        Ok(end.is_some_and(&is_before))
+    })
 }
 
 /// A row of [`COLUMNS`]; nothing where it is none of ours.
@@ -164,11 +159,7 @@ fn movement(row: &Row, instants: &mut Instants, clock: &RunClock, last: Micros) 
         ValueRef::Text(b"away") => MovementKind::Away,
         _ => return Ok(None),
     };
-    let posture = match row.get_ref(8)? {
-        ValueRef::Text(b"sitting") => Posture::Sitting,
-        ValueRef::Text(b"lying") => Posture::Lying,
-        _ => Posture::Standing,
-    };
+    let posture = row.get_ref(8)?.as_str().ok().and_then(Posture::named).unwrap_or_default();
     let point = |x| Ok::<_, rusqlite::Error>(number(row, x)?.zip(number(row, x + 1)?).map(|(x, y)| Point::new(x, y)));
     let (from, to) = (point(4)?, point(6)?);
     Ok(Some(Movement { begin, end: clock.instant_from(end, begin), kind, from, to, posture }))

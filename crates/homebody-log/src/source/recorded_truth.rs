@@ -13,7 +13,7 @@ use crate::elsewhere;
 use crate::error::LogError;
 use crate::places::{Places, TRUTH};
 use crate::table::Table;
-use crate::truth::{Truth, tables};
+use crate::truth::{self, Truth, TruthKept, tables};
 use crate::url::{Url, table_file};
 use homebody_core::scenario::scheme::{Scheme, without_password};
 use jiff::Timestamp;
@@ -30,15 +30,26 @@ pub(crate) const LABEL_TABLES: [Truth; 5] = [Truth::Cause, Truth::Off, Truth::Mo
 pub(crate) struct RecordedTruth {
     place: PathBuf,
     pub connection: Connection,
+    /// Whether it says how bodies moved: a brief one does not.
+    pub has_movements: bool,
     /// By which clock a place tells instants that has a type for them; None where they are as the run's mapping wants them.
     told_by: Option<Clock>,
 }
 
 impl RecordedTruth {
-    /// Opens those tables of a truth that are to be read.
+    /// Opens those tables of a truth that are to be read. Movements are read besides where they are there: they tell which of the hours
+    /// that clocks tell twice an instant is in.
     pub fn open(url: &Url, wanted: &[Truth]) -> Result<RecordedTruth, LogError> {
         let all = tables();
-        let wanted: Vec<&Table> = wanted.iter().map(|&table| &all[table as usize]).collect();
+        let is_brief = is_brief(url);
+        let mut wanted: Vec<&Table> = wanted.iter().map(|&table| &all[table as usize]).collect();
+        if let Some(table) = wanted.iter().find(|table| is_brief && !TruthKept::Brief.has(table)) {
+            return Err(LogError::LeftOut { place: url.to_string(), table: table.name.clone() });
+        }
+        let movement = &all[Truth::Movement as usize];
+        if !is_brief && !wanted.contains(&movement) {
+            wanted.push(movement);
+        }
         let no_truth = |why: &str| LogError::NoTruth { place: url.to_string(), why: why.into() };
         let scheme = url.scheme();
         let read = match scheme {
@@ -65,7 +76,12 @@ impl RecordedTruth {
             _ => LogError::database(path, error),
         })?;
         match missing.is_empty() {
-            true => Ok(RecordedTruth { place: path.into(), connection, told_by: None }),
+            true => Ok(RecordedTruth {
+                place: path.into(),
+                connection,
+                has_movements: has_movements(wanted),
+                told_by: None,
+            }),
             false => Err(no_truth(missing.join(", "))),
         }
     }
@@ -78,6 +94,24 @@ impl RecordedTruth {
     /// What an error of its database means.
     pub fn error(&self, error: rusqlite::Error) -> LogError {
         LogError::database(&self.place, error)
+    }
+}
+
+fn has_movements(read: &[&Table]) -> bool {
+    read.iter().any(|table| table.name == "movement")
+}
+
+/// Whether a truth leaves out what has a row for each firing or movement, as that of a large cohort does.
+pub fn is_brief(url: &Url) -> bool {
+    let path = url.path();
+    let has = |of: &dyn Fn(&str) -> bool| has_all(of) && TruthKept::of(of) == TruthKept::Brief;
+    match url.scheme() {
+        Scheme::Sqlite => {
+            let found = open(path).ok().and_then(|_| tables_of(&connect(path).ok()?).ok());
+            found.is_some_and(|found| has(&|table| found.iter().any(|known| known == table)))
+        }
+        _ if url.is_data_set() => false,
+        _ => url.file().is_some() && has(&|table| table_file(path, table).is_file()),
     }
 }
 
@@ -129,7 +163,8 @@ fn gathered(url: &Url, wanted: &[&Table], read: ReadTables) -> Result<RecordedTr
         })?;
     }
     connection.execute_batch("COMMIT").map_err(database)?;
-    Ok(RecordedTruth { place: url.path().into(), connection, told_by: told_by.get() })
+    let (place, has_movements) = (url.path().into(), has_movements(wanted));
+    Ok(RecordedTruth { place, connection, has_movements, told_by: told_by.get() })
 }
 
 impl ToSql for Value<'_> {
@@ -198,11 +233,9 @@ pub fn truth_beside(log: &Path) -> Option<Url> {
 const IN_FILES: [(Scheme, &str); 4] =
     [(Scheme::Csv, "csv"), (Scheme::Jsonl, "jsonl"), (Scheme::Parquet, "parquet"), (Scheme::Arrow, "arrow")];
 
-/// Whether each table of a truth is there. Truths from before there was one of them have no table of what was done from outside.
+/// Whether each table of a truth is there, of which an earlier version may have known fewer, and which may be brief.
 fn has_all(is_there: impl Fn(&str) -> bool) -> bool {
-    let all = tables();
-    let mut known = all.iter().enumerate().filter(|(index, _)| *index != Truth::Outside as usize);
-    known.all(|(_, table)| is_there(&table.name))
+    truth::tables_of(&is_there).iter().all(|table| is_there(&table.name))
 }
 
 /// The truth of which each table has a file that is named after a path.

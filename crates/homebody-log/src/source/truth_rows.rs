@@ -28,7 +28,7 @@ pub fn truth_rows(
     clock: &RunClock,
     take: &mut dyn FnMut(&[Value<'_>]) -> Result<(), LogError>,
 ) -> Result<(), LogError> {
-    let truth = RecordedTruth::open(url, &[table, Truth::Movement])?;
+    let truth = RecordedTruth::open(url, &[table])?;
     let clock = truth.clock(clock);
     let turns = Turns::new(&truth, &clock)?;
     let table = &tables()[table as usize];

@@ -4,19 +4,24 @@
 //! take the one at which the resident moved. The times of movements themselves are known because movements follow each other
 //! without gaps.
 //!
-//! Left out: a resident who keeps still through the whole of both hours gives no sign of the second. Then the first is taken.
+//! Left out: a resident who keeps still through the whole of both hours gives no sign of the second. Then the first is taken. What
+//! goes on for days gives none either.
 
 use super::database::instant;
 use super::instant::Instants;
+use super::movements::first_row;
 use super::recorded_truth::RecordedTruth;
 use super::run_clock::RunClock;
 use crate::error::LogError;
-use homebody_core::time::{Micros, SECOND};
-use jiff::Timestamp;
+use homebody_core::time::{DAY, Micros, SECOND};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Movements are looked at from so long before an hour that is told twice (ours).
 const BEFORE: Micros = 3600 * SECOND;
+
+/// Movements that end later than this after such an hour are not looked at (ours).
+const LONGEST: Micros = DAY;
 
 /// Reads the instants of a truth.
 pub(super) struct Turns {
@@ -44,25 +49,33 @@ enum Sign {
 impl Turns {
     pub fn new(truth: &RecordedTruth, clock: &RunClock) -> Result<Turns, LogError> {
         let mut turns = Turns { clock: clock.clone(), moved: BTreeMap::new() };
-        for hour in clock.told_twice() {
+        let hours = clock.told_twice();
+        for hour in hours.into_iter().filter(|_| truth.has_movements) {
             let first = clock.told(hour.start) - BEFORE;
             let last = clock.told(hour.end) + BEFORE;
-            turns.learn(truth, [first, last].map(on_the_wall)).map_err(|error| truth.error(error))?;
+            turns.learn(truth, first..last).map_err(|error| truth.error(error))?;
         }
         Ok(turns)
     }
 
-    /// Reads the movements between two times, as the truth writes them.
-    fn learn(&mut self, truth: &RecordedTruth, between: [String; 2]) -> rusqlite::Result<()> {
-        let sql =
-            "SELECT begin_at, end_at, resident, kind FROM movement WHERE end_at > ? AND begin_at < ? ORDER BY rowid";
-        let mut statement = truth.connection.prepare(sql)?;
-        let mut rows = statement.query(between)?;
+    /// Reads the movements of a span, whose ends are as the truth tells them.
+    fn learn(&mut self, truth: &RecordedTruth, span: Range<Micros>) -> rusqlite::Result<()> {
         let mut instants = Instants::default();
+        // In a truth of years nearly all rows are of other days.
+        let row = first_row(&truth.connection, &mut instants, |end| end < span.start)?;
+        let sql = "SELECT begin_at, end_at, resident, kind FROM movement WHERE rowid >= ? ORDER BY rowid";
+        let mut statement = truth.connection.prepare_cached(sql)?;
+        let mut rows = statement.query([row])?;
         while let Some(row) = rows.next()? {
             let (Some(begin), Some(end)) = (instant(row, 0, &mut instants)?, instant(row, 1, &mut instants)?) else {
                 continue;
             };
+            if end > span.end + LONGEST {
+                break;
+            }
+            if end <= span.start || begin >= span.end {
+                continue;
+            }
             let moved = self.moved.entry(row.get(2)?).or_default();
             let begin = self.clock.instant_from(begin, moved.last().map_or(Micros::MIN, |last| last.end));
             let how = match row.get_ref(3)?.as_str() {
@@ -103,9 +116,4 @@ impl Turns {
         let sign = |moved: &Moved| if [moved.begin, moved.end].contains(&at) { Sign::Change } else { moved.how };
         around.map(sign).max().unwrap_or(Sign::None)
     }
-}
-
-/// A time of day as a truth in local time begins it.
-fn on_the_wall(at: Micros) -> String {
-    Timestamp::from_microsecond(at).unwrap_or(Timestamp::MIN).strftime("%Y-%m-%d %H:%M:%S").to_string()
 }

@@ -27,13 +27,13 @@ use homebody_core::geometry::Point;
 use homebody_core::ids::{ResidentId, RoomId, SensorId, ThingId};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
-use names::{loss_name, need_name, posture_name};
+use names::{loss_name, need_name};
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
-pub(crate) use tables::LATER;
-pub use tables::{Truth, tables};
+pub(crate) use tables::tables_of;
+pub use tables::{Truth, TruthKept, tables};
 
 /// Stores facts; it is used as a [`Logger`](crate::Logger) is.
 pub struct TruthLog {
@@ -50,6 +50,8 @@ pub struct TruthLog {
     coming: Vec<(ResidentId, Micros, Option<RoomId>)>,
     /// The rows that end a hold and are not told yet: each comes before the cause of the next row.
     offs: VecDeque<(u64, u64)>,
+    /// By table, its place among those that are kept.
+    kept: Vec<Option<usize>>,
     batch: Batch,
     sent_at: Instant,
     /// How many rows were handed over.
@@ -65,7 +67,19 @@ impl TruthLog {
         run: &Arc<RunInfo>,
         how: How,
     ) -> Result<TruthLog, LogError> {
-        let files = url.files(&tables());
+        TruthLog::open_keeping(TruthKept::All, url, places, file, run, how)
+    }
+
+    /// The same, of a truth of which so much is kept.
+    pub fn open_keeping(
+        kept: TruthKept,
+        url: &Url,
+        places: &[Url],
+        file: &LoggerFile,
+        run: &Arc<RunInfo>,
+        how: How,
+    ) -> Result<TruthLog, LogError> {
+        let files = url.files(&kept.tables());
         let logs: Vec<&Path> = places.iter().filter_map(Url::file).collect();
         if let Some(file) = files.iter().find(|file| logs.iter().any(|log| same_file(log, file))) {
             return Err(LogError::SameFile { place: place_of(file) });
@@ -73,7 +87,7 @@ impl TruthLog {
         if how != How::GoOn {
             all_can_be_written(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>(), how == How::Replace)?;
         }
-        TruthLog::into(Destination::of(url), file, run, how)
+        TruthLog::keeping(kept, Destination::of(url), file, run, how)
     }
 
     /// Stores the truth in a destination.
@@ -83,10 +97,20 @@ impl TruthLog {
         run: &Arc<RunInfo>,
         how: How,
     ) -> Result<TruthLog, LogError> {
+        TruthLog::keeping(TruthKept::All, destination, file, run, how)
+    }
+
+    fn keeping(
+        kept: TruthKept,
+        destination: Destination,
+        file: &LoggerFile,
+        run: &Arc<RunInfo>,
+        how: How,
+    ) -> Result<TruthLog, LogError> {
         let shown = Shown::new(file, &run.sensor_names())?;
         let beginning = Beginning {
             run: run.clone(),
-            tables: Arc::new(tables()),
+            tables: Arc::new(kept.tables()),
             time: file.time,
             run_column: RUN_COLUMN.into(),
             spreadsheet_safe: file.spreadsheet_safe,
@@ -103,6 +127,7 @@ impl TruthLog {
             doing: vec![None; run.residents.len()],
             coming: Vec::new(),
             offs: VecDeque::new(),
+            kept: places_of(kept),
             batch: Batch::default(),
             sent_at: Instant::now(),
             sent: 0,
@@ -112,7 +137,12 @@ impl TruthLog {
         let home = run.home.as_deref().unwrap_or(&run.scenario);
         for (index, name) in run.residents.iter().enumerate() {
             let person = Cell::Text(log.texts.id(&format!("{home}/{name}")));
-            log.batch.push(Truth::Resident as usize, [Cell::Text(log.residents[index]), person]);
+            let cells = [Cell::Text(log.residents[index]), person];
+            log.push(Truth::Resident, cells);
+        }
+        if let Some(plan) = &run.plan {
+            let cells = [&plan.file, &plan.name].map(|text| Cell::Text(log.texts.id(text)));
+            log.push(Truth::Home, cells);
         }
         Ok(log)
     }
@@ -185,6 +215,13 @@ impl TruthLog {
         self.writer.send(Arc::new(batch))
     }
 
+    /// A row of a table, if that is kept.
+    fn push(&mut self, table: Truth, cells: impl IntoIterator<Item = Cell>) {
+        if let Some(place) = self.kept[table as usize] {
+            self.batch.push(place, cells);
+        }
+    }
+
     fn take(&mut self, fact: &Fact, events: &Events, joined: &RowsOfFirings) {
         match *fact {
             Fact::Provenance { seq, provenance } => self.take_cause(seq, provenance, events, joined),
@@ -204,21 +241,22 @@ impl TruthLog {
                 let [who, why, thing] = self.reason(provenance);
                 let seen_at = Cell::Instant(provenance.seen_at);
                 let cells = [self.sensor(sensor), value, Cell::Instant(at), seen_at, loss, who, why, thing];
-                self.batch.push(Truth::Lost as usize, cells);
+                self.push(Truth::Lost, cells);
             }
             Fact::Use { resident, at, act } => {
                 let who = resident.map_or(Cell::Null, |resident| self.who(resident));
                 let cells = [who, Cell::Instant(at), self.thing(act.thing), Cell::Integer(act.on.into())];
-                self.batch.push(Truth::Act as usize, cells);
+                self.push(Truth::Act, cells);
             }
             Fact::Need { resident, at, need, level } => {
                 let need = Cell::Text(self.texts.id(need_name(need)));
-                self.batch.push(Truth::Need as usize, [self.who(resident), Cell::Instant(at), need, Cell::Real(level)]);
+                let cells = [self.who(resident), Cell::Instant(at), need, Cell::Real(level)];
+                self.push(Truth::Need, cells);
             }
             Fact::Condition { resident, at, ref name, severity } => {
                 let name = Cell::Text(self.texts.id(name));
                 let cells = [self.who(resident), Cell::Instant(at), name, Cell::Real(severity)];
-                self.batch.push(Truth::Condition as usize, cells);
+                self.push(Truth::Condition, cells);
             }
             Fact::Outside { at, ref deed } => self.take_deed(at, deed),
         }
@@ -238,7 +276,7 @@ impl TruthLog {
         let of = Cell::Text(self.texts.id(of));
         let word = Cell::Text(self.texts.id(deed.word()));
         let until = until.map_or(Cell::Null, Cell::Instant);
-        self.batch.push(Truth::Outside as usize, [Cell::Instant(at), until, word, of]);
+        self.push(Truth::Outside, [Cell::Instant(at), until, word, of]);
     }
 
     fn take_cause(&mut self, seq: u64, provenance: Provenance, events: &Events, joined: &RowsOfFirings) {
@@ -258,13 +296,13 @@ impl TruthLog {
             why,
             thing,
         ];
-        self.batch.push(Truth::Cause as usize, cells);
+        self.push(Truth::Cause, cells);
     }
 
     fn tell_offs_before(&mut self, next: u64) {
         while let Some(&(row, firing)) = self.offs.front().filter(|(row, _)| *row < next) {
             self.offs.pop_front();
-            self.batch.push(Truth::Off as usize, [Cell::Integer(row as i64), Cell::Integer(firing as i64)]);
+            self.push(Truth::Off, [Cell::Integer(row as i64), Cell::Integer(firing as i64)]);
         }
     }
 
@@ -273,7 +311,7 @@ impl TruthLog {
         let next = next.map(|name| (at, name));
         if let Some((begin, name)) = std::mem::replace(&mut self.doing[resident.index()], next) {
             let cells = [self.who(resident), Cell::Instant(begin), Cell::Instant(at), Cell::Text(name)];
-            self.batch.push(Truth::Activity as usize, cells);
+            self.push(Truth::Activity, cells);
         }
     }
 
@@ -293,7 +331,8 @@ impl TruthLog {
 
     fn push_room(&mut self, resident: ResidentId, at: Micros, room: Option<RoomId>) {
         let room = room.map_or(Cell::Null, |room| Cell::Text(self.rooms[room.index()]));
-        self.batch.push(Truth::Room as usize, [self.who(resident), Cell::Instant(at), room]);
+        let cells = [self.who(resident), Cell::Instant(at), room];
+        self.push(Truth::Room, cells);
     }
 
     fn push_movement(&mut self, resident: ResidentId, segment: &MotionSegment) {
@@ -310,9 +349,9 @@ impl TruthLog {
             x(to),
             y(to),
             amplitude.map_or(Cell::Null, Cell::Real),
-            Cell::Text(self.texts.id(posture_name(segment.posture))),
+            Cell::Text(self.texts.id(segment.posture.name())),
         ];
-        self.batch.push(Truth::Movement as usize, cells);
+        self.push(Truth::Movement, cells);
     }
 
     /// Whose doing it was, what kind of cause, and the thing that was used.
@@ -339,6 +378,12 @@ impl TruthLog {
     fn thing(&self, thing: ThingId) -> Cell {
         Cell::Text(self.things[thing.index()])
     }
+}
+
+/// By table, its place among those that are kept.
+fn places_of(kept: TruthKept) -> Vec<Option<usize>> {
+    let mut next = 0..;
+    tables().iter().map(|table| kept.has(table).then(|| next.next()).flatten()).collect()
 }
 
 /// The column of the run's id in each table of the truth.

@@ -1,15 +1,6 @@
-//! What the truth calls postures, losses and needs.
+//! What the truth calls losses and needs.
 
 use homebody_core::event::{Loss, Need};
-use homebody_core::scenario::path::Posture;
-
-pub(super) fn posture_name(posture: Posture) -> &'static str {
-    match posture {
-        Posture::Standing => "standing",
-        Posture::Sitting => "sitting",
-        Posture::Lying => "lying",
-    }
-}
 
 pub(super) fn loss_name(loss: Loss) -> &'static str {
     match loss {

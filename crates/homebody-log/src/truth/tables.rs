@@ -27,14 +27,53 @@ pub enum Truth {
     Resident,
     /// What was done from outside.
     Outside,
+    /// The home that it was lived in.
+    Home,
 }
 
 /// Tables that truths do not have which earlier versions of the program wrote.
-pub(crate) const LATER: [&str; 1] = ["outside"];
+const LATER: [&str; 2] = ["outside", "home"];
+
+/// How much of a truth is kept.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TruthKept {
+    /// All tables.
+    #[default]
+    All,
+    /// Those that have few rows: not the ones with a row for each firing or movement, which are most of a truth. Whoever lives the
+    /// recording again has them.
+    Brief,
+}
+
+impl TruthKept {
+    /// Whether a table is kept.
+    pub fn has(self, table: &Table) -> bool {
+        self == TruthKept::All || !table.is_frequent
+    }
+
+    /// The tables that are kept, in the order of [`tables`].
+    pub fn tables(self) -> Vec<Table> {
+        tables().into_iter().filter(|table| self.has(table)).collect()
+    }
+
+    /// How much of a truth was kept of which these tables are there.
+    pub(crate) fn of(is_there: impl Fn(&str) -> bool) -> TruthKept {
+        let has_frequent = tables().iter().any(|table| table.is_frequent && is_there(&table.name));
+        if has_frequent { TruthKept::All } else { TruthKept::Brief }
+    }
+}
+
+/// The tables that are to be in a truth of which these are there: not those that an earlier version did not know, and of a brief one,
+/// none that it leaves out.
+pub(crate) fn tables_of(is_there: impl Fn(&str) -> bool) -> Vec<Table> {
+    let kept = TruthKept::of(&is_there);
+    let is_wanted = |table: &Table| !LATER.contains(&table.name.as_str()) || is_there(&table.name);
+    kept.tables().into_iter().filter(is_wanted).collect()
+}
 
 impl Truth {
     /// All of them, in the order of [`tables`].
-    pub const ALL: [Truth; 11] = [
+    pub const ALL: [Truth; 12] = [
         Truth::Cause,
         Truth::Off,
         Truth::Movement,
@@ -46,6 +85,7 @@ impl Truth {
         Truth::Lost,
         Truth::Resident,
         Truth::Outside,
+        Truth::Home,
     ];
 }
 
@@ -180,6 +220,15 @@ pub fn tables() -> Vec<Table> {
                 ("name", Text, "", "of what: the name of the thing, the sensor or the resident"),
             ],
         ),
+        table(
+            "home",
+            "the home that it was lived in, in one row: the homes of a cohort may be mixed",
+            false,
+            &[
+                ("file", Text, "", "its file in the scenario, such as home.json"),
+                ("name", Text, "", "what that file calls it"),
+            ],
+        ),
     ]
 }
 
@@ -223,6 +272,7 @@ mod tests {
             (Truth::Lost, "lost"),
             (Truth::Resident, "resident"),
             (Truth::Outside, "outside"),
+            (Truth::Home, "home"),
         ] {
             assert_eq!(tables[table as usize].name, name);
         }

@@ -44,7 +44,7 @@ impl Life {
         let mut truth = truth.transpose()?;
         let firings = firings(self.firings);
         for (number, step) in firings.chunks(self.step).enumerate() {
-            let events = Events { firings: step.to_vec(), facts: facts(step) };
+            let events = Events { firings: step.to_vec(), facts: facts(step), ..Events::default() };
             let joined = logger.store(&events.firings, step[step.len() - 1].at)?.clone();
             if let Some(truth) = &mut truth {
                 truth.store(&events, &joined)?;

@@ -4,6 +4,7 @@ use super::adverbs::Adverbs;
 use super::amounts::{ABOUT_SHARE, DAY_S};
 use super::clause::{Clause, PLACES};
 use super::draft::Draft;
+use super::falling::time_of_fall;
 use super::meaning::Kind as Part;
 use super::measures::{self, FASTEST_MPS, Measure, Of};
 use super::predicates::IS;
@@ -24,7 +25,7 @@ pub fn build(reader: &mut Reader, draft: &mut Draft, mut clause: Clause) {
     }
     match clause.predicate {
         Predicate::Age(_) | Predicate::Kind(_) | Predicate::Pace(_) => person(reader, draft, &clause),
-        Predicate::Visits | Predicate::Own(_) => habit(reader, draft, clause),
+        Predicate::Visits | Predicate::Own(_) | Predicate::Falls(_) => habit(reader, draft, clause),
         Predicate::Remark => remark(reader, draft, &clause),
         Predicate::Sleeps if clause.measure.is_none() && clause.place.is_some() => sleeps(reader, draft, clause),
         Predicate::Helps(ref activity, help) => {
@@ -166,6 +167,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
             (Activity::Other(own), false)
         }
         Predicate::Does(activity) => (activity.clone(), false),
+        Predicate::Falls(_) => (Activity::Fall, false),
         Predicate::Own(words) => (Activity::Other(words.clone()), true),
         _ => return,
     };
@@ -192,7 +194,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         misfit(reader, measure, "this is something new, not a change");
     }
     every_few_weeks(reader, adverbs);
-    let when = adverbs.time_meant(activity == Activity::GoToBed);
+    let when = time_of_fall(reader, &clause, adverbs.time_meant(activity == Activity::GoToBed));
     check_times(reader, adverbs, &when);
     if when == When::Then && draft.routine.habits.is_empty() {
         let span = adverbs.when.as_ref().map_or(clause.span, |slot| slot.span);
@@ -231,9 +233,14 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         lasts,
         until,
         times: adverbs.times.as_ref().map_or((1, 1), |slot| slot.value),
+        falling: match clause.predicate {
+            Predicate::Falls(falling) => Some(falling),
+            _ => None,
+        },
     };
     draft.routine.habits.push(habit);
     draft.habit_spans.push(clause.predicate_span);
+    draft.finders.extend(clause.finder);
 }
 
 /// Whether somebody only goes to a place, and it is left open what for.

@@ -41,6 +41,7 @@ pub fn check(draft: &Draft, faults: &mut Faults) {
     too_much_for_a_day(draft, faults);
     home_without_leaving(draft, faults);
     missing_anchors(draft, faults);
+    finders_who_never_come(draft, faults);
     idle_rules(draft, faults);
 }
 
@@ -77,7 +78,8 @@ fn twice_a_day(draft: &Draft, faults: &mut Faults) {
             let other = list[..later].iter().find(|(_, other)| share_days(draft, habit, other) && both(other));
             if let Some((_, other)) = other {
                 let doing = phrase(&activity);
-                let what = format!("she {doing} at two times of the same day: line {} says so too", other.said.line);
+                let what =
+                    format!("the person {doing} at two times of the same day: line {} says so too", other.said.line);
                 let hint = "say on which days each is so: \"on weekdays\", \"at weekends\", \"until day 100\"".into();
                 faults.add(draft.habit_spans[*index], what, Some(hint));
             }
@@ -173,7 +175,9 @@ fn home_while_out(draft: &Draft, faults: &mut Faults) {
                 (true, _) => {
                     format!("line {} says, too, when she comes home: {:?}", outing.said.line, outing.said.text.trim())
                 }
-                (_, true) => format!("she is out then, by line {}: {:?}", outing.said.line, outing.said.text.trim()),
+                (_, true) => {
+                    format!("the person is out then, by line {}: {:?}", outing.said.line, outing.said.text.trim())
+                }
                 _ => continue,
             };
             let hint = "change one of the two times, or say on which days each is so: \"on weekdays\"".to_owned();
@@ -293,6 +297,17 @@ fn missing_anchors(draft: &Draft, faults: &mut Faults) {
             let hint = format!("add a sentence such as \"she {} at about {at}\"", phrase(other));
             faults.add(draft.habit_spans[index], what, Some(hint));
         }
+    }
+}
+
+/// Who is said to find somebody comes at all.
+fn finders_who_never_come(draft: &Draft, faults: &mut Faults) {
+    let comes = |who: &str| draft.routine.habits.iter().any(|habit| habit.visitor.as_deref() == Some(who));
+    for (who, span) in draft.finders.iter().filter(|(who, _)| !comes(who)) {
+        let what = format!("no sentence says that the {who} visits, and would find her");
+        let hint =
+            format!("write \"until somebody comes\", or add a sentence such as \"her {who} visits every day at 9:00\"");
+        faults.add(*span, what, Some(hint));
     }
 }
 

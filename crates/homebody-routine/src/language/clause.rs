@@ -26,6 +26,8 @@ pub struct Clause {
     pub again: bool,
     /// What is said beside it and not lived: why it is so, or what stands between brackets.
     pub beside: Vec<Span>,
+    /// Who finds them, of a fall, if it is said.
+    pub finder: Option<(String, Span)>,
 }
 
 /// What joins a clause with another.

@@ -339,13 +339,14 @@ const NONE: [f64; 2] = [0.0, 0.0];
 const BY_DAY: [f64; 2] = [1.0, 6.0];
 
 /// What is done by night as well.
-const AT_ANY_HOUR: [Activity; 9] = [
+const AT_ANY_HOUR: [Activity; 10] = [
     Activity::UseBathroom,
     Activity::LieAwake,
     Activity::Wander,
     Activity::Pace,
     Activity::Lap,
     Activity::Fall,
+    Activity::Stumble,
     Activity::ComeHome,
     Activity::Snack,
     Activity::Relax,

@@ -14,6 +14,8 @@ pub(crate) struct Draft<'t> {
     pub name: Option<String>,
     /// Where the verb of each habit stands.
     pub habit_spans: Vec<Span>,
+    /// Who is said to find whoever has fallen.
+    pub finders: Vec<(String, Span)>,
     /// Where each rule says what happens, and for how long.
     pub rule_spans: Vec<(Span, Span)>,
     pub first_date: Option<(i16, u8, u8)>,
@@ -34,6 +36,7 @@ impl<'t> Draft<'t> {
             is_condition: self.is_condition,
             name: None,
             habit_spans: Vec::new(),
+            finders: Vec::new(),
             rule_spans: Vec::new(),
             first_date: self.first_date,
             usual: self.usual.clone(),

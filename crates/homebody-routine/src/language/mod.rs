@@ -27,11 +27,12 @@ mod visits;
 mod called;
 mod subjects;
 mod said;
+mod clause;
+mod falling;
 mod predicates;
 mod roundabout;
 mod unknown;
 mod draft;
-mod clause;
 mod circumstances;
 mod tail;
 mod staying;
@@ -118,6 +119,7 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
         is_condition,
         name: None,
         habit_spans: Vec::new(),
+        finders: Vec::new(),
         rule_spans: Vec::new(),
         first_date: known.first_date,
         usual: known.usual.clone(),

@@ -64,7 +64,8 @@ impl Often {
 
 /// A quantifier, with the days it is about.
 pub fn often(reader: &mut Reader) -> Option<Often> {
-    let found = reader.attempt(every_so_many).or_else(|| reader.attempt(quantified))?;
+    let found = reader.attempt(every_so_many).or_else(|| reader.attempt(about_every));
+    let found = found.or_else(|| reader.attempt(quantified))?;
     let is_chance = found.chance.is_some() && found.every.is_none();
     if is_chance && reader.eat("at first") {
         return changing(reader, found);
@@ -142,6 +143,14 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
         reader.fault(span, what, "write a whole number of days, such as \"every 3 days\"".to_owned());
     }
     Some(Often { every: Some(days.clamp(1.0, 365.0) as u32), ..Often::NOTHING })
+}
+
+/// "about every two weeks": as often, on any days.
+fn about_every(reader: &mut Reader) -> Option<Often> {
+    reader.eat_any(&ABOUT[..4])?;
+    let often = every_so_many(reader)?;
+    let Some(every) = often.every.filter(|_| often.weekdays.is_none()) else { return often.chance.map(|_| often) };
+    Some(Often { every: None, chance: Some(with_probability(1.0 / f64::from(every))), ..often })
 }
 
 fn quantified(reader: &mut Reader) -> Option<Often> {
@@ -296,7 +305,11 @@ pub fn times_in(reader: &mut Reader, amount: &Amount) -> Option<Often> {
     if period.is_none() && !reader.eat("a|per|each|every") {
         return None;
     }
-    if let Some(days) = period.or_else(|| reader.eat_any(&PERIODS)) {
+    // Once every two weeks is every 14 days; about once, or twice, is on any days of them.
+    let on_any_days = amount.about || amount.to > 1.0;
+    let days = period.or_else(|| reader.eat_any(&PERIODS));
+    let days = days.or_else(|| if on_any_days { reader.attempt(several_periods) } else { None });
+    if let Some(days) = days {
         let what = format!("{:?} is more than once a day", reader.said(amount.span));
         return Some(once_in_a_while(reader, amount, days, (what, "say how many times a day")));
     }
@@ -306,6 +319,16 @@ pub fn times_in(reader: &mut Reader, amount: &Amount) -> Option<Often> {
         return None;
     };
     Some(Often { part: (part != PartOfDay::Day).then_some(part), times: Some(count(reader, amount)), ..Often::NOTHING })
+}
+
+/// "two weeks", "other month", as days.
+fn several_periods(reader: &mut Reader) -> Option<f64> {
+    const SEVERAL: [(&str, f64); 3] = [("weeks", PERIODS[0].1), ("months", PERIODS[1].1), ("years", PERIODS[2].1)];
+    if reader.eat("other|second") {
+        return reader.eat_any(&PERIODS).map(|days| 2.0 * days);
+    }
+    let count = number(reader).filter(|count| *count >= 1.0)?;
+    reader.eat_any(&SEVERAL).map(|days| count * days)
 }
 
 /// How many times, in whole numbers.

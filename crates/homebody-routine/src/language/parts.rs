@@ -21,7 +21,7 @@ use super::shape::in_shape;
 use super::skim::skim;
 use super::subjects::{self, Subject};
 use super::words::{Span, Token, Word};
-use crate::routine::Routine;
+use crate::routine::{Activity, Routine};
 use std::collections::BTreeMap;
 
 /// A sentence of more parts is several.
@@ -66,7 +66,8 @@ pub fn in_parts(names: &Names, draft: &Draft, words: &[Word], leaves_out: bool) 
     if parting.bounds.len() > MOST_PARTS + 1 {
         return None;
     }
-    parting.without_remarks().or_else(|| parting.one_by_one())
+    let parts = parting.without_remarks().or_else(|| parting.one_by_one());
+    parts.filter(|parts| !(leaves_out && parting.lacks_time_of_fall(parts)))
 }
 
 /// The parts of a sentence, without what joins them.
@@ -202,6 +203,19 @@ impl Parting<'_> {
         (is_said && !is_left_out || !found.lived.is_empty() && !is_open).then_some(())?;
         (!is_left_out || lived as f64 >= LEAST_LIVED * self.words.len() as f64).then_some(())?;
         self.are_of_one_time(&found.lived).then_some(found)
+    }
+
+    /// Whether what is left out says when, or how often, beside a fall: that one is lived as it is said, or not at all.
+    fn lacks_time_of_fall(&self, parts: &Parts) -> bool {
+        let falls = |words: &Vec<Word>| {
+            let routine = read_alone(self.names, self.draft, self.draft.text, words).unwrap_or_default();
+            routine.habits.iter().any(|habit| matches!(habit.activity, Activity::Fall | Activity::Stumble))
+        };
+        let says_time = |span: &Span| {
+            let within = |word: &&Word| span.start <= word.span.start && word.span.end <= span.end;
+            !self.says_no_time(&self.words.iter().filter(within).cloned().collect::<Vec<_>>())
+        };
+        parts.remarks.iter().any(says_time) && parts.lived.iter().any(falls)
     }
 
     /// "Wakes at 3, makes toast": what has no time of its own, and nobody else who does it, is done then.

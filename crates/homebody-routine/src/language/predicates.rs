@@ -3,6 +3,7 @@
 use super::activities;
 use super::adverbs::{Adverbs, Slot};
 use super::amounts::{Unit, amount};
+use super::falling::falls;
 use super::faults::did_you_mean;
 use super::lively::has_days;
 use super::measures::{Of, measure, rises_by};
@@ -29,7 +30,7 @@ pub fn predicate(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
     if reader.eat("is|are") {
         return Some(being(reader, adverbs));
     }
-    if let Some(found) = reader.attempt(shying) {
+    if let Some(found) = reader.attempt(shying).or_else(|| falls(reader)) {
         return Some(found);
     }
     let not = reader.eat("does|do not") || reader.eat("doesn't|don't|never") || reader.eat("no longer");

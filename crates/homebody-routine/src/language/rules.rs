@@ -222,6 +222,7 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         adverbs: adverbs.clone(),
         tends: false,
         beside: Vec::new(),
+        finder: None,
         again: false,
     };
     // What it depends on comes after it.

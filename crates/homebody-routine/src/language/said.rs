@@ -6,7 +6,7 @@ use super::calendar::is_weekday;
 use super::measures::Measure;
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::words::{Span, Token};
-use crate::routine::{Activity, DayKind, Kind, Shy};
+use crate::routine::{Activity, DayKind, Falling, Kind, Shy};
 
 /// What is said of the subject.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +19,8 @@ pub enum Predicate {
     Walks,
     Pace(Amount),
     Does(Activity),
+    /// A fall of which more is said than that it is one.
+    Falls(Falling),
     /// Words for something of the user's own.
     Own(String),
     Visits,

@@ -252,6 +252,7 @@ fn clause(
             tends,
             again: false,
             beside: Vec::new(),
+            finder: None,
         });
     }
     let noun = if tends || needs_to { noun_liked(reader) } else { None };
@@ -284,6 +285,7 @@ fn clause(
         tends,
         again: false,
         beside,
+        finder: None,
     })
 }
 

@@ -8,6 +8,7 @@ use super::circumstances::{
     says_outside, says_purpose, stays_on,
 };
 use super::clause::{Clause, Join, PLACES, eat_preposition, place};
+use super::falling::says_fall;
 use super::faults::did_you_mean;
 use super::measures::measure;
 use super::predicates::IS;
@@ -20,7 +21,7 @@ use crate::routine::Activity;
 /// Reads the rest of a clause. Nothing if it is not understood; else how another clause follows, and where that is said.
 pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Span)>> {
     loop {
-        if says_beside(reader, clause) || stays_on(reader, clause) {
+        if says_fall(reader, clause) || says_beside(reader, clause) || stays_on(reader, clause) {
             continue;
         }
         if let Some(join) = in_list(reader, clause) {

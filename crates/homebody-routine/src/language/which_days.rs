@@ -37,6 +37,7 @@ pub fn says_kinds(reader: &mut Reader, draft: &mut Draft, mut adverbs: Adverbs, 
             tends: false,
             again: false,
             beside: Vec::new(),
+            finder: None,
         };
         let Some(goes_on) = tail(reader, &mut clause) else { return true };
         clause.adverbs = heading.map_or(clause.adverbs.clone(), |heading| clause.adverbs.clone().under(heading));

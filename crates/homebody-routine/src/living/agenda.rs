@@ -12,7 +12,7 @@ use super::item::Item;
 use super::life::{DayParameters, InForce, Life};
 use super::rising::{bed, of_time, up, varied, varied_length};
 use super::usual;
-use crate::routine::{Activity, Habit, Meal, PartOfDay, When};
+use crate::routine::{Activity, FallsFrom, Habit, Meal, PartOfDay, USUAL_SHARE, When};
 use homebody_core::activity::UsualLength;
 use homebody_core::time::{Micros, SECOND, micros, seconds};
 
@@ -314,7 +314,8 @@ impl Planner<'_> {
         let at = |time_s: f64| self.life.instant(time.day, time_s);
         let within = |from: Micros, to: Micros| from + ((to - from).max(0) as f64 * share) as Micros;
         let mut patience = 2.5 * HOUR;
-        let (start, known) = match &habit.when {
+        let when = self.when_of(habit, &key, time.day);
+        let (start, known) = match &when {
             When::At(time) => {
                 patience = 4.0 * HOUR;
                 (at(varied(time, share, parameters.irregular)), Start::Known)
@@ -337,7 +338,7 @@ impl Planner<'_> {
                 Some(time) => (at(varied(&time, share, parameters.irregular)), Start::Known),
                 None => {
                     patience = 6.0 * HOUR;
-                    (within(self.up + 3600 * SECOND, self.bed - 3600 * SECOND), Start::Known)
+                    (self.any_time(habit, share), Start::Known)
                 }
             },
             When::After(activity, gap) => {
@@ -362,6 +363,7 @@ impl Planner<'_> {
         let item = Item {
             activity,
             place: habit.place.clone(),
+            falling: habit.falling,
             visitor: habit.visitor.clone(),
             start,
             lasts,
@@ -370,15 +372,15 @@ impl Planner<'_> {
             of: Some(in_force.id()),
             is_unsaid: source == Life::UNSAID,
             waits: source == Life::UNSAID,
-            has_its_time: source != Life::UNSAID && !matches!(habit.when, When::AnyTime | When::Within(_)),
-            is_counted: matches!(habit.when, When::AnyTime) && (time.of > 1 || habit.activity == Activity::UseBathroom),
+            has_its_time: source != Life::UNSAID && !matches!(when, When::AnyTime | When::Within(_)),
+            is_counted: matches!(when, When::AnyTime) && (time.of > 1 || habit.activity == Activity::UseBathroom),
             follows: None,
             key,
         };
         let in_the_night = start >= self.bed;
         let is_break = item.visitor.is_none() && item.activity.interrupts(in_the_night);
         if matches!(known, Start::Known) && is_break {
-            let latest = match (item.activity.can_come_later(), &habit.when) {
+            let latest = match (item.activity.can_come_later(), &when) {
                 (true, When::AnyTime) => self.bed,
                 (true, When::Within(part)) if *part != PartOfDay::Night => at(part.hours().1),
                 _ => start,
@@ -388,6 +390,33 @@ impl Planner<'_> {
         }
         self.drafts.list.push(Draft { item, start: known });
         Some(Start::Then(self.drafts.list.len() - 1))
+    }
+
+    /// When one time of a habit is: of a fall that mostly comes at some time of the day, there or at another.
+    fn when_of(&self, habit: &Habit, key: &str, day: i32) -> When {
+        let Some((part, from)) = habit.falling.and_then(|falling| Some((falling.mostly?, falling.from))) else {
+            return habit.when.clone();
+        };
+        let share = self.life.stream_of_day(day, &format!("{key}/mostly")).unit();
+        match part {
+            _ if share < USUAL_SHARE => When::Within(part),
+            PartOfDay::Night => When::AnyTime,
+            _ if part == PartOfDay::Day || from == FallsFrom::Bed => When::Within(PartOfDay::Night),
+            _ => When::AnyTime,
+        }
+    }
+
+    /// From an hour after rising until an hour before bed, but not when a fall mostly is, where that is said.
+    fn any_time(&self, habit: &Habit, share: f64) -> Micros {
+        let (from, to) = (self.up + 3600 * SECOND, self.bed - 3600 * SECOND);
+        let to = to.max(from);
+        let mostly = habit.falling.and_then(|falling| falling.mostly).map(PartOfDay::hours);
+        let (begin, end) = mostly.map_or((from, from), |(begin_s, end_s)| {
+            let within = |time_s: f64| self.life.instant(self.day, time_s).clamp(from, to);
+            (within(begin_s), within(end_s))
+        });
+        let at = from + ((to - from - (end - begin)) as f64 * share) as Micros;
+        if at < begin { at } else { at + (end - begin) }
     }
 
     /// How much later than usual all goes that nobody says of somebody whose day begins late, in seconds; earlier where
@@ -438,20 +467,20 @@ impl Planner<'_> {
 impl Activity {
     /// Whether it is done in the night, out of bed or in it, if it is said to be done at night; all else is done before bed.
     pub(crate) fn is_of_the_night(&self) -> bool {
-        use Activity::{Drink, Fall, Lap, Leave, LieAwake, Pace, Snack, UseBathroom, Wander};
-        matches!(self, UseBathroom | LieAwake | Fall | Wander | Pace | Lap | Drink | Snack | Leave)
+        use Activity::{Drink, Fall, Lap, Leave, LieAwake, Pace, Snack, Stumble, UseBathroom, Wander};
+        matches!(self, UseBathroom | LieAwake | Fall | Stumble | Wander | Pace | Lap | Drink | Snack | Leave)
     }
 
     /// Whether it is made up for who was out, or asleep, as it should have been done: not what one does elsewhere, too.
     fn can_come_later(&self) -> bool {
-        matches!(self, Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall)
+        matches!(self, Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall | Activity::Stumble)
     }
 
     /// Whether it interrupts what goes on rather than waiting for its turn.
     fn interrupts(&self, at_night: bool) -> bool {
         match self {
-            Activity::Wander | Activity::Pace | Activity::Lap | Activity::Fall | Activity::LieAwake => true,
-            Activity::UseBathroom => true,
+            Activity::Wander | Activity::Pace | Activity::Lap | Activity::LieAwake | Activity::UseBathroom => true,
+            Activity::Fall | Activity::Stumble => true,
             _ => at_night,
         }
     }

@@ -144,6 +144,18 @@ impl Company {
         self.others.iter().any(|other| other.resident == who)
     }
 
+    /// Whether somebody lies on the floor.
+    pub fn lies(&self, who: ResidentId) -> bool {
+        self.others.iter().any(|other| other.resident == who && other.posture == Posture::Down)
+    }
+
+    /// Whether somebody comes by who lies in a room: whoever visits looks for them, whoever lives there has to come in.
+    pub fn finds(&self, room: Option<usize>, plan: &Plan) -> bool {
+        let visits = |other: &Body| self.people.visitors.iter().any(|(id, ..)| *id == other.resident);
+        let comes = |other: &Body| other.posture == Posture::Standing && plan.room_at(other.to) == room;
+        self.others.iter().any(|other| visits(other) || comes(other))
+    }
+
     /// Whether somebody stands at the open door to let one in.
     pub fn opens(&self, who: ResidentId, door: &Spot) -> bool {
         let is_at_door = |other: &&Body| other.resident == who && other.at.distance(door.at) < self.at_door_m;

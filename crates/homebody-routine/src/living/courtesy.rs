@@ -316,15 +316,23 @@ impl RoutineDriver {
     /// does.
     pub(super) fn ring(&mut self, left: Micros, now: Micros) {
         let is_visitor = self.visitor.is_some();
+        // Whoever can come to no door is in need of help.
+        let has_key = is_visitor && self.company.lies(self.host);
         let may_come_in = |door: &Spot| {
-            let is_let_in = !is_visitor || self.company.opens(self.host, door);
+            let is_let_in = !is_visitor || has_key || self.company.opens(self.host, door);
             is_let_in && !self.company.is_occupied(door.at)
         };
         let door = self.places.of(Role::FrontDoor);
-        if door.is_none_or(may_come_in) || (!is_visitor && left <= 0) {
+        let comes_in = door.is_none_or(may_come_in);
+        let handle = self.places.thing(Role::FrontDoor).filter(|_| has_key && comes_in);
+        let Some(playing) = self.scripts.last_mut() else { return };
+        if let Some(handle) = handle {
+            playing.steps.push_front(Step::Act(handle, false));
+            playing.steps.push_front(Step::Act(handle, true));
+        }
+        if comes_in || (!is_visitor && left <= 0) {
             return;
         }
-        let Some(playing) = self.scripts.last_mut() else { return };
         if left <= 0 {
             // Nobody is at home, or nobody opens.
             playing.steps.clear();

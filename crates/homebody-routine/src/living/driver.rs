@@ -307,6 +307,8 @@ impl RoutineDriver {
             Step::Await { arrival, left } => self.await_visitor(arrival, left),
             Step::Ring { left } => self.ring(left, now),
             Step::AwaitMeal { left } => self.await_meal(left),
+            Step::AlongFloor { to, mps } => self.along_floor(to, mps, now),
+            Step::LieUntilFound { left } => self.lie_until_found(left),
             Step::Stay(_) => {}
         }
     }
@@ -412,15 +414,12 @@ impl RoutineDriver {
                 let is_mail = self.mail_hour.take_if(|hour| *hour <= self.hour_now).is_some();
                 chores::errand(if is_mail { Errand::Mail } else { Errand::Any }, *lasts, &mut setting)
             }
+            false if *activity == Activity::Fall => self.fall_steps(item, place, &mut setting),
             false => script(activity, place, *lasts, *until, &mut setting),
         };
-        let stations = self.places.stations();
         let first = match activity {
             Activity::Wander | Activity::Pace | Activity::Lap => place.cloned(),
-            // One falls on the way somewhere.
-            Activity::Fall => {
-                stations.get((stream.unit() * stations.len() as f64) as usize).map(|one| one.spot.clone())
-            }
+            Activity::Stumble => place.cloned().or_else(|| self.station(&mut setting)),
             _ => None,
         };
         if let Some(first) = first {

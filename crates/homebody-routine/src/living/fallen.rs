@@ -1,21 +1,151 @@
-//! A fall that nobody has planned: somebody outside of the home says so.
+//! Falls: those that a routine says, and one that somebody outside of the home says.
 //!
-//! It interrupts whatever is done, as a need does. Who walks or stands falls there and then; who sits or lies gets up first, and
-//! falls beside the chair or the bed. Afterwards they go back to what they were doing.
+//! Who falls walks, rises, sits or lies first, as it is said, and falls there or beside the seat or the bed; who sinks down goes
+//! through their knees. Then they lie there: for a while, until somebody is with them, or until they have crawled to the telephone.
+//!
+//! A fall that nobody has planned interrupts whatever is done, as a need does. Who walks or stands falls there and then; who
+//! sits or lies gets up first, and falls beside the chair or the bed. Afterwards they go back to what they were doing.
+//!
+//! We assume that a visitor who comes while the host lies on the floor has a key, and that whoever is found is helped up.
+//!
+//! Left out: ambulances, and days in hospital.
 
-use super::driver::RoutineDriver;
+use super::driver::{MINUTE, RoutineDriver};
+use super::item::Item;
 use super::manner::Manner;
-use super::script::{Interruptible, Stay, Step};
+use super::places::Spot;
+use super::script::{Interruptible, Setting, Stay, Step, script};
+use crate::routine::{Activity, FallEnds, Falling, FallsFrom};
 use homebody_core::activity::FALLEN;
 use homebody_core::drivers::{MotionSegment, Next, Surroundings};
 use homebody_core::event::MotionState;
+use homebody_core::geometry::Point;
+use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
+use homebody_walk::{Gait, walk};
+use std::collections::VecDeque;
 
-/// How long it takes to get up from the floor, as in the falls of routines (ours).
+/// How long it takes to get up from the floor (ours).
 const GETS_UP: Micros = 60 * SECOND;
 
+/// How long somebody sits or lies before they fall from there (ours).
+const BEFORE: Micros = 60 * SECOND;
+
+/// How long who sinks down is on the knees (ours).
+const ON_KNEES: Micros = 5 * SECOND;
+
+/// Who is not found gets up after so long in any case (ours).
+const LONGEST: Micros = 24 * 60 * MINUTE;
+
+/// Who lies there looks round so often for somebody (ours).
+const LOOKS: Micros = 20 * SECOND;
+
+/// A call for help takes so long, and so long later somebody is there (ours).
+const CALLS: Micros = 3 * MINUTE;
+const HELP_COMES: Micros = 15 * MINUTE;
+
+/// How fast somebody crawls along the floor (ours), falls out of bed and slides out of it, in metres a second.
+const CRAWLS_MPS: f64 = 0.15;
+const DROPS_MPS: f64 = 0.8;
+const SLIDES_MPS: f64 = 0.25;
+
 impl RoutineDriver {
+    /// The steps of a fall that was planned.
+    pub(super) fn fall_steps(&self, item: &Item, place: Option<&Spot>, setting: &mut Setting) -> VecDeque<Step> {
+        let falling = item.falling.unwrap_or_default();
+        let mut steps = self.before_fall(&falling, place, setting);
+        if falling.slowly && !matches!(falling.from, FallsFrom::Seat | FallsFrom::Bed) {
+            steps.push_back(stay(Posture::Kneeling, Manner::TURNING, ON_KNEES));
+        }
+        match falling.ends {
+            FallEnds::Rises => steps.push_back(stay(Posture::Down, Manner::FALLEN, item.lasts)),
+            FallEnds::Found => {
+                steps.push_back(Step::LieUntilFound { left: LONGEST });
+                steps.push_back(stay(Posture::Down, Manner::TURNING, MINUTE));
+            }
+            FallEnds::Phone => {
+                steps.push_back(stay(Posture::Down, Manner::FALLEN, item.lasts));
+                let telephone = self.places.of(Role::Telephone).and_then(|spot| self.beside(spot));
+                steps.extend(telephone.map(|to| Step::AlongFloor { to: to.at, mps: CRAWLS_MPS }));
+                steps.push_back(stay(Posture::Down, Manner::TALKING, CALLS));
+                steps.push_back(stay(Posture::Down, Manner::FALLEN, HELP_COMES));
+            }
+        }
+        steps.push_back(stay(Posture::Kneeling, Manner::TURNING, GETS_UP));
+        if falling.from == FallsFrom::WayToToilet {
+            steps.extend(script(&Activity::UseBathroom, None, 5 * MINUTE, None, setting));
+        }
+        steps
+    }
+
+    /// The steps up to where somebody falls; from then on the truth says that they have.
+    fn before_fall(&self, falling: &Falling, place: Option<&Spot>, setting: &mut Setting) -> VecDeque<Step> {
+        let is_seat = |spot: &&Spot| spot.posture != Posture::Standing;
+        let seat = place.filter(is_seat).or_else(|| match falling.from {
+            FallsFrom::Bed => self.places.of(Role::Bed),
+            _ => self.places.of(Role::Armchair),
+        });
+        let name = Step::Name(FALLEN.into());
+        let beside = seat.and_then(|seat| self.beside(seat));
+        match (falling.from, seat, beside) {
+            (FallsFrom::WayToToilet, ..) => {
+                let to = self.way_to_toilet(setting);
+                to.map(Step::Go).into_iter().chain([name]).collect()
+            }
+            (FallsFrom::Rising, Some(seat), Some(beside)) => {
+                let sits = stay(seat.posture, Manner::STILL, BEFORE);
+                [Step::Go(seat.clone()), sits, Step::Go(beside), name].into()
+            }
+            (FallsFrom::Seat | FallsFrom::Bed, Some(seat), Some(beside)) => {
+                let sits = stay(seat.posture, Manner::STILL, BEFORE);
+                let mps = if falling.slowly { SLIDES_MPS } else { DROPS_MPS };
+                [Step::Go(seat.clone()), sits, name, Step::AlongFloor { to: beside.at, mps }].into()
+            }
+            _ => {
+                let to = match place {
+                    Some(place) if is_seat(&place) => self.beside(place),
+                    Some(place) => Some(place.clone()),
+                    // One falls on the way somewhere.
+                    None => self.station(setting),
+                };
+                to.map(Step::Go).into_iter().chain([name]).collect()
+            }
+        }
+    }
+
+    /// Some place where things are done.
+    pub(super) fn station(&self, setting: &mut Setting) -> Option<Spot> {
+        let stations = self.places.stations();
+        stations.get((setting.stream.unit() * stations.len() as f64) as usize).map(|one| one.spot.clone())
+    }
+
+    /// Where one stands beside a seat or a bed.
+    fn beside(&self, spot: &Spot) -> Option<Spot> {
+        let at = self.body.mesh().approach(spot.at)?;
+        Some(Spot::to_stand(at, self.home.plan.room_at(at)?))
+    }
+
+    /// A point on the way to the nearest toilet where one can stand: not at its beginning, nor at its end.
+    fn way_to_toilet(&self, setting: &mut Setting) -> Option<Spot> {
+        let toilet = self.places.nearest(Role::Toilet, setting.at)?;
+        let mesh = self.body.mesh();
+        let way: Vec<Point> = [setting.at].into_iter().chain(mesh.path(setting.at, toilet.at)?).collect();
+        let length_m: f64 = way.windows(2).map(|leg| leg[0].distance(leg[1])).sum();
+        let mut left_m = length_m * setting.stream.between(0.3, 0.9);
+        let mut at = *way.last()?;
+        for leg in way.windows(2) {
+            let leg_m = leg[0].distance(leg[1]);
+            if left_m <= leg_m {
+                at = leg[0].lerp(leg[1], left_m / leg_m.max(1e-9));
+                break;
+            }
+            left_m -= leg_m;
+        }
+        let at = if mesh.is_free(at) { at } else { mesh.approach(toilet.at)? };
+        Some(Spot::to_stand(at, self.home.plan.room_at(at)?))
+    }
+
     /// Falls now, and lies there for so long. Visitors do not: their host waits for them to leave.
     pub(super) fn fall_now(&mut self, around: &Surroundings, lies: Micros) -> bool {
         let (now, Some(body), None) = (around.now(), around.body(), &self.visitor) else { return false };
@@ -28,13 +158,10 @@ impl RoutineDriver {
         }
         let here = MotionState::Rest { at: body.at };
         self.body.follow(&MotionSegment { begin: now, end: now, doing: here, posture: body.posture });
-        let stay = |posture, manner, left| {
-            Step::Stay(Stay { posture, manner, left, until: None, may: Interruptible::Nothing })
-        };
         let steps = [
             Step::Name(FALLEN.into()),
-            stay(Posture::Lying, Manner::FALLEN, lies),
-            stay(Posture::Sitting, Manner::TURNING, GETS_UP),
+            stay(Posture::Down, Manner::FALLEN, lies),
+            stay(Posture::Kneeling, Manner::TURNING, GETS_UP),
         ];
         let stream = self.life.stream_of_day(self.agenda.day, &format!("outside/{now}/fall"));
         self.play(steps.into(), stream, FALLEN);
@@ -46,4 +173,34 @@ impl RoutineDriver {
         }
         true
     }
+
+    /// Moves along the floor, on hands and knees or as somebody who slides out of bed.
+    pub(super) fn along_floor(&mut self, to: Point, mps: f64, now: Micros) {
+        let from = self.body.at();
+        let path = self.body.mesh().path(from, to).unwrap_or_else(|| vec![to]);
+        let gait = Gait {
+            speed_mps: mps,
+            acceleration_mps2: 4.0 * mps,
+            half_turn_s: 4.0,
+            sharp_turn_rad: std::f64::consts::PI,
+            turn_amplitude_m: 0.1,
+        };
+        let low = walk(&path, from, now, &gait).into_iter().map(|one| MotionSegment { posture: Posture::Down, ..one });
+        self.ready.extend(low.map(Next::Segment));
+    }
+
+    /// Lies there until somebody is with them.
+    pub(super) fn lie_until_found(&mut self, left: Micros) {
+        let room = self.body.room();
+        if left <= 0 || self.company.finds(room, &self.home.plan) {
+            return;
+        }
+        let Some(playing) = self.scripts.last_mut() else { return };
+        playing.steps.push_front(Step::LieUntilFound { left: left - LOOKS });
+        playing.steps.push_front(stay(Posture::Down, Manner::FALLEN, LOOKS));
+    }
+}
+
+fn stay(posture: Posture, manner: Manner, left: Micros) -> Step {
+    Step::Stay(Stay { posture, manner, left, until: None, may: Interruptible::Nothing })
 }

@@ -1,7 +1,7 @@
 //! One thing to do: what, where, when and for how long.
 
 use super::life::SentenceId;
-use crate::routine::Activity;
+use crate::routine::{Activity, Falling};
 use homebody_core::time::Micros;
 
 /// One thing to do.
@@ -11,6 +11,7 @@ pub struct Item {
     pub key: String,
     pub activity: Activity,
     pub place: Option<String>,
+    pub falling: Option<Falling>,
     pub visitor: Option<String>,
     pub start: Micros,
     pub lasts: Micros,
@@ -39,6 +40,7 @@ impl Item {
             key,
             activity,
             place: None,
+            falling: None,
             visitor: None,
             start: 0,
             lasts,

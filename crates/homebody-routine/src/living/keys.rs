@@ -68,6 +68,10 @@ fn of_habit(habit: &Habit) -> String {
     if let Some(place) = &habit.place {
         text += &format!(" at {}", place.to_lowercase());
     }
+    if let Some(falling) = habit.falling {
+        text += &format!(" {}", falling.words());
+        text += &falling.mostly.map_or_else(String::new, |part| format!(" mostly {}", part.word()));
+    }
     text += &format!(" p {}", habit.chance.probability);
     if let Some((probability, by)) = habit.chance.becomes {
         text += &format!(" to {probability} by {}", of_moment(by));

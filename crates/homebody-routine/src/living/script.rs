@@ -65,6 +65,15 @@ pub enum Step {
     AwaitMeal {
         left: Micros,
     },
+    /// Along the floor to a point, on hands and knees.
+    AlongFloor {
+        to: Point,
+        mps: f64,
+    },
+    /// Who lies on the floor waits so long to be found.
+    LieUntilFound {
+        left: Micros,
+    },
     /// The day is over: the next one's plan is made.
     Wake,
 }
@@ -191,9 +200,11 @@ impl Steps<'_, '_> {
             Activity::Pace => self.push(Step::Wander { kind: Wandering::Pacing, lasts }),
             Activity::Lap => self.push(Step::Wander { kind: Wandering::Lapping, lasts }),
             Activity::LieAwake => self.stay(Posture::Lying, Manner::AWAKE_IN_BED, lasts, Interruptible::Interrupt),
-            Activity::Fall => {
-                self.stay(Posture::Lying, Manner::FALLEN, lasts, Interruptible::Nothing);
-                self.stay(Posture::Sitting, Manner::TURNING, 60 * SECOND, Interruptible::Nothing);
+            // Its steps follow from how it is said: see `fallen`.
+            Activity::Fall => {}
+            Activity::Stumble => {
+                self.stay(Posture::Bending, Manner::TURNING, 2 * SECOND, Interruptible::Nothing);
+                self.stay(Posture::Standing, Manner::STILL, lasts, Interruptible::Nothing);
             }
             // What is done in the garden is done outside, but where a place of the home is named.
             Activity::Everyday(label) if place.is_none() && activity.roles().contains(&Role::FrontDoor) => {

@@ -54,6 +54,12 @@ fn habit(habit: &Habit) -> String {
     if let Some(visitor) = &habit.visitor {
         text = format!("{visitor}: {text}");
     }
+    if let Some(falling) = habit.falling.map(|falling| falling.words()).filter(|words| !words.is_empty()) {
+        text += &format!(" ({falling})");
+    }
+    if let Some(part) = habit.falling.and_then(|falling| falling.mostly) {
+        text += &format!(" mostly {part:?}");
+    }
     if let Some(place) = &habit.place {
         text += &format!(" @{place}");
     }

@@ -17,6 +17,9 @@ const ARTICLES: [&str; 9] = ["the", "her", "his", "their", "its", "a", "an", "my
 /// The lists of `home.json` whose things sentences and paths may speak of.
 const SPOKEN_OF: [&str; 4] = ["rooms", "doors", "furniture", "places"];
 
+/// Where `home.json` names a sensor that wakes another.
+const WAKER: [&str; 4] = ["sensors", "*", "woken_by", "*"];
+
 /// A place where a name stands.
 struct Mention {
     /// What is written otherwise: a JSON string with its quotes, or words.
@@ -48,14 +51,17 @@ struct Linked<'a> {
 }
 
 impl Desk {
-    /// A thing is called otherwise: all texts in which that changes something.
+    /// A thing is called otherwise: all texts in which that changes something. None where another of its kind has one of both
+    /// names, whatever the case of its letters: nobody could tell then which of them a sentence means.
     pub fn rename(&self, asked: Rename) -> NamesView {
-        let Rename { draft, kind, .. } = &asked;
+        let Rename { draft, kind, from, to } = &asked;
+        let files = self.with(draft.clone());
+        let linked = Linked::of(&files, &self.shelf.entry);
+        if linked.are_several(*kind, from, to) {
+            return NamesView { is_shared: true, ..NamesView::default() };
+        }
         let view = self.renamed(&asked, false);
-        let is_shared = *kind != Named::Resident && {
-            let files = self.with(draft.clone());
-            Linked::of(&files, &self.shelf.entry).others(*kind, &asked.from) > 0
-        };
+        let is_shared = *kind != Named::Resident && linked.others(*kind, from) > 0;
         if !is_shared {
             return view;
         }
@@ -133,7 +139,11 @@ impl Desk {
             return Vec::new();
         }
         let mut mends = Vec::new();
-        for (kind, one, many) in [(Kind::Logger, "id of", "ids of"), (Kind::Link, "line about", "lines about")] {
+        for (kind, one, many) in [
+            (Kind::Home, "wake-up by", "wake-ups by"),
+            (Kind::Logger, "id of", "ids of"),
+            (Kind::Link, "line about", "lines about"),
+        ] {
             let Some((file, text)) = linked.text_of(kind) else { continue };
             let all = entries(&text);
             let gone: Vec<(String, Range<usize>)> = all
@@ -231,6 +241,7 @@ impl<'a> Linked<'a> {
                     let cut = match of {
                         Kind::Logger => Some(entry.whole.clone()),
                         Kind::Link if entry.path[0] == "sensors" => Some(entry.whole.clone()),
+                        Kind::Home if entry.is(&WAKER) => Some(entry.whole.clone()),
                         Kind::Link | Kind::Home => whole_of(&all, &entry.path[..2]),
                         _ => None,
                     };
@@ -239,6 +250,26 @@ impl<'a> Linked<'a> {
                 self.mentions_in_json(&all, of, named, name).into_iter().map(mention).collect()
             }
         }
+    }
+
+    /// Whether several of a kind are called so, or another one has the new name.
+    fn are_several(&self, named: Named, from: &str, to: &str) -> bool {
+        let (kind, path) = match named {
+            Named::Resident => (Kind::Resident, &["name"][..]),
+            named => (Kind::Home, &[list_of(named), "*", "name"][..]),
+        };
+        let texts = self.kinds.iter().filter(|(_, of)| *of == kind).filter_map(|(file, _)| self.files.read(file).ok());
+        let mut called_so = 0;
+        let mut is_taken = false;
+        for text in texts {
+            for entry in entries(&text).iter().filter(|entry| entry.is(path)) {
+                let name = entry.text().unwrap_or_default();
+                let is_so = name.to_lowercase() == from.to_lowercase();
+                called_so += usize::from(is_so);
+                is_taken |= !is_so && name.to_lowercase() == to.to_lowercase();
+            }
+        }
+        called_so > 1 || is_taken
     }
 
     /// How many other things of the home have the name of one.
@@ -268,6 +299,7 @@ impl<'a> Linked<'a> {
                 };
                 says(entry)
                     && (entry.is(&[list, "*", "name"])
+                        || named == Named::Sensor && entry.is(&WAKER)
                         || on && entry.is(&["sensors", "*", "on"])
                         || named == Named::Room && entry.is(&["sensors", "*", "room"]))
             }
@@ -335,8 +367,11 @@ fn sensor_name(all: &[Entry], index: &str) -> Option<String> {
     name.and_then(Entry::text).map(str::to_owned)
 }
 
-/// Which sensor an entry of a logger's or link's file is about, and all that is said there.
+/// Which sensor an entry of a file is about that names sensors of the home's list, and all that is said there.
 fn sensor_of(all: &[Entry], entry: &Entry, kind: Kind) -> Option<(String, Range<usize>)> {
+    if kind == Kind::Home {
+        return entry.is(&WAKER).then(|| Some((entry.text()?.to_owned(), entry.whole.clone())))?;
+    }
     let by_key = if kind == Kind::Logger { "ids" } else { "sensors" };
     if entry.is(&[by_key, "*"]) {
         return Some((entry.path[1].clone(), entry.whole.clone()));

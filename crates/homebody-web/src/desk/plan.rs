@@ -50,7 +50,7 @@ impl Desk {
 }
 
 /// A scenario's home by itself: what is wrong with other files is not asked.
-fn home(files: &dyn Files, entry: &str) -> Result<ResolvedHome, Vec<Problem>> {
+pub fn home(files: &dyn Files, entry: &str) -> Result<ResolvedHome, Vec<Problem>> {
     let of_entry = |what: String| vec![Problem::of_file(entry, what, None)];
     let text = files.read(entry).map_err(|why| of_entry(format!("cannot be read: {why}")))?;
     let root: serde_json::Value = serde_json::from_str(&text).map_err(|error| of_entry(error.to_string()))?;
@@ -64,7 +64,7 @@ fn home(files: &dyn Files, entry: &str) -> Result<ResolvedHome, Vec<Problem>> {
 }
 
 /// The body of the first resident, as far as their file can be read.
-fn build(files: &dyn Files, entry: &str) -> Build {
+pub fn build(files: &dyn Files, entry: &str) -> Build {
     let first = || -> Option<ResidentFile> {
         let root: serde_json::Value = serde_json::from_str(&files.read(entry).ok()?).ok()?;
         let name = root["residents"][0].as_str()?.to_owned();
@@ -74,14 +74,14 @@ fn build(files: &dyn Files, entry: &str) -> Build {
 }
 
 /// The side of a cell: as the command has it, but in a very large home, which is told while it is being drawn.
-fn step_m(plan: &Plan) -> f64 {
+pub fn step_m(plan: &Plan) -> f64 {
     let (least, most) = plan.bounds();
     let area = (most.x - least.x) * (most.y - least.y);
     let times = (area / (STEP_M * STEP_M * MOST_CELLS)).sqrt().ceil().max(1.0);
     STEP_M * times
 }
 
-fn covered(Seen { coverage, .. }: &Seen) -> CoverageView {
+pub fn covered(Seen { coverage, .. }: &Seen) -> CoverageView {
     let Coverage { step_m, whole, rooms, doorways, sensors, overlaps, dead_zones, grid, .. } = coverage;
     let cell =
         |cell: usize| grid.watchers(cell).map_or(NO_FLOOR, |watchers| watchers.min(usize::from(NO_FLOOR) - 1) as u8);

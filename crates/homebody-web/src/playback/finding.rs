@@ -2,50 +2,54 @@
 
 use super::{Opened, Playback, Refusal};
 use crate::stored_log::{damaged, shortened};
-use crate::wire::{AlertView, DateView, Find, FindWhat, FoundView, HitView};
+use crate::wire::{AlertView, DateView, Find, FindWhat, FoundView, HitView, PlaybackView};
 use homebody_core::activity::FALLEN;
 use homebody_core::time::{Micros, SECOND};
+use homebody_kit::Cancel;
 use homebody_kit::find::{
-    DayClock, Ground, Hours, Listener, Query, Span, Stay, TakeRow, Unfindable, What, at_home, find,
+    BY_TRUTH, DayClock, Ground, Hit, Hours, Listener, Query, Span, Stay, TakeRow, Unfindable, What, at_home,
+    falls_in_rooms, find,
 };
 use homebody_log::source::{Value, truth_rows};
 use homebody_log::truth::Truth;
 use std::borrow::Cow;
 use std::collections::HashMap;
-use std::sync::PoisonError;
 
 /// So many are listed (ours); how many there are is said.
 const MOST_HITS: usize = 5000;
 
 impl Playback {
-    /// Looks through a run. `alerts` tells of its alerts, which takes longer, and is asked for nothing else.
+    /// Looks through a run, as long as it is not cancelled. `alerts` tells of its alerts, which takes longer, and is asked for nothing else.
     pub fn find(
         &self,
         name: &str,
         asked: &Find,
+        cancel: &Cancel,
         alerts: impl FnOnce() -> Result<Vec<AlertView>, Refusal>,
     ) -> Result<FoundView, Refusal> {
         let run = self.open(name)?;
         let query = query(asked)?;
         let alerts = if query.what == What::Alert { alerts()? } else { Vec::new() };
         let told = match query.what {
-            What::Room => run.stays(),
-            What::Doing => run.doings(|_| true),
-            What::Fall => run.doings(|activity| activity == FALLEN),
+            What::Room => run.stays()?,
+            What::Doing => run.doings(|_| true)?,
+            What::Fall => run.falls("")?,
+            What::SeenFall => Some(run.falls_and_seen_ones(cancel)?),
             What::Lost => run.lost()?,
             What::Alert => Some(run.alerts(&alerts)),
             What::On | What::Still => None,
         };
         let home = match query.what {
-            What::Still => run.stays().map(|stays| at_home(stays.iter().map(|stay| (stay.begin, stay.end)))),
+            What::Still => run.stays()?.map(|stays| at_home(stays.iter().map(|stay| (stay.begin, stay.end)))),
             _ => None,
         };
         let days = run.view.days.len();
-        let mut rows = |take: &mut TakeRow| match &run.rows {
-            Some(rows) => {
-                let mut rows = rows.lock().unwrap_or_else(PoisonError::into_inner);
+        let view = run.whole()?;
+        let mut rows = |take: &mut TakeRow| match &run.reading {
+            Some(reading) => {
+                let mut known = reading.known();
                 (0..days).try_for_each(|day| {
-                    let of = rows.of(day).map_err(|error| error.to_string())?;
+                    let of = known.rows.of(day).map_err(|error| error.to_string())?;
                     of.iter().for_each(|row| take(row.at, row.sensor, row.value));
                     Ok(())
                 })
@@ -57,8 +61,8 @@ impl Playback {
             days: run.view.days.iter().map(day_clock).collect(),
             told,
             home,
-            sensors: run.listeners(),
-            values: &run.view.values,
+            sensors: listeners(&view),
+            values: &view.values,
             rows: &mut rows,
         };
         let found = find(&query, &mut ground).map_err(|why| match why {
@@ -67,7 +71,9 @@ impl Playback {
         })?;
         let all = found.hits.len() as u64;
         let hits = found.hits.into_iter().take(MOST_HITS);
-        let hits = hits.map(|hit| HitView { begin_us: hit.begin, end_us: hit.end, words: hit.words }).collect();
+        let view =
+            |hit: Hit| HitView { begin_us: hit.begin, end_us: hit.end, is_fall: hit.name == FALLEN, words: hit.words };
+        let hits = hits.map(view).collect();
         Ok(FoundView { hits, all, remarks: found.remarks })
     }
 }
@@ -80,6 +86,7 @@ fn query(asked: &Find) -> Result<Query, Refusal> {
         FindWhat::Still => What::Still,
         FindWhat::Doing => What::Doing,
         FindWhat::Fall => What::Fall,
+        FindWhat::SeenFall => What::SeenFall,
         FindWhat::Lost => What::Lost,
         FindWhat::Alert => What::Alert,
     };
@@ -98,18 +105,18 @@ fn day_clock(day: &DateView) -> DayClock {
     DayClock { begin: day.begin_us, end: day.end_us, clock: day.clock_us, turn: day.turn }
 }
 
-impl Opened {
-    fn listeners(&self) -> Vec<Listener> {
-        let listener = |(index, id): (usize, &String)| {
-            let known = self.view.home.sensors.get(index);
-            let name = known.map_or(id, |sensor| &sensor.name).clone();
-            Listener { name, room: known.and_then(|sensor| sensor.room.clone()) }
-        };
-        self.view.sensors.iter().enumerate().map(listener).collect()
-    }
+fn listeners(view: &PlaybackView) -> Vec<Listener> {
+    let listener = |(index, id): (usize, &String)| {
+        let known = view.home.sensors.get(index);
+        let name = known.map_or(id, |sensor| &sensor.name).clone();
+        Listener { name, room: known.and_then(|sensor| sensor.room.clone()) }
+    };
+    view.sensors.iter().enumerate().map(listener).collect()
+}
 
+impl Opened {
     /// Who was in which room: by the truth, or as the log was walked back. Out is no room; between rooms is one without a name.
-    fn stays(&self) -> Option<Vec<Stay<'_>>> {
+    fn stays(&self) -> Result<Option<Vec<Stay<'_>>>, Refusal> {
         let room = |number: usize| self.view.home.rooms.get(number).map_or("", |room| room.name.as_str());
         let mut all = Vec::new();
         if let Some(walk) = &self.view.walk {
@@ -118,33 +125,43 @@ impl Opened {
                     stays.iter().filter_map(|&(begin, end, place)| Some((begin, end, place.try_into().ok()?)));
                 all.extend(at_home.map(|(begin, end, place)| self.stay((begin, end), &who.name, room(place))));
             }
-        } else if self.view.has_truth {
-            for (stays, who) in self.rooms.iter().zip(&self.view.residents) {
+        } else if let Some(lives) = self.lives()? {
+            for (stays, who) in lives.rooms.iter().zip(&self.view.residents) {
                 let stay =
                     |&(begin, end, place): &(i64, i64, u32)| self.stay((begin, end), &who.name, room(place as usize));
                 all.extend(stays.iter().map(stay));
             }
         } else {
-            return None;
+            return Ok(None);
         }
-        Some(sorted(all))
+        Ok(Some(sorted(all)))
     }
 
     /// Who did what, by the truth.
-    fn doings(&self, is_asked: impl Fn(&str) -> bool) -> Option<Vec<Stay<'_>>> {
-        if !self.view.has_truth || self.view.walk.is_some() {
-            return None;
-        }
+    fn doings(&self, is_asked: impl Fn(&str) -> bool) -> Result<Option<Vec<Stay<'_>>>, Refusal> {
+        let Some(lives) = self.lives()?.filter(|_| self.view.walk.is_none()) else { return Ok(None) };
         let mut all = Vec::new();
-        for (spans, who) in self.activities.iter().zip(&self.view.residents) {
+        for (spans, who) in lives.activities.iter().zip(&self.view.residents) {
             for &(begin, end, number) in spans {
-                let name = self.view.activities.get(number as usize).map_or("", String::as_str);
+                let name = lives.names.get(number as usize).map_or("", String::as_str);
                 if is_asked(name) {
                     all.push(self.stay((begin, end), &who.name, name));
                 }
             }
         }
-        Some(sorted(all))
+        Ok(Some(sorted(all)))
+    }
+
+    /// What the truth tells of falls; `by` says that it does.
+    fn falls(&self, by: &str) -> Result<Option<Vec<Stay<'_>>>, Refusal> {
+        let Some(falls) = self.doings(|activity| activity == FALLEN)? else { return Ok(None) };
+        Ok(Some(falls_in_rooms(falls, &self.stays()?.unwrap_or_default(), by)))
+    }
+
+    /// What cameras take for falls, and what the truth tells of them.
+    fn falls_and_seen_ones(&self, cancel: &Cancel) -> Result<Vec<Stay<'_>>, Refusal> {
+        let told = self.falls(BY_TRUTH)?.unwrap_or_default();
+        Ok(sorted(self.seen_falls(cancel)?.into_iter().chain(told).collect()))
     }
 
     fn stay<'a>(&self, (begin, end): Span, who: &'a str, name: &'a str) -> Stay<'a> {
@@ -158,8 +175,9 @@ impl Opened {
         if let Some(known) = self.lost.get() {
             return Ok(Some(known.clone()));
         }
-        let sensors = self.listeners();
-        let known = self.view.sensors.iter().map(String::as_str).zip(&sensors).collect::<HashMap<_, _>>();
+        let view = self.whole()?;
+        let sensors = listeners(&view);
+        let known = view.sensors.iter().map(String::as_str).zip(&sensors).collect::<HashMap<_, _>>();
         let mut all = Vec::new();
         truth_rows(truth, Truth::Lost, &self.clock, &mut |cells| {
             let text = |index: usize| match cells.get(index) {

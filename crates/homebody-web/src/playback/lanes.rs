@@ -1,10 +1,8 @@
 //! How often each sensor of a stored run spoke, over the whole of it: what a time line shows of months.
 
 use super::{Opened, Playback, Refusal};
-use crate::stored_log::damaged;
 use crate::wire::LanesView;
 use homebody_core::time::{DAY, Micros, SECOND};
-use std::sync::PoisonError;
 
 /// So many counts are in an answer at most (ours): a hundred sensors by the hour over two years.
 const MOST_COUNTS: i64 = 2_000_000;
@@ -21,23 +19,22 @@ impl Playback {
 
 impl Opened {
     fn lanes(&self) -> Result<LanesView, Refusal> {
-        let sensors = self.view.sensors.len();
+        let Some(reading) = &self.reading else { return Ok(LanesView { bucket_us: PARTS[0], counts: Vec::new() }) };
+        let mut known = reading.until(Micros::MAX)?;
+        let sensors = known.sensors.len();
         let length = self.view.length_us.max(1);
         let parts = |part: Micros| (length + part - 1) / part;
         let is_few = |part: &&Micros| parts(**part) * sensors as i64 <= MOST_COUNTS;
         let bucket_us = *PARTS.iter().find(is_few).unwrap_or(&PARTS[PARTS.len() - 1]);
         let is_off = |value: &String| ["off", "false"].iter().any(|off| value.eq_ignore_ascii_case(off));
-        let off: Vec<bool> = self.view.values.iter().map(is_off).collect();
+        let off: Vec<bool> = known.values.iter().map(is_off).collect();
         let mut counts = vec![vec![0u32; parts(bucket_us) as usize]; sensors];
-        if let Some(rows) = &self.rows {
-            let mut rows = rows.lock().unwrap_or_else(PoisonError::into_inner);
-            for day in 0..self.view.days.len() {
-                for row in rows.of(day).map_err(damaged)? {
-                    if off.get(row.value as usize) != Some(&true) {
-                        let part = usize::try_from(row.at / bucket_us).unwrap_or(0);
-                        let count = counts.get_mut(row.sensor as usize).and_then(|lane| lane.get_mut(part));
-                        count.into_iter().for_each(|count| *count += 1);
-                    }
+        for day in 0..self.view.days.len() {
+            for row in known.of(day)? {
+                if off.get(row.value as usize) != Some(&true) {
+                    let part = usize::try_from(row.at / bucket_us).unwrap_or(0);
+                    let count = counts.get_mut(row.sensor as usize).and_then(|lane| lane.get_mut(part));
+                    count.into_iter().for_each(|count| *count += 1);
                 }
             }
         }

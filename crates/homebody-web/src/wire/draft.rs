@@ -121,6 +121,8 @@ pub struct NamesView {
     pub mentions: Vec<MentionView>,
     /// The texts that change, as they are then.
     pub texts: BTreeMap<String, String>,
+    /// Whether another thing of its kind has one of both names: then nothing else is renamed.
+    pub is_shared: bool,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]

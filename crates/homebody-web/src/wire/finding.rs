@@ -8,7 +8,7 @@ use ts_rs::TS;
 #[serde(deny_unknown_fields)]
 pub struct Find {
     pub what: FindWhat,
-    /// Which room, sensor or activity; of lost messages a sensor, of alerts a rule, or null for all.
+    /// Which room, sensor or activity; of lost messages a sensor, of alerts and falls that cameras see a rule, or null for all.
     pub name: Option<String>,
     /// Between which minutes of the day, over midnight where the first is later; null at any time.
     pub between_min: Option<(u32, u32)>,
@@ -28,6 +28,8 @@ pub enum FindWhat {
     /// Somebody does something.
     Doing,
     Fall,
+    /// Cameras take something for a fall.
+    SeenFall,
     /// A message never reached the logger.
     Lost,
     Alert,
@@ -50,6 +52,8 @@ pub struct HitView {
     pub begin_us: i64,
     #[ts(type = "number")]
     pub end_us: i64,
+    /// Whether the truth tells of it as a fall.
+    pub is_fall: bool,
     /// Whose it was, and what, as far as it is known.
     pub words: String,
 }

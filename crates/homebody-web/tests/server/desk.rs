@@ -1,6 +1,6 @@
 //! Files that are written in the page: what is asked about them, and how they are saved.
 
-use super::served::{Answer, Served};
+use super::served::Served;
 use homebody_core::event::Events;
 use homebody_core::ids::SensorId;
 use homebody_core::run::Run;
@@ -15,16 +15,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 impl Served {
-    fn post(&self, path: &str, body: &Value) -> Answer {
-        let (address, token, body) = (self.address, &self.token, body.to_string());
-        let head = format!(
-            "POST {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\
-             Content-Type: application/json\r\nContent-Length: {}\r\n\r\n",
-            body.len()
-        );
-        self.ask((head + body.as_str()).as_bytes())
-    }
-
     pub fn told(&self, path: &str, body: &Value) -> Value {
         let answer = self.post(path, body);
         assert_eq!(answer.code, 200, "{path}: {}", String::from_utf8_lossy(&answer.body));
@@ -53,7 +43,7 @@ fn draft(name: &str, text: &str) -> Value {
 }
 
 /// All files below a folder with their bytes.
-fn all_files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+pub fn all_files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut files = BTreeMap::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

@@ -168,9 +168,12 @@ fn a_jump_back_lets_go_of_the_keys() {
     page.say(r#"{"say":"hold","keys":["right"]}"#);
     page.until(|frame| frame["now_us"].as_i64() > Some(1_000_000));
     page.say(r#"{"say":"hold","keys":[]}"#);
+    // Paused, so that no page can be too late for what it comes back to.
+    page.say(r#"{"say":"pause"}"#);
     page.say(r#"{"say":"jump","to_us":500000}"#);
     let place = |seen: Seen| seen.frame["bodies"][0]["at"][0].as_f64().unwrap();
     let back = place(page.until(|frame| frame["now_us"] == 500_000));
+    page.say(r#"{"say":"play"}"#);
     let later = place(page.until(|frame| frame["now_us"].as_i64() > Some(2_000_000)));
     assert!(back > 0.7 && later - back < 0.2, "from {back} to {later}");
 }

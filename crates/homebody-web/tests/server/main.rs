@@ -2,6 +2,8 @@
 
 mod desk;
 mod guard;
+mod installing;
+mod library;
 mod limits;
 mod living;
 mod naming;
@@ -9,3 +11,4 @@ mod served;
 mod slow;
 mod underlay;
 mod walking;
+mod written_back;

@@ -52,6 +52,24 @@ fn a_thing_that_is_called_otherwise_is_so_in_all_files() {
 }
 
 #[test]
+fn what_has_the_name_of_another_of_its_kind_is_followed_nowhere() {
+    let served = Served::scenario("tigerplace");
+    for (kind, from, to) in
+        [("room", "bathroom", "kitchen"), ("room", "bathroom", "Kitchen"), ("sensor", "stove motion", "bedroom motion")]
+    {
+        assert_eq!(files(&rename(&served, kind, from, to)), [""; 0], "{kind} {from} {to}");
+    }
+    // And back again, as long as both are called so.
+    let home = text(&served, "home.json").replace("\"name\": \"bathroom\"", "\"name\": \"kitchen\"");
+    assert_eq!(home.matches("\"name\": \"kitchen\"").count(), 2);
+    let asked =
+        json!({ "draft": { "texts": { "home.json": home } }, "kind": "room", "from": "kitchen", "to": "bathroom" });
+    assert_eq!(files(&served.told("/api/rename", &asked)), [""; 0]);
+    // Its own name may be written with other letters.
+    assert_eq!(files(&rename(&served, "room", "kitchen", "Kitchen"))[0], "home.json");
+}
+
+#[test]
 fn what_speaks_of_a_thing_that_goes_is_told_and_goes_with_it() {
     let served = Served::scenario("tigerplace");
     let forget = |kind: &str, names: &[&str]| {
@@ -76,6 +94,30 @@ fn what_speaks_of_a_thing_that_goes_is_told_and_goes_with_it() {
     assert!(said.starts_with("Often she naps in the armchair") && chair["mentions"][0]["goes"] == true);
     assert!(!chair["texts"]["margaret.routine"].as_str().unwrap().contains("armchair"));
     assert_eq!(forget("place", &["bedside"])["mentions"], json!([]));
+}
+
+/// Which sensors wake a camera is said by their names.
+#[test]
+fn a_sensor_is_followed_to_the_cameras_that_it_wakes() {
+    let served = Served::scenario("cameras");
+    let wakers = |texts: &Value| -> Vec<usize> {
+        let home: Value = serde_json::from_str(texts["home.json"].as_str().unwrap()).unwrap();
+        let of = |sensor: &Value| sensor["woken_by"].as_array().map(Vec::len);
+        home["sensors"].as_array().unwrap().iter().filter_map(of).collect()
+    };
+    let renamed = rename(&served, "sensor", "room motion", "corner motion");
+    assert_eq!((problems(&served, &renamed["texts"]), wakers(&renamed["texts"])), (0, vec![5, 5, 1]));
+    let asked = json!({ "draft": { "texts": {} }, "kind": "sensor", "names": ["room motion", "bathroom motion"] });
+    let forgotten = served.told("/api/forget", &asked);
+    assert_eq!(wakers(&forgotten["texts"]), [4, 4, 0]);
+    let said = forgotten["mentions"].as_array().unwrap();
+    assert!(said.iter().filter(|mention| mention["goes"] == true).count() >= 3, "{said:?}");
+    // Where the sensor went without its mentions, one button mends that.
+    let home = fs::read_to_string(served.file("cameras", "home.json")).unwrap();
+    let alone = home.replace(r#""name": "room motion""#, r#""name": "corner motion""#);
+    let mends = served.told("/api/mends", &json!({ "texts": { "home.json": alone } }));
+    assert_eq!(mends[0]["what"], "Remove the 2 wake-ups by sensors that are gone", "{mends}");
+    assert_eq!(wakers(&mends[0]["texts"]), [4, 4, 1]);
 }
 
 #[test]

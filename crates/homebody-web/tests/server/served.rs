@@ -1,6 +1,8 @@
 //! A server with a scenario, and those who ask it: as browsers do, and as nobody should.
 
+use homebody_kit::begun::{begin, of_template, write};
 use homebody_kit::{Cancel, Template};
+use homebody_web::library::Library;
 use homebody_web::server::SOCKET;
 use homebody_web::shelf::Shelf;
 use homebody_web::{Options, serve};
@@ -10,7 +12,7 @@ use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpStream};
 use std::path::PathBuf;
 use std::sync::mpsc::channel;
 use std::thread::{self, JoinHandle};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use tungstenite::client::IntoClientRequest;
 use tungstenite::{Message, WebSocket};
@@ -34,6 +36,9 @@ pub struct Answer {
 
 pub type Socket = WebSocket<TcpStream>;
 
+/// How long a page waits for a frame: far longer than any takes on a machine that is busy.
+pub const LONGEST_WAIT: Duration = Duration::from_secs(300);
+
 impl Served {
     /// Serves a copy of a scenario of the repository.
     pub fn scenario(name: &str) -> Served {
@@ -50,16 +55,33 @@ impl Served {
         }
         let shelf =
             Shelf { scenario, entry: "scenario.json".into(), is_trusted: false, runs: folder.path().join("runs") };
+        Served::of(folder, Options { ip, port: Some(0), ..Options::new(shelf) })
+    }
+
+    /// Serves a folder of homes, once each of these has been begun from the template of its name.
+    pub fn library(templates: &[&str]) -> Served {
+        let folder = tempfile::tempdir().unwrap();
+        for name in templates {
+            begin(&folder.path().join(name), |_| {
+                write(&folder.path().join(name), &of_template(Template::named(name).unwrap(), name))
+            })
+            .unwrap();
+        }
+        let library = Library::new(folder.path().to_owned(), false);
+        Served::of(folder, Options { port: Some(0), ..Options::new(library) })
+    }
+
+    /// Serves what is in a folder.
+    pub fn of(folder: TempDir, options: Options) -> Served {
         let cancel = Cancel::new();
         let (ready, is_ready) = channel();
-        let options = Options { ip, port: Some(0), ..Options::new(shelf) };
         let handle = cancel.clone();
         let thread = thread::spawn(move || {
             serve(options, &handle, |address| ready.send(address.url.to_owned()).unwrap()).unwrap();
         });
         let address = is_ready.recv_timeout(Duration::from_secs(60)).expect("a server");
-        let (address, token) = address.strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
-        let (address, token) = (address.parse().unwrap(), token.to_owned());
+        let (place, token) = address.strip_prefix("http://").unwrap().split_once("#token=").unwrap();
+        let (address, token) = (place.split('/').next().unwrap().parse().unwrap(), token.to_owned());
         Served { folder, address, token, cancel, thread: Some(thread) }
     }
 
@@ -96,9 +118,29 @@ impl Served {
         self.get(path, &format!("x-homebody-token: {}\r\n", self.token))
     }
 
+    /// Sends JSON below `/api/` with the token.
+    pub fn post(&self, path: &str, body: &serde_json::Value) -> Answer {
+        self.send("POST", path, body.to_string().as_bytes())
+    }
+
+    /// Sends a body below `/api/` with the token.
+    pub fn send(&self, method: &str, path: &str, body: &[u8]) -> Answer {
+        let (address, token, length) = (self.address, &self.token, body.len());
+        let head = format!(
+            "{method} {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\
+             Content-Type: application/json\r\nContent-Length: {length}\r\n\r\n"
+        );
+        self.ask(&[head.as_bytes(), body].concat())
+    }
+
     /// A socket of its own page that has not said anything yet.
     pub fn socket(&self) -> Socket {
-        let mut request = format!("ws://{}{SOCKET}", self.address).into_client_request().unwrap();
+        self.socket_at(SOCKET)
+    }
+
+    /// The same of the page of a home.
+    pub fn socket_at(&self, path: &str) -> Socket {
+        let mut request = format!("ws://{}{path}", self.address).into_client_request().unwrap();
         request.headers_mut().insert("origin", format!("http://{}", self.address).parse().unwrap());
         let stream = TcpStream::connect(self.address).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(30))).unwrap();
@@ -107,7 +149,12 @@ impl Served {
 
     /// A page that is let in.
     pub fn page(&self) -> Page {
-        let mut page = Page { socket: self.socket() };
+        self.page_at(SOCKET)
+    }
+
+    /// The same of a home.
+    pub fn page_at(&self, path: &str) -> Page {
+        let mut page = Page { socket: self.socket_at(path) };
         page.say(&format!(r#"{{"say":"hello","token":"{}"}}"#, self.token));
         page
     }
@@ -154,17 +201,20 @@ impl Page {
         }
     }
 
-    /// Reads until a frame is as wished, and returns it with all rows and notes that came on the way.
+    /// Reads until a frame is as wished, and returns it with all rows and notes that came on the way. A run that plays on is only
+    /// waited for so long: a frame that its page was too late for does not come again.
     pub fn until(&mut self, is_wished: impl Fn(&serde_json::Value) -> bool) -> Seen {
+        let begun = Instant::now();
         let mut seen = Seen::default();
         loop {
+            assert!(begun.elapsed() < LONGEST_WAIT, "no such frame has come; last it was {}", seen.frame);
             match self.hear() {
                 Heard::Tell(tell) if tell["tell"] == "note" => seen.notes.push(tell["text"].as_str().unwrap().into()),
                 Heard::Tell(tell) => seen.run = tell["run"].clone(),
                 Heard::Frame(frame) => {
                     seen.rows.extend(frame["firings"].as_array().unwrap().iter().map(|row| row["row"].clone()));
-                    if is_wished(&frame) {
-                        seen.frame = frame;
+                    seen.frame = frame;
+                    if is_wished(&seen.frame) {
                         return seen;
                     }
                 }

@@ -21,16 +21,6 @@ impl Served {
         (format!("{scenario}-1"), fs::read(csv).unwrap())
     }
 
-    fn send(&self, method: &str, path: &str, body: &[u8]) -> Answer {
-        let (address, token) = (self.address, &self.token);
-        let head = format!(
-            "{method} {path} HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\
-             Content-Type: application/octet-stream\r\nContent-Length: {}\r\n\r\n",
-            body.len()
-        );
-        self.ask(&[head.as_bytes(), body].concat())
-    }
-
     /// What has become of the log that was opened last, once it is over.
     fn walked(&self) -> Value {
         let begun = Instant::now();

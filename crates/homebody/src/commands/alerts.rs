@@ -1,6 +1,6 @@
 //! `homebody alerts`: what is different from before.
 
-use super::answer::Answer;
+use super::answer::Figures;
 use super::for_programs::{ForPrograms, row};
 use super::measure::Measured;
 use crate::failure::{EXIT_CODES, Failure};
@@ -42,7 +42,7 @@ pub struct Arguments {
     #[command(flatten)]
     programs: ForPrograms,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
 }
 
 impl Arguments {
@@ -52,11 +52,11 @@ impl Arguments {
             return self.follow(&rules);
         }
         let read = self.measured.read()?;
-        let answer = self.answer.check([], &read.sources)?;
-        self.programs.check(false, &read.sources, self.answer.replaces())?;
+        let answer = self.figures.check(&read.sources)?;
+        self.programs.check(false, &read.sources, self.figures.replaces())?;
         let measures = self.measured.measures(&read)?;
         let alerts = alerts(&measures, &rules);
-        self.programs.store(&records(&alerts.name, &alerts.alerts), &Default::default, self.answer.replaces())?;
+        self.programs.store(&records(&alerts.name, &alerts.alerts), &Default::default, self.figures.replaces())?;
         match self.programs.is_printed() {
             true => answer.give_to_files(&alerts, [], &String::new),
             false => answer.give(&alerts, []),
@@ -65,7 +65,7 @@ impl Arguments {
 
     /// Tells what alerts there are, and then each that comes: a line each, as JSON where lines are asked for.
     fn follow(&self, rules: &Rules) -> Result<(), Failure> {
-        if !self.answer.is_empty() || !self.programs.is_empty_or_printed() {
+        if !self.figures.is_empty() || !self.programs.is_empty_or_printed() {
             return Err(Failure::usage(
                 "--follow tells alerts as they come, and writes no files\n  hint: --out jsonl:- gives lines for programs",
             ));

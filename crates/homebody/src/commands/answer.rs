@@ -18,6 +18,41 @@ pub struct Answer {
     pictures: Pictures,
 }
 
+/// Where an answer goes of which there is no picture, besides standard output.
+#[derive(clap::Args)]
+pub struct Figures {
+    /// Print all figures as one JSON object instead of words; or write them into this file, and print the words. Without a file it comes after the other arguments
+    #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
+    json: Option<PathBuf>,
+    /// Replace files that exist
+    #[arg(long)]
+    force: bool,
+}
+
+impl Figures {
+    /// Makes sure that the file can be written, before anybody waits for the answer, over none of the `sources`.
+    pub fn check(&self, sources: &[PathBuf]) -> Result<Checked<'_, 0>, Failure> {
+        let json = self.json.as_deref();
+        can_be_written(&Vec::from_iter(file_of(json)), sources, self.force)?;
+        Ok(Checked { json, replaces: self.force, pictures: None, table: None })
+    }
+
+    /// Whether nothing is asked for besides words.
+    pub fn is_empty(&self) -> bool {
+        self.json.is_none()
+    }
+
+    /// Whether files that exist are replaced.
+    pub fn replaces(&self) -> bool {
+        self.force
+    }
+}
+
+/// Where figures go that are not printed.
+fn file_of(json: Option<&Path>) -> Option<&Path> {
+    json.filter(|path| path.as_os_str() != "-")
+}
+
 /// Where pictures go.
 #[derive(clap::Args)]
 pub struct Pictures {
@@ -40,8 +75,10 @@ pub type Picture<'a> = &'a dyn Fn() -> String;
 
 /// An answer whose files can be written.
 pub struct Checked<'a, const N: usize> {
-    answer: &'a Answer,
-    pictures: CheckedPictures<'a, N>,
+    json: Option<&'a Path>,
+    replaces: bool,
+    /// None where no picture can be asked for.
+    pictures: Option<CheckedPictures<'a, N>>,
     table: Option<&'a Path>,
 }
 
@@ -69,14 +106,10 @@ impl Answer {
         table: Option<&'a Path>,
         sources: &[PathBuf],
     ) -> Result<Checked<'a, N>, Failure> {
-        let files: Vec<&Path> = self.json_file().into_iter().chain(table).collect();
+        let json = self.json.as_deref();
+        let files: Vec<&Path> = file_of(json).into_iter().chain(table).collect();
         let pictures = self.pictures.check_beside(names, &files, sources)?;
-        Ok(Checked { answer: self, pictures, table })
-    }
-
-    /// Whether nothing is asked for besides words.
-    pub fn is_empty(&self) -> bool {
-        self.json.is_none() && self.pictures.is_empty()
+        Ok(Checked { json, replaces: self.replaces(), pictures: Some(pictures), table })
     }
 
     /// Whether a picture is asked for.
@@ -87,10 +120,6 @@ impl Answer {
     /// Whether files that exist are replaced.
     pub fn replaces(&self) -> bool {
         self.pictures.force
-    }
-
-    fn json_file(&self) -> Option<&Path> {
-        self.json.as_deref().filter(|path| path.as_os_str() != "-")
     }
 }
 
@@ -109,7 +138,7 @@ impl<const N: usize> Checked<'_, N> {
         table: &dyn Fn() -> String,
     ) -> Result<(), Failure> {
         self.give_to_files(answer, pictures, table)?;
-        match self.answer.json.is_some() && self.answer.json_file().is_none() {
+        match self.json.is_some() && file_of(self.json).is_none() {
             true => print_json(answer),
             false => print_text(&answer.to_string()),
         }
@@ -122,12 +151,13 @@ impl<const N: usize> Checked<'_, N> {
         pictures: [Picture; N],
         table: &dyn Fn() -> String,
     ) -> Result<(), Failure> {
-        self.pictures.draw(pictures)?;
-        if let Some(path) = self.table {
-            write_file(path, table().as_bytes(), self.answer.pictures.force)?;
+        if let Some(checked) = &self.pictures {
+            checked.draw(pictures)?;
         }
-        let figures = self.answer.json_file();
-        figures.map_or(Ok(()), |path| write_file(path, json_text(answer)?.as_bytes(), self.answer.pictures.force))
+        if let Some(path) = self.table {
+            write_file(path, table().as_bytes(), self.replaces)?;
+        }
+        file_of(self.json).map_or(Ok(()), |path| write_file(path, json_text(answer)?.as_bytes(), self.replaces))
     }
 }
 

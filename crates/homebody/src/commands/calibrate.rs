@@ -2,13 +2,13 @@
 
 use super::read_log::read_log;
 use super::scenario::Trust;
-use crate::beginning::begin;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{json_text, print_json, print_text, tell, write_file};
 use homebody_analysis::dates::{date_of, midnight};
 use homebody_analysis::realism::{Measure, NotComparable, Realism, Told, realism};
 use homebody_core::problem::counted;
 use homebody_core::time::{DAY, Micros};
+use homebody_kit::begun::begin;
 use homebody_kit::{Calibration, Fitted, OpenScenario, Sight, Source, calibrate, lived};
 use homebody_log::Log;
 use indicatif::{ProgressBar, ProgressStyle};

@@ -10,6 +10,9 @@ use serde_json::json;
 
 /// Reports everything that is wrong with a scenario, with file, line and a hint; and warns of what is hardly meant, such as a
 /// fault that comes when the run is over.
+///
+/// What a file means is looked at once its keys and values are such as may be there: until then the rest of its problems, and
+/// those of routines where the file is the home's, are not known.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:\n  homebody check scenarios/tigerplace\n  homebody check my-home --json")]
 pub struct Arguments {

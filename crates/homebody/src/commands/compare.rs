@@ -52,7 +52,7 @@ impl Arguments {
 
 /// The log, with the activities that the truth of its run tells.
 fn log(text: &str, named: &NamedLog) -> Result<Log, Failure> {
-    let log = named.with_activities()?;
+    let log = named.with_activities(None)?;
     tell_remarks(text, &log);
     tell_unfinished(text, named.unfinished().as_ref());
     if log.skipped > 0 {

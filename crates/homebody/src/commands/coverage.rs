@@ -1,11 +1,10 @@
 //! `homebody coverage`: where in the home the sensors see.
 
 use super::answer::Answer;
+use super::parts::build;
 use super::scenario::Chosen;
 use crate::failure::Failure;
-use homebody_analysis::coverage::{self, STEP_M, Seen};
-use homebody_core::geometry::Point;
-use homebody_core::home::Build;
+use homebody_analysis::coverage::{self, STEP_M};
 use homebody_picture::coverage_map;
 
 /// Says which share of the floor is seen by no, one, two, three or more sensors, where the dead zones are, and how
@@ -26,17 +25,8 @@ impl Arguments {
         let source = self.scenario.source()?;
         let scenario = source.scenario()?;
         let answer = self.answer.check([""], &source.paths(&scenario))?;
-        let build = scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file));
-        let seen = coverage::of_home(&scenario.home, build, STEP_M);
-        let map = || coverage_map(&seen.home, &seen.coverage, &beams(&seen));
+        let seen = coverage::of_home(&scenario.home, build(&scenario), STEP_M);
+        let map = || coverage_map(&seen.home, &seen.coverage, &seen.beams());
         answer.give(&seen.coverage, [&map])
     }
-}
-
-/// The wall sensors' beams on a standing body, to draw.
-fn beams(Seen { sensors, field, .. }: &Seen) -> Vec<(usize, Point, Point)> {
-    let walls = (0..sensors.len()).filter(|&sensor| sensors[sensor].is_on_wall());
-    walls
-        .flat_map(|sensor| field.beams[field.range(sensor)].iter().map(move |beam| (sensor, beam.start, beam.end())))
-        .collect()
 }

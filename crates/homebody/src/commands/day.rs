@@ -39,7 +39,7 @@ impl Arguments {
             ))
         };
         let date = self.date.within(there).ok_or_else(no_day)?;
-        let day = Day::of(&read.name, &read.log, &read.lives, date);
+        let day = Day::of(&read.name, &read.log, &read.lives, read.ended(), date);
         answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
     }
 }

@@ -70,14 +70,10 @@ impl Arguments {
         let from = self.from.and_then(|from| from.within(log.dates()?));
         let days = self.days.map(|days| days as usize);
         let (doors, away_after) = (self.doors(&log), self.away_after);
-        let asked = Asked { doors, away_after, recorded: log.recorded.clone(), from, days };
+        let asked = Asked { doors, away_after, from, days, ..log.density_asked() };
         // The days of the other log are its own.
-        let asked_of = |other: &LogWithRun| Asked {
-            doors: self.doors(other),
-            recorded: other.recorded.clone(),
-            from: None,
-            ..asked.clone()
-        };
+        let asked_of =
+            |other: &LogWithRun| Asked { doors: self.doors(other), away_after, days, ..other.density_asked() };
         let against = other.as_ref().map(|other| (other, asked_of(other)));
         let against = against.as_ref().map(|(other, asked)| (other.name.as_str(), &other.log, asked));
         let density = density((&log.name, &log.log, &asked), against).map_err(|why| self.no_map(&why))?;

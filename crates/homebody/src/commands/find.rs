@@ -1,6 +1,6 @@
 //! `homebody find`: when something was so, over a whole log.
 
-use super::answer::Answer;
+use super::answer::Figures;
 use super::read_log::read_log;
 use crate::failure::Failure;
 use crate::length::span;
@@ -24,13 +24,14 @@ use std::fmt;
   homebody find casas:tm000.txt still --between 8-20 --at-least 3h
   homebody find runs/tigerplace-1 doing napping --json
   homebody find runs/tigerplace-1 fall
+  homebody find runs/cameras-1 seen-fall
   homebody find runs/tigerplace-depression-1 alert")]
 pub struct Arguments {
     /// A log: a file, the folder of a run or of a data set, or FORM:FILE
     log: String,
     /// What is looked for
     what: Wanted,
-    /// Which room, sensor or activity; of lost messages those of a sensor, of alerts those of a rule
+    /// Which room, sensor or activity; of lost messages those of a sensor, of alerts and falls that cameras see those of a rule
     name: Option<String>,
     /// Between which hours of the day, such as 0-6, 22-6 or 08:30-20
     #[arg(long, value_name = "HOURS")]
@@ -42,7 +43,7 @@ pub struct Arguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
 }
 
 /// What is looked for, as a word of the command line.
@@ -70,6 +71,7 @@ impl clap::ValueEnum for Wanted {
             What::Still => "No sensor says anything but readings, while somebody is at home",
             What::Doing => "Somebody does something, by the truth",
             What::Fall => "Somebody has fallen, by the truth",
+            What::SeenFall => "Cameras take something for a fall, beside those of the truth",
             What::Lost => "A message never reached the logger, by the truth",
             What::Alert => "Something is different from before, by the usual rules",
         };
@@ -80,7 +82,7 @@ impl clap::ValueEnum for Wanted {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = read_log(&self.log, self.time_zone.as_deref())?;
-        let answer = self.answer.check([], &read.sources)?;
+        let answer = self.figures.check(&read.sources)?;
         let what = self.what.0;
         let query = Query { what, name: self.name.clone(), hours: self.between, least: self.at_least.unwrap_or(0) };
         let found = find_in_log(&query, &read)?;
@@ -88,6 +90,7 @@ impl Arguments {
             begin: instant(hit.begin),
             end: instant(hit.end),
             lasts_s: seconds(hit.end - hit.begin),
+            name: hit.name,
             words: hit.words,
         };
         let found = Answered {
@@ -123,6 +126,8 @@ struct One {
     begin: String,
     end: String,
     lasts_s: f64,
+    /// The room, the sensor, what was done, or the rule.
+    name: String,
     words: String,
 }
 

@@ -1,6 +1,6 @@
 //! `homebody health`: what is wrong with the sensors of a home.
 
-use super::answer::Answer;
+use super::answer::Figures;
 use super::read_log::read_log;
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
@@ -33,14 +33,14 @@ pub struct Arguments {
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
     #[command(flatten)]
     trust: Trust,
 }
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([], &[])?;
+        let answer = self.figures.check(&[])?;
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
         let read = read_log(&self.log, Some(&zone))?;

@@ -1,18 +1,17 @@
 //! `homebody import`: a scenario of one's own, from a plan of Sweet Home 3D.
 
-use crate::beginning::begin;
 use crate::failure::Failure;
-use crate::inhabited::{Begun, Inhabited, inhabited};
-use crate::print::{tell, write_file};
+use crate::print::tell;
 use homebody_core::problem::counted;
 use homebody_import::{MOST_BYTES, sweet_home};
+use homebody_kit::begun::{Begun, Inhabited, begin, inhabited, write};
 use homebody_log::plain;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// Begins a scenario of your own in a new folder, from a plan drawn with Sweet Home 3D: rooms, walls, doors and furniture. Says
-/// what was left out or guessed. Somebody lives an ordinary life there, or stands in a room where the home lacks what that
-/// needs. Sensors are yours to add.
+/// Begins a scenario of your own in a new folder, from a plan drawn with Sweet Home 3D: rooms, walls, doors and furniture; of
+/// several levels those that stairs join, beside each other. Says what was left out or guessed. Somebody lives an ordinary life
+/// there, or stands in a room where the home lacks what that needs, and you are told where that could go. Sensors are yours to add.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody import flat.sh3d my-home && homebody check my-home
@@ -23,13 +22,11 @@ pub struct Arguments {
     plan: PathBuf,
     /// The folder to create
     folder: PathBuf,
-    /// Which level of the plan, by its name or by its number from below; else the one with the most walls
+    /// Which level of the plan, by its name or by its number from below; else that by which people come home, and those that
+    /// stairs join to it
     #[arg(long, value_name = "NAME")]
     level: Option<String>,
 }
-
-/// When the week of a new scenario begins.
-const MONDAY: &str = "2026-01-05T00:00:00";
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
@@ -39,21 +36,9 @@ impl Arguments {
         begin(folder, |name| {
             let imported = sweet_home(&bytes, name, self.level.as_deref());
             let imported = imported.map_err(|error| Failure::usage(format!("{}: {error}", self.plan.display())))?;
-            let begun = Begun {
-                name,
-                about: "",
-                start: MONDAY,
-                time_zone: "UTC",
-                days: 7.0,
-                home: imported.home_json,
-                logger: None,
-            };
-            let Inhabited { texts, scenario, lack } = inhabited(&begun)?;
-            for (file, text) in &texts {
-                write_file(&folder.join(file), text.as_bytes(), false)?;
-            }
+            let Inhabited { texts, scenario, lack } = inhabited(&Begun::week(name, imported.home_json))?;
             told = Some((imported.remarks, scenario, lack));
-            Ok(())
+            Ok::<_, Failure>(write(folder, &texts)?)
         })?;
         let Some((remarks, scenario, lack)) = told else { return Ok(()) };
         remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.plan.display())));

@@ -4,7 +4,7 @@ use super::answer::Answer;
 use super::read_log::{Mapped, go_on};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, write_file};
-use homebody_analysis::density::{Asked, density};
+use homebody_analysis::density::density;
 use homebody_analysis::look::{HomeSensor, Look, Looker};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_kit::{LogWithRun, NamedLog, home_sensors};
@@ -95,7 +95,7 @@ impl Arguments {
     /// The density map; none where the log has no motion sensors, or days that are too many.
     fn density(&self) -> Option<String> {
         let log = LogWithRun::of(self.log.find().ok()?, self.time_zone.as_deref()).ok()?;
-        let asked = Asked { recorded: log.recorded.clone(), ..Asked::default() };
+        let asked = log.density_asked();
         density((&log.name, &log.log, &asked), None).ok().map(|density| density_map(&density))
     }
 }

@@ -12,8 +12,10 @@ mod convert;
 mod coverage;
 mod day;
 mod density;
+mod devices;
 mod doctor;
 mod experiment;
+mod falls;
 mod find;
 pub mod fleet;
 mod follow;
@@ -28,7 +30,7 @@ mod measure;
 mod mqtt;
 mod new;
 mod numbers;
-mod people_with_conditions;
+mod parts;
 mod place;
 mod plan;
 mod read_log;
@@ -39,6 +41,7 @@ mod run;
 mod scenario;
 mod schema;
 mod serve;
+mod silhouettes;
 mod strip;
 mod summarise;
 mod translate;
@@ -66,6 +69,10 @@ pub enum Command {
     Plan(plan::Arguments),
     /// Say where in the home the sensors see, with a map
     Coverage(coverage::Arguments),
+    /// List what is put up in a home, with places, heights and angles; two layouts side by side; a sheet to print
+    Parts(parts::Arguments),
+    /// List the motion sensors that can be picked for a home, with what is known of each
+    Devices(devices::Arguments),
     /// Say what a log holds, and what is odd about it, with a map
     Look(look::Arguments),
     /// Walk a log back through the plan of its home: who was where, and how sure that is
@@ -88,6 +95,10 @@ pub enum Command {
     Summarise(summarise::Arguments),
     /// Find when something was so, over a whole log: somebody in a room, something on, nothing stirring, falls, lost messages, alerts
     Find(find::Arguments),
+    /// Find falls in the silhouettes that a run's cameras have kept, and say how sure that is
+    Falls(falls::Arguments),
+    /// Show the silhouettes that a run's cameras have kept, as pictures, a film or a table
+    Silhouettes(silhouettes::Arguments),
     /// Propose where sensors go in a home, and say what each additional one buys
     Place(place::Arguments),
     /// Say what happened on one day, with a chart
@@ -131,6 +142,8 @@ impl Command {
             Command::Serve(arguments) => arguments.run(),
             Command::Plan(arguments) => arguments.run(),
             Command::Coverage(arguments) => arguments.run(),
+            Command::Parts(arguments) => arguments.run(),
+            Command::Devices(arguments) => arguments.run(),
             Command::Look(arguments) => arguments.run(),
             Command::Translate(arguments) => arguments.run(),
             Command::Health(arguments) => arguments.run(),
@@ -142,6 +155,8 @@ impl Command {
             Command::Alerts(arguments) => arguments.run(),
             Command::Summarise(arguments) => arguments.run(),
             Command::Find(arguments) => arguments.run(),
+            Command::Falls(arguments) => arguments.run(),
+            Command::Silhouettes(arguments) => arguments.run(),
             Command::Place(arguments) => arguments.run(),
             Command::Day(arguments) => arguments.run(),
             Command::Strip(arguments) => arguments.run(),

@@ -1,25 +1,19 @@
 //! `homebody new`: a scenario of one's own, from one that works, or from the log of a home.
 
 use super::read_log::read_log;
-use crate::beginning::begin;
 use crate::failure::{EXIT_CODES, Failure};
-use crate::from_log::{Told, told};
-use crate::inhabited::{Begun, Inhabited, inhabited};
 use crate::print::{tell, write_file};
-use crate::sensor_table;
-use crate::traced::{Known, Traced};
-use homebody_analysis::dates::written;
-use homebody_analysis::walks::walks;
 use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
-use homebody_core::time::DAY;
-use homebody_import::from_log::{Schematic, schematic};
-use homebody_kit::{LogWithRun, Template};
-use serde_json::json;
-use std::path::PathBuf;
+use homebody_kit::Template;
+use homebody_kit::begun::{GivenLog, Known, OfLog, Traced, begin, empty, of_log, of_template, read_table, write};
+use std::path::{Path, PathBuf};
 
-/// Begins a scenario of your own in a new folder: from a template that works, or from the log of a home of which nobody has a
+/// Begins a scenario of your own in a new folder: from a template that works, empty, or from the log of a home of which nobody has a
 /// plan.
+///
+/// An empty home is drawn in the page of homebody serve. Anna lives an ordinary life there as soon as it has what that needs; until then
+/// homebody check says what is missing.
 ///
 /// From a log comes a schematic home: rooms, things and places by the names of its sensors and by what was done as they spoke;
 /// which rooms are beside each other, and what is near what, by who follows whom and how soon. It is a guess, and says so. With
@@ -30,6 +24,7 @@ use std::path::PathBuf;
 {}
 Examples:
   homebody new my-home --template tigerplace && homebody run my-home
+  homebody new my-flat --template empty && homebody serve my-flat
   homebody new their-home --from-log casas:tm000.txt
   homebody new their-home --from-log week.csv --sensors sensors.csv
   homebody translate week.csv --home their-home --to walked
@@ -45,8 +40,8 @@ pub struct Arguments {
     /// The folder to create
     folder: PathBuf,
     /// The scenario to start from
-    #[arg(long, default_value = "tigerplace", value_parser = template)]
-    template: Template,
+    #[arg(long, default_value = "tigerplace", value_parser = beginning)]
+    template: Beginning,
     /// Make a schematic home of what this log tells: a file, the folder of a run or of a data set, or FORM:FILE
     #[arg(long, value_name = "LOG", conflicts_with = "template")]
     from_log: Option<String>,
@@ -64,20 +59,29 @@ pub struct Arguments {
     time_zone: Option<String>,
 }
 
-/// What a schematic home says of itself.
-const ABOUT: &str = "Which rooms and things there are is from names and from what was done; which are beside each other is from \
-                     who follows whom and how soon. Sizes, shapes, walls and the places of doors are guesses.";
-
 /// How the picture below the plan lies, for the page.
 const UNDERLAY: &str = "underlay.json";
 
-/// A new scenario is no longer (ours): it is lived when somebody asks for it.
-const MOST_DAYS: i64 = 365;
+/// What a scenario begins with where that is not a log.
+#[derive(Clone, Copy, Debug)]
+enum Beginning {
+    Empty,
+    Template(Template),
+}
+
+/// What the scenario in which nothing is drawn is called among the templates.
+const EMPTY: &str = "empty";
+
+/// What is told of it there.
+const EMPTY_ABOUT: &str = "Nothing is in it yet: a home to be drawn in the page";
 
 /// A template by its name.
-fn template(name: &str) -> Result<Template, String> {
-    Template::named(name).map_err(|_| {
-        let names: Vec<_> = Template::all().map(Template::name).collect();
+fn beginning(name: &str) -> Result<Beginning, String> {
+    if name == EMPTY {
+        return Ok(Beginning::Empty);
+    }
+    Template::named(name).map(Beginning::Template).map_err(|_| {
+        let names: Vec<_> = [EMPTY.to_owned()].into_iter().chain(Template::all().map(Template::name)).collect();
         format!("there is none of that name; there are: {}", names.join(", "))
     })
 }
@@ -85,12 +89,13 @@ fn template(name: &str) -> Result<Template, String> {
 /// A line for each template, of what its scenario says about itself.
 fn templates() -> String {
     let width = Template::all().map(|template| template.name().len()).max().unwrap_or(0);
+    let told = |name: &str, about: &str| format!("  {name:width$}  {about}\n");
     let line = |template: Template| {
         let text = template.files().find(|(name, _)| name == "scenario.json").map(|(_, text)| text);
         let scenario: serde_json::Value = text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
-        format!("  {:width$}  {}\n", template.name(), first_words(scenario["about"].as_str().unwrap_or_default()))
+        told(&template.name(), first_words(scenario["about"].as_str().unwrap_or_default()))
     };
-    Template::all().map(line).collect()
+    [told(EMPTY, EMPTY_ABOUT)].into_iter().chain(Template::all().map(line)).collect()
 }
 
 /// As much of the first sentence as fits in a line.
@@ -115,8 +120,16 @@ impl Arguments {
             return self.make_of(log);
         }
         let folder = &self.folder;
-        begin(folder, |name| self.write(name))?;
-        tell(format_args!("{} is ready.\n  homebody check {0}\n  homebody run {0}", folder.display()));
+        let texts = |name: &str| match self.template {
+            Beginning::Empty => empty(name),
+            Beginning::Template(template) => of_template(template, name),
+        };
+        begin(folder, |name| write(folder, &texts(name)))?;
+        let folder = folder.display();
+        tell(match self.template {
+            Beginning::Empty => format!("{folder} is ready, and empty.\n  homebody serve {folder}"),
+            Beginning::Template(_) => format!("{folder} is ready.\n  homebody check {folder}\n  homebody run {folder}"),
+        });
         Ok(())
     }
 
@@ -124,32 +137,26 @@ impl Arguments {
     fn make_of(&self, log: &str) -> Result<(), Failure> {
         let folder = &self.folder;
         let picture = self.image.as_deref().map(|image| Traced::read(image, &self.known)).transpose()?;
-        let table = self.sensors.as_deref().map(sensor_table::read).transpose()?.unwrap_or_default();
-        let zone = self.time_zone.as_deref();
-        zone.map(Calendar::zone).transpose().map_err(Failure::usage)?;
-        let read = read_log(log, zone)?;
-        let Told { sensors, ways, remarks } = told(&walks(&read.log), &table, &read.log.known, picture.as_ref())?;
+        let table = self.sensors.as_deref().map(read_table).transpose()?.unwrap_or_default();
+        let time_zone = self.time_zone.as_deref();
+        time_zone.map(Calendar::zone).transpose().map_err(Failure::usage)?;
+        let read = read_log(log, time_zone)?;
+        let path = Path::new(log);
+        let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        let given = GivenLog { named: log, file: &file, read: &read, time_zone, table, picture: picture.as_ref() };
         let mut made = None;
-        let path = std::path::Path::new(log);
-        let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         begin(folder, |name| {
-            let about =
-                format!("Schematic: made of what the log {file} tells, and of what its sensors are called. {ABOUT}");
-            let made_of = schematic(name, &about, &sensors, &ways);
-            let home = made_of.map_err(|error| Failure::usage(format!("{log}: {error}")))?;
-            let lived = self.inhabit(name, &file, &read, &home)?;
-            for (file, text) in &lived.texts {
-                write_file(&folder.join(file), text.as_bytes(), false)?;
-            }
+            let of_log = of_log(name, &given)?;
+            write(folder, &of_log.lived.texts)?;
             if let Some(picture) = &picture {
                 write_file(&folder.join(picture.file), &picture.bytes, false)?;
                 write_file(&folder.join(UNDERLAY), picture.lies().as_bytes(), false)?;
             }
-            made = Some((home, lived));
-            Ok(())
+            made = Some(of_log);
+            Ok::<_, Failure>(())
         })?;
-        let Some((home, lived)) = made else { return Ok(()) };
-        remarks.iter().chain(&home.remarks).for_each(|remark| tell(format_args!("{log}: {remark}")));
+        let Some(OfLog { lived, remarks }) = made else { return Ok(()) };
+        remarks.iter().for_each(|remark| tell(format_args!("{log}: {remark}")));
         lived.lack.iter().for_each(|lack| tell(format_args!("nobody can live an ordinary life here yet: {lack}")));
         let file = &lived.scenario.home;
         tell(format_args!(
@@ -160,44 +167,6 @@ impl Arguments {
             counted(file.furniture.len(), "piece of furniture", "pieces of furniture"),
             counted(file.sensors.len(), "sensor", "sensors"),
         ));
-        Ok(())
-    }
-
-    /// The files of the scenario: its days are those of the log.
-    fn inhabit(&self, name: &str, file: &str, read: &LogWithRun, home: &Schematic) -> Result<Inhabited, Failure> {
-        let times = || read.log.events.iter().map(|event| event.at);
-        let first = times().min().unwrap_or(0).div_euclid(DAY);
-        let days = times().max().unwrap_or(0).div_euclid(DAY) - first + 1;
-        let mut logger = json!({
-            "$schema": "./schemas/logger.schema.json",
-            "to": ["casas:log.txt"],
-            "ids": home.ids,
-            "time": "local",
-        });
-        if let Some(hold_s) = home.hold_s.filter(|hold_s| *hold_s > 0.0) {
-            logger["messages"] = json!({ "on_off": { "hold_s": hold_s, "lumps": [] } });
-        }
-        let start = written(first * DAY);
-        inhabited(&Begun {
-            name,
-            about: &format!("A home that the log {file} tells of, drawn as a scheme. {ABOUT}"),
-            start: &start[..19].replace(' ', "T"),
-            time_zone: self.time_zone.as_deref().unwrap_or("UTC"),
-            days: days.clamp(1, MOST_DAYS) as f64,
-            home: home.home_json.clone(),
-            logger: Some(format!("{logger:#}\n")),
-        })
-    }
-
-    fn write(&self, name: &str) -> Result<(), Failure> {
-        let (name, template) = (json!(name), json!(self.template.name()));
-        for (file, text) in self.template.files() {
-            // The schemas of the repository are two folders up, ours are right here; and it has a name of its own.
-            let text = text
-                .replace("\"../../schemas/", "\"./schemas/")
-                .replace(&format!("\"name\": {template}"), &format!("\"name\": {name}"));
-            write_file(&self.folder.join(file), text.as_bytes(), false)?;
-        }
         Ok(())
     }
 }
@@ -220,6 +189,6 @@ mod tests {
             let words = line.split_whitespace().count();
             assert!(words > 4 && line.chars().count() < 140, "{line}");
         }
-        assert_eq!(templates().lines().count(), Template::all().count());
+        assert_eq!(templates().lines().count(), Template::all().count() + 1);
     }
 }

@@ -2,19 +2,22 @@
 
 use super::alerts::rules;
 use super::answer::Answer;
-use super::people_with_conditions::{CONDITIONS, Lives, ONSET, People};
+use super::devices::device;
+use super::parts::build;
 use super::scenario::Chosen;
 use crate::failure::Failure;
+use homebody_analysis::coverage::STEP_M;
 use homebody_analysis::measures::MEASURES;
-use homebody_core::scenario::home::{HomeFile, SensorFile};
-use homebody_core::scenario::link::LinkFile;
-use homebody_experiment::placing::{Goal, Layout, Placed, Reached, Somebody, Trial, Trying, candidates};
-use homebody_kit::{OpenScenario, Source};
+use homebody_core::scenario::home::HomeFile;
+use homebody_experiment::people::{CONDITIONS, Opened};
+use homebody_experiment::placing::{Goal, Layout, Reached, Trying};
+use homebody_experiment::proposal::{self, Ask, Doing, Proposed};
 use homebody_picture::floor_plan;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
+use std::sync::Mutex;
 
 /// Proposes where sensors go, one after the other, and says what each additional one buys.
 ///
@@ -28,6 +31,7 @@ use std::path::PathBuf;
   homebody place scenarios/tigerplace --sensors 6
   homebody place scenarios/tigerplace --to-see depression,night-bathroom,falls --sensors 8 --png proposed.png
   homebody place my-home --to-see urinary-tract-infection,meals --sensors 4 --json
+  homebody place my-home --to-see falls --sensors 5 --device fibaro
 
 What can be seen: a condition that comes with the program; a measure of homebody measure, such as meals or time-out;
 night-bathroom; falls, by the share of the floor that is seen. JSON has \"sensors\", as home.json takes them, and \"steps\".")]
@@ -46,15 +50,15 @@ pub struct Arguments {
     /// The number all randomness comes from
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// What the motion sensors are to be, by the name that homebody devices has, such as fibaro
+    #[arg(long, value_name = "NAME")]
+    device: Option<String>,
     /// The rules of alerts, instead of the usual ones
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     #[command(flatten)]
     answer: Answer,
 }
-
-/// So many days after conditions begin are lived: none is looked for later.
-const AFTER: u32 = 29;
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
@@ -63,85 +67,89 @@ impl Arguments {
         let answer = self.answer.check([""], &scenario.paths())?;
         let rules = rules(self.rules.as_deref())?;
         let goals = goals(&self.to_see)?;
-        let wanted = |name: &str| goals.iter().any(|goal| matches!(goal, Goal::Condition(goal) if *goal == name));
-        let conditions: Vec<(&str, usize)> = CONDITIONS.into_iter().filter(|(name, _)| wanted(name)).collect();
+        let device = self.device.as_deref().map(device).transpose()?;
         let home = &scenario.scenario().home;
-        let own: Vec<String> = home.sensors.iter().map(|sensor| sensor.name().to_owned()).collect();
-        let candidates = candidates(home);
-        let names: Vec<String> = candidates.iter().map(|sensor| sensor.name().to_owned()).collect();
-        let with_all = with_all(&scenario, &candidates)?;
-        let people = People::of(&with_all, &conditions, self.people, (ONSET as u32 + AFTER, self.seed))?;
-        let live = |lives: &Lives| {
-            let life = lives.live(&LinkFile::default())?;
-            let lived = life.lived();
-            Ok((life, lived))
-        };
-        let people: Vec<Somebody> =
-            people.each(live)?.into_iter().map(|(person, (life, lived))| Somebody { person, life, lived }).collect();
-        let trial = Trial { home: &with_all.scenario().home, goals: &goals, people: &people, rules: &rules };
-        let progress = ProgressBar::new(u64::from(self.sensors));
-        let style = ProgressStyle::with_template("{bar:40} {pos} of {len} sensors  {msg}");
-        progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        let told = |trying: Trying, sensors: usize| {
-            progress.set_position(sensors as u64);
-            progress.set_message(match trying {
-                Trying::OneMore => "one more",
-                Trying::TwoMore => "two more at once",
-                Trying::Another => "others instead",
-            });
-        };
-        let placed = trial.best(&names, self.sensors.into(), &told);
-        progress.finish_and_clear();
-        let chosen: &[String] = placed.last().map_or(&[], |layout| &layout.sensors);
-        let sensor = |name: &String| candidates.iter().find(|sensor| sensor.name() == name).cloned();
-        let sensors: Vec<SensorFile> = chosen.iter().filter_map(sensor).collect();
-        let drawn = HomeFile { sensors: sensors.clone(), ..HomeFile::clone(home) };
-        let own = (!own.is_empty()).then(|| trial.of(&own));
-        let proposed = Proposed { sensors, placed, own };
-        answer.give(&proposed, [&|| floor_plan(&drawn)])
+        let (people, sensors, seed) = (self.people, usize::from(self.sensors), self.seed);
+        let build = build(scenario.scenario());
+        let ask = Ask { goals: &goals, sensors, people, seed, rules: &rules, device, build, step_m: STEP_M };
+        let opened = || Ok(Opened { scenario: scenario.scenario().clone(), household: scenario.household().clone() });
+        let progress = Progress::new(&ask);
+        let found = proposal::propose(home, &ask, opened, &|doing| progress.tell(doing));
+        progress.bar.lock().expect("nothing panics while it is held").finish_and_clear();
+        let found = Found(found?);
+        let drawn = HomeFile { sensors: found.0.sensors.clone(), ..HomeFile::clone(home) };
+        answer.give(&found, [&|| floor_plan(&drawn)])
     }
+}
+
+/// What people see while they wait: first who has lived, then how many sensors there are.
+struct Progress {
+    bar: Mutex<ProgressBar>,
+    sensors: u64,
+}
+
+impl Progress {
+    fn new(ask: &Ask) -> Progress {
+        let bar = match ask.needs_lives() {
+            true => bar(u64::from(ask.people), "{bar:40} {pos} of {len} people  {eta} left"),
+            false => bar(ask.sensors as u64, PLACING),
+        };
+        Progress { bar: Mutex::new(bar), sensors: ask.sensors as u64 }
+    }
+
+    /// Goes on in any case.
+    fn tell(&self, doing: Doing) -> bool {
+        let mut shown = self.bar.lock().expect("nothing panics while it is held");
+        match doing {
+            Doing::Lived => shown.inc(1),
+            Doing::Trying(trying, sensors) => {
+                if sensors == 0 && trying == Trying::OneMore {
+                    shown.finish_and_clear();
+                    *shown = bar(self.sensors, PLACING);
+                }
+                shown.set_position(sensors as u64);
+                shown.set_message(match trying {
+                    Trying::OneMore => "one more",
+                    Trying::TwoMore => "two more at once",
+                    Trying::Another => "others instead",
+                });
+            }
+        }
+        true
+    }
+}
+
+const PLACING: &str = "{bar:40} {pos} of {len} sensors  {msg}";
+
+fn bar(length: u64, style: &str) -> ProgressBar {
+    let bar = ProgressBar::new(length);
+    bar.set_style(ProgressStyle::with_template(style).unwrap_or_else(|_| ProgressStyle::default_bar()));
+    bar
 }
 
 /// What is asked for, or everything of it that is not known.
 fn goals(names: &[String]) -> Result<Vec<Goal>, Failure> {
-    let conditions: Vec<&'static str> = CONDITIONS.iter().map(|(name, _)| *name).collect();
-    let of = |name: &String| Goal::of(name.trim(), &conditions).ok_or_else(|| format!("{:?}", name.trim()));
-    let (known, unknown): (Vec<_>, Vec<_>) = names.iter().map(of).partition(Result::is_ok);
-    let unknown: Vec<String> = unknown.into_iter().filter_map(Result::err).collect();
-    if !unknown.is_empty() {
+    proposal::goals(names).map_err(|unknown| {
+        let unknown: Vec<String> = unknown.iter().map(|name| format!("{name:?}")).collect();
+        let conditions: Vec<&str> = CONDITIONS.iter().map(|(name, _)| *name).collect();
         let measures: Vec<&str> = MEASURES.iter().map(|measure| measure.name).collect();
-        return Err(Failure::Usage(format!(
+        Failure::Usage(format!(
             "--to-see: there is no {}\n  hint: name conditions ({}), measures ({}), night-bathroom or falls",
             unknown.join(", no "),
             conditions.join(", "),
             measures.join(", ")
-        )));
-    }
-    Ok(known.into_iter().filter_map(Result::ok).collect())
+        ))
+    })
 }
 
-/// The scenario with all candidates besides the sensors that it has.
-fn with_all(scenario: &OpenScenario, candidates: &[SensorFile]) -> Result<OpenScenario, Failure> {
-    let edit = scenario.scenario().edit().home(|home| home.sensors.extend_from_slice(candidates));
-    let entry = edit.entry().to_owned();
-    Ok(Source::of_texts(edit.into_texts(), entry).open()?)
-}
-
-/// Where sensors go.
+/// What was found, as words.
 #[derive(Serialize)]
-struct Proposed {
-    /// As a home's file takes them, the most telling first.
-    sensors: Vec<SensorFile>,
-    #[serde(flatten)]
-    placed: Placed,
-    /// The sensors that the home has.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    own: Option<Layout>,
-}
+#[serde(transparent)]
+struct Found(Proposed);
 
-impl fmt::Display for Proposed {
+impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Some(first) = self.placed.steps.first() else { return Ok(()) };
+        let Some(first) = self.0.placed.steps.first() else { return Ok(()) };
         writeln!(f, "Where sensors go, the most telling first\n")?;
         write!(f, "{:>2}  {:32} {:>6}", "", "sensor", "score")?;
         for Reached { goal, .. } in &first.goals {
@@ -162,14 +170,14 @@ impl fmt::Display for Proposed {
             }
             writeln!(f)
         };
-        for (number, layout) in self.placed.steps.iter().enumerate() {
+        for (number, layout) in self.0.placed.steps.iter().enumerate() {
             let name = layout.sensors.last().map_or("", String::as_str);
             row(f, &(number + 1).to_string(), name, layout)?;
         }
-        for swap in &self.placed.swapped {
+        for swap in &self.0.placed.swapped {
             row(f, "", &format!("{} for {}", swap.come, swap.gone), &swap.layout)?;
         }
-        if let Some(own) = &self.own {
+        if let Some(own) = &self.0.own {
             row(f, "", &format!("the {} that the home has", own.sensors.len()), own)?;
         }
         Ok(())

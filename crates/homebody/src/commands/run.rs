@@ -11,8 +11,12 @@ use crate::print::print_text;
 use crate::signals::Signals;
 use crate::start::Start;
 use crate::watched::Watched;
+use clap::builder::UnknownArgumentValueParser;
 use homebody_core::time::Micros;
-use homebody_kit::{CohortLayout, Error, LIST, LivedCohort, OpenScenario, Unfinished, UnfinishedCohort, Url};
+use homebody_kit::{
+    CohortLayout, CohortSetup, Error, LIST, LivedCohort, MOST_MEMBERS, OpenScenario, TruthKept, Unfinished,
+    UnfinishedCohort, Url,
+};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -28,6 +32,7 @@ use std::path::{Path, PathBuf};
   homebody run scenarios/tigerplace --set gait.slowest=0.25 --set stay.reading.gap=120
   homebody run scenarios/tigerplace --residents 100 --for 28d
   homebody run scenarios/tigerplace --residents 1000 --for 28d --out parquet:cohort
+  homebody run scenarios/tigerplace --residents 1000 --for 28d --out parquet:s3://bucket/cohort
   homebody run scenarios/tigerplace --profiles people.csv --for 28d
   homebody run my-home --out sqlite:log.db --out csv:log.csv --truth truth.db --force
   homebody run scenarios/tigerplace --start now --for 1h --speed 1 --out jsonl:-
@@ -36,7 +41,8 @@ use std::path::{Path, PathBuf};
 
 Of a cohort, --out names one folder for all members, in any form of files: with parquet:cohort,
 logs are cohort/log/member=0001/log.parquet and so on, truths lie apart in cohort/truth, and
-cohort/cohort.json says what was asked, by which version, and has a digest of each member.
+cohort/cohort.json says what was asked, by which version, and has a digest of each member. In a build with
+the feature cloud the folder may be in an object store.
 
 Columns of --profiles:
   name        what the member's folder is called
@@ -49,7 +55,8 @@ Columns of --profiles:
   over        how long it takes to come, from its onset: 10 days, 4 weeks
   until       until when: week 12, day 80, 2009-06-01
   routine     a text in the scenario's folder to live by instead
-  resident    whom the row is about, where several live by routines")]
+  resident    whom the row is about, where several live by routines
+  home        a home in the scenario's folder to live in instead")]
 pub struct Arguments {
     /// The scenario's folder, or its scenario.json
     #[arg(required_unless_present = "resume")]
@@ -61,6 +68,9 @@ pub struct Arguments {
     /// Days and weeks are those of the calendar: a run of 7d ends at the hour at which it began, also where clocks change.
     #[arg(long = "for", value_name = "SPAN", value_parser = length)]
     length: Option<Length>,
+    /// Asked of other commands and in Python, and here of no use: a span has a unit.
+    #[arg(long = "days", hide = true, value_parser = UnknownArgumentValueParser::suggest("how long to live is said by --for, such as --for 7d"))]
+    _days: Option<()>,
     /// When the run begins, instead of when the scenario says: now, today, 2026-11-01 or 2026-11-01T08:00, on the clock of the home
     #[arg(long, value_name = "TIME")]
     start: Option<Start>,
@@ -79,23 +89,27 @@ pub struct Arguments {
     numbers: Vec<(String, f64)>,
     /// Live so many lives side by side, on all processors: each differs from the routines as people differ, and goes into
     /// a folder of its own
-    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=100_000),
-          conflicts_with_all = ["truth", "record", "force", "control", "speed", "paused"])]
+    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_MEMBERS)))]
     residents: Option<u32>,
     /// Go on with the run or the cohort in this folder, which was killed or stopped
     ///
     /// It is lived again from its beginning: what is there is compared, what is missing is written. In the end log and truth have
     /// the bytes of a run that nothing has disturbed. Of a cohort, those who were lived to the end stay, all others are gone on with.
     #[arg(long, value_name = "FOLDER",
-          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "start", "residents", "profiles", "truth", "record", "force"])]
+          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "start", "residents", "profiles", "truth", "truth_tables", "record", "force"])]
     resume: Option<PathBuf>,
     /// Live the members of this list side by side: a CSV file with a row for each
     ///
     /// Its first line names the columns, of which only the name is needed; what a row leaves empty is as in the scenario. All
     /// that it does not say differs as people differ.
-    #[arg(long, value_name = "FILE",
-          conflicts_with_all = ["residents", "truth", "record", "force", "control", "speed", "paused"])]
+    #[arg(long, value_name = "FILE", conflicts_with = "residents")]
     profiles: Option<PathBuf>,
+    /// How much of the truths of a cohort is kept: all tables, or only those without a row for each firing or movement
+    ///
+    /// Without it, a cohort keeps all, and a large one, of more than 10000 days for all members together, what is brief: the tables cause,
+    /// off, movement and lost are left out. `homebody replay` of a member's recording has them.
+    #[arg(long, value_name = "WHICH", value_enum)]
+    truth_tables: Option<TruthTables>,
     #[command(flatten)]
     output: Output,
     /// Record what is needed to replay the run into this file
@@ -105,6 +119,12 @@ pub struct Arguments {
     pace: Asked,
     #[command(flatten)]
     watched: Watched,
+}
+
+#[derive(Clone, Copy, PartialEq, clap::ValueEnum)]
+enum TruthTables {
+    All,
+    Brief,
 }
 
 /// The name of a number and what it is set to.
@@ -165,26 +185,69 @@ impl Arguments {
         };
         let cancel = signals.cancel();
         if let Some(cohort) = cohort {
+            self.suits_a_cohort()?;
             let cohort = cohort.seed(seed).length(length).without(&self.without).cancel(cancel);
-            let to = self.cohorts_place()?;
-            let layout = to.map_or(Ok(CohortLayout::Folders), CohortLayout::of).map_err(Failure::Usage)?;
-            let cohort = cohort.layout(layout).start()?;
-            self.remark(&opened, length);
-            if !self.output.quiet {
-                cohort::foretell_size(&opened, layout, cohort.count(), length);
-            }
-            let progress = self.output.progress(cohort.progress().length);
-            let lived = match to {
-                Some(place) => cohort.store_in(place.path(), |lived| show(&progress, 0, lived)),
-                None => cohort.store(|lived| show(&progress, 0, lived)),
-            };
-            return self.tell_cohort(&progress, &lived?, &signals);
+            return self.live_cohort(&opened, cohort, length, &signals);
+        }
+        if self.truth_tables.is_some() {
+            let what = "--truth-tables is about the truths of a cohort";
+            return Err(Failure::usage(format!("{what}\n  hint: the truth of one run has all tables: leave it out")));
         }
         let run = opened.run().seed(seed).length(length).without(&self.without);
         let run = run.pace(self.pace.pace()).commands(self.pace.commands()?).cancel(cancel).start()?;
         let run = run.metered(&self.watched.begin(opened.name(), self.output.quiet)?);
         self.remark(&opened, length);
         live(run, self.record, &self.output, &signals)
+    }
+
+    /// Lives many side by side.
+    fn live_cohort(
+        &self,
+        opened: &OpenScenario,
+        setup: CohortSetup,
+        length: Micros,
+        signals: &Signals,
+    ) -> Result<(), Failure> {
+        let to = self.cohorts_place()?;
+        let layout = to.map_or(Ok(CohortLayout::Folders), CohortLayout::of).map_err(Failure::Usage)?;
+        let setup = match self.truth_tables {
+            Some(TruthTables::All) => setup.truth(TruthKept::All),
+            Some(TruthTables::Brief) => setup.truth(TruthKept::Brief),
+            None => setup,
+        };
+        let cohort = setup.layout(layout).start()?;
+        self.remark(opened, length);
+        if !self.output.quiet {
+            cohort::foretell(opened, &cohort, layout, length, self.truth_tables.is_some());
+        }
+        let progress = self.output.progress(cohort.progress().length);
+        let lived = match to {
+            Some(place) => cohort.store_in(place.path(), |lived| show(&progress, 0, lived)),
+            None => cohort.store(|lived| show(&progress, 0, lived)),
+        };
+        self.tell_cohort(&progress, &lived?, signals)
+    }
+
+    /// Nobody is lived where something was asked that a cohort does not do: all of it is told.
+    fn suits_a_cohort(&self) -> Result<(), Failure> {
+        let refused = [
+            (
+                self.output.truth.is_some(),
+                "--truth: the truth of each member lies apart from all logs where the cohort does; --truth-tables says how much of it is kept",
+            ),
+            (self.record.is_some(), "--record: each member has a recording where the cohort lies"),
+            (self.output.force, "--force: a cohort replaces nothing; it begins where nothing is"),
+            (
+                self.pace.is_said(),
+                "--speed, --paused and --control: members are lived as fast as they can; homebody fleet lives many homes on the world's clock",
+            ),
+            (self.watched.is_said(), "--metrics: it is of one run, or of a fleet"),
+        ];
+        let refused: Vec<&str> = refused.iter().filter_map(|(is_asked, why)| is_asked.then_some(*why)).collect();
+        match refused.is_empty() {
+            true => Ok(()),
+            false => Err(Failure::Usage(format!("{}\n  hint: leave that out of a cohort", refused.join("\n")))),
+        }
     }
 
     /// Where all members of a cohort go together; None for a folder each.
@@ -198,7 +261,10 @@ impl Arguments {
 
     /// Goes on with a run or a cohort that was killed or stopped.
     fn go_on(&self, folder: &Path, signals: &Signals) -> Result<(), Failure> {
-        if folder.join(LIST).is_file() {
+        // Of a cohort in a store, both its URL and what --out was are understood.
+        let place = folder.to_str().and_then(|text| text.parse::<Url>().ok()).filter(Url::is_in_store);
+        let folder = place.as_ref().map_or(folder, Url::path);
+        if folder.to_string_lossy().contains("://") || folder.join(LIST).is_file() {
             if self.pace.is_said() {
                 let what = "the members of a cohort are lived as fast as they can";
                 return Err(Failure::usage(format!("{what}\n  hint: leave out --speed, --paused and --control")));

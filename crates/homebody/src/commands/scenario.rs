@@ -13,6 +13,11 @@ pub struct Chosen {
 }
 
 impl Chosen {
+    /// What the user calls it.
+    pub fn name(&self) -> String {
+        self.scenario.display().to_string()
+    }
+
     /// Where it comes from.
     pub fn source(&self) -> Result<Source, Error> {
         self.trust.source(&self.scenario)

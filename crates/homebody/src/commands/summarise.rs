@@ -1,6 +1,6 @@
 //! `homebody summarise`: days in words.
 
-use super::answer::Answer;
+use super::answer::Figures;
 use super::for_programs::{ForPrograms, row};
 use super::measure::Measured;
 use super::read_log::read_log;
@@ -36,7 +36,7 @@ pub struct Arguments {
     #[command(flatten)]
     programs: ForPrograms,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
 }
 
 /// Who reads a summary.
@@ -49,8 +49,8 @@ enum Reader {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = self.measured.read()?;
-        let answer = self.answer.check([], &read.sources)?;
-        self.programs.check(false, &read.sources, self.answer.replaces())?;
+        let answer = self.figures.check(&read.sources)?;
+        self.programs.check(false, &read.sources, self.figures.replaces())?;
         let measures = self.measured.measures(&read)?;
         let subject = self.measured.subject(&read);
         let about = About { subject: &subject, last: self.last.into() };
@@ -63,7 +63,7 @@ impl Arguments {
                 Some(of_summaries(&summary, &summarise(&measures, about)))
             }
         };
-        self.programs.store(&records(&summary), &Default::default, self.answer.replaces())?;
+        self.programs.store(&records(&summary), &Default::default, self.figures.replaces())?;
         let told = Told { summary, distance, reader: self.reader };
         match self.programs.is_printed() {
             true => answer.give_to_files(&told, [], &String::new),

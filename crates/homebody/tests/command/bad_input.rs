@@ -69,6 +69,7 @@ fn what_is_asked_wrongly_is_refused() {
         ("fly", "unrecognized subcommand 'fly'"),
         ("run", "required arguments were not provided"),
         ("run flat --for 7", "write a number with its unit"),
+        ("run flat --days 7", "how long to live is said by --for, such as --for 7d"),
         ("run flat --for 0s", "longer than nothing and at most 100 years"),
         ("run flat --for -1d", "'-1"),
         ("run flat --for 101000w", "longer than nothing and at most 100 years"),
@@ -84,7 +85,7 @@ fn what_is_asked_wrongly_is_refused() {
         ("run flat --owt csv:a", "--out"),
         (
             "new home --template castle",
-            "there is none of that name; there are: by-hand, couple-with-cat, dark-hall, door-bell, house-two-floors, older-adult, robot, sphere-house, studio, tigerplace, \
+            "there is none of that name; there are: empty, by-hand, cameras, couple-with-cat, dark-hall, door-bell, house-two-floors, older-adult, postures, robot, sphere-house, studio, tigerplace, \
              tigerplace-decline, tigerplace-depression",
         ),
         ("convert flat/home.json --to csv:a --time-zone Mars/Olympus", "Mars/Olympus"),

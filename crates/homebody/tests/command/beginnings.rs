@@ -44,6 +44,26 @@ fn every_template_is_new_checked_and_run() {
 }
 
 #[test]
+fn an_empty_home_says_what_it_lacks_until_it_is_drawn() {
+    let folder = Folder::new();
+    let said = folder.run("new flat --template empty").ok().err;
+    assert!(said.contains("flat is ready, and empty") && said.contains("homebody serve flat"), "{said}");
+    folder.run("check flat").fails(2, "\"rooms\" must have");
+    let home = r#"{ "name": "flat",
+        "rooms": [{ "name": "room", "outline": [[0, 0], [6, 0], [6, 5], [0, 5]] }],
+        "walls": [{ "from": [0, 0], "to": [6, 0] }, { "from": [6, 0], "to": [6, 5] },
+                  { "from": [6, 5], "to": [0, 5] }, { "from": [0, 5], "to": [0, 0] }] }"#;
+    folder.write("flat/home.json", home);
+    folder.run("check flat").fails(2, "there is nowhere in this home to sleep");
+    let bed =
+        r#""furniture": [{ "name": "bed", "at": [1.2, 4], "size_m": [2, 0.9], "height_m": 0.6, "enterable": true }] }"#;
+    folder.write("flat/home.json", home.replace("\"to\": [0, 0] }] }", &format!("\"to\": [0, 0] }}], {bed}")));
+    let lacks = folder.run("check flat").fails(2, "there is no toilet in this home").err;
+    assert!(lacks.contains("nowhere to sit") && lacks.contains("no kitchen"), "{lacks}");
+    folder.run("new other --template nothing").fails(2, "there are: empty, by-hand");
+}
+
+#[test]
 fn the_help_names_every_template() {
     let help = Folder::new().run("new --help").ok().out;
     for template in names("scenarios") {

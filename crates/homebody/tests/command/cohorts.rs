@@ -3,6 +3,7 @@
 use crate::flat::flat;
 use crate::folder::Folder;
 use serde_json::Value;
+use std::process::Stdio;
 
 /// The example's apartment and a list of people.
 fn listed(list: &str) -> Folder {
@@ -171,6 +172,132 @@ fn another_routine_and_one_of_several_residents_may_be_meant() {
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }
+}
+
+#[test]
+fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    folder.copy_scenario("older-adult");
+    let other = folder.read("older-adult/home.json");
+    folder.write("studio/other.json", &other);
+    folder.write("people.csv", "name,home,pace_mps\nhere,,\nthere,other.json,0.5\nback,home.json,\n");
+    folder.run("run studio --profiles people.csv --for 1d --quiet").ok();
+    let told = |member: &str| {
+        let home = folder.query(&format!("runs/studio-1/{member}/truth.db"), "SELECT file, name FROM home");
+        (home, files(&folder, &format!("studio-1/{member}")))
+    };
+    let ((here, own), (there, others), (back, same)) = (told("here"), told("there"), told("back"));
+    assert_eq!((here, back), (vec!["home.json|Studio".to_owned()], vec!["home.json|Studio".to_owned()]));
+    let name = serde_json::from_str::<Value>(&other).unwrap()["name"].as_str().unwrap().to_owned();
+    assert_eq!(there, [format!("other.json|{name}")]);
+    assert_eq!(own, same, "who is said to live where the scenario has it lives there");
+    assert!(others["other.json"] == other.as_str() && others["home.json"].is_null());
+    // The logger has ids of sensors that this home lacks: those that it has keep theirs.
+    let ids = |files: &Value| {
+        let logger: Value = serde_json::from_str(files["logger.json"].as_str().unwrap()).unwrap();
+        logger["ids"].as_object().unwrap().keys().cloned().collect::<Vec<_>>()
+    };
+    assert!(ids(&others).len() < ids(&own).len());
+    assert!(ids(&others).iter().all(|sensor| other.contains(&format!("{sensor:?}"))), "{:?}", ids(&others));
+    let list: Value = serde_json::from_str(&folder.read("runs/studio-1/cohort.json")).unwrap();
+    let homes: Vec<_> = list["members"].as_array().unwrap().iter().map(|member| &member["profile"]["home"]).collect();
+    assert_eq!(homes, ["home.json", "other.json", "home.json"]);
+    folder.run("replay runs/studio-1/there/recording.json --out csv:a.csv").ok();
+    // One who is missing is lived again, with the home as it was; one of another home is nobody's.
+    let left = |name: &str| folder.read(&format!("runs/studio-1/there/{name}"));
+    let before = ["log.txt", "recording.json"].map(left);
+    folder.write("studio/other.json", folder.read("studio/home.json"));
+    std::fs::remove_dir_all(folder.path("runs/studio-1/there")).unwrap();
+    folder.run("run --resume runs/studio-1 --quiet").ok();
+    assert!(["log.txt", "recording.json"].map(left) == before);
+    // What is wrong with a home is said where the row is.
+    folder.write("studio/broken.json", other.replacen("\"motion\"", "\"notion\"", 1));
+    folder.write("people.csv", "name,home\na,none.json\nb,../home.json\nc,broken.json\n");
+    let said = folder.run("run studio --profiles people.csv --for 1d").fails(2, "3 problems").err;
+    for part in [
+        "people.csv:2:3: \"none.json\" cannot be read: there is no such file\n",
+        "hint: name a home in the scenario's folder",
+        "people.csv:3:3: \"../home.json\" is no file name inside the scenario's folder",
+        "people.csv:4:1: with this row, there is a problem at broken.json:",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+}
+
+#[test]
+fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
+    let folder = flat();
+    let asked = "run flat --residents 2 --for 1m --truth t.db --record r.json --force --speed 60 --metrics 9464";
+    let said = folder.run(asked).fails(2, "hint: leave that out of a cohort").err;
+    for part in [
+        "--truth: the truth of each member lies apart from all logs where the cohort does",
+        "--record: each member has a recording",
+        "--force: a cohort replaces nothing",
+        "--speed, --paused and --control: members are lived as fast as they can",
+        "--metrics: it is of one run",
+    ] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    folder.run("run flat --for 1m --truth-tables brief").fails(2, "hint: the truth of one run has all tables");
+    assert!(!folder.path("runs").exists());
+    // It begins where nothing is, but for what is hidden.
+    folder.write("mine/mine.txt", "mine");
+    folder.run("run flat --residents 2 --for 1m --out csv:mine").fails(1, "mine holds mine.txt already");
+    folder.write("new/.hidden", "");
+    folder.run("run flat --residents 2 --for 1m --quiet --out csv:new").ok();
+    folder
+        .run("run flat --residents 2 --for 1m --quiet --out csv:new")
+        .fails(1, "a cohort was begun there: go on with it");
+}
+
+#[test]
+fn of_a_brief_truth_the_tables_with_few_rows_are_kept_and_replay_has_the_others() {
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    let run = "run studio --residents 1 --for 1d --quiet";
+    folder.run(&format!("{run} --truth-tables brief")).ok();
+    folder.run(&format!("{run} --truth-tables all")).ok();
+    let tables = |run: &str| {
+        let sql = "SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name";
+        folder.query(&format!("runs/{run}/0001/truth.db"), sql)
+    };
+    let (brief, all) = (tables("studio-1"), tables("studio-2"));
+    let gone: Vec<_> = all.iter().filter(|name| !brief.contains(name)).collect();
+    assert_eq!(gone, ["cause", "lost", "movement", "off"]);
+    folder.run("doctor runs/studio-1/0001").ok();
+    folder.run("day runs/studio-1/0001 first").ok();
+    let log = "label runs/studio-1/0001 --to csv:labelled.csv";
+    folder.run(log).fails(1, "leaves out the table \"cause\", as the truths of large cohorts do");
+    folder.run("replay runs/studio-1/0001/recording.json --out csv:log.csv --truth again.db").ok();
+    let rooms = |place: &str| folder.query(place, "SELECT resident, at, room FROM room ORDER BY rowid");
+    assert_eq!(rooms("again.db"), rooms("runs/studio-1/0001/truth.db"));
+    let causes = |place: &str| folder.query(place, "SELECT count(*) FROM cause");
+    assert_eq!(causes("again.db"), causes("runs/studio-2/0001/truth.db"));
+    // A member of it that was killed goes on with what it keeps.
+    std::fs::remove_file(folder.path("runs/studio-1/0001/truth.db")).unwrap();
+    folder.run("run --resume runs/studio-1 --quiet").ok();
+    assert_eq!(tables("studio-1"), brief);
+}
+
+#[test]
+fn a_large_cohort_says_before_what_it_writes_and_leaves_out() {
+    let folder = Folder::new();
+    folder.copy_scenario("studio");
+    let mut command = folder.command("run studio --residents 100000 --for 365d --out parquet:cohort");
+    let mut running = command.stderr(Stdio::piped()).spawn().unwrap();
+    folder.until("a member is lived", |folder| folder.path("cohort/members/000001").exists());
+    running.kill().unwrap();
+    let said = String::from_utf8(running.wait_with_output().unwrap().stderr).unwrap();
+    assert!(
+        said.contains("the tables cause, off, movement and lost are left out: --truth-tables all keeps them"),
+        "{said}"
+    );
+    assert!(
+        said.contains("100000 lives: about ") && said.contains(" billion rows and ") && said.contains(" GB, "),
+        "{said}"
+    );
+    assert!(folder.read("cohort/cohort.json").contains("\"truth\": \"brief\""));
 }
 
 #[test]

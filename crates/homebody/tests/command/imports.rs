@@ -21,7 +21,7 @@ const FURNITURE: &str = "
     <pieceOfFurniture name='Toilet' x='550' y='50' width='40' depth='60' height='45'/>
     <pieceOfFurniture name='Armchair' x='500' y='300' width='80' depth='80' height='90'/>";
 
-fn plan(drawn: &str) -> Vec<u8> {
+pub fn plan(drawn: &str) -> Vec<u8> {
     let mut writer = ZipWriter::new(Cursor::new(Vec::new()));
     writer.start_file("Home.xml", SimpleFileOptions::default()).unwrap();
     write!(writer, "<?xml version='1.0'?><home version='7200'>{drawn}</home>").unwrap();
@@ -65,6 +65,35 @@ fn where_nobody_can_live_somebody_stands() {
     folder.run("import full.sh3d full").ok();
     assert!(folder.read("full/scenario.json").contains("\"residents\": []"));
     folder.run("check full").ok();
+}
+
+#[test]
+fn who_does_all_that_is_said_has_a_home_to_live_in() {
+    let folder = Folder::new();
+    let bare = ROOM.replace("Kitchen", "Room");
+    folder.write("room.sh3d", plan(&bare));
+    let said = folder.run("import room.sh3d mine").ok().err;
+    let hints = said.lines().filter_map(|line| line.split_once("there is room in \"Room\": add to \"furniture\" "));
+    let pieces: Vec<&str> = hints.map(|(_, piece)| piece).collect();
+    assert_eq!(pieces.len(), 4, "a bed, a toilet, a seat, a fridge: {said}");
+    let home = folder.read("mine/home.json");
+    let furnished = home.replacen("\"furniture\": []", &format!("\"furniture\": [{}]", pieces.join(", ")), 1);
+    folder.write("mine/home.json", furnished);
+    folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "routine": "anna.routine" } }"#);
+    folder.write("mine/anna.routine", "Anna is 80.\n");
+    folder.run("check mine").ok();
+    // Each is needed.
+    for index in 0..pieces.len() {
+        let others: Vec<&str> =
+            pieces.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, piece)| *piece).collect();
+        folder.write(
+            "mine/home.json",
+            home.replacen("\"furniture\": []", &format!("\"furniture\": [{}]", others.join(", ")), 1),
+        );
+        let is_bed = pieces[index].contains("\"bed\"");
+        // Whoever has no bed sleeps in an armchair.
+        assert_eq!(folder.run("check mine").code, Some(if is_bed { 0 } else { 2 }), "{}", pieces[index]);
+    }
 }
 
 #[test]
@@ -117,7 +146,7 @@ fn a_level_is_chosen_by_its_name() {
     folder.write("house.sh3d", plan(&format!("{level}{below}{above}{FURNITURE}")));
     let said = folder.run("import house.sh3d above").ok().err;
     assert!(
-        said.contains("of 2 levels, this is 2 \"Above\", which has the most walls; left out are 1 \"Below\""),
+        said.contains("of 2 levels, this is 2 \"Above\", by which people come home; left out are 1 \"Below\""),
         "{said}"
     );
     folder.run("import house.sh3d below --level below").ok();

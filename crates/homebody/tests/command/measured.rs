@@ -112,6 +112,23 @@ fn sensors_are_placed() {
     // What goes for another tells more.
     let swapped = placed["swapped"].as_array().unwrap();
     assert!(swapped.iter().all(|swap| score(swap) > score(&steps[2])), "{placed}");
+    // What is said of the floor is what the coverage says, of the home as it is and of one that takes what is proposed.
+    let seen = |layout: &Value| {
+        let falls = layout["goals"].as_array().unwrap().iter().find(|goal| goal["goal"] == "falls").unwrap();
+        falls["value"].as_f64().unwrap()
+    };
+    let covered =
+        || 1.0 - folder.run("coverage studio --json").ok().json()["whole"]["seen_by"]["none"].as_f64().unwrap();
+    let own = covered();
+    assert!((seen(&placed["own"]) - own).abs() < 1e-4, "{own} of {}", placed["own"]);
+    let mut home: Value = serde_json::from_str(&folder.read("studio/home.json")).unwrap();
+    home["sensors"].clone_from(&placed["sensors"]);
+    folder.write("studio/home.json", home.to_string());
+    // Its logger speaks of sensors that are gone.
+    let scenario = folder.read("studio/scenario.json");
+    folder.write("studio/scenario.json", scenario.replace("\"logger\": \"logger.json\",", ""));
+    let (last, taken) = (swapped.last().unwrap_or(&steps[2]), covered());
+    assert!((seen(last) - taken).abs() < 1e-4, "{taken} of {last}");
     folder.run("place studio --to-see luck,depression").fails(2, "there is no \"luck\"");
 }
 

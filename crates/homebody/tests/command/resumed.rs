@@ -10,7 +10,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// How often each kind of log is killed; `HOMEBODY_KILLS` says otherwise.
-const KILLS: u64 = 5;
+const KILLS: u64 = 3;
 
 /// What a run leaves in its folder for one kind of log.
 const KINDS: &[(&str, &str)] = &[
@@ -29,7 +29,8 @@ const KINDS: &[(&str, &str)] = &[
     ("arrow", "log.arrow"),
 ];
 
-const SPAN: &str = "3d";
+/// From eight in the morning until after midnight: of a data set there are files of two days.
+const SPAN: &str = "18h";
 
 /// A scenario whose log goes to one place, and how long a run of it takes that nothing disturbs: it is `runs/flat-1`.
 fn undisturbed(scheme: &str, log: &str) -> (Folder, Duration) {

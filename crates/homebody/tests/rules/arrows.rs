@@ -36,6 +36,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
             "homebody-analysis",
             "homebody-arrow",
             "homebody-core",
+            "homebody-import",
             "homebody-infer",
             "homebody-log",
             "homebody-mqtt",
@@ -49,6 +50,7 @@ const ARROWS: [(&str, &[&str]); 18] = [
         &[
             "homebody-analysis",
             "homebody-core",
+            "homebody-experiment",
             "homebody-import",
             "homebody-kit",
             "homebody-log",
@@ -103,7 +105,8 @@ const ARROWS: [(&str, &[&str]); 18] = [
 ];
 
 /// Dev-dependencies besides, and why.
-const BACKWARD: [(&str, &str, &str); 2] = [
+const BACKWARD: [(&str, &str, &str); 3] = [
+    ("homebody", "homebody-walk", "the tests count to how much of an imported plan there is a way"),
     ("homebody-core", "homebody-log", "the benchmarks hold the kernel beside the database that stores its firings"),
     ("homebody-picture", "homebody-log", "the tests draw what was analysed of logs"),
 ];

@@ -13,7 +13,7 @@ const DOCUMENTS: [&str; 3] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"];
 const STARTS: [&[&str]; 3] = [&["cargo", "run", "--release", "--"], &["./target/release/homebody"], &["homebody"]];
 
 /// The commands that need only files and take no more than seconds.
-const QUICK: [&str; 13] = [
+const QUICK: [&str; 14] = [
     "check",
     "compare",
     "completions",
@@ -22,6 +22,7 @@ const QUICK: [&str; 13] = [
     "day",
     "density",
     "new",
+    "parts",
     "plan",
     "replay",
     "routine",

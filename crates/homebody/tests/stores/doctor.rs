@@ -256,7 +256,7 @@ fn broker_keeps(broker: &Broker) -> String {
     String::from_utf8(heard.stdout).unwrap()
 }
 
-/// Before there was a table `outside`, truths had none; they are as whole as they were.
+/// Before there were tables `outside` and `home`, truths had none; they are as whole as they were.
 #[test]
 fn a_truth_of_an_earlier_version_is_whole() {
     let folder = flat();
@@ -266,10 +266,12 @@ fn a_truth_of_an_earlier_version_is_whole() {
         fs::copy(folder.path("truth.db"), folder.path("older.db")).unwrap();
         Connection::open(folder.path("older.db")).unwrap().execute_batch(&format!("DROP TABLE {later}")).unwrap();
     };
-    older("outside");
+    older("outside; DROP TABLE home");
     is_whole(&folder, "older.db");
     folder.run("label log.csv older.db --to csv:labelled.csv").ok();
-    fs::remove_dir_all(folder.path("truth/outside")).unwrap();
+    for later in ["outside", "home"] {
+        fs::remove_dir_all(folder.path(&format!("truth/{later}"))).unwrap();
+    }
     is_whole(&folder, "parquet:truth");
     // The control: what there always was is missing.
     older("room");
@@ -283,7 +285,7 @@ fn a_truth_of_an_earlier_version_is_whole() {
     folder.run(&format!("run flat --for 10m --quiet --out {url} --truth {url}")).ok();
     server.psql(
         &database,
-        "DROP TABLE truth.outside; UPDATE truth.homebody_run SET rows = rows[1:10], tables = tables[1:10];
+        "DROP TABLE truth.outside, truth.home; UPDATE truth.homebody_run SET rows = rows[1:10], tables = tables[1:10];
          CREATE ROLE carer LOGIN; GRANT USAGE ON SCHEMA truth TO carer;
          GRANT INSERT, SELECT, UPDATE ON ALL TABLES IN SCHEMA public, truth TO carer",
     );

@@ -1,5 +1,5 @@
 import { flushSync, mount, unmount } from 'svelte';
-import { afterEach, beforeEach, expect, test } from 'vitest';
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { Live } from '../../live.svelte';
 import { Server } from '../../server';
 import type { CareView, NoteIt, NoteView, StoredView, WalksView } from '../../wire';
@@ -83,6 +83,12 @@ beforeEach(() => {
   answers = { '/api/runs': [stored('a'), stored('b')], '/api/logs': [], '/api/walk': null, '/api/runs/a/care': care('a'), '/api/runs/b/care': care('b', 'sensors') };
 });
 afterEach(() => unmount(view));
+
+test('of twins the menu says which was lived without what', async () => {
+  answers['/api/runs'] = [stored('a'), { ...stored('b'), without: ['low_mood'] }];
+  await begin();
+  expect([...document.querySelectorAll('#care-run option')].map((option) => option.textContent!.split(' · ')[0])).toEqual(['a', 'b without low mood']);
+});
 
 test('the day, what has changed and what is worth a look are told in words', async () => {
   await begin();
@@ -207,10 +213,23 @@ test('several alerts about sensors of one day are all told', async () => {
   expect(text()).toContain('The sensor bed has said nothing');
 });
 
+test('of runs of which nothing is written yet the one before is shown, unless it is asked for', async () => {
+  answers['/api/runs'] = [stored('lived'), stored('a')];
+  await begin();
+  expect([one<HTMLSelectElement>('select').value, text().includes('Slept 4.0 hours'), document.querySelector('[role="alert"]')?.textContent ?? '']).toEqual(['a', true, '']);
+  await unmount(view);
+  await begin('#/care/lived');
+  expect(text()).toContain('There is no such run.');
+});
+
 test('what goes wrong is said', async () => {
   answers = { '/api/runs': [], '/api/walk': null };
   await begin();
   expect(text()).toContain('No run is stored yet');
+  const chosen = vi.fn();
+  one<HTMLInputElement>('input[type="file"]').click = chosen;
+  one<HTMLButtonElement>('p.about button').click();
+  expect(chosen).toHaveBeenCalledOnce();
   await unmount(view);
   answers = { '/api/runs': [stored('a')], '/api/walk': null };
   await begin();

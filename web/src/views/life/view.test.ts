@@ -71,10 +71,16 @@ test('what is wrong is underlined and told, and so is that the days are those of
   live.drafts.write('0.routine', ROUTINE.replace('gets up', 'wtches'));
   for (let turn = 0; turn < 12; turn++) await settle();
   expect(editor().querySelector('.cm-lintRange-error')!.textContent).toBe('wtches');
+  expect(region('How it was understood').textContent).not.toContain('about 06:45');
   expect(region('Problems').textContent).toContain('1 problem');
   expect(region('Problems').textContent).toContain('did you mean "watches television"?');
   expect(region('Days').textContent).toContain('Drawn as it was before the mistake.');
   expect([button('Watch it').disabled, button('Live all of it').disabled]).toEqual([true, true]);
+  button('Write “watches television”').click();
+  flushSync();
+  expect(live.drafts.text('0.routine')).toBe(ROUTINE.replace('gets up', 'watches television'));
+  button('Undo: Write').click();
+  expect(live.drafts.text('0.routine')).toBe(ROUTINE.replace('gets up', 'wtches'));
 });
 
 test('where the days are not lived to their end, it is said until when', async () => {
@@ -154,6 +160,14 @@ test('a condition is added as a sentence', async () => {
 
 test('where all of it has been lived it can be played back', async () => {
   await begin();
+  const told = () => document.querySelector('.generate')!.textContent!;
+  live.frame = frame({ state: 'paused', now_us: 86_400_000_000 });
+  flushSync();
+  expect(told()).toContain('both end cottage-1 at day 2 of 31; it is kept');
+  expect(button('Live all of it').title).toContain('cottage-1 ends at day 2 of 31 and is kept');
+  live.frame = frame({});
+  flushSync();
+  expect(told()).not.toContain('both end');
   button('Live all of it').click();
   for (let turn = 0; turn < 3; turn++) await settle();
   live['hear']({ tell: 'run', run: madeUpRun() });

@@ -124,6 +124,27 @@ test('what has been saved since the run began is told, and a run is begun anew o
   expect(sent).toEqual([{ say: 'start', driven: null, without: [], seed: null }]);
 });
 
+test('of a home whose files are gone it is said that they are, with a run and without one, and no more once they are back', () => {
+  const said = () => document.querySelector('.gone')?.textContent!.replace(/\s+/g, ' ') ?? '';
+  const files = (...names: string[]) => {
+    live.drafts.files = { entry: 'scenario.json', home: 'home.json', logger: null, lives: [], files: names.map((name) => ({ name, version: 'v', text: '' })) };
+    flushSync();
+  };
+  expect(said()).toBe('');
+  files('home.json');
+  expect(said()).toBe('');
+  files();
+  expect(said()).toContain('This home is gone');
+  expect(said()).toContain('The run that you see goes on, but no other can begin.');
+  show({ state: 'over' });
+  expect(said()).not.toContain('goes on, but');
+  live.run = null;
+  flushSync();
+  expect(said()).toContain('This home is gone');
+  files('home.json');
+  expect(said()).toBe('');
+});
+
 test('a stove is turned on and a wardrobe opened, and who is out finds the door', () => {
   const things = live.run!.home.things;
   expect(things.length).toBeGreaterThan(0);
@@ -236,6 +257,20 @@ test('what is chosen for the next run, and what is not saved yet, is said to wai
   live.drafts.write('home.json', '{}');
   flushSync();
   expect(said()).toContain('home.json is not saved: a new run goes by what is on disk.');
+});
+
+test('what becomes of the run that goes on is said, and what went wrong stays until it is read', () => {
+  const said = () => document.querySelector('[aria-label="Run"]')!.textContent!.replace(/\s+/g, ' ');
+  expect(said()).not.toContain('A new run ends');
+  show({ now_us: 3_600e6 });
+  expect(said()).toContain(`A new run ends ${live.run!.id} where it is; it is kept, and listed in Playback.`);
+  expect(button('New run').title).toContain('is kept as far as it has come');
+  live.note('The disk is full.', true);
+  live.note('All is well.', false);
+  vi.advanceTimersByTime(3_600_000);
+  expect(live.notes.map(({ text }) => text)).toEqual(['The disk is full.']);
+  live.dismiss(live.notes[0]!.id);
+  expect(live.notes).toEqual([]);
 });
 
 test('what is chosen for the next run stays when the run is told of again', () => {

@@ -3,8 +3,8 @@
 import type { At } from '../../plan/geometry';
 import { type Bounds, type Size, type View, fit, pan, toPlan, toScreen, zoom } from '../../plan/transform';
 
-/** Tools and the scale lie at the edges. */
-const INSETS = { left: 30, top: 48, right: 60, bottom: 46 };
+/** Dimension lines, tools and the scale lie at the edges. */
+const INSETS = { left: 58, top: 48, right: 60, bottom: 84 };
 /** Nearer to the edge than this, what is asked for is brought to the middle. */
 const EDGE = 50;
 

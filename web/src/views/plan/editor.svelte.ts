@@ -3,12 +3,14 @@
 
 import type { Drafts } from '../../drafts.svelte';
 import type { Forget, Named, NamesView, Rename } from '../../wire';
+import type { Device } from '../../devices';
 import { History } from '../../history.svelte';
 import { type Change, type Fault, apply, insert } from '../../json';
 import type { At } from '../../plan/geometry';
 import { copyOf, type Piece, type SensorKind } from './library';
-import { type Element, type Home, type List, type Value, isHome, readHome } from './model';
+import { type Element, type Home, type List, type Value, isHome, of, readHome } from './model';
 import { turnBy, move } from './move';
+import type { Place, Underlay } from './underlay.svelte';
 
 export type Tool =
   | { tool: 'select' }
@@ -18,13 +20,16 @@ export type Tool =
   | { tool: 'door' }
   | { tool: 'place' }
   | { tool: 'furniture'; piece: Piece }
-  | { tool: 'sensor'; kind: SensorKind }
+  | { tool: 'sensor'; kind: SensorKind; device?: Device }
   | { tool: 'scale' };
 
 /** Texts of other files that a step has changed, with what they were and what it made of them. */
 type Others = Record<string, { was: string; is: string }>;
 
-type Former = { text: string; selected: string[]; others?: Others };
+/** How the picture under the plan lay, and which it was. */
+type Laid = { name: string; place: Place };
+
+type Former = { text: string; selected: string[]; others?: Others; laid?: Laid };
 
 const KINDS: Partial<Record<List, Named>> = { rooms: 'room', doors: 'door', furniture: 'furniture', places: 'place', sensors: 'sensor' };
 
@@ -40,6 +45,8 @@ export class Editor {
   copied = $state.raw<{ list: List; value: Value }[]>([]);
   /** What still speaks of things that were deleted, and the texts without that. */
   left = $state.raw<NamesView | null>(null);
+  /** The picture under the plan: how it lies is a step as well. */
+  underlay: Pick<Underlay, 'name' | 'lies' | 'lie'> | null = null;
   private readonly history = new History<Former>();
   private known: string | undefined;
   /** The text as it was when a drag began. */
@@ -91,6 +98,22 @@ export class Editor {
     this.selected = selected;
   }
 
+  /** The picture under the plan comes to lie otherwise. */
+  lay(part: Partial<Place>, tag = ''): void {
+    const { text, laid } = this;
+    if (text === undefined || laid === undefined || this.underlay === null) return;
+    const known: Partial<Place> = laid.place;
+    if (Object.entries(part).every(([name, value]) => JSON.stringify(value) === JSON.stringify(known[name as keyof Place]))) return;
+    this.history.keep({ text, selected: this.selected, laid }, tag);
+    void this.underlay.lie(part);
+  }
+
+  private get laid(): Laid | undefined {
+    if (this.underlay === null) return undefined;
+    const { name, lies: { at, width_m, turn_deg } } = this.underlay;
+    return { name, place: { at, width_m, turn_deg } };
+  }
+
   /** Texts of several files take the places of those there are, as one step. */
   writeAll(texts: Record<string, string>): void {
     const { [this.file ?? '']: own, ...rest } = texts;
@@ -112,9 +135,14 @@ export class Editor {
     const { text } = this;
     try {
       const asked = { draft: this.drafts.draft, kind, from: element.name, to: name } satisfies Rename;
-      const { mentions, texts } = await this.drafts.server.post<NamesView>('/api/rename', asked);
-      // Somebody has drawn on meanwhile, or there is no more than the thing itself.
-      if (this.text !== text || this.file === null || texts[this.file] === undefined) return alone();
+      const { mentions, texts, is_shared } = await this.drafts.server.post<NamesView>('/api/rename', asked);
+      // Somebody has drawn on meanwhile.
+      if (this.text !== text || this.file === null) return alone();
+      if (texts[this.file] === undefined) {
+        alone();
+        if (is_shared) this.said = 'Renamed only here: another has this name, and sentences may mean that one.';
+        return;
+      }
       this.writeAll(texts);
       const files = new Set(mentions.map(({ file }) => file).filter((file) => file !== this.file));
       this.said = `Renamed${files.size > 0 ? `, in ${[...files].join(', ').slice(0, 200)} as well` : ''}.`;
@@ -126,7 +154,7 @@ export class Editor {
   /** Asks what still speaks of what was deleted. */
   private async forget(gone: Element[]): Promise<void> {
     const { text } = this;
-    const left: NamesView = { mentions: [], texts: {} };
+    const left: NamesView = { mentions: [], texts: {}, is_shared: false };
     for (const [list, kind] of Object.entries(KINDS)) {
       const names = gone.filter((element) => element.list === list && element.name !== '').map(({ name }) => name);
       if (names.length === 0 || kind === undefined) continue;
@@ -209,6 +237,18 @@ export class Editor {
     void this.forget(chosen);
   }
 
+  /** Sensors come, and others go, as one step; what still speaks of those is told. */
+  exchange(gone: Element[], fresh: Value[]): void {
+    const { home } = this;
+    if (home === null) return;
+    const kept = of(home, 'sensors').length - gone.length;
+    const without = apply(home.text, gone.map(({ list, index }) => ({ path: [list, index], value: undefined })));
+    this.write(fresh.reduce((text, sensor) => insert(text, 'sensors', sensor), without), '', fresh.map((_, index) => `sensors/${kept + index}`));
+    this.left = null;
+    const names = new Set(fresh.map(({ name }) => name));
+    void this.forget(gone.filter(({ name }) => !names.has(name)));
+  }
+
   copy(): void {
     if (this.chosen.length > 0) this.copied = this.chosen.map(({ list, value }) => ({ list, value }));
   }
@@ -256,6 +296,11 @@ export class Editor {
     if (former === undefined) return;
     this.held = null;
     this.left = null;
+    // Another picture may lie there by now.
+    if (former.laid !== undefined && former.laid.name === this.laid?.name) {
+      now.laid = this.laid;
+      void this.underlay?.lie(former.laid.place);
+    }
     now.others = {};
     for (const [name, { was, is }] of Object.entries(former.others ?? {})) {
       // What was written there since stays.

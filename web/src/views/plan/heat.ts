@@ -1,7 +1,8 @@
 // How many sensors see each spot of the floor, as colours; what none sees is hatched and has a number, so that colour is
 // never alone.
 
-import { type Palette, viridis } from '../../plan/palette';
+import type { At } from '../../plan/geometry';
+import type { Palette } from '../../plan/palette';
 import { FONT, type Pen, text, trace } from '../../plan/pen';
 import { type View, toScreen } from '../../plan/transform';
 import type { CoverageView } from '../../wire';
@@ -18,11 +19,11 @@ export type Mode = (typeof MODES)[number]['id'];
 const NOWHERE = 255;
 const OPACITY = 0.62;
 
-/** The colours of spots that are seen by one, two, three and more. */
-export const COLOURS = [0.25, 0.55, 0.78, 0.97].map(viridis);
+/** The colours of spots that are seen by one, by two, by three and more: those of the sheet that is printed. */
+export const COLOURS = ['#f2e96b', '#4fbf83', '#31688e'] as const;
 
 /** What only the chosen sensor sees, and what others see as well. */
-export const ALONE = { only: viridis(0.97), others: viridis(0.45) };
+export const ALONE = { only: COLOURS[0], others: COLOURS[1] };
 
 /** The colour of each cell, nothing where it has none. */
 export function colours(coverage: CoverageView, mode: Mode, alone: CoverageView | null): (string | null)[] {
@@ -98,14 +99,17 @@ export function drawDeadZones(pen: Pen, view: View, coverage: CoverageView, pale
   pen.globalAlpha = 1;
 }
 
-/** The numbers of dead zones that are large enough on the screen to have one. */
+/** The numbers of dead zones that are large enough on the screen to have one, and where they are. */
+export function numbersOf({ dead_zones }: CoverageView, view: View): { number: number; at: At }[] {
+  const large = dead_zones.filter(({ area_m2 }) => area_m2 * view.scale * view.scale >= 120);
+  return large.map(({ number, middle }) => ({ number, at: toScreen(view, middle) }));
+}
+
 export function drawNumbers(pen: Pen, view: View, coverage: CoverageView, palette: Palette): void {
   pen.font = `700 11px ${FONT}`;
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
-  for (const { number, middle, area_m2 } of coverage.dead_zones) {
-    if (area_m2 * view.scale * view.scale < 120) continue;
-    const [x, y] = toScreen(view, middle);
+  for (const { number, at: [x, y] } of numbersOf(coverage, view)) {
     pen.beginPath();
     pen.arc(x, y, 9, 0, 2 * Math.PI);
     pen.fillStyle = palette.halo;

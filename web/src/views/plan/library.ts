@@ -1,9 +1,11 @@
 // What can be put into a home: furniture of usual sizes, and sensors of all kinds. The sizes are typical ones, ours.
 
+import type { Device } from '../../devices';
 import { type At, inside } from '../../plan/geometry';
 import { rowOf } from '../../plan/kinds';
 import { spoken } from '../../plan/words';
 import { SENSOR_KINDS } from '../../sensors';
+import { madeOf } from './devices';
 import { type Element, type Home, type List, type Value, formOf, of, spanOf } from './model';
 import { exact, toSegment, turnedBox, wrapped } from './shape';
 import { type Targets, mount } from './snap';
@@ -62,7 +64,7 @@ export const PIECES = FURNITURE.flatMap(({ pieces }) => pieces);
 
 export type SensorKind = keyof typeof SENSOR_KINDS;
 
-/** Where a kind of sensor belongs: on a wall, on the ceiling over an area, on a thing, in a room. */
+/** Where a kind of sensor belongs: on a wall, on the ceiling over an area, on a thing, in a room, at a point of one. */
 export type Mount = (typeof SENSOR_KINDS)[SensorKind]['mount'];
 
 export const SENSORS = Object.fromEntries(Object.entries(SENSOR_KINDS).map(([kind, { mount }]) => [kind, mount])) as Record<SensorKind, Mount>;
@@ -71,6 +73,9 @@ export const DOOR_WIDTH_M = 0.9;
 
 /** The side of the area that a sensor on the ceiling sees at first. */
 export const AREA_M = 1.2;
+
+/** So far from a click the wall is looked for on which a sensor is put up. */
+export const FARTHEST_PUT_UP_M = 3;
 
 /** A door is thin, and is hit beside it, too. */
 const NEAR_DOOR_M = 0.25;
@@ -87,23 +92,38 @@ function roomAt(home: Home, at: At): Element | undefined {
   return of(home, 'rooms').find((room) => inside(formOf(room) ?? [], at));
 }
 
-export function newPiece(home: Home, { name, size_m, height_m, enterable }: Piece, at: At): Value {
-  return { name: freshName(home, name), at: exact(at), size_m, height_m, enterable };
+/** Whether a sensor hangs in a room, or sees an area of it. */
+function inRoom(home: Home, value: Value, room: Element | undefined): boolean {
+  const spot = (value.at ?? (value.area as At[] | undefined)?.[0]) as At | undefined;
+  return spot !== undefined && room !== undefined && roomAt(home, spot)?.id === room.id;
+}
+
+export function newPiece(home: Home, { name, size_m, height_m, enterable }: Piece, at: At, turn_deg = 0): Value {
+  return { name: freshName(home, name), at: exact(at), size_m, turn_deg: turn_deg === 0 ? undefined : turn_deg, height_m, enterable };
 }
 
 /** A sensor where somebody has clicked; a sentence that says what to do, where it cannot be there. */
-export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets, grid_m: number | null): Value | string {
+export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets, grid_m: number | null, device?: Device): Value | string {
   const word = spoken(kind);
   const named = (of: string) => freshName(home, `${of} ${word}`.trim().slice(0, 90), ['sensors']);
   const room = roomAt(home, at);
   switch (SENSORS[kind]) {
     case 'wall': {
-      const mounted = mount(at, targets, grid_m, 3) ?? { at: exact(at), normal_deg: 0 };
-      return { kind, name: named(roomAt(home, mounted.at)?.name ?? ''), at: mounted.at, height_m: 2.1, facing_deg: wrapped(mounted.normal_deg) };
+      const mounted = mount(at, targets, grid_m, FARTHEST_PUT_UP_M) ?? { at: exact(at), normal_deg: 0 };
+      return { kind, name: named(roomAt(home, mounted.at)?.name ?? ''), at: mounted.at, height_m: 2.1, facing_deg: wrapped(mounted.normal_deg), ...(device && madeOf(device)) };
     }
     case 'ceiling': {
       const area = turnedBox(at, [AREA_M, AREA_M], 0).map(exact);
       return { kind, name: named(room?.name ?? ''), area };
+    }
+    case 'free': {
+      // Without snapping it hangs where somebody wants it, as from the ceiling.
+      const mounted = (grid_m === null ? null : mount(at, targets, grid_m, FARTHEST_PUT_UP_M)) ?? { at: exact(at), normal_deg: 0 };
+      const room = roomAt(home, mounted.at);
+      // A camera that sleeps needs whoever wakes it: the sensors of its room that see movement.
+      const wakers = of(home, 'sensors').filter(({ value }) => (value.kind === 'motion' || value.kind === 'ceiling_motion') && inRoom(home, value, room));
+      const woken = wakers.length > 0 ? { woken_by: wakers.map(({ name }) => name) } : { always: true };
+      return room ? { kind, name: named(room.name), at: mounted.at, facing_deg: wrapped(mounted.normal_deg), ...woken } : `Click into the room that the ${word} looks at.`;
     }
     case 'room':
       return room ? { kind, name: named(room.name), room: room.name } : `Click into the room that the ${word} sensor measures.`;

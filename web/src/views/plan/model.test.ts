@@ -74,7 +74,7 @@ test('the enclosed space around a point is found, whatever meets there', () => {
 
 test('all kinds of sensors and all furniture can be put into the home, under names of their own', () => {
   const targets = targetsOf(flat, new Set());
-  const spots: Record<(typeof SENSORS)[SensorKind], [number, number]> = { wall: [0.3, 1], ceiling: [2, 1], thing: [1, 2], room: [5, 2] };
+  const spots: Record<(typeof SENSORS)[SensorKind], [number, number]> = { wall: [0.3, 1], ceiling: [2, 1], thing: [1, 2], room: [5, 2], free: [5, 2] };
   for (const kind of Object.keys(SENSORS) as SensorKind[]) {
     const value = newSensor(flat, kind, spots[SENSORS[kind]], targets, 0.05);
     expect(typeof value, kind).toBe('object');
@@ -92,7 +92,7 @@ test('all kinds of sensors and all furniture can be put into the home, under nam
 
 test('fields come from the schema, with their bounds, units and what holds without them', () => {
   const fields = new Map(fieldsOf(flat.byId.get('sensors/0')!).map((field) => [field.path.at(-1), field]));
-  expect(fields.get('facing_deg')).toMatchObject({ form: 'number', unit: '°', required: true, bounds: { least: -360, most: 360 }, label: 'Looks to' });
+  expect(fields.get('facing_deg')).toMatchObject({ form: 'number', unit: '°', required: true, bounds: { least: -360, most: 360 }, label: 'Looks to, from east' });
   expect(fields.get('reach_m')).toMatchObject({ form: 'number', unit: 'm', required: false, fallback: 10 });
   expect(fields.get('field_deg')).toMatchObject({ form: 'numbers', fallback: [145, 50] });
   expect(fields.get('at')).toMatchObject({ form: 'numbers', unit: 'm', words: ['East', 'North'] });
@@ -104,8 +104,14 @@ test('fields come from the schema, with their bounds, units and what holds witho
   expect(role.form === 'choice' && role.options.slice(0, 2).map(({ value, title, about }) => [value, title, about])).toEqual([
     ['', 'as its name says', ''], ['bed', 'bed', 'Where somebody sleeps.'],
   ]);
-  expect(fieldsOf(flat.byId.get('rooms/0')!).map(({ form }) => form)).toEqual(['text', 'corners']);
+  expect(fieldsOf(flat.byId.get('rooms/0')!).map(({ form }) => form)).toEqual(['text', 'corners', 'text', 'number']);
   expect(fieldsOf(flat.byId.get('sensors/1')!).map(({ form }) => form)).toEqual(['text', 'bearer', 'list', 'number', 'numbers', 'numbers', 'number']);
+  const camera = new Map(fieldsOf({ ...flat.byId.get('sensors/0')!, value: { kind: 'camera' } }).map((field) => [field.path.at(-1), field]));
+  expect(camera.get('woken_by')).toMatchObject({ form: 'names', label: 'Woken by', required: false });
+  expect(camera.get('pixels')).toMatchObject({ form: 'numbers', words: ['Columns', 'Rows'], unit: '', fallback: [160, 120] });
+  expect(camera.get('frames_per_s')).toMatchObject({ form: 'number', label: 'Frames', unit: 'a second', fallback: 5 });
+  const notice = fields.get('notice')!;
+  expect(notice.form === 'way' && notice.options[0]).toMatchObject({ value: '', title: 'as its device does' });
   expect(homeFields().map(({ path }) => path)).toEqual([['name'], ['about'], ['latitude_deg']]);
   for (const list of ['rooms', 'walls', 'doors', 'furniture', 'places'] as const) expect(fieldsOf(of(flat, list)[0]!).length).toBeGreaterThan(0);
 });
@@ -115,11 +121,22 @@ test('problems are led back to the elements they mean', () => {
   const problem = { file: 'home.json', line, column: 7, width: 4, what: 'reaches out', hint: null };
   const other = { ...problem, file: 'scenario.json' };
   const check = { problems: [problem, other], warnings: [{ ...problem, what: 'hardly meant' }] };
-  const all = listed(flat, 'home.json', check, [problem]);
+  const all = listed(home(FLAT.replace('"at": [1, 2]', '"at": [0.9, 2]')), 'home.json', check, [problem], 'metric');
   expect(all.map(({ file, element, warning }) => [file, element?.id, warning])).toEqual([
     ['home.json', 'furniture/1', false], ['scenario.json', undefined, false], ['home.json', 'furniture/1', true],
+    // Its bed reaches into a wall.
+    ['home.json', 'furniture/0', true],
   ]);
-  expect(listed(flat, 'home.json', { problems: [{ ...problem, line: 0, column: 0 }], warnings: [] }, null)[0]!.element).toBeNull();
+  expect(listed(flat, 'home.json', { problems: [{ ...problem, line: 0, column: 0 }], warnings: [] }, null, 'metric')[0]!.element).toBeNull();
+});
+
+test('many pieces that stand in something are one row with a list', () => {
+  const sofas = (count: number) => home(JSON.stringify({ furniture: Array.from({ length: count }, (_, index) => ({ name: `sofa ${index}`, at: [index, 0], size_m: [1.2, 1], enterable: true })) }));
+  const rows = (count: number) => listed(sofas(count), 'home.json', null, null, 'metric');
+  expect(rows(4).map(({ what, each }) => [what, each])).toEqual([0, 1, 2].map((index) => [`sofa ${index} reaches 0.20 m into sofa ${index + 1}`, undefined]));
+  const [row, ...more] = rows(40);
+  expect([row!.what, row!.warning, more]).toEqual(['39 pieces of furniture stand in others or in walls', true, []]);
+  expect(row!.each!.map(({ element }) => element.name).slice(0, 2)).toEqual(['sofa 0', 'sofa 1']);
 });
 
 test('numbers are whole millimetres and never minus zero', () => {

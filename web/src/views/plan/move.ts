@@ -58,7 +58,9 @@ function snapElements(home: Home, elements: Element[], by: At, snapping: Snappin
     const [form, at] = [formOf(element), atOf(element)];
     return form ? [...(at ? [at] : []), ...form] : at ? [at] : [];
   });
-  return snapShift(by, marks, targetsOf(home, new Set(elements.map(({ id }) => id))), snapping);
+  const targets = targetsOf(home, new Set(elements.map(({ id }) => id)));
+  // A piece of furniture that came to rest on a wall's line would stand in the wall.
+  return snapShift(by, marks, elements.every(({ list }) => list === 'furniture') ? targets.faces : targets, snapping);
 }
 
 function moveLens(home: Home, sensor: Element, by: At, snapping: Snapping): Moved {
@@ -189,7 +191,7 @@ function shiftOf(at: At, walls: Walls, spans: Map<string, Span>): At | null {
 
 /** Against the clock, about its middle. */
 export function turnBy(element: Element, deg: number): Change[] {
-  if (element.value.kind === 'motion') {
+  if (element.value.kind === 'motion' || element.value.kind === 'camera') {
     const facing = number(element.value.facing_deg) ?? 0;
     return [{ path: path(element, 'facing_deg'), value: wrapped(facing + deg) }];
   }
@@ -221,7 +223,7 @@ export function handlesOf(element: Element, off_m: number): Handle[] {
   const corners = cornersKey(element);
   if (corners) return points(element.value[corners])!.map((at, index) => ({ key: `${corners}/${index}`, label: `corner ${index + 1}`, shape: 'point', at }));
   const [at, size] = [atOf(element), point(element.value.size_m)];
-  if (element.value.kind === 'motion' && at) {
+  if ((element.value.kind === 'motion' || element.value.kind === 'camera') && at) {
     return [{ key: 'aim', label: 'where it looks', shape: 'aim', at: add(at, times(direction(number(element.value.facing_deg) ?? 0), off_m)) }];
   }
   if (element.list !== 'furniture' || !at || !size) return [];

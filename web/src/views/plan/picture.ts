@@ -4,7 +4,7 @@ import { type At, middle } from '../../plan/geometry';
 import { usual } from '../../plan/layers';
 import { drawDoors, drawFloor, sides } from '../../plan/moving';
 import type { Palette } from '../../plan/palette';
-import { type Pen, segments } from '../../plan/pen';
+import { type Box, type Pen, segments } from '../../plan/pen';
 import { drawNames, drawStill } from '../../plan/still';
 import type { Size, View } from '../../plan/transform';
 import type { HomeView, SensorView, SolidView } from '../../wire';
@@ -20,7 +20,7 @@ export function pictured(home: Home, counted: HomeView | null): HomeView {
   const rooms = of(home, 'rooms').flatMap((room) => {
     const outline = formOf(room);
     const known = counted?.rooms[room.index];
-    return outline ? [{ name: room.name, outline, middle: known?.name === room.name ? known.middle : middle(outline) }] : [];
+    return outline ? [{ name: room.name, outline, middle: known?.name === room.name ? known.middle : middle(outline), floor: typeof room.value.floor === 'string' ? room.value.floor : null }] : [];
   });
   const furniture = of(home, 'furniture').flatMap((piece): SolidView[] => {
     const outline = formOf(piece);
@@ -31,10 +31,10 @@ export function pictured(home: Home, counted: HomeView | null): HomeView {
     const at = spotOf(home, sensor);
     if (!at) return [];
     const { kind, facing_deg, area } = sensor.value;
-    const facing = kind === 'motion' ? number(facing_deg) : null;
+    const facing = kind === 'motion' || kind === 'camera' ? number(facing_deg) : null;
     // A short one says where its sign points.
     const beams: [At, At][] = facing === null ? [] : [[at, add(at, times(direction(facing), 0.001))]];
-    return [{ name: sensor.name, kind: typeof kind === 'string' ? kind : '', room: null, at, facing_deg: facing, beams, area: area === undefined ? null : formOf(sensor) }];
+    return [{ name: sensor.name, kind: typeof kind === 'string' ? kind : '', room: null, at, facing_deg: facing, beams, area: area === undefined ? null : formOf(sensor), camera: null }];
   });
   const name = typeof home.value.name === 'string' ? home.value.name : '';
   return { name, bounds: boundsOf(home), rooms, solids: [...walls, ...furniture], doors, things: [], sensors };
@@ -63,22 +63,23 @@ type Layered = {
   /** Over the floor, below all that stands on it. */
   under: (pen: Pen) => void;
   over: (pen: Pen) => void;
-  /** Over all names. */
+  /** Over all names, and where it is, for names keep off it. */
   top: (pen: Pen) => void;
+  marks: Box[];
   /** The names of sensors whose beams stand out. */
   chosen: string[];
 };
 
 const sidesOf = new WeakMap<HomeView, number[]>();
 
-export function drawPlan(pen: Pen, view: View, size: Size, palette: Palette, { picture, counted, under, over, top, chosen }: Layered): void {
+export function drawPlan(pen: Pen, view: View, size: Size, palette: Palette, { picture, counted, under, over, top, marks, chosen }: Layered): void {
   const layers = { ...usual(picture.sensors.length), trails: false };
   pen.fillStyle = palette.outside;
   pen.fillRect(0, 0, size.width, size.height);
   drawFloor(pen, picture, view, palette, 1, []);
   under(pen);
-  const beams = new Map(counted?.sensors.map((sensor) => [sensor.name, sensor.beams]));
-  const seeing = picture.sensors.map((sensor) => ({ ...sensor, beams: beams.get(sensor.name) ?? [] }));
+  const known = new Map(counted?.sensors.map((sensor) => [sensor.name, sensor]));
+  const seeing = picture.sensors.map((sensor) => ({ ...sensor, beams: known.get(sensor.name)?.beams ?? [], camera: known.get(sensor.name)?.camera ?? null }));
   drawStill(pen, { ...picture, sensors: seeing }, view, layers, palette);
   pen.beginPath();
   for (const { name, beams } of seeing) if (chosen.includes(name)) segments(pen, view, beams);
@@ -88,9 +89,9 @@ export function drawPlan(pen: Pen, view: View, size: Size, palette: Palette, { p
   pen.stroke();
   pen.globalAlpha = 1;
   over(pen);
-  drawNames(pen, picture, view, layers, palette, size);
   const side = sidesOf.get(picture) ?? sides(picture);
   sidesOf.set(picture, side);
   drawDoors(pen, picture, view, palette, [], side);
+  drawNames(pen, picture, view, layers, palette, size, marks);
   top(pen);
 }

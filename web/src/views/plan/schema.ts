@@ -2,6 +2,7 @@
 // that a key that is new in it has its field here, too.
 
 import schema from '../../../../schemas/home.schema.json';
+import { DEVICES } from '../../devices';
 import type { Path } from '../../json';
 import { spoken } from '../../plan/words';
 import type { Element, List, Value } from './model';
@@ -26,7 +27,7 @@ type Schema = {
   maxLength?: number;
 };
 
-export type Unit = 'm' | '°' | 's' | '°C' | 'lx' | 'W' | '%' | '/min' | '';
+export type Unit = 'm' | '°' | 's' | '°C' | 'lx' | 'W' | '%' | '/min' | 'a second' | '';
 
 export type Bounds = { least: number; most: number; whole: boolean };
 
@@ -51,6 +52,8 @@ export type Field = {
   | { form: 'numbers'; bounds: Bounds; words: string[] }
   /** As many numbers as one likes, within limits. */
   | { form: 'list'; bounds: Bounds; fewest: number; most: number }
+  /** As many names of the home's sensors as one likes, within limits. */
+  | { form: 'names'; fewest: number; most: number }
   | { form: 'corners'; bounds: Bounds; fewest: number; most: number }
   /** One of several ways, each with fields of its own. */
   | { form: 'way'; options: (Option & { fields: Field[]; plain: boolean })[] }
@@ -58,18 +61,22 @@ export type Field = {
 
 const root = schema as unknown as Schema & { definitions: Record<string, Schema> };
 
+/** Of suffixes of which one ends as another does, the longer stands first. */
 const UNITS: [suffix: string, unit: Unit][] = [
-  ['_m', 'm'], ['_deg', '°'], ['_s', 's'], ['_c', '°C'], ['_lux', 'lx'], ['_percent', '%'], ['_bpm', '/min'], ['_pm', '/min'],
+  ['_per_s', 'a second'], ['_m', 'm'], ['_deg', '°'], ['_s', 's'], ['_c', '°C'], ['_lux', 'lx'], ['_percent', '%'], ['_bpm', '/min'], ['_pm', '/min'],
 ];
 
 /** The words of numbers that come in twos and threes. */
 const WORDS: Record<string, string[]> = {
   at: ['East', 'North'], from: ['East', 'North'], to: ['East', 'North'], size_m: ['Width', 'Depth'], field_deg: ['Across', 'Up and down'],
-  rows: ['Far', 'Middle', 'Near'],
+  rows: ['Far', 'Middle', 'Near'], pixels: ['Columns', 'Rows'],
 };
 
+/** Those of them that are lengths, though their names do not say so. */
+const METRES = new Set(['at', 'from', 'to']);
+
 const LABELS: Record<string, string> = {
-  at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Looks to', enterable: 'People can be in it', outside: 'Leads outside',
+  at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Looks to, from east', enterable: 'People can be in it', outside: 'Leads outside',
   level: 'Sees', preset: 'Timing as of', first_fire_s: 'First firing', refire_s: 'Next firings',
   notice: 'Notices',
 };
@@ -77,10 +84,9 @@ const LABELS: Record<string, string> = {
 /** What choices are called, where the file's word alone tells little. */
 const CHOICES: Record<string, string> = {
   'level paper': 'any change in a beam', 'level sensitivity': 'large changes only', 'level zones': 'changes between zones',
-  'notice all': 'every movement', 'notice chance': 'by chance',
-  'preset paper': 'Godsey and Skubic 2009', 'preset x10_ms16a': 'X10 ActiveEye MS16A', 'preset casas_pulse': 'CASAS, a pulse of 4 s',
+  'notice ': 'as its device does', 'notice all': 'every movement', 'notice chance': 'by chance',
   'role ': 'as its name says',
-  'preset casas_follow': 'CASAS, while it lasts', 'preset aqara': 'Aqara RTCGQ11LM', 'preset hue': 'Philips Hue',
+  ...Object.fromEntries(DEVICES.map(({ key, name }) => [`preset ${key}`, name])),
 };
 
 function resolved(of: Schema): Schema {
@@ -127,8 +133,9 @@ function field(key: string, raw: Schema, path: Path, required: boolean): Field |
   if (types.includes('number') || types.includes('integer')) return { ...base, form: 'number', bounds: bounds(of) };
   if (!types.includes('array') || !of.items) return null;
   const [fewest, most] = [of.minItems ?? 0, of.maxItems ?? 1000];
+  if (of.items.type === 'string') return { ...base, form: 'names', fewest, most };
   if (of.items.type === 'array') return { ...base, unit: 'm', form: 'corners', bounds: bounds(of.items.items ?? {}), fewest, most };
-  if (fewest === most) return { ...base, unit: key in WORDS && unit === '' && fewest === 2 ? 'm' : unit, form: 'numbers', bounds: bounds(of.items), words: WORDS[key] ?? ['Least', 'Most'] };
+  if (fewest === most) return { ...base, unit: METRES.has(key) ? 'm' : unit, form: 'numbers', bounds: bounds(of.items), words: WORDS[key] ?? ['Least', 'Most'] };
   return { ...base, form: 'list', bounds: bounds(of.items), fewest, most };
 }
 

@@ -32,6 +32,13 @@ export function wrapped(deg: number): number {
   return rounded(((rounded(deg, 100) % 360) + 360) % 360, 100);
 }
 
+const WINDS = ['east', 'north-east', 'north', 'north-west', 'west', 'south-west', 'south', 'south-east'];
+
+/** The nearest of eight points of the compass: an angle from east alone is read as a bearing from north. */
+export function windOf(deg: number): string {
+  return WINDS[Math.round(wrapped(deg) / 45) % 8]!;
+}
+
 export function turn(at: At, about: At, deg: number): At {
   const [cos, sin] = direction(deg);
   const [x, y] = minus(at, about);

@@ -2,7 +2,7 @@
 
 import { type At, distance, inside, minus } from '../../plan/geometry';
 import { type Home, type Wall, formOf, of, wallsOf } from './model';
-import { add, along, angleOf, clamp, direction, exact, onLine, times, toSegment } from './shape';
+import { add, along, angleOf, clamp, direction, exact, onLine, times, toSegment, turnedBox, wrapped } from './shape';
 import type { Units } from '../../units';
 
 /** The way a lens stands off the wall: a small case. */
@@ -11,6 +11,8 @@ const LENS_OFF_WALL_M = 0.02;
 const BESIDE_M = 0.05;
 /** So far a door is dragged off its wall before it takes another. */
 const KEEPS_M = 0.4;
+/** So near to a wall a piece of furniture is put against it. */
+const NEAR_WALL_M = 0.3;
 /** Farther from a wall than this nothing is drawn to it. */
 const FARTHEST_MOUNT_M = 0.5;
 
@@ -19,7 +21,8 @@ export function gridOf(units: Units): number {
   return units === 'metric' ? 0.05 : 0.0508;
 }
 
-export type Targets = { walls: Wall[]; ends: At[]; xs: number[]; ys: number[]; rooms: At[][] };
+/** `xs` and `ys` are the lines of walls and their faces; furniture stands against faces alone. */
+export type Targets = { walls: Wall[]; ends: At[]; xs: number[]; ys: number[]; faces: { xs: number[]; ys: number[] }; rooms: At[][] };
 
 export type Snapping = { tolerance_m: number; grid_m: number };
 
@@ -43,17 +46,18 @@ function findTargets(home: Home, except: Set<string>): Targets {
   });
   const corners = of(home, 'rooms').filter(({ id }) => !except.has(id)).flatMap((room) => formOf(room) ?? []);
   const ends = [...walls.flatMap(({ from, to }) => [from, to]), ...corners];
-  const [xs, ys] = [ends.map(([x]) => x), ends.map(([, y]) => y)];
+  const faces = { xs: [] as number[], ys: [] as number[] };
   // The faces of walls that run with the grid, against which furniture stands; those outside the home are none.
   for (const wall of walls) {
     for (const side of [1, -1]) {
       const [x, y] = face(wall, side, 0.5, 0);
       const isIn = rooms.length === 0 || [0.05, 0.25, 0.5, 0.75, 0.95].some((share) => rooms.some((room) => inside(room, face(wall, side, share, BESIDE_M))));
-      if (isIn && Math.abs(wall.from[0] - wall.to[0]) < 0.001) xs.push(x);
-      if (isIn && Math.abs(wall.from[1] - wall.to[1]) < 0.001) ys.push(y);
+      if (isIn && Math.abs(wall.from[0] - wall.to[0]) < 0.001) faces.xs.push(x);
+      if (isIn && Math.abs(wall.from[1] - wall.to[1]) < 0.001) faces.ys.push(y);
     }
   }
-  return { walls, ends, xs, ys, rooms };
+  const [xs, ys] = [[...ends.map(([x]) => x), ...faces.xs], [...ends.map(([, y]) => y), ...faces.ys]];
+  return { walls, ends, xs, ys, faces, rooms };
 }
 
 /** A point beside a wall, so far along it and so far off its face. */
@@ -86,8 +90,8 @@ export function snapPoint(at: At, targets: Targets, { tolerance_m, grid_m }: Sna
   return { at: exact([x ?? toGrid(at[0], grid_m), y ?? toGrid(at[1], grid_m)]), guides: { x, y } };
 }
 
-/** A form as a whole: one of its lines comes to rest on a line of the home, or its first point on the grid. */
-export function snapShift(shift: At, marks: At[], targets: Targets, { tolerance_m, grid_m }: Snapping): { shift: At; guides: Guides } {
+/** A form as a whole: one of its lines comes to rest on a line of the home, or its first point on the grid, if that is not infinitely wide. */
+export function snapShift(shift: At, marks: At[], targets: Pick<Targets, 'xs' | 'ys'>, { tolerance_m, grid_m }: Snapping): { shift: At; guides: Guides } {
   const first = marks[0];
   if (first === undefined) return { shift, guides: {} };
   const guides: Guides = {};
@@ -99,7 +103,8 @@ export function snapShift(shift: At, marks: At[], targets: Targets, { tolerance_
       [best, far] = [line - mark[index], Math.abs(line - mark[index] - shift[index])];
       guides[index === 0 ? 'x' : 'y'] = line;
     }
-    return best ?? toGrid(first[index] + shift[index], grid_m) - first[index];
+    if (best !== undefined) return best;
+    return grid_m === Infinity ? shift[index] : toGrid(first[index] + shift[index], grid_m) - first[index];
   };
   return { shift: [axis(0, targets.xs), axis(1, targets.ys)], guides };
 }
@@ -123,6 +128,22 @@ export function mount(at: At, targets: Targets, grid_m: number | null, farthest_
     }
   }
   return best;
+}
+
+/** Where a piece stands with its back at the face of a wall that is near; nothing where none is. */
+export function flush(at: At, size: At, back: 'short' | 'long', targets: Targets, { tolerance_m, grid_m }: Snapping): { at: At; turn_deg: number } | null {
+  // Unturned, the back is above; of a piece that is wider than deep and has it at a short side, to the left.
+  const aside = back === 'short' && size[0] > size[1];
+  const depth_m = aside ? size[0] : size[1];
+  const there = mount(at, targets, grid_m, depth_m / 2 + Math.max(tolerance_m, NEAR_WALL_M));
+  if (there === null) return null;
+  const into = direction(there.normal_deg);
+  const turn_deg = wrapped(there.normal_deg + (aside ? 0 : 90));
+  const stands = add(there.at, times(into, depth_m / 2 - LENS_OFF_WALL_M));
+  const { shift } = snapShift([0, 0], turnedBox(stands, size, turn_deg), targets.faces, { tolerance_m, grid_m: Infinity });
+  const way = direction(there.normal_deg + 90);
+  const beside = shift[0] * way[0] + shift[1] * way[1];
+  return { at: exact(add(stands, times(way, beside))), turn_deg };
 }
 
 /** The span of the nearest wall that a door of this width takes; the one that it is in seems nearer. */

@@ -1,18 +1,22 @@
 // What a click does while a tool is held, and what is shown where it would be done.
 
 import { type At, distance, inside, middle, minus } from '../../plan/geometry';
+import { backOf, frameOf, frontOf } from '../../plan/symbols';
 import type { Editor, Tool } from './editor.svelte';
 import { enclosed } from './enclosed';
-import { AREA_M, DOOR_WIDTH_M, type Mount, SENSORS, freshName, newPiece, newSensor } from './library';
-import { type Home, formOf, of, wallsOf } from './model';
-import { add, angleOf, area, direction, exact, times, turnedBox } from './shape';
-import { type Guides, type Snapping, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
+import { AREA_M, DOOR_WIDTH_M, FARTHEST_PUT_UP_M, type Mount, type Piece, SENSORS, freshName, newPiece, newSensor } from './library';
+import { type Home, formOf, of, titleOf, wallsOf } from './model';
+import { add, angleOf, area, direction, exact, times, toSegment, turnedBox } from './shape';
+import { type Guides, type Snapping, flush, mount, snapPoint, snapShift, spanAt, targetsOf } from './snap';
+
+/** What is lower is walked over. */
+const LOW_M = 0.1;
 
 const PROMPTS: Record<Tool['tool'], string> = {
   select: '',
-  wall: 'Click where the wall begins, then where it ends; the next one begins there. Escape ends.',
-  room: 'Click the corners of the room in order; Enter or a click on the first one closes it.',
-  fill: 'Click into a space that walls enclose: it becomes a room.',
+  wall: 'Click where the wall begins, then where it ends, or type a length and an arrow key; the next one begins there. Escape ends.',
+  room: 'Click the corners of the room in order, or type lengths and arrow keys; Enter or a click on the first one closes it.',
+  fill: 'Click into a space that walls enclose: it becomes a room, and the next click makes the next. Escape ends.',
   door: 'Click a wall where the door is to be.',
   place: 'Click where people are to stand.',
   furniture: 'Click where it is to stand.',
@@ -25,9 +29,11 @@ const MOUNTS: Record<Mount, string> = {
   ceiling: 'Click the middle of the area that the sensor sees from the ceiling.',
   thing: 'Click what the sensor hangs on or lies in.',
   room: 'Click into the room that the sensor measures.',
+  free: 'Click near a wall: the camera is put up there and looks into the room. Without Snap it hangs where you click.',
 };
 
-export function promptOf(tool: Tool): string {
+export function promptOf({ tool, drawn }: Pick<Editor, 'tool' | 'drawn'>): string {
+  if (tool.tool === 'scale' && drawn.length === 2) return 'Type under Image how far apart the two points really are.';
   return tool.tool === 'sensor' ? MOUNTS[SENSORS[tool.kind]] : PROMPTS[tool.tool];
 }
 
@@ -66,16 +72,18 @@ export function preview(editor: Editor, home: Home, at: At, snapping: Snapping |
       return span ? { ...none, line: [span.from, span.to], at: middle([span.from, span.to]) } : none;
     }
     case 'furniture': {
-      const { shift, guides } = stand(home, tool.piece.size_m, at, snapping);
-      return { forms: [turnedBox(add(at, shift), tool.piece.size_m, 0)], line: [], at: add(at, shift), guides };
+      const put = stand(home, tool.piece, at, snapping);
+      const outline = turnedBox(put.at, tool.piece.size_m, put.turn_deg);
+      const frame = frameOf(tool.piece.name, outline, wallsOf(home).flatMap(({ element }) => [formOf(element) ?? []]));
+      return { forms: frame ? [outline, frontOf(frame)] : [outline], line: [], at: put.at, guides: put.guides };
     }
     case 'sensor': {
       if (SENSORS[tool.kind] === 'ceiling') {
-        const { shift, guides } = stand(home, [AREA_M, AREA_M], at, snapping);
+        const { shift, guides } = settle(home, [AREA_M, AREA_M], at, snapping);
         return { forms: [turnedBox(add(at, shift), [AREA_M, AREA_M], 0)], line: [], at: add(at, shift), guides };
       }
-      if (SENSORS[tool.kind] !== 'wall') return none;
-      const mounted = mount(at, targetsOf(home, new Set()), grid, 3);
+      const isMounted = SENSORS[tool.kind] === 'wall' || (SENSORS[tool.kind] === 'free' && snapping !== null);
+      const mounted = isMounted ? mount(at, targetsOf(home, new Set()), grid, FARTHEST_PUT_UP_M) : null;
       return mounted ? { ...none, at: mounted.at, line: [mounted.at, add(mounted.at, times(direction(mounted.normal_deg), 0.6))] } : none;
     }
     case 'select':
@@ -83,10 +91,19 @@ export function preview(editor: Editor, home: Home, at: At, snapping: Snapping |
   }
 }
 
-/** Against the face of a wall that is near. */
-function stand(home: Home, size: At, at: At, snapping: Snapping | null): { shift: At; guides: Guides } {
+/** A piece is put down: with its back at a wall that is near. */
+function stand(home: Home, { name, size_m, height_m }: Piece, at: At, snapping: Snapping | null): { at: At; turn_deg: number; guides: Guides } {
+  // What is walked over lies anywhere.
+  const put = snapping && height_m > LOW_M ? flush(at, size_m, backOf(name), targetsOf(home, new Set()), snapping) : null;
+  if (put) return { ...put, guides: {} };
+  const { shift, guides } = settle(home, size_m, at, snapping);
+  return { at: add(at, shift), turn_deg: 0, guides };
+}
+
+/** An area comes to rest on the faces of walls, or on the grid. */
+function settle(home: Home, size: At, at: At, snapping: Snapping | null): { shift: At; guides: Guides } {
   if (!snapping) return { shift: [0, 0], guides: {} };
-  return snapShift([0, 0], [at, ...turnedBox(at, size, 0)], targetsOf(home, new Set()), snapping);
+  return snapShift([0, 0], [at, ...turnedBox(at, size, 0)], targetsOf(home, new Set()).faces, snapping);
 }
 
 export function click(editor: Editor, home: Home, at: At, snapping: Snapping | null): void {
@@ -100,8 +117,8 @@ export function click(editor: Editor, home: Home, at: At, snapping: Snapping | n
       if (from && distance(from, to) < 0.01) return finish(editor, home);
       if (from) editor.add('walls', { from, to });
       editor.drawn = [to];
-      // A chain that comes back to a wall that is there is done.
-      if (from && wallsOf(home).some((wall) => [wall.from, wall.to].some((end) => distance(end, to) < 0.002))) finish(editor, home);
+      // A chain that comes to a wall that is there is done.
+      if (from && wallsOf(home).some((wall) => toSegment(to, wall.from, wall.to) < 0.002)) finish(editor, home);
       return;
     }
     case 'room': {
@@ -119,8 +136,13 @@ export function click(editor: Editor, home: Home, at: At, snapping: Snapping | n
         editor.said = 'No walls enclose this spot. Close the gap between them, or draw the room by its corners.';
         return;
       }
-      editor.add('rooms', { name: freshName(home, 'room'), outline });
-      return release(editor);
+      const there = of(home, 'rooms').find((room) => isSame(formOf(room) ?? [], outline, at));
+      if (there) {
+        editor.select([there.id]);
+        editor.said = `This is ${titleOf(there).slice(0, 80)} already.`;
+      } else editor.add('rooms', { name: freshName(home, 'room'), outline });
+      // A plan has several rooms: with the arrow the next click would select nothing, and the next name would be the home's.
+      return;
     }
     case 'door': {
       const span = spanAt(at, wallsOf(home), DOOR_WIDTH_M, grid);
@@ -135,13 +157,13 @@ export function click(editor: Editor, home: Home, at: At, snapping: Snapping | n
       editor.add('places', { name: freshName(home, 'place'), at: meant(home, drawn, at, snapping).at });
       return release(editor);
     case 'furniture': {
-      const { shift } = stand(home, tool.piece.size_m, at, snapping);
-      editor.add('furniture', newPiece(home, tool.piece, add(at, shift)));
+      const put = stand(home, tool.piece, at, snapping);
+      editor.add('furniture', newPiece(home, tool.piece, put.at, put.turn_deg));
       return release(editor);
     }
     case 'sensor': {
-      const to = SENSORS[tool.kind] === 'ceiling' ? add(at, stand(home, [AREA_M, AREA_M], at, snapping).shift) : at;
-      const value = newSensor(home, tool.kind, to, targetsOf(home, new Set()), grid);
+      const to = SENSORS[tool.kind] === 'ceiling' ? add(at, settle(home, [AREA_M, AREA_M], at, snapping).shift) : at;
+      const value = newSensor(home, tool.kind, to, targetsOf(home, new Set()), grid, tool.device);
       if (typeof value === 'string') {
         editor.said = value;
         return;
@@ -172,6 +194,11 @@ export function finish(editor: Editor, home: Home): void {
 function release(editor: Editor): void {
   editor.tool = { tool: 'select' };
   editor.drawn = [];
+}
+
+/** Whether a room has this outline already, wherever its corners begin. */
+function isSame(room: At[], outline: At[], at: At): boolean {
+  return inside(room, at) && Math.abs(Math.abs(area(room)) - Math.abs(area(outline))) < 0.01;
 }
 
 /** Whether there is a room on one side of a door only. */

@@ -1,15 +1,17 @@
-// A picture under the plan, such as a scanned drawing. It is kept in the browser, by the scenario's name, and sent nowhere. Where
-// the browser has none, it is the one that the scenario's own folder has.
+// A picture under the plan, such as a scanned drawing. It is kept in the browser, by the home's name, and sent nowhere. Where
+// the browser has none, it is the one that the home's own folder has.
 
 import { type At, distance, minus } from '../../plan/geometry';
 import type { Pen } from '../../plan/pen';
-import { type View, toScreen } from '../../plan/transform';
+import { type Bounds, type View, toScreen } from '../../plan/transform';
 import type { Server } from '../../server';
 import type { UnderlayView } from '../../wire';
 import { add, exact, rounded, times } from './shape';
 
 /** How it lies: the place of its middle, its width, and its turn against the clock. */
-type Lies = { at: At; width_m: number; turn_deg: number; opacity: number };
+export type Place = { at: At; width_m: number; turn_deg: number };
+
+type Lies = Place & { opacity: number };
 
 type Kept = Lies & { file: Blob; name: string };
 
@@ -25,17 +27,17 @@ export class Underlay {
   image = $state.raw<HTMLImageElement | null>(null);
   problem = $state('');
   private file: Blob | null = null;
-  private scenario: string | null = null;
+  private home: string | null = null;
 
   constructor(private readonly server: Pick<Server, 'json' | 'file'>) {}
 
-  /** What was kept of this scenario, or what its folder has. */
-  async open(scenario: string): Promise<void> {
-    this.scenario = scenario;
+  /** What was kept of this home, or what its folder has. */
+  async open(home: string): Promise<void> {
+    this.home = home;
     // A browser that keeps nothing has nothing to show.
-    const kept = (await inStore('readonly', (store) => store.get(scenario)).catch(() => undefined)) as Kept | undefined;
+    const kept = await keptOf(home).catch(() => undefined);
     const found = kept ?? (await this.ofFolder().catch(() => undefined));
-    if (found === undefined || this.scenario !== scenario) return;
+    if (found === undefined || this.home !== home) return;
     const { at, width_m, turn_deg, opacity } = found;
     this.lies = { at, width_m, turn_deg, opacity };
     await this.load(found.file, found.name);
@@ -49,15 +51,21 @@ export class Underlay {
     return { at, width_m, turn_deg, opacity: this.lies.opacity, file: blob, name };
   }
 
-  /** A file that somebody has chosen comes to lie on the middle of what is seen. */
-  async choose(file: File, at: At, width_m: number): Promise<void> {
+  /** A file that somebody has chosen comes to lie on a place, as large as fits between these sides. */
+  async choose(file: File, at: At, [width_m, height_m]: At): Promise<void> {
     this.problem = '';
     if (!TYPES.includes(file.type)) this.problem = 'This is no PNG, JPEG or SVG file. Choose one of these.';
-    else if (file.size > MOST_BYTES) this.problem = 'This file is larger than 50 MB. Choose a smaller picture.';
+    else if (file.size > MOST_BYTES) this.problem = 'This file is larger than 50 MB. Choose a smaller image.';
     else if (await this.load(file, file.name)) {
-      this.lies = { ...this.lies, at: exact(at), width_m: rounded(width_m), turn_deg: 0 };
+      this.lies = { ...this.lies, at: exact(at), width_m: rounded(Math.min(width_m, height_m / this.tallness)), turn_deg: 0 };
       await this.keep();
-    } else this.problem = 'The browser cannot read this picture. Save it as PNG and choose that.';
+    } else this.problem = 'The browser cannot read this image. Save it as PNG and choose that.';
+  }
+
+  /** The picture, or that there is none, is kept for a home that has just been made. */
+  async layUnder(home: string): Promise<void> {
+    this.home = home;
+    await (this.image === null ? this.drop() : this.keep());
   }
 
   async lie(part: Partial<Lies>): Promise<void> {
@@ -65,18 +73,34 @@ export class Underlay {
     await this.keep();
   }
 
-  /** Two points of the picture are so far apart in the home: the first stays where it is. */
-  scale(a: At, b: At, real_m: number): void {
+  /** How it lies if two points of it are so far apart in the home: the first stays where it is. Nothing for two that are the same. */
+  scaled(a: At, b: At, real_m: number): Partial<Place> | null {
     const by = real_m / distance(a, b);
-    if (!Number.isFinite(by) || by <= 0) return;
-    void this.lie({ width_m: rounded(this.lies.width_m * by), at: exact(add(a, times(minus(this.lies.at, a), by))) });
+    if (!Number.isFinite(by) || by <= 0) return null;
+    return { width_m: rounded(this.lies.width_m * by), at: exact(add(a, times(minus(this.lies.at, a), by))) };
   }
 
   async drop(): Promise<void> {
     this.image = this.file = null;
     this.name = '';
-    const { scenario } = this;
-    if (scenario !== null) await inStore('readwrite', (store) => store.delete(scenario)).catch(() => {});
+    const { home } = this;
+    if (home !== null) await inStore('readwrite', (store) => store.delete(home)).catch(() => {});
+  }
+
+  /** How high the picture is, by its width; one that says no size, as an SVG may, is a square. */
+  private get tallness(): number {
+    const { naturalWidth = 0, naturalHeight = 0 } = this.image ?? {};
+    return naturalWidth > 0 && naturalHeight > 0 ? naturalHeight / naturalWidth : 1;
+  }
+
+  /** The corners between which it lies. */
+  get bounds(): Bounds | null {
+    if (this.image === null) return null;
+    const { at, width_m, turn_deg } = this.lies;
+    const [half, turn] = [width_m / 2, (turn_deg * Math.PI) / 180];
+    const [along, across] = [Math.abs(Math.cos(turn)), Math.abs(Math.sin(turn))];
+    const reach: At = [half * (along + across * this.tallness), half * (across + along * this.tallness)];
+    return [minus(at, reach), add(at, reach)];
   }
 
   draw(pen: Pen, view: View): void {
@@ -85,7 +109,7 @@ export class Underlay {
     if (image === null) return;
     const [x, y] = toScreen(view, at);
     const width = width_m * view.scale;
-    const height = (width * image.naturalHeight) / (image.naturalWidth || 1);
+    const height = width * this.tallness;
     pen.save();
     pen.translate(x, y);
     pen.rotate((-turn_deg * Math.PI) / 180);
@@ -112,15 +136,27 @@ export class Underlay {
   }
 
   private async keep(): Promise<void> {
-    const { file, scenario, name } = this;
-    if (file === null || scenario === null) return;
+    const { file, home, name } = this;
+    if (file === null || home === null) return;
     const kept: Kept = { ...this.lies, file, name };
     try {
-      await inStore('readwrite', (store) => store.put(kept, scenario));
+      await inStore('readwrite', (store) => store.put(kept, home));
     } catch {
-      this.problem = 'The browser does not keep the picture: choose it again next time.';
+      this.problem = 'The browser does not keep the image: choose it again next time.';
     }
   }
+}
+
+function keptOf(home: string): Promise<Kept | undefined> {
+  return inStore('readonly', (store) => store.get(home)) as Promise<Kept | undefined>;
+}
+
+/** A home that is called otherwise, or copied, has the picture of the one before. */
+export async function carryUnderlay(from: string, to: string, what: 'name' | 'copy'): Promise<void> {
+  const kept = await keptOf(from);
+  if (kept === undefined) return;
+  await inStore('readwrite', (store) => store.put(kept, to));
+  if (what === 'name') await inStore('readwrite', (store) => store.delete(from));
 }
 
 function inStore(mode: IDBTransactionMode, ask: (store: IDBObjectStore) => IDBRequest): Promise<unknown> {

@@ -1,73 +1,38 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
-import { Underlay } from './underlay.svelte';
+import { FakeStore } from '../../testing/store';
+import { Underlay, carryUnderlay } from './underlay.svelte';
 
-/** A browser's store, which may be full: then a request succeeds and its transaction does not. */
-class Store {
-  readonly kept = new Map<string, unknown>();
-  isFull = false;
-  opened = 0;
-  closed = 0;
-
-  open() {
-    const opening = { result: this.database(), onsuccess: () => {} };
-    queueMicrotask(() => {
-      this.opened += 1;
-      opening.onsuccess();
-    });
-    return opening;
-  }
-
-  private database() {
-    const transaction = { error: null as Error | null, oncomplete: () => {}, onabort: () => {}, objectStore: () => objects };
-    const objects = {
-      get: (key: string) => request(this.kept.get(key)),
-      put: (value: unknown, key: string) => {
-        if (!this.isFull) this.kept.set(key, value);
-        return request(key);
-      },
-    };
-    const request = (result: unknown) => {
-      const request = { result, transaction, onsuccess: () => {}, onerror: () => {} };
-      queueMicrotask(() => {
-        request.onsuccess();
-        transaction.error = this.isFull ? new Error('QuotaExceededError') : null;
-        if (this.isFull) transaction.onabort();
-        else transaction.oncomplete();
-      });
-      return request;
-    };
-    return { transaction: () => transaction, close: () => (this.closed += 1) };
-  }
-}
-
-let store: Store;
+let store: FakeStore;
 let underlay: Underlay;
 const noPicture = { json: <T>() => Promise.resolve(null as T), file: () => Promise.reject(new Error('no picture')) };
 const picture = () => new File(['a picture'], 'plan.png', { type: 'image/png' });
 
 beforeEach(async () => {
-  store = new Store();
+  store = new FakeStore();
   vi.stubGlobal('indexedDB', store);
-  vi.stubGlobal('Image', class { decode = () => Promise.resolve(); });
+  vi.stubGlobal('Image', class { naturalWidth = 100; naturalHeight = 200; decode = () => Promise.resolve(); });
   underlay = new Underlay(noPicture);
   await underlay.open('cottage');
 });
 
 afterEach(() => vi.unstubAllGlobals());
 
-test('a picture is kept by the scenario’s name', async () => {
-  await underlay.choose(picture(), [1, 2], 8);
+test('a picture is kept by the home’s name, as large as fits', async () => {
+  await underlay.choose(picture(), [1, 2], [8, 8]);
   expect(underlay.problem).toBe('');
   const again = new Underlay(noPicture);
   await again.open('cottage');
-  expect([again.name, again.lies]).toEqual(['plan.png', { at: [1, 2], width_m: 8, turn_deg: 0, opacity: 0.5 }]);
+  expect([again.name, again.lies]).toEqual(['plan.png', { at: [1, 2], width_m: 4, turn_deg: 0, opacity: 0.5 }]);
   expect(store.closed).toBe(store.opened);
+  expect(again.bounds).toEqual([[-1, -2], [3, 6]]);
+  await again.lie({ turn_deg: -90 });
+  expect(again.bounds!.flat().map((metres) => Math.round(metres) + 0)).toEqual([-3, 0, 5, 4]);
 });
 
 test('a picture that a full store does not keep is said so', async () => {
   store.isFull = true;
-  await underlay.choose(picture(), [1, 2], 8);
-  expect([underlay.name, underlay.problem]).toEqual(['plan.png', 'The browser does not keep the picture: choose it again next time.']);
+  await underlay.choose(picture(), [1, 2], [8, 8]);
+  expect([underlay.name, underlay.problem]).toEqual(['plan.png', 'The browser does not keep the image: choose it again next time.']);
   expect(store.closed).toBe(store.opened);
 });
 
@@ -78,8 +43,22 @@ test('a picture of the scenario’s folder is shown where the browser has none',
   await first.open('cottage');
   expect([first.name, first.lies]).toEqual(['plan.png', { at: [5, 2.5], width_m: 10, turn_deg: 90, opacity: 0.5 }]);
   // What somebody has chosen here comes before it.
-  await first.choose(picture(), [1, 2], 8);
+  await first.choose(picture(), [1, 2], [8, 8]);
   const again = new Underlay(ofFolder);
   await again.open('cottage');
-  expect(again.lies.width_m).toBe(8);
+  expect(again.lies.width_m).toBe(4);
+});
+
+test('a picture that is chosen before there is a home is kept for it when it is made, and goes where it goes', async () => {
+  const before = new Underlay(noPicture);
+  await before.choose(picture(), [5, 3.5], [10, 7]);
+  expect([before.lies.width_m, store.kept.size]).toEqual([3.5, 0]);
+  await before.layUnder('flat');
+  await carryUnderlay('flat', 'flat 2', 'copy');
+  await carryUnderlay('flat', 'house', 'name');
+  await carryUnderlay('no picture', 'shed', 'name');
+  expect([...store.kept.keys()]).toEqual(['flat 2', 'house']);
+  // Another home that is called so has none.
+  await new Underlay(noPicture).layUnder('house');
+  expect([...store.kept.keys()]).toEqual(['flat 2']);
 });

@@ -89,6 +89,7 @@ function type(label: string, typed: string): void {
 test('another name is followed into other files, as one step that is undone', async () => {
   const renamed = vi.fn(({ draft, from, to }: { draft: { texts: Record<string, string> }; from: string; to: string }) => ({
     mentions: [{ file: 'logger.json', line: 1, said: from, goes: true }],
+    is_shared: false,
     texts: { 'home.json': (draft.texts['home.json'] ?? FLAT).replaceAll(JSON.stringify(from), JSON.stringify(to)), 'logger.json': `{"ids":{"${to}":"A1"}}` },
   }));
   await begin(FLAT, { '/api/rename': renamed as never });
@@ -114,8 +115,23 @@ test('another name is followed into other files, as one step that is undone', as
   expect([text(), live.drafts.text('logger.json')]).toEqual([home, '{"ids":{}}']);
 });
 
+test('a thing whose name another has is renamed only here, which is said', async () => {
+  let is_shared = false;
+  await begin(FLAT, { '/api/rename': () => ({ mentions: [], texts: {}, is_shared }) });
+  click('List');
+  click('room motion');
+  click('Element');
+  for (const name of ['parlour motion', 'hall motion']) {
+    type('Name', name);
+    await settle();
+    expect(text()).toBe(FLAT.replaceAll('"room motion"', JSON.stringify(name)));
+    expect(document.body.textContent!.includes('Renamed only here: another has this name')).toBe(is_shared);
+    is_shared = true;
+  }
+});
+
 test('what speaks of a thing that is deleted is told, and goes as well on request', async () => {
-  await begin(FLAT, { '/api/forget': () => ({ mentions: [{ file: 'logger.json', line: 1, said: '"room motion": "A1"', goes: true }], texts: { 'logger.json': '{"ids":{}}' } }) });
+  await begin(FLAT, { '/api/forget': () => ({ mentions: [{ file: 'logger.json', line: 1, said: '"room motion": "A1"', goes: true }], texts: { 'logger.json': '{"ids":{}}' }, is_shared: false }) });
   files.texts['logger.json'] = '{"ids":{"room motion":"A1"}}';
   await vi.advanceTimersByTimeAsync(3000);
   const home = text();
@@ -144,6 +160,43 @@ test('what has one answer is mended by a button', async () => {
   await settle();
   click('Remove the 2 ids');
   expect(live.drafts.text('logger.json')).toBe('{"ids":{}}');
+});
+
+test('a hint that has one answer is a button, and that is one step', async () => {
+  await begin(FLAT);
+  const bed = { name: 'cot', at: [2, 1], size_m: [0.9, 2], height_m: 0.5, enterable: true };
+  files.check = {
+    problems: [{ file: 'ann.routine', line: 0, column: 0, width: 1, what: 'there is nowhere in this home to sleep', hint: `give it a bed; there is room: add to "furniture" ${JSON.stringify(bed)}` }],
+    warnings: [],
+  };
+  live.drafts.write('home.json', `${FLAT}\n`);
+  live.drafts.write('home.json', FLAT);
+  await settle();
+  click('Problems');
+  expect(document.querySelector('.hint')!.textContent).toBe('give it a bed');
+  expect(document.querySelector('a[href^="#/life"]')).toBeNull();
+  click('Put “cot”');
+  expect(value().furniture[2]).toEqual(bed);
+  click('Undo');
+  expect(text()).toBe(FLAT);
+});
+
+test('the sensors that wake a camera are a list of names', async () => {
+  const camera = { kind: 'camera', name: 'eye', at: [3, 2], facing_deg: 0, woken_by: ['room motion', 'old motion'] };
+  await begin(JSON.stringify({ ...JSON.parse(FLAT), sensors: [...JSON.parse(FLAT).sensors, camera] }, null, 2));
+  click('List');
+  click('eye');
+  click('Element');
+  const pick = field('Add to: Woken by');
+  expect([...pick.querySelectorAll('option')].map(({ textContent }) => textContent)).toEqual(['another sensor', 'bed sensor', 'bath contact', 'room light', 'bath motion']);
+  expect(document.querySelector('.names .gone')!.textContent).toContain('old motion');
+  pick.value = 'bath motion';
+  pick.dispatchEvent(new Event('change', { bubbles: true }));
+  flushSync();
+  expect(value().sensors[5].woken_by).toEqual(['room motion', 'old motion', 'bath motion']);
+  for (const name of ['old motion', 'room motion', 'bath motion']) click(`Take ${name} out of: Woken by`);
+  expect(value().sensors[5]).not.toHaveProperty('woken_by');
+  expect(text()).not.toContain('null');
 });
 
 test('all can be selected, moved, turned and deleted by keys', async () => {
@@ -247,9 +300,9 @@ test('numbers are typed in the chosen units, and what cannot be is said', async 
   click('room motion');
   click('Element');
   type('Place: north', '1.75');
-  type('Looks to', '-30');
+  type('Looks to, from east', '-30');
   expect(value().sensors[0]).toMatchObject({ at: [0.12, 1.75], facing_deg: -30 });
-  type('Looks to', '900');
+  type('Looks to, from east', '900');
   expect(value().sensors[0].facing_deg).toBe(-30);
   expect(document.querySelector('[role="alert"]')!.textContent).toContain('From -360 to 360.');
   type('Field: across', '110');
@@ -286,7 +339,7 @@ test('what the sensors see is in figures, and is old while there is a problem, w
   await begin(FLAT);
   expect(document.querySelector('[aria-label="Colours of the floor"]')!.textContent).toMatch(/^Sensors.*none.*no room to stand/);
   click('Coverage');
-  expect(document.querySelector('tbody')!.textContent!.replaceAll(/\s+/g, ' ')).toContain('All15.0 m²25 %25 %50 %0 %');
+  expect(document.querySelector('tbody')!.textContent!.replaceAll(/\s+/g, ' ')).toContain('All15.0 m²25.0 %25.0 %50.0 %0.0 %');
   expect(document.body.textContent).toContain('Dead zones 1');
   const line = FLAT.split('\n').findIndex((one) => one.includes('"stove"')) + 1;
   problems = [{ file: 'home.json', line, column: 7, width: 4, what: `${EVIL} reaches out`, hint: 'move it' }];
@@ -298,9 +351,33 @@ test('what the sensors see is in figures, and is old while there is a problem, w
   click('Problems');
   expect(document.body.textContent).toContain('move it');
   click('Show stove');
-  click('Element');
   expect(document.querySelector('#tab-panel h2')!.textContent).toBe('stove');
   expect(document.getElementById('form-furniture/1')!.getAttribute('aria-label')).toContain('has a problem');
+});
+
+test('suggested sensors take the places of those of their kind, which are named, in one step', async () => {
+  const fresh = [{ kind: 'motion', name: 'new motion', at: [3.9, 1.5], facing_deg: 180 }];
+  const forget = vi.fn(() => ({ mentions: [{ file: 'logger.json', line: 1, said: '"room motion": "A1"', goes: true }], texts: {}, is_shared: false }));
+  await begin(FLAT, {
+    '/api/parts': () => ({ problems: [], parts: [], devices: [], csv: '' }),
+    '/api/suggest': () => ({ problems: [], refused: null, sensors: JSON.stringify(fresh), steps: [{ sensor: 'new motion', score: 0.99964, reached: [{ goal: 'falls', score: 0.99964, value: 0.99964, unit: 'of the floor' }, { goal: 'depression', score: 0, value: 28, unit: 'days until found' }] }], whole: null, own: null }),
+    '/api/forget': forget,
+  });
+  click('Parts');
+  await settle();
+  click('Suggest places');
+  await settle();
+  expect(document.querySelector('#suggest-goes')!.textContent!.replaceAll(/\s+/g, ' ').trim()).toBe('Put in their place, that makes 5 sensors: room motion goes; the 4 others stay.');
+  // Not all of it is seen.
+  expect([...document.querySelectorAll('[aria-label="What is suggested"] strong')].map((one) => one.textContent)).toEqual(['99.9 %', '99.9 %', '0.0 %']);
+  expect([...document.querySelectorAll('[aria-label="What is suggested"] ul > li')].map((one) => one.textContent)).toEqual(['Most of the floor: 99.9 % (of where somebody can stand)', 'Depression: 0.0 % (not found within four weeks)']);
+  click('Put them in place of the motion sensor of now');
+  await settle();
+  expect(value().sensors.map(({ name }: { name: string }) => name)).toEqual(['bed sensor', 'bath contact', 'room light', 'bath motion', 'new motion']);
+  expect(forget).toHaveBeenCalledWith(expect.objectContaining({ kind: 'sensor', names: ['room motion'] }));
+  expect(document.querySelector('[role="alertdialog"]')!.textContent).toContain('"room motion": "A1"');
+  click('Undo');
+  expect(text()).toBe(FLAT);
 });
 
 test('a sensor alone is asked for with a home that has no other', async () => {

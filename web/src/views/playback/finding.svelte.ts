@@ -10,6 +10,7 @@ export const ASKED: Record<FindWhat, { title: string; of: string | null; between
   still: { title: 'nothing stirs', of: null, between: [8, 20], least_min: 180 },
   doing: { title: 'somebody does', of: 'Activity', between: null, least_min: 0 },
   fall: { title: 'somebody falls', of: null, between: null, least_min: 0 },
+  seen_fall: { title: 'cameras see a fall', of: null, between: null, least_min: 0 },
   lost: { title: 'a message is lost', of: null, between: null, least_min: 0 },
   alert: { title: 'an alert', of: null, between: null, least_min: 0 },
 };
@@ -26,19 +27,38 @@ export class Finding {
   found = $state.raw<FoundView | null>(null);
   /** What it was that was found, in words. */
   title = $state('');
+  private isOfCameras = false;
   busy = $state(false);
+  /** Whether what is looked for and found is in sight. */
+  isOpen = $state(false);
   problem = $state('');
   private asked = 0;
 
   constructor(
     private readonly server: Pick<Server, 'post'>,
-    readonly run: PlaybackView,
+    private readonly stored: { readonly view: PlaybackView },
   ) {
     this.choose('room');
   }
 
+  /** Of a run whose log is still read, sensors and activities may come. */
+  get run(): PlaybackView {
+    return this.stored.view;
+  }
+
   get hits(): readonly HitView[] {
     return this.found?.hits ?? [];
+  }
+
+  /** How often it was found, in words; what cameras take for a fall and what the truth tells of falls are counted apart. */
+  get counted(): string {
+    const { hits, found } = this;
+    if (found === null) return '';
+    if (this.isOfCameras) {
+      const true_ = hits.filter(({ is_fall }) => is_fall).length;
+      return `Falls by cameras: ${hits.length - true_}${this.run.has_truth ? `, by the truth: ${true_}` : ''}`;
+    }
+    return found.all === 1 ? 'Once' : `${found.all.toLocaleString('en-GB')} times`;
   }
 
   /** What may be asked for of this kind. */
@@ -76,8 +96,9 @@ export class Finding {
     try {
       const found = await this.server.post<FoundView>(findPath(this.run.name), query);
       if (asked !== this.asked) return;
+      this.isOfCameras = what === 'seen_fall';
       this.found = found;
-      this.title = `${of === null || what !== 'on' ? ASKED[what].title : ''}${of === null ? '' : ` ${of}`}${what === 'on' ? ` ${ASKED.on.title}` : ''}`.trim();
+      this.title = this.isOfCameras ? '' : `${of === null || what !== 'on' ? ASKED[what].title : ''}${of === null ? '' : ` ${of}`}${what === 'on' ? ` ${ASKED.on.title}` : ''}`.trim();
     } catch (error) {
       if (asked === this.asked) [this.found, this.problem] = [null, said(error)];
     } finally {

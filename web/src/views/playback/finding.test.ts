@@ -3,7 +3,7 @@ import { storedRun } from '../../testing/stored';
 import { Finding } from './finding.svelte';
 
 const HOUR = 3_600_000_000;
-const hits = [1, 2, 30].map((hour) => ({ begin_us: hour * HOUR, end_us: hour * HOUR + 600e6, words: 'Agnes' }));
+const hits = [1, 2, 30].map((hour) => ({ begin_us: hour * HOUR, end_us: hour * HOUR + 600e6, is_fall: false, words: 'Agnes' }));
 
 function finding(answer: unknown = { hits, all: 3, remarks: [] }) {
   const asked: [string, unknown][] = [];
@@ -12,7 +12,7 @@ function finding(answer: unknown = { hits, all: 3, remarks: [] }) {
     if (answer instanceof Error) throw answer;
     return answer as never;
   };
-  return { made: new Finding({ post } as never, storedRun('one')), asked };
+  return { made: new Finding({ post } as never, { view: storedRun('one') }), asked };
 }
 
 test('what is looked for is asked of the run, with the hours and the length that are meant', async () => {
@@ -48,4 +48,14 @@ test('what cannot be looked for is said, and what was found before is gone', asy
   await made.find();
   expect([made.found, made.busy]).toEqual([null, false]);
   expect(made.problem).not.toBe('');
+});
+
+test('what cameras take for a fall and what the truth tells of are counted apart', async () => {
+  const words = ['anna: by the truth: has fallen, hall', 'by one camera: lies on the ground', 'anna: by the truth: has fallen, hall'];
+  const { made } = finding({ hits: words.map((words, index) => ({ ...hits[index]!, is_fall: index !== 1, words })), all: 3, remarks: [] });
+  await made.find();
+  expect(made.counted).toBe('3 times');
+  made.choose('seen_fall');
+  await made.find();
+  expect([made.counted, made.title]).toEqual(['Falls by cameras: 1, by the truth: 2', '']);
 });

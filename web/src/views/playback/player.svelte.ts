@@ -5,6 +5,7 @@ import { Refused, type Server } from '../../server';
 import type { StoredView } from '../../wire';
 import { read } from '../../clock';
 import { dayAt, follow, instantOf } from '../../localtime';
+import { calledOf } from './called';
 import { MOST_DAYS, type Other, Stored } from './stored';
 import { keepMarks, marksOf } from './marks';
 import { Ticker } from './ticker';
@@ -33,6 +34,8 @@ export class Player {
   marks = $state.raw<readonly number[]>([]);
   /** How much has come of the day that is shown, where it comes in pieces. */
   share = $state<number | null>(null);
+  /** How much of the log of a long run is read by now. */
+  read = $state<number | null>(null);
   /** Grows when a day has come. */
   came = $state(0);
 
@@ -71,6 +74,7 @@ export class Player {
     this.pause();
     this.opening = name;
     this.problem = '';
+    this.read = null;
     try {
       const run = await Stored.open(this.server, name);
       if (asked !== this.asked) return;
@@ -82,6 +86,7 @@ export class Player {
       this.set();
       this.show();
       if (!this.goTo(moment)) this.load();
+      void this.readOn(run);
     } catch (error) {
       if (asked === this.asked) this.problem = said(error);
     } finally {
@@ -110,6 +115,7 @@ export class Player {
       this.second = run;
       this.problem = '';
       this.load();
+      void this.readOn(run);
     } catch (error) {
       if (asked === this.askedBeside) this.problem = said(error);
     } finally {
@@ -117,9 +123,26 @@ export class Player {
     }
   }
 
+  /** What is told of a run grows until all of its log is read. */
+  private async readOn(run: Stored): Promise<void> {
+    const wanted = () => run === this.first || run === this.second;
+    try {
+      await run.readAll(wanted, (share) => run === this.first && (this.read = share));
+    } catch (error) {
+      if (wanted()) this.problem = said(error);
+    }
+    if (run === this.first) this.read = null;
+  }
+
   /** Where the second run is. */
   get second_us(): number | null {
     return this.first && this.second && this.ticker ? follow(this.first.view, this.ticker.now_us, this.second.view) : null;
+  }
+
+  /** What a run is called where two are shown. */
+  called({ view }: Stored): string {
+    const listed = this.list?.find(({ name }) => name === view.name);
+    return listed === undefined ? view.name : calledOf(listed);
   }
 
   /** What the second run has of a day of the first; its day may be on its way. */
@@ -139,24 +162,29 @@ export class Player {
     keepMarks(this.first.view.name, this.marks);
   }
 
-  /** Has days of the first run fetched that are in sight, and those of the second beside them; of too many only counts. */
+  /** Has days of the first run fetched that are in sight, and those of the second beside them; of too many only the counts of both. */
   async look(numbers: readonly number[]): Promise<void> {
     const { first, second } = this;
     if (first === null) return;
     if (numbers.length > MOST_DAYS) {
-      if (first.lanes !== null) return;
-      try {
-        await first.count();
-        if (first === this.first) this.came += 1;
-      } catch (error) {
-        if (first === this.first) this.problem = said(error);
-      }
+      await Promise.all([first, second].map((run) => run && this.count(run)));
       return;
     }
     for (const number of numbers) {
       if (first.known(number) === null) await this.fetch(first, number, false);
       const beside = second === null ? null : dayBeside(first.view, number, second.view);
       if (second !== null && beside !== null && second.known(beside.number) === null) await this.fetch(second, beside.number, false);
+    }
+  }
+
+  private async count(run: Stored): Promise<void> {
+    if (run.lanes !== null) return;
+    const wanted = () => run === this.first || run === this.second;
+    try {
+      await run.count();
+      if (wanted()) this.came += 1;
+    } catch (error) {
+      if (wanted()) this.problem = said(error);
     }
   }
 

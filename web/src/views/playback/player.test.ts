@@ -1,5 +1,5 @@
 import { beforeEach, expect, test } from 'vitest';
-import { Refused, storedPath } from '../../server';
+import { Refused, lanesPath, storedPath } from '../../server';
 import { storedDay, storedRun } from '../../testing/stored';
 import { Player } from './player.svelte';
 
@@ -93,6 +93,29 @@ test('a second run that is not wanted any more is not being opened', async () =>
   expect(player.opening).toBeNull();
   await letGo(storedPath('b'));
   expect([player.second, player.opening]).toEqual([null, null]);
+});
+
+test('of many days the counts of both runs are fetched, once; if one’s do not come it is said', async () => {
+  const asked: string[] = [];
+  const counting = {
+    json: server.json,
+    packed: async <T>(path: string) => {
+      if (!path.endsWith('/lanes')) return server.packed<T>(path);
+      asked.push(path);
+      return answer<T>(path, { bucket_us: 3600e6, counts: [] });
+    },
+  };
+  player = new Player(counting);
+  await player.open('a');
+  await player.look([0, 1, 2, 3, 4]);
+  broken.add(lanesPath('b'));
+  await player.beside('b');
+  await player.look([0, 1, 2, 3, 4]);
+  expect(player.problem).toBe(`${lanesPath('b')} is broken.`);
+  broken.clear();
+  await player.look([0, 1, 2, 3, 4]);
+  expect(asked).toEqual([lanesPath('a'), lanesPath('b'), lanesPath('b')]);
+  expect([player.first!.lanes, player.second!.lanes].map((lanes) => lanes?.bucket_us)).toEqual([3600e6, 3600e6]);
 });
 
 test('a day of a run that is not shown any more may fail', async () => {

@@ -29,6 +29,7 @@ export function frameAt(run: Stored, day: Day | null, at_us: number, before_us: 
     sun: 1,
     told: 0,
     counts: [],
+    looks: [],
     firings: fresh.map((sensor) => ({ seq: 0, at_us, sensor, value: '', row: null })),
   };
 }

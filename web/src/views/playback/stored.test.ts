@@ -34,8 +34,8 @@ test('days that lie side by side are one drawing, and what goes on over midnight
 test('a run as a whole is counts and its longest activities, without the truth counts alone', () => {
   const counts = run.sensors.map((_, sensor) => Array.from({ length: 72 }, () => sensor));
   const sight = { from_us: 0, to_us: 3 * DAY };
-  const whole = wholeOf(run, sight, { bucket_us: HOUR, counts }, true);
+  const whole = wholeOf({ view: run, whole: { bucket_us: HOUR, counts } }, true);
   expect([whole.bands.length, countIn(whole.lanes[2]!, sight)]).toEqual([2, 144]);
-  expect(wholeOf(run, sight, null, false).bands).toEqual([]);
-  expect(wholeOf(run, sight, null, false).lanes[2]!.density).toBeUndefined();
+  expect(wholeOf({ view: run, whole: null }, false).bands).toEqual([]);
+  expect(wholeOf({ view: run, whole: null }, false).lanes[2]!.density).toBeUndefined();
 });

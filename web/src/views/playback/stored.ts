@@ -1,19 +1,28 @@
-// A stored run as the page knows it, and the days of it that have been fetched.
+// A stored run as the page knows it, and the days of it that have been fetched. Log and truth of a long run are still read while it is open.
 
+import { createSubscriber } from 'svelte/reactivity';
 import type { Sight } from '../../charts/axis';
-import { type Band, type Counts, type Curve, type Drawing, type Lane, countsOf } from '../../charts/lanes';
+import { type Band, type Counts, type Curve, type Drawing, type Lane, countBetween, countsOf } from '../../charts/lanes';
 import type { Shade } from '../../charts/shades';
 import { dayAt } from '../../localtime';
-import { type Server, lanesPath, restPath, storedPath } from '../../server';
-import type { DayView, LanesView, PlaybackView } from '../../wire';
+import { type Server, lanesPath, readingPath, restPath, storedPath } from '../../server';
+import type { DayView, LanesView, PlaybackView, ReadingView } from '../../wire';
 import { type Day, prepare } from './day';
 import { OUT, placeName, spansIn } from './doubt';
-import { type Pair, pairsOf, sensorName } from './twin';
+import { type Pair, dayBeside, pairsOf, sensorName, sensorPairs } from './twin';
 
 /** So many days are kept; those that were wanted longest ago go first. */
 const KEPT = 12;
 
+/** So often is asked how far a log is read. */
+const ASKED_EACH_MS = 300;
+
+/** After so many answers what the log comes to is fetched anew. */
+const RENEWED_EACH = 5;
+
 export class Stored {
+  private readonly watched: () => void;
+  private grown: () => void = () => {};
   private readonly days = new Map<number, Day>();
   private readonly coming = new Map<number, Promise<Day>>();
   /** How often each sensor spoke over the whole run, once that is here. */
@@ -23,12 +32,54 @@ export class Stored {
   private stopped = false;
 
   constructor(
-    readonly view: PlaybackView,
-    private readonly server: Pick<Server, 'packed'>,
-  ) {}
+    private known_: PlaybackView,
+    private readonly server: Pick<Server, 'json' | 'packed'>,
+  ) {
+    this.watched = createSubscriber((update) => {
+      this.grown = update;
+      return () => (this.grown = () => {});
+    });
+  }
 
   static async open(server: Pick<Server, 'json' | 'packed'>, name: string): Promise<Stored> {
     return new Stored(await server.json<PlaybackView>(storedPath(name)), server);
+  }
+
+  /** What is known of the run by now. */
+  get view(): PlaybackView {
+    this.watched();
+    return this.known_;
+  }
+
+  /** Fetches what log and truth come to by now; the home and the days stay as they are. */
+  private async renew(): Promise<void> {
+    const { sensors, values, hours, remarks, activities, spans, read_us } = await this.server.json<PlaybackView>(storedPath(this.known_.name));
+    this.known_ = { ...this.known_, sensors, values, hours, remarks, activities, spans, read_us };
+    this.grown();
+  }
+
+  /** Waits until all of the log is read, or nobody wants it any more; `onshare` is told how much has come. */
+  async readAll(wanted: () => boolean, onshare: (share: number) => void): Promise<void> {
+    for (let asked = 1; this.known_.read_us !== null && wanted(); asked++) {
+      const read_us = await this.ask();
+      onshare(Math.max(read_us ?? this.known_.length_us, 0) / Math.max(this.known_.length_us, 1));
+      if (read_us === null || asked % RENEWED_EACH === 0) await this.renew();
+    }
+  }
+
+  /** Up to when the log is read after a little while; null is all. */
+  private async ask(): Promise<number | null> {
+    await new Promise((resolve) => setTimeout(resolve, ASKED_EACH_MS));
+    return (await this.server.json<ReadingView>(readingPath(this.known_.name))).read_us;
+  }
+
+  /** Waits until the log is read up to an instant. */
+  private async readUpTo(until_us: number, onshare: (share: number) => void): Promise<void> {
+    let read_us = this.known_.read_us;
+    while (read_us !== null && read_us < until_us) {
+      onshare(Math.max(read_us, 0) / until_us);
+      read_us = await this.ask();
+    }
   }
 
   /** The day of an instant, if it is here already. */
@@ -65,7 +116,10 @@ export class Stored {
   private async pieces(number: number, onshare: (share: number) => void): Promise<DayView> {
     this.stopped = false;
     const { begin_us, end_us } = this.view.days[number]!;
+    await this.readUpTo(end_us, onshare);
     const view = await this.server.packed<DayView>(storedPath(this.view.name, number));
+    // Sensors or values of the day may be new.
+    if (this.known_.read_us !== null) await this.renew();
     while (view.until_us < end_us && !this.stopped) {
       onshare((view.until_us - begin_us) / Math.max(end_us - begin_us, 1));
       const more = await this.server.packed<DayView>(restPath(this.view.name, number, view.until_us));
@@ -130,32 +184,39 @@ export function drawingOf(
   return {
     calendar: view,
     sight,
-    // A resident's bands of two runs stand below each other.
-    bands: own.flatMap((band, index) => [band, ...beside.slice(index, index + 1)]).concat(beside.slice(own.length)),
+    bands: besideEachOther(own, beside),
     shades: view.walk === null || !truth ? [] : shadesOf(view, here),
     lanes: known.length === 0 ? view.sensors.map((_, sensor) => laneOf(view, sensor, here)) : pairedLanes(view, days, others!),
   };
 }
 
-/** The whole run as counts, where it is too long to be drawn firing by firing. */
-export function wholeOf(view: PlaybackView, sight: Sight, whole: LanesView | null, truth: boolean): Drawing {
-  const bands = !truth || view.walk !== null || !view.has_truth ? [] : view.residents.map(({ name }, who) => ({ name, who, spans: view.spans[who] ?? [], names: view.activities }));
-  const lanes = view.sensors.map((_, sensor) => {
-    const density = whole === null ? undefined : countsFor(whole, sensor);
-    return { ...laneOf(view, sensor, []), ...(density === undefined ? {} : { density }) };
-  });
-  return { calendar: view, sight, bands, lanes };
+/** A run as a whole, as far as its counts are here. */
+export type Whole = { view: PlaybackView; whole: LanesView | null };
+
+/** The whole run as counts, where it is too long to be drawn firing by firing. With `other` another run's counts beside its own. */
+export function wholeOf({ view, whole }: Whole, truth: boolean, other: Whole | null = null): Pick<Drawing, 'bands' | 'lanes'> {
+  if (other === null) {
+    const lanes = view.sensors.map((_, sensor) => ({ ...laneOf(view, sensor, []), ...(whole === null ? {} : { density: countsFor(whole, sensor) }) }));
+    return { bands: longBands(view, truth, view.spans), lanes };
+  }
+  const days = view.days.map((_, number) => dayBeside(view, number, other.view));
+  const beside = longBands(other.view, truth, spansBeside(other.view, days));
+  return { bands: besideEachOther(longBands(view, truth, view.spans), beside), lanes: pairedCounts({ view, whole }, other, days) };
 }
 
-const counted = new WeakMap<LanesView, Map<number, Counts>>();
+function longBands(view: PlaybackView, truth: boolean, spans: PlaybackView['spans']): Band[] {
+  if (!truth || view.walk !== null || !view.has_truth) return [];
+  return view.residents.map(({ name }, who) => ({ name, who, spans: spans[who] ?? [], names: view.activities }));
+}
 
-/** Sums are made once. */
+/** A resident's bands of two runs stand below each other. */
+function besideEachOther(own: Band[], beside: Band[]): Band[] {
+  const others = beside.map((band) => ({ ...band, isBeside: true }));
+  return own.flatMap((band, index) => [band, ...others.slice(index, index + 1)]).concat(others.slice(own.length));
+}
+
 function countsFor(whole: LanesView, sensor: number): Counts {
-  const known = counted.get(whole) ?? new Map<number, Counts>();
-  counted.set(whole, known);
-  const of = known.get(sensor) ?? countsOf(whole.bucket_us, whole.counts[sensor] ?? []);
-  known.set(sensor, of);
-  return of;
+  return countsOf(whole.bucket_us, whole.counts[sensor] ?? []);
 }
 
 function joined<T extends Float64Array | Uint32Array>(parts: T[], make: (length: number) => T): T {
@@ -173,31 +234,39 @@ function laneOf(view: PlaybackView, sensor: number, days: readonly Day[]): Lane 
   const known = view.home.sensors[sensor];
   const fired = joined(days.map((day) => day.fired[sensor] ?? new Float64Array()), (length) => new Float64Array(length));
   const said = joined(days.map((day) => day.said[sensor] ?? new Uint32Array()), (length) => new Uint32Array(length));
-  const curve = curveOf(view, said);
+  const curve = curvesOf([{ view, said }])?.[0];
   return {
     name: sensorName(view, sensor), kind: known?.kind ?? '', fired, said: (index) => view.values[said[index]!] ?? '',
-    ...(known?.room == null ? {} : { place: known.room }), ...(curve === null ? {} : { curve }),
+    ...(known?.room == null ? {} : { place: known.room }), ...(curve === undefined ? {} : { curve }),
   };
 }
 
-/** What a sensor said as numbers, if all of it is some, and more than two of them. */
-function curveOf(view: PlaybackView, said: Uint32Array): Curve | null {
-  const numbers = new Map<number, number>();
-  for (const value of said) {
-    if (numbers.has(value)) continue;
-    const text = view.values[value] ?? '';
-    const number = text.trim() === '' ? NaN : Number(text);
-    if (!Number.isFinite(number)) return null;
-    numbers.set(value, number);
+/** What a sensor said, in one run or in several, as numbers between the lowest and the highest of all, if all of it is some, and more than two of them. */
+function curvesOf(all: readonly { view: PlaybackView; said: ArrayLike<number> }[]): Curve[] | null {
+  const found = new Set<number>();
+  const curves: ArrayLike<number>[] = [];
+  for (const { view, said } of all) {
+    const numbers = new Map<number, number>();
+    for (let index = 0; index < said.length; index++) {
+      const value = said[index]!;
+      if (numbers.has(value)) continue;
+      const text = view.values[value] ?? '';
+      const number = text.trim() === '' ? NaN : Number(text);
+      if (!Number.isFinite(number)) return null;
+      numbers.set(value, number);
+      found.add(number);
+    }
+    curves.push(Float64Array.from(said, (value) => numbers.get(value)!));
   }
-  if (numbers.size <= 2) return null;
-  const all = [...numbers.values()];
-  return { values: Float64Array.from(said, (value) => numbers.get(value)!), low: Math.min(...all), high: Math.max(...all) };
+  if (found.size <= 2) return null;
+  const [low, high] = [Math.min(...found), Math.max(...found)];
+  return curves.map((values) => ({ values, low, high }));
 }
 
 /** Lanes of two runs, of which each sensor has one. */
 function pairedLanes(view: PlaybackView, days: readonly (Day | null)[], others: readonly (Other | null)[]): Lane[] {
   const lanes = new Map<string, { name: string; kind: string; parts: Pair[] }>();
+  const there = others.find((other) => other !== null)?.view;
   days.forEach((day, index) => {
     const other = others[index];
     if (!other) return;
@@ -209,10 +278,51 @@ function pairedLanes(view: PlaybackView, days: readonly (Day | null)[], others: 
   });
   const all = (parts: Pair[], of: (pair: Pair) => ArrayLike<number>) => joined(parts.map((pair) => Float64Array.from(of(pair))), (length) => new Float64Array(length));
   const room = new Map(view.home.sensors.map(({ name, room }) => [name, room]));
-  return [...lanes.values()].map(({ name, kind, parts }) => ({
-    name, kind, ...(room.get(name) == null ? {} : { place: room.get(name)! }), fired: all(parts, ({ first }) => first),
-    beside: { fired: all(parts, ({ second }) => second), onlyFirst: all(parts, ({ onlyFirst }) => onlyFirst), onlySecond: all(parts, ({ onlySecond }) => onlySecond) },
+  const words = (view: PlaybackView | undefined, said: ArrayLike<number>) => (index: number) => view?.values[said[index]!] ?? '';
+  return [...lanes.values()].map(({ name, kind, parts }) => {
+    const [said, saidBeside] = [all(parts, ({ saidFirst }) => saidFirst), all(parts, ({ saidSecond }) => saidSecond)];
+    const curves = there === undefined ? null : curvesOf([{ view, said }, { view: there, said: saidBeside }]);
+    return {
+      name, kind, ...(room.get(name) == null ? {} : { place: room.get(name)! }), ...(curves === null ? {} : { curve: curves[0]! }),
+      fired: all(parts, ({ first }) => first), said: words(view, said),
+      beside: {
+        fired: all(parts, ({ second }) => second), said: words(there, saidBeside), ...(curves === null ? {} : { curve: curves[1]! }),
+        onlyFirst: all(parts, ({ onlyFirst }) => onlyFirst), onlySecond: all(parts, ({ onlySecond }) => onlySecond),
+      },
+    };
+  });
+}
+
+/** Which of its days another run has beside each of the first's. */
+type DaysBeside = readonly ReturnType<typeof dayBeside>[];
+
+/** The other run's longest activities by the first one's time, on days that the first has. */
+function spansBeside(other: PlaybackView, days: DaysBeside): PlaybackView['spans'] {
+  const later = new Map(days.flatMap((day) => (day === null ? [] : [[day.number, day.later_us]])));
+  return other.spans.map((spans) => spans.flatMap(([begin, end, what]): typeof spans => {
+    const later_us = later.get(dayAt(other, begin));
+    return later_us === undefined ? [] : [[begin - later_us, end - later_us, what]];
   }));
+}
+
+/** Counts of two runs, of which each sensor has one lane. */
+function pairedCounts({ view, whole }: Whole, other: Whole, days: DaysBeside): Lane[] {
+  const own = (sensor: number | undefined) => (sensor === undefined ? null : laneOf(view, sensor, []));
+  const pairs = sensorPairs(view, other.view);
+  if (whole === null) return pairs.map(({ name, kind, first }) => own(first) ?? { name, kind, fired: [] });
+  const { bucket_us } = whole;
+  const parts = Math.max(...whole.counts.map(({ length }) => length), 0);
+  /** How much later the other run is in each part, where it knows that day. */
+  const later = Array.from({ length: parts }, (_, part) => days[dayAt(view, part * bucket_us)]?.later_us ?? null);
+  return pairs.map(({ name, kind, first, second }) => {
+    const counts = later.map((_, part) => (first === undefined ? 0 : (whole.counts[first]?.[part] ?? 0)));
+    const lane = { ...(own(first) ?? { name, kind, fired: [] }), density: countsOf(bucket_us, counts) };
+    if (other.whole === null) return lane;
+    const theirs = second === undefined ? null : countsFor(other.whole, second);
+    const beside = later.map((later_us, part) => (later_us === null || theirs === null ? 0 : countBetween(theirs, part * bucket_us + later_us, (part + 1) * bucket_us + later_us)));
+    const shared = counts.map((count, part) => (later[part] === null ? 0 : count));
+    return { ...lane, densityBeside: { counts: countsOf(bucket_us, beside), shared: countsOf(bucket_us, shared) } };
+  });
 }
 
 /** What residents did, and with `rooms` where. */

@@ -151,3 +151,30 @@ test('heat is the time of the day, by the truth and by sensors alone', () => {
   expect(sum(alone.seconds)).toBeGreaterThan(60 * 60);
   expect(alone.words.every(([name]) => run.home.sensors.some((sensor) => sensor.name === name))).toBe(true);
 });
+
+test('of a run whose log is still read a day is shown once it has come, and the rest grows', async () => {
+  const [early, whole] = [storedRun('long', 3, { values: ['ON'], read_us: 2 * HOUR }), storedRun('long', 3)];
+  const asked: string[] = [];
+  let read_us: number | null = 2 * HOUR;
+  const fetch = fakeRuns(['long'], () => whole);
+  const server = new Server('t', () => {}, async (path, init) => {
+    asked.push(path);
+    if (path.endsWith('/reading')) {
+      read_us = read_us === null || read_us > DAY ? null : read_us + DAY;
+      return Response.json({ read_us });
+    }
+    return path === '/api/runs/long' ? Response.json(read_us === null ? whole : { ...early, read_us }) : fetch(path, init);
+  });
+  const stored = await Stored.open(server, 'long');
+  const shares: number[] = [];
+  const { home } = stored.view;
+  await stored.day(0, (share) => shares.push(share));
+  expect(shares).toEqual([2 / 24]);
+  expect([stored.view.values, stored.view.read_us, stored.view.home === home]).toEqual([['ON'], 26 * HOUR, true]);
+  expect(asked.slice(0, 3)).toEqual(['/api/runs/long', '/api/runs/long/reading', '/api/runs/long/days/0']);
+  await stored.readAll(() => true, (share) => shares.push(share));
+  expect([shares.at(-1), stored.view.values, stored.view.read_us]).toEqual([1, ['ON', 'OFF'], null]);
+  const before = asked.length;
+  await stored.readAll(() => true, () => {});
+  expect(asked).toHaveLength(before);
+});

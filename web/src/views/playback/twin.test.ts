@@ -1,9 +1,13 @@
 import { expect, test } from 'vitest';
-import { date } from '../../testing/dates';
+import { countBetween, countIn } from '../../charts/lanes';
+import { laneAt } from '../../timeline/read';
+import { tableOf } from '../../timeline/table';
+import { date, daysFrom } from '../../testing/dates';
 import { storedDay, storedRun } from '../../testing/stored';
+import { calledOf } from './called';
 import { prepare } from './day';
 import { heatMore, heatOf } from './heat';
-import { drawingOf } from './stored';
+import { drawingOf, wholeOf } from './stored';
 import { dayBeside, hoursMore, lacking, pairsOf, spent } from './twin';
 
 const HOUR = 3_600_000_000;
@@ -53,6 +57,64 @@ test('lanes and bands of both runs are by the first one’s time', () => {
   expect(drawing.bands).toHaveLength(4);
   expect(drawing.bands[1]!.spans.map(([begin]) => begin)).toEqual(drawing.bands[0]!.spans.map(([begin]) => begin));
   expect(Math.min(...drawing.lanes.flatMap(({ beside }) => [...Array.from(beside!.fired)]))).toBeLessThan(DAY);
+});
+
+test('of many days the counts of both runs are by the first one’s time; what the second does not know differs in nothing', () => {
+  // The second began a day earlier, and has a sensor that the first has not; it ends a day before the first does.
+  const early = storedRun('early', 3, { days: daysFrom('2009-03-01', 3 * DAY), home: { ...twin.home, sensors: twin.home.sensors.map((sensor, index) => (index === 1 ? { ...sensor, name: 'a new one' } : sensor)) } });
+  const whole = { bucket_us: HOUR, counts: one.sensors.map(() => Array.from({ length: 72 }, () => 4)) };
+  const other = { bucket_us: HOUR, counts: early.sensors.map((_, sensor) => Array.from({ length: 72 }, (_, part) => (part < 24 ? 100 : part < 48 ? 4 + sensor : 0))) };
+  const { bands, lanes } = wholeOf({ view: one, whole }, true, { view: early, whole: other });
+  expect(lanes.map(({ name }) => name)).toEqual([...one.sensors.map((_, index) => one.home.sensors[index]!.name), 'a new one']);
+  const days = (lane: (typeof lanes)[number]) => [0, 1, 2].map((day) => {
+    const of = (counts: typeof lane.density) => countBetween(counts!, day * DAY, (day + 1) * DAY);
+    return [of(lane.density), of(lane.densityBeside!.counts), of(lane.densityBeside!.shared)];
+  });
+  expect(days(lanes[2]!)).toEqual([[96, 24 * 6, 96], [96, 0, 96], [96, 0, 0]]);
+  expect([days(lanes[1]!)[0], days(lanes.at(-1)!)[0]]).toEqual([[96, 0, 96], [0, 24 * 5, 0]]);
+  expect(countIn(lanes[2]!, { from_us: 0, to_us: DAY })).toBe(96 + 24 * 6);
+  expect(laneAt(lanes[2]!, HOUR, HOUR)!.words).toBe('about 8 times here, in the second run 12');
+  // Bands stand below each other, those of the second a day earlier than by its own time.
+  expect(bands.map(({ isBeside, spans }) => [isBeside ?? false, spans[0]![0], spans.length])).toEqual([[false, 0, 6], [true, 0, 4], [false, 0, 6], [true, 0, 4]]);
+  const table = tableOf({ from_us: 0, to_us: HOUR }, bands.slice(0, 2), [lanes[2]!], String, { first: 'one', second: 'early' });
+  const of = (row: string) => [2, 5].map((column) => row.split(',')[column]);
+  expect(table.trim().split('\n').map(of)).toEqual([['what', 'run'], ['activity', 'one'], ['activity beside', 'early'], ['count', 'one'], ['count beside', 'early']]);
+  // As long as the counts of one are on their way, there are none of it.
+  expect(wholeOf({ view: one, whole }, true, { view: early, whole: null }).lanes[2]!.densityBeside).toBeUndefined();
+  expect(wholeOf({ view: one, whole: null }, true, { view: early, whole: other }).lanes).toHaveLength(lanes.length);
+});
+
+test('what sensors of both runs say is read on the time line and is in the table, each by its own run’s values', () => {
+  const second = storedRun('two', 3, { values: ['OPEN', 'OFF'] });
+  const sight = { from_us: 0, to_us: DAY };
+  const { lanes } = drawingOf(one, sight, [day], true, { others: [{ view: second, day: other, later_us: 0 }] });
+  const lane = lanes[busiest]!;
+  expect(laneAt(lane, day.fired[busiest]![0]!, 1)!.words).toBe('ON');
+  expect(laneAt(lane, DAY - 3, 2)!.words).toBe('OPEN in the second run');
+  const rows = tableOf(sight, [], [lane], String, { first: 'one', second: 'two' }).trim().split('\n').slice(1).map((row) => row.split(','));
+  const said = (run: string) => new Set(rows.filter((row) => row[5] === run).map(([, , what, , said]) => `${what} ${said}`));
+  expect([said('one'), said('two')]).toEqual([new Set(['sensor ON']), new Set(['sensor beside OPEN'])]);
+});
+
+test('numbers of both runs are curves between the lowest and the highest of both', () => {
+  const values = ['ON', 'OFF', '20.5', '21.0', '19', 'warm'];
+  const [first, second] = [storedRun('one', 3, { values }), storedRun('two', 3, { values: [...values].reverse() })];
+  const rows = (run: typeof first, rows: [number, number, number][]) => prepare(run, 0, { ...storedDay(run, 0), rows });
+  const own = rows(first, [[HOUR, 0, 2], [2 * HOUR, 0, 3], [HOUR, 1, 2], [2 * HOUR, 1, 3]]);
+  const theirs = rows(second, [[HOUR, 0, 3], [2 * HOUR, 0, 1], [HOUR, 1, 0], [2 * HOUR, 1, 2]]);
+  const { lanes } = drawingOf(first, { from_us: 0, to_us: DAY }, [own], true, { others: [{ view: second, day: theirs, later_us: 0 }] });
+  const numbers = { curve: lanes[0]!.curve!, beside: lanes[0]!.beside!.curve! };
+  expect([Array.from(numbers.curve.values), Array.from(numbers.beside.values)]).toEqual([[20.5, 21], [20.5, 19]]);
+  expect([numbers.curve, numbers.beside].map(({ low, high }) => [low, high])).toEqual([[19, 21], [19, 21]]);
+  // A word in one of both, and neither is a curve.
+  expect([lanes[1]!.curve, lanes[1]!.beside!.curve]).toEqual([undefined, undefined]);
+});
+
+test('twins are called by what they were lived without, behind the name that somebody gave them', () => {
+  const run = { name: 'flat-2', about: { title: '', note: '' }, without: ['low_mood', 'insomnia'] };
+  expect(calledOf({ ...run, without: [] })).toBe('flat-2');
+  expect(calledOf(run)).toBe('flat-2 without low mood, insomnia');
+  expect(calledOf({ ...run, about: { title: 'the well one', note: '' } })).toBe('the well one (flat-2) without low mood, insomnia');
 });
 
 test('time in rooms and hours of the log differ by what the second has more', () => {

@@ -13,6 +13,9 @@ export type Pair = {
   kind: string;
   first: ArrayLike<number>;
   second: ArrayLike<number>;
+  /** What each of these said, by the number of the value in its run. */
+  saidFirst: ArrayLike<number>;
+  saidSecond: ArrayLike<number>;
   /** Of the first what the second lacks, and the other way round. */
   onlyFirst: number[];
   onlySecond: number[];
@@ -47,22 +50,26 @@ export function sensorName(view: PlaybackView, sensor: number): string {
   return view.home.sensors[sensor]?.name ?? view.sensors[sensor] ?? '';
 }
 
-/** The sensors of both runs in the first's order, those that only the second has behind them. */
-export function pairsOf(first: PlaybackView, day: Day | null, second: PlaybackView, beside: Day | null, later_us: number): Pair[] {
-  const known = new Map(second.sensors.map((_, index) => [sensorName(second, index), index]));
-  const moved = (sensor: number | undefined) => (sensor === undefined ? [] : Float64Array.from(beside?.fired[sensor] ?? [], (at) => at - later_us));
-  const pair = (name: string, kind: string, a: ArrayLike<number>, b: ArrayLike<number>): Pair => {
-    const both = day !== null && beside !== null;
-    return { name, kind, first: a, second: b, onlyFirst: both ? lacking(a, b) : [], onlySecond: both ? lacking(b, a) : [] };
-  };
+/** The sensors of both runs by name, in the first's order, those that only the second has behind them; with their numbers in each. */
+export function sensorPairs(first: PlaybackView, second: PlaybackView): { name: string; kind: string; first?: number; second?: number }[] {
+  const left = new Map(second.sensors.map((_, index) => [sensorName(second, index), index]));
   const pairs = first.sensors.map((_, index) => {
     const name = sensorName(first, index);
-    const other = known.get(name);
-    known.delete(name);
-    return pair(name, first.home.sensors[index]?.kind ?? '', day?.fired[index] ?? [], moved(other));
+    const other = left.get(name);
+    left.delete(name);
+    return { name, kind: first.home.sensors[index]?.kind ?? '', first: index, ...(other === undefined ? {} : { second: other }) };
   });
-  for (const [name, sensor] of known) pairs.push(pair(name, second.home.sensors[sensor]?.kind ?? '', [], moved(sensor)));
-  return pairs;
+  return [...pairs, ...[...left].map(([name, index]) => ({ name, kind: second.home.sensors[index]?.kind ?? '', second: index }))];
+}
+
+/** The firings of both runs' sensors on a day. */
+export function pairsOf(first: PlaybackView, day: Day | null, second: PlaybackView, beside: Day | null, later_us: number): Pair[] {
+  const moved = (sensor: number | undefined) => (sensor === undefined ? [] : Float64Array.from(beside?.fired[sensor] ?? [], (at) => at - later_us));
+  const both = day !== null && beside !== null;
+  return sensorPairs(first, second).map(({ name, kind, first: own, second: other }) => {
+    const [a, b] = [own === undefined ? [] : (day?.fired[own] ?? []), moved(other)];
+    return { name, kind, first: a, second: b, saidFirst: (own === undefined ? undefined : day?.said[own]) ?? [], saidSecond: (other === undefined ? undefined : beside?.said[other]) ?? [], onlyFirst: both ? lacking(a, b) : [], onlySecond: both ? lacking(b, a) : [] };
+  });
 }
 
 /** For how many seconds of a day something went on, by name. */

@@ -16,8 +16,8 @@ async function settle(): Promise<void> {
   flushSync();
 }
 
-async function begin(names = ['cottage-2', 'cottage-1'], make: (name: string) => PlaybackView = storedRun): Promise<void> {
-  const server = new Server('token', () => {}, fakeRuns(names, make));
+async function begin(names = ['cottage-2', 'cottage-1'], make: (name: string) => PlaybackView = storedRun, without: Record<string, string[]> = {}): Promise<void> {
+  const server = new Server('token', () => {}, fakeRuns(names, make, without));
   view = mount(PlaybackPage, { target: document.body, props: { live: { server } as Live } });
   for (let turn = 0; turn < 10; turn++) await settle();
 }
@@ -111,6 +111,21 @@ test('a second run is shown beside the first', async () => {
   expect(document.querySelectorAll('.plans [role="application"]')).toHaveLength(2);
 });
 
+test('of two runs each is named wherever it is shown, with what it was lived without', async () => {
+  await begin(['cottage-2', 'cottage-1'], storedRun, { 'cottage-1': ['low_mood'] });
+  choose('#second-run', 'cottage-1');
+  for (let turn = 0; turn < 5; turn++) await settle();
+  const said = (selector: string) => [...document.querySelectorAll(selector)].map((one) => one.textContent!.replace(/\s+/g, ' ').trim());
+  const both = ['cottage-2', 'cottage-1 without low mood'];
+  expect(said('.clock .run')).toEqual([`first: ${both[0]}`, `second: ${both[1]}`]);
+  expect(said('.which')).toEqual([`First: ${both[0]}`, `Second: ${both[1]}`]);
+  expect(said('.key')[0]).toContain(`above the line: ${both[0]}, below it: ${both[1]}`);
+  expect(said('section p')).toContain(`First: ${both[0]}; second: ${both[1]}`);
+  button('Find').click();
+  await settle();
+  expect(said('.find [role="status"]')[0]).toContain(`in the first run, ${both[0]}`);
+});
+
 test('the address keeps the time, and a page that is loaded anew is there again', async () => {
   await begin();
   press('PageUp', slider('Time of the day'));
@@ -131,7 +146,12 @@ test('a run that is not there is told', async () => {
 
 test('where no run is stored it is said how to have one, and nothing is to be chosen', async () => {
   await begin([]);
-  expect(document.querySelector('.waiting')!.textContent).toContain('No run is stored yet.');
+  const waiting = document.querySelector('.waiting')!;
+  expect(waiting.textContent).toContain('No run is stored yet.');
+  const chosen = vi.fn();
+  document.querySelector<HTMLInputElement>('input[type="file"]')!.click = chosen;
+  waiting.querySelector('button')!.click();
+  expect(chosen).toHaveBeenCalledOnce();
   expect([...document.querySelectorAll('.waiting a')].map((link) => link.getAttribute('href'))).toEqual(['#/live', '#/life']);
   expect(document.querySelector('#first-run')).toBeNull();
   expect(button('Open a log')).toBeDefined();

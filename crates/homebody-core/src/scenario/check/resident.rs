@@ -3,6 +3,7 @@
 use super::{Report, Surroundings, at, blocking, folded, solid_name};
 use crate::geometry::{self, point};
 use crate::problem::Problem;
+use crate::scenario::home::{HomeFile, RoomFile};
 use crate::scenario::resident::{LiveFile, ResidentFile};
 use crate::scenario::source::Source;
 use std::collections::BTreeMap;
@@ -18,6 +19,20 @@ impl Names {
         if let Some(other) = self.0.insert(folded(&file.name), source.file.clone()) {
             report.add("/name", format!("the resident of {other:?} is also named {:?}", file.name));
         }
+    }
+}
+
+/// Whether the body fits under the ceilings of all rooms: people do not stoop for good.
+pub fn check_height(source: &Source, file: &ResidentFile, home: &HomeFile, problems: &mut Vec<Problem>) {
+    let report = &mut Report { source, problems };
+    let low = |room: &&RoomFile| room.ceiling_m.is_some_and(|ceiling_m| ceiling_m < file.height_m);
+    if let Some(room) = home.rooms.iter().find(low) {
+        let ceiling_m = room.ceiling_m.unwrap_or_default();
+        let what = format!(
+            "{} is {} m tall, and the ceiling of {:?} is at {ceiling_m} m",
+            file.name, file.height_m, room.name
+        );
+        report.hinted("/height_m", what, "raise \"ceiling_m\" of the room, or lower \"height_m\"");
     }
 }
 

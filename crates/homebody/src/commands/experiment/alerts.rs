@@ -3,7 +3,6 @@
 use super::walk_back::every_fault;
 use crate::commands::alerts::rules;
 use crate::commands::answer::Answer;
-use crate::commands::people_with_conditions::{CONDITIONS, Lives, ONSET, People};
 use crate::failure::Failure;
 use homebody_analysis::alerts::Rules;
 use homebody_analysis::measures::Measures;
@@ -11,8 +10,10 @@ use homebody_core::scenario::link::LinkFile;
 use homebody_core::sensors::Sensor;
 use homebody_experiment::alerting::{Adequacy, Curve, OfMethod, Person, Quality, Watched, adequacy, later, quality};
 use homebody_experiment::measures::NotMeasured;
-use homebody_kit::{OpenScenario, template};
+use homebody_experiment::people::{CONDITIONS, Lives, ONSET, Opened, People};
+use homebody_kit::template;
 use homebody_picture::{TotalsLine, totals_chart};
+use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -62,10 +63,11 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.answer.check([""], &[])?;
         let rules = rules(self.rules.as_deref())?;
-        let scenario = template(SCENARIO)?;
+        let template = template(SCENARIO)?;
+        let scenario = Opened { scenario: template.scenario().clone(), household: template.household().clone() };
         let people = People::of(&scenario, &CONDITIONS, self.people, (self.days, self.seed))?;
         let layouts = if self.layouts { Layout::all(&scenario) } else { vec![Layout::AsItIs] };
-        let measure = |lives: &Lives| {
+        let measure = |lives: &Lives| -> Result<OfLayouts, Failure> {
             let logged = lives.live(&LinkFile::default())?;
             let heard = |layout: &Layout| match layout {
                 Layout::AsItIs => logged.heard().map_err(unmeasured),
@@ -73,7 +75,7 @@ impl Arguments {
                     let half = f64::from(self.days) / 2.0;
                     // Faults come as often before conditions as after.
                     let from_day = half * [0.0, 0.5, 1.0][lives.number % 3];
-                    let link = every_fault(lives.opened.scenario(), lives.number, (from_day, half));
+                    let link = every_fault(&lives.opened.scenario, lives.number, (from_day, half));
                     lives.live(&link)?.heard().map_err(unmeasured)
                 }
                 Layout::OneInEachRoom(kept) => {
@@ -83,7 +85,15 @@ impl Arguments {
             };
             layouts.iter().map(heard).collect()
         };
-        let watched: Vec<(Person, OfLayouts)> = people.each(measure)?;
+        let progress = ProgressBar::new(u64::from(people.count()));
+        let style = ProgressStyle::with_template("{bar:40} {pos} of {len} people  {eta} left");
+        progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let one_more = || {
+            progress.inc(1);
+            true
+        };
+        let watched: Vec<(Person, OfLayouts)> = people.each(one_more, measure)?;
+        progress.finish_and_clear();
         let by = |layout: usize| -> Vec<Watched> {
             watched.iter().map(|(person, measures)| Watched { person, measures: &measures[layout] }).collect()
         };
@@ -106,8 +116,8 @@ enum Layout {
 }
 
 impl Layout {
-    fn all(scenario: &OpenScenario) -> Vec<Layout> {
-        let home = &scenario.scenario().home;
+    fn all(opened: &Opened) -> Vec<Layout> {
+        let home = &opened.scenario.home;
         let sensors = home.placed_sensors();
         let mut rooms = Vec::new();
         let of_new_room = |sensor: &&Sensor| {

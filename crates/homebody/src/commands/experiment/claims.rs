@@ -1,6 +1,6 @@
 //! `homebody experiment claims`.
 
-use crate::commands::answer::Answer;
+use crate::commands::answer::Figures;
 use crate::failure::Failure;
 use homebody_experiment::claims::{CLAIMS, Case, Experiment, Row};
 use homebody_kit::Error;
@@ -27,12 +27,12 @@ pub struct Arguments {
     #[arg(long, default_value_t = 11)]
     seed: u64,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
 }
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([], &[])?;
+        let answer = self.figures.check(&[])?;
         let cases = Case::read(CLAIMS).map_err(Failure::usage)?;
         let rows = lived(&cases, self.days, self.seed)?;
         let experiment = Experiment::of(rows, self.days, self.seed);

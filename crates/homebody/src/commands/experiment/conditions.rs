@@ -1,7 +1,7 @@
 //! `homebody experiment conditions`.
 
 use super::claims::lived;
-use crate::commands::answer::Answer;
+use crate::commands::answer::Figures;
 use crate::failure::Failure;
 use homebody_experiment::claims::{CONDITIONS, Case, Conditions};
 
@@ -21,12 +21,12 @@ pub struct Arguments {
     #[arg(long, default_value_t = 11)]
     seed: u64,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
 }
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([], &[])?;
+        let answer = self.figures.check(&[])?;
         let cases = Case::read(CONDITIONS).map_err(Failure::usage)?;
         let rows = lived(&cases, 0, self.seed)?;
         answer.give(&Conditions::of(rows, self.seed), [])

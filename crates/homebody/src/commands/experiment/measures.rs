@@ -1,7 +1,7 @@
 //! `homebody experiment measures`.
 
 use super::walk_back::{every_fault, lived, of_homes, of_one};
-use crate::commands::answer::Answer;
+use crate::commands::answer::Figures;
 use crate::commands::read_log::read_log;
 use crate::failure::Failure;
 use homebody_analysis::measures::Measures;
@@ -34,7 +34,7 @@ pub struct Arguments {
     #[arg(long, value_name = "LOG", conflicts_with_all = ["homes", "days"])]
     data: Vec<String>,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
 }
 
 /// Measures of logs of real homes, beside what people wrote down.
@@ -63,7 +63,7 @@ impl Arguments {
         if !self.data.is_empty() {
             return self.of_real_logs();
         }
-        let answer = self.answer.check([], &[])?;
+        let answer = self.figures.check(&[])?;
         let asked: Vec<(usize, bool)> =
             (0..self.homes as usize).flat_map(|home| [(home, false), (home, true)]).collect();
         let cases = of_homes(
@@ -90,7 +90,7 @@ impl Arguments {
     fn of_real_logs(self) -> Result<(), Failure> {
         let read = self.data.iter().map(|log| read_log(log, None)).collect::<Result<Vec<_>, _>>()?;
         let sources: Vec<PathBuf> = read.iter().flat_map(|read| read.sources.clone()).collect();
-        let answer = self.answer.check([], &sources)?;
+        let answer = self.figures.check(&sources)?;
         let of_log = |(log, read): (&String, &LogWithRun)| {
             let heard = read.measures().map_err(|why| Failure::usage(format!("{log}: {why}")))?;
             let end = read.log.events.iter().map(|event| event.at).max().map_or(0, |last| last + 1);

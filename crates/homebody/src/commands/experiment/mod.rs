@@ -4,6 +4,7 @@ mod alerts;
 mod claims;
 mod conditions;
 mod daily_life;
+mod falls;
 mod godsey2009;
 mod measures;
 mod possible;
@@ -29,6 +30,7 @@ use crate::failure::Failure;
   homebody experiment walk-back --json walk-back.json
   homebody experiment measures --homes 8
   homebody experiment alerts --people 200 --json alerts.json
+  homebody experiment falls --cases 100
   homebody experiment round-trip --homes 40
   homebody experiment sensor-health --homes 10
   homebody experiment recogniser --data uci")]
@@ -61,6 +63,8 @@ enum Experiment {
     Measures(measures::Arguments),
     /// How soon alerts come after a condition has begun, and how often for nothing
     Alerts(alerts::Arguments),
+    /// Falls and what looks like them, by the silhouettes of cameras
+    Falls(falls::Arguments),
     /// Routines lived, their logs summarised, and each sentence held against the routine
     RoundTrip(round_trip::Arguments),
     /// What is wrong with sensors, by the logs of their homes alone, beside the faults that were planted
@@ -81,6 +85,7 @@ impl Arguments {
             Experiment::WalkBack(arguments) => arguments.run(),
             Experiment::Measures(arguments) => arguments.run(),
             Experiment::Alerts(arguments) => arguments.run(),
+            Experiment::Falls(arguments) => arguments.run(),
             Experiment::RoundTrip(arguments) => arguments.run(),
             Experiment::SensorHealth(arguments) => arguments.run(),
         }

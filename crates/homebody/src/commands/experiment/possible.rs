@@ -69,7 +69,8 @@ impl Arguments {
 
 /// What of the lives in a scenario cannot be.
 fn lived(opened: &OpenScenario, days: u32) -> Result<Row, DriverError> {
-    let (scenario, household) = (opened.scenario(), opened.household());
+    let (mut scenario, household) = (opened.scenario().clone(), opened.household());
+    scenario.home = scenario.home.without_cameras();
     let residents = scenario.residents.len();
     let guests: Vec<String> = household.guests().into_iter().map(|guest| guest.name).collect();
     let host_of = |guest: &String| {
@@ -84,7 +85,7 @@ fn lived(opened: &OpenScenario, days: u32) -> Result<Row, DriverError> {
     let are_people: Vec<bool> = (0..residents + guests.len()).map(is_person).collect();
     let people = are_people.iter().filter(|&&is| is).count();
     let mut lives = Lives::new(are_people, hosts.collect());
-    let mut run = Run::new(scenario, household, scenario.file.seed, i64::from(days) * DAY);
+    let mut run = Run::new(&scenario, household, scenario.file.seed, i64::from(days) * DAY);
     let mut events = Events::default();
     while run.now() < run.length() {
         run.advance(run.now() + 3600 * SECOND, &mut events)?;

@@ -1,7 +1,7 @@
 //! `homebody experiment round-trip`.
 
 use super::walk_back::{lived, of_homes, of_one};
-use crate::commands::answer::Answer;
+use crate::commands::answer::Figures;
 use crate::failure::Failure;
 use homebody_core::names::capitalised;
 use homebody_core::scenario::link::LinkFile;
@@ -29,7 +29,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 1)]
     seed: u64,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
 }
 
 #[derive(Serialize)]
@@ -47,7 +47,7 @@ struct RoundTrip {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([], &[])?;
+        let answer = self.figures.check(&[])?;
         let homes: Vec<usize> = (0..self.homes as usize).collect();
         let cases = of_homes(
             &homes,

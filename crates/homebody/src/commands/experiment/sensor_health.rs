@@ -1,7 +1,7 @@
 //! `homebody experiment sensor-health`.
 
 use super::walk_back::{lived, of_homes};
-use crate::commands::answer::Answer;
+use crate::commands::answer::Figures;
 use crate::failure::Failure;
 use homebody_experiment::sensor_health::{Case, KINDS, Planted, case, faulty};
 use serde::Serialize;
@@ -23,7 +23,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(7..=366))]
     days: u32,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
 }
 
 #[derive(Serialize)]
@@ -49,7 +49,7 @@ struct Kind {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([], &[])?;
+        let answer = self.figures.check(&[])?;
         let homes: Vec<usize> = (0..self.homes as usize).collect();
         let cases = of_homes(
             &homes,

@@ -1,6 +1,6 @@
 //! `homebody experiment walk-back`.
 
-use crate::commands::answer::Answer;
+use crate::commands::answer::Figures;
 use crate::failure::Failure;
 use homebody_core::scenario::link::LinkFile;
 use homebody_core::scenario::load::Scenario;
@@ -29,7 +29,7 @@ pub struct Arguments {
     #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=366))]
     days: u32,
     #[command(flatten)]
-    answer: Answer,
+    figures: Figures,
 }
 
 /// The templates whose homes are walked back, in turn.
@@ -43,7 +43,7 @@ struct WalkBack {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let answer = self.answer.check([], &[])?;
+        let answer = self.figures.check(&[])?;
         let asked: Vec<(usize, bool)> =
             (0..self.homes as usize).flat_map(|home| [(home, false), (home, true)]).collect();
         let cases = of_homes(

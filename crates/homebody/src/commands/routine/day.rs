@@ -55,7 +55,7 @@ impl Arguments {
         let mut lives = Lived::new(&run);
         lives.live(run, begin, wall)?;
         let name = format!("{}, lived", scenario.file.name);
-        let day = Day::of(&name, &Log::default(), &lives.lives, date);
+        let day = Day::of(&name, &Log::default(), &lives.lives, None, date);
         answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
     }
 }

@@ -53,7 +53,7 @@ pub fn check_within(report: &mut Report, place: &str, sensor: &SensorFile, plan:
 }
 
 /// What a sensor is on or in must be there.
-fn known<'a>(
+pub fn known<'a>(
     report: &mut Report,
     place: &str,
     key: &str,

@@ -1,6 +1,7 @@
 //! `home.json`: names, then the building, then what hangs in it.
 
 mod areas;
+mod cameras;
 mod devices;
 mod furniture;
 mod names;

@@ -13,6 +13,10 @@ pub fn check(report: &mut Report, home: &HomeFile) {
     let places: Vec<_> = home.places.iter().map(|place| place.name.as_str()).collect();
     let sensors: Vec<_> = home.sensors.iter().map(|sensor| sensor.name()).collect();
     check_list(report, "rooms", "room", &rooms);
+    for (index, floor) in home.rooms.iter().enumerate().filter_map(|(index, room)| Some((index, room.floor.as_ref()?)))
+    {
+        report.name(&format!("/rooms/{index}/floor"), floor);
+    }
     check_list(report, "doors", "door", &doors);
     check_list(report, "furniture", "piece of furniture", &furniture);
     check_list(report, "places", "place", &places);

@@ -1,7 +1,7 @@
 //! Sensors: timing that can be, and a place from which they can see.
 
 use super::areas::{check_convex, is_flat, keeps_within};
-use super::{Report, TOLERANCE_M, at, devices, is_within, solid_name};
+use super::{Report, TOLERANCE_M, at, cameras, devices, is_within, solid_name};
 use crate::geometry::{self, Point, point};
 use crate::home::plan::{Plan, Solid};
 use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
@@ -46,6 +46,7 @@ pub fn check_alone(report: &mut Report, home: &HomeFile) {
             _ => {}
         }
         devices::check_alone(report, &place, sensor, home);
+        cameras::check_alone(report, &place, sensor, home);
     }
 }
 
@@ -98,6 +99,9 @@ pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
                     let hint = "a sensor on the ceiling sees one side of a wall: let its area end there";
                     report.hinted(&format!("/sensors/{index}/area"), what, hint);
                 }
+            }
+            SensorFile::Camera(camera) => {
+                cameras::check_within(report, &format!("/sensors/{index}"), camera, home, plan)
             }
             device => devices::check_within(report, &format!("/sensors/{index}"), device, plan),
         }

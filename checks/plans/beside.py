@@ -1,0 +1,191 @@
+#!/usr/bin/env python3
+"""Imports plans of Sweet Home 3D, lives a day in each, and puts what Sweet Home 3D draws beside what Homebody draws.
+
+Usage: PYTHON checks/plans/beside.py HOMEBODY DRAWN TO
+
+PYTHON is that of an environment with Pillow, HOMEBODY the program, DRAWN the folder that Draw.java has filled: NAME.sh3d, with a
+picture NAME.LEVEL.png of each of its levels. In the new folder TO are then NAME.png of each plan, and sheet.png of all.
+Ends with code 1 if fewer than nine in ten of the plans that have all that a life needs are lived in.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import re
+import sqlite3
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from PIL import Image, ImageDraw, ImageFont
+
+#: What an ordinary life needs, by the words in which its lack is told.
+NEEDED = ("nowhere in this home to sleep", "nowhere to sit", "no toilet in this home", "no kitchen in this home")
+LEAST_SHARE = 0.9
+#: An ordinary day has so much at least: hours asleep, meals, visits to the bathroom.
+LEAST = (4.0, 2, 2)
+DAY = """
+SELECT (SELECT coalesce(sum(julianday(end_at) - julianday(begin_at)), 0) * 24 FROM activity WHERE name = 'sleeping'),
+       (SELECT count(*) FROM activity WHERE name LIKE 'eating_%'), (SELECT count(*) FROM activity WHERE name = 'using_bathroom')
+"""
+
+HALF = (1000, 760)
+HEAD = 110
+SHEET_COLUMNS = 3
+SHEET_WIDTH = 1950
+SHEET_HEAD = 30
+PAPER, INK, FADED = "white", "#202020", "#707070"
+
+
+@dataclass
+class Found:
+    """What became of a plan."""
+
+    name: str
+    counts: str
+    lacks: list[str]
+    remarks: list[str]
+    day: tuple[float, int, int] | None
+    drawn: Image.Image | None
+
+    @property
+    def has_all(self) -> bool:
+        return self.drawn is not None and not any(word in lack for lack in self.lacks for word in NEEDED)
+
+    @property
+    def is_lived_in(self) -> bool:
+        return self.day is not None and all(had >= least for had, least in zip(self.day, LEAST))
+
+    @property
+    def outcome(self) -> str:
+        if self.drawn is None:
+            return "not imported: " + " ".join(self.remarks[:1])
+        if self.day is None:
+            return "not lived in: " + "; ".join(self.lacks)
+        asleep, meals, visits = self.day
+        word = "lived in" if self.is_lived_in else "not lived in"
+        return f"{word}: {asleep:.1f} h asleep, {meals} meals, {visits} visits to the bathroom"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="Plans of Sweet Home 3D beside the homes that they become.")
+    parser.add_argument("homebody", type=Path)
+    parser.add_argument("drawn", type=Path)
+    parser.add_argument("to", type=Path)
+    arguments = parser.parse_args()
+    arguments.to.mkdir(parents=True)
+    pairs, found = [], []
+    for plan in sorted(arguments.drawn.glob("*.sh3d")):
+        became = found_of(arguments.homebody.resolve(), plan.resolve())
+        source = in_a_row([Image.open(path) for path in levels_of(plan)])
+        pair = beside(became, source)
+        pair.save(arguments.to / f"{plan.stem}.png")
+        pairs.append(pair)
+        found.append(became)
+        print(f"{became.name}: {became.counts}; {became.outcome}")
+        for remark in became.remarks:
+            print(f"    {remark}")
+    sheet(found, pairs).save(arguments.to / "sheet.png", optimize=True)
+    whole = [became for became in found if became.has_all]
+    lived_in = sum(became.is_lived_in for became in whole)
+    print(f"{len(found)} plans, {sum(became.drawn is not None for became in found)} imported, {len(whole)} with all that a life needs; "
+          f"somebody lives in {lived_in} of these")
+    return 0 if whole and lived_in >= LEAST_SHARE * len(whole) else 1
+
+
+def levels_of(plan: Path) -> list[Path]:
+    """The pictures of a plan's levels, from below; none of a plan in which nothing is drawn."""
+    number = re.compile(re.escape(plan.stem) + r"\.(\d+)\.png")
+    levels = [(int(match[1]), path) for path in plan.parent.iterdir() if (match := number.fullmatch(path.name))]
+    return [path for _, path in sorted(levels)]
+
+
+def found_of(homebody: Path, plan: Path) -> Found:
+    """Imports a plan, draws the home, and lives a day in it."""
+    with tempfile.TemporaryDirectory() as folder:
+        def run(*words: str) -> subprocess.CompletedProcess[str]:
+            return subprocess.run([homebody, *words], cwd=folder, capture_output=True, text=True, check=False)
+
+        imported = run("import", str(plan), plan.stem)
+        said = [line.removeprefix(f"{plan}: ") for line in imported.stderr.splitlines()]
+        if imported.returncode != 0:
+            return Found(plan.stem, "", [], said, None, None)
+        lack = "nobody can live an ordinary life here yet: "
+        lacks = [line.removeprefix(lack) for line in said if line.startswith(lack)]
+        ready = next((index for index, line in enumerate(said) if line.startswith(f"{plan.stem} is ready")), len(said))
+        remarks = [line for line in said[:ready] if not line.startswith((lack, "  "))]
+        home = json.loads((Path(folder) / plan.stem / "home.json").read_text())
+        run("plan", plan.stem, "--png", "plan.png", "--width", "1400").check_returncode()
+        drawn = Image.open(Path(folder) / "plan.png").convert("RGB")
+        drawn.load()
+        counts = f"{len(home['rooms'])} rooms, {len(home['doors'])} doors, {len(home['furniture'])} pieces"
+        day = None
+        if not lacks:
+            run("run", plan.stem, "--for", "1d", "--quiet", "--out", "csv:log.csv", "--truth", "sqlite:truth.db").check_returncode()
+            with sqlite3.connect(Path(folder) / "truth.db") as truth:
+                day = truth.execute(DAY).fetchone()
+        return Found(plan.stem, counts, lacks, remarks, day, drawn)
+
+
+def in_a_row(pictures: list[Image.Image]) -> Image.Image:
+    """The levels of a plan beside each other."""
+    if not pictures:
+        return Image.new("RGB", HALF, PAPER)
+    row = Image.new("RGB", (sum(picture.width for picture in pictures), max(picture.height for picture in pictures)), PAPER)
+    left = 0
+    for picture in pictures:
+        row.paste(picture, (left, 0))
+        left += picture.width
+    return row
+
+
+def beside(found: Found, source: Image.Image) -> Image.Image:
+    """A plan as Sweet Home 3D draws it at the left, as Homebody does at the right, and what became of it above."""
+    pair = Image.new("RGB", (2 * HALF[0], HEAD + HALF[1]), PAPER)
+    pen = ImageDraw.Draw(pair)
+    pen.text((20, 14), found.name, INK, font(34))
+    pen.text((20, 64), f"{found.counts}; {found.outcome}"[:130], FADED, font(26))
+    for picture, left in [(source, 0), (found.drawn, HALF[0])]:
+        if picture is not None:
+            pair.paste(fitted(picture, HALF), (left, HEAD))
+    pen.rectangle((0, 0, pair.width - 1, pair.height - 1), outline="#c0c0c0")
+    return pair
+
+
+def fitted(picture: Image.Image, size: tuple[int, int]) -> Image.Image:
+    """A picture in the middle of a space, as large as that has room for."""
+    share = min(size[0] / picture.width, size[1] / picture.height)
+    small = picture.resize((round(picture.width * share), round(picture.height * share)), Image.Resampling.LANCZOS)
+    space = Image.new("RGB", size, PAPER)
+    space.paste(small, ((size[0] - small.width) // 2, (size[1] - small.height) // 2))
+    return space
+
+
+def sheet(found: list[Found], pairs: list[Image.Image]) -> Image.Image:
+    """All pairs on one sheet with their names, in few colours."""
+    width = SHEET_WIDTH // SHEET_COLUMNS
+    height = round(width * HALF[1] / (2 * HALF[0]))
+    whole = Image.new("RGB", (SHEET_WIDTH, math.ceil(len(pairs) / SHEET_COLUMNS) * (height + SHEET_HEAD)), PAPER)
+    pen = ImageDraw.Draw(whole)
+    for index, (became, pair) in enumerate(zip(found, pairs)):
+        left, top = index % SHEET_COLUMNS * width, index // SHEET_COLUMNS * (height + SHEET_HEAD)
+        pen.text((left + 8, top + 6), became.name, INK, font(18))
+        drawings = pair.crop((1, HEAD, pair.width - 1, pair.height - 1))
+        whole.paste(drawings.resize((width - 16, height - 6), Image.Resampling.LANCZOS), (left + 8, top + SHEET_HEAD))
+    return whole.quantize(48)
+
+
+def font(size: int) -> ImageFont.FreeTypeFont:
+    """A font with the letters of many languages, if there is one."""
+    try:
+        return ImageFont.truetype("DejaVuSans.ttf", size)
+    except OSError:
+        return ImageFont.load_default(size)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,175 @@
+//! All cameras of a home: those of one room see one person together.
+//!
+//! We assume that pictures come in order of time.
+//!
+//! Where two cameras agree on somebody the voxel person counts; otherwise the first camera that sees somebody tells of them alone.
+
+use super::rules::{FallRules, Memberships, State};
+use super::voxels::VoxelSpace;
+use super::watch::{Fall, Watch};
+use super::{Shape, ShapeAt, single};
+use homebody_core::body::figure::Point3;
+use homebody_core::body::ground::Ground;
+use homebody_core::camera::lens::Lens;
+use homebody_core::camera::silhouette::Silhouette;
+use homebody_core::home::outlook::outlook;
+use homebody_core::home::plan::Plan;
+use homebody_core::time::Micros;
+use std::sync::Arc;
+
+/// A picture of one of the cameras.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// When it was taken.
+    pub at: Micros,
+    /// Which camera took it.
+    pub camera: usize,
+    /// The picture.
+    pub silhouette: Silhouette,
+}
+
+/// Parts of a silhouette that have fewer pixels are noise (ours).
+const SPECK_PX: usize = 6;
+
+impl Seen {
+    fn without_specks(&self) -> Seen {
+        Seen { at: self.at, camera: self.camera, silhouette: self.silhouette.without_specks(SPECK_PX) }
+    }
+}
+
+/// Somebody in a room, as the pictures of an instant tell it.
+#[derive(Clone, Debug)]
+pub struct Person {
+    /// What their body is like.
+    pub shape: Shape,
+    /// How far they are upright, in between and on the ground.
+    pub memberships: Memberships,
+    /// The middles of the cubes that two cameras or more agree on; none where one camera alone tells of them.
+    pub cubes: Vec<Point3>,
+}
+
+/// The rooms with cameras, watched.
+#[derive(Clone)]
+pub struct Scenes<'r> {
+    rules: &'r FallRules,
+    scenes: Vec<Scene<'r>>,
+    at: Micros,
+    /// How many instants two cameras or more agreed on.
+    pub voxel_persons: u64,
+}
+
+/// Somebody was seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sighting {
+    /// When.
+    pub at: Micros,
+    /// How they were held to be.
+    pub state: State,
+}
+
+/// The cameras of one room.
+#[derive(Clone)]
+struct Scene<'r> {
+    /// Their numbers among all cameras.
+    cameras: Vec<usize>,
+    lenses: Vec<Lens>,
+    /// The same in all copies.
+    space: Arc<VoxelSpace>,
+    ground: Arc<Ground>,
+    watch: Watch<'r>,
+    /// Pictures of the present instant, by camera of the scene.
+    now: Vec<Option<Seen>>,
+    /// When somebody was last seen.
+    seen_at: Micros,
+}
+
+impl<'r> Scenes<'r> {
+    /// Of these cameras in a home.
+    pub fn new(plan: &Plan, lenses: &[Lens], rules: &'r FallRules) -> Scenes<'r> {
+        let room = |lens: &Lens| plan.room_at(lens.at.truncate());
+        let mut groups: Vec<Vec<usize>> = Vec::new();
+        for camera in 0..lenses.len() {
+            match groups.iter_mut().find(|group| room(&lenses[group[0]]) == room(&lenses[camera])) {
+                Some(group) => group.push(camera),
+                None => groups.push(vec![camera]),
+            }
+        }
+        let ground = Arc::new(outlook(plan).ground);
+        let scene = |cameras: Vec<usize>| {
+            let lenses: Vec<Lens> = cameras.iter().map(|&camera| lenses[camera]).collect();
+            let space = Arc::new(VoxelSpace::new(plan, &lenses));
+            Scene {
+                ground: ground.clone(),
+                now: vec![None; cameras.len()],
+                cameras,
+                lenses,
+                space,
+                watch: Watch::new(rules),
+                seen_at: Micros::MIN,
+            }
+        };
+        Scenes { rules, scenes: groups.into_iter().map(scene).collect(), at: Micros::MIN, voxel_persons: 0 }
+    }
+
+    /// The next picture; what was found in those of the instant before it.
+    pub fn next(&mut self, seen: Seen) -> Vec<Fall> {
+        let seen = seen.without_specks();
+        let found = if seen.at == self.at { Vec::new() } else { self.look() };
+        self.at = seen.at;
+        for scene in &mut self.scenes {
+            if let Some(index) = scene.cameras.iter().position(|&camera| camera == seen.camera) {
+                scene.now[index] = Some(seen);
+                break;
+            }
+        }
+        found
+    }
+
+    /// When somebody was seen last, by the cameras of whichever room, and how they are held to be.
+    pub fn last_sighting(&self) -> Option<Sighting> {
+        let scene = self.scenes.iter().max_by_key(|scene| scene.seen_at)?;
+        Some(Sighting { at: scene.seen_at, state: scene.watch.state()? })
+    }
+
+    /// Who is in which room by the pictures of one instant, looked at by themselves: what was before is not asked.
+    pub fn persons(&self, seen: &[Seen]) -> Vec<Person> {
+        let seen: Vec<Seen> = seen.iter().map(Seen::without_specks).collect();
+        let person = |scene: &Scene| {
+            let of_camera = |camera: &usize| seen.iter().find(|seen| seen.camera == *camera);
+            let now: Vec<Option<&Seen>> = scene.cameras.iter().map(of_camera).collect();
+            let (shape, cubes) = scene.shape(&now)?;
+            Some(Person { shape, memberships: self.rules.memberships(&shape), cubes })
+        };
+        self.scenes.iter().filter_map(person).collect()
+    }
+
+    /// What is found in the pictures of the last instant.
+    pub fn look(&mut self) -> Vec<Fall> {
+        let persons = &mut self.voxel_persons;
+        self.scenes.iter_mut().filter_map(|scene| scene.look(persons)).collect()
+    }
+}
+
+impl Scene<'_> {
+    /// Looks at the pictures of an instant, and forgets them.
+    fn look(&mut self, persons: &mut u64) -> Option<Fall> {
+        let at = self.now.iter().flatten().next()?.at;
+        let now: Vec<Option<&Seen>> = self.now.iter().map(Option::as_ref).collect();
+        let found = self.shape(&now);
+        self.now.iter_mut().for_each(|seen| *seen = None);
+        let (shape, cubes) = found?;
+        self.seen_at = at;
+        *persons += u64::from(!cubes.is_empty());
+        self.watch.next(&ShapeAt { at, shape })
+    }
+
+    /// What somebody's body is like by the pictures of an instant, and the cubes that this was told by.
+    fn shape(&self, now: &[Option<&Seen>]) -> Option<(Shape, Vec<Point3>)> {
+        let pictures: Vec<_> = now.iter().map(|seen| seen.map(|seen| &seen.silhouette)).collect();
+        if let Some(person) = self.space.person(&pictures) {
+            return Some(person);
+        }
+        let (index, seen) = now.iter().enumerate().find_map(|(index, seen)| Some((index, (*seen)?)))?;
+        Some((single::shape(&self.lenses[index], &seen.silhouette, &self.ground)?, Vec::new()))
+    }
+}

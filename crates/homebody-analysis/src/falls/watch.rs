@@ -1,0 +1,196 @@
+//! The second level: states over time become falls, with how sure that is.
+//!
+//! Somebody is on the ground from the instant at which that holds more than half, until it has not for a second. What was before is
+//! the last instant at which another state held more than half.
+//!
+//! We assume that nothing changes for two seconds without a picture, and that nothing is known after longer.
+
+use super::ShapeAt;
+use super::rules::{FallRule, FallRules, Memberships, State};
+use homebody_core::time::{Micros, SECOND, micros, seconds};
+use serde::Serialize;
+
+/// A state holds from here on.
+const HOLDS: f64 = 0.5;
+
+/// Somebody is still on the ground if a picture in between says otherwise for no longer than this (ours).
+const LAPSE: Micros = SECOND;
+
+/// After so long without a picture nothing is known of what was before (ours).
+const GAP: Micros = 2 * SECOND;
+
+const STATES: [State; 3] = [State::Upright, State::InBetween, State::OnTheGround];
+
+/// A fall that was found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Fall {
+    /// Since when somebody has been on the ground, in microseconds since the run's start.
+    pub at: Micros,
+    /// When that was enough for the rule.
+    pub alarm_at: Micros,
+    /// Where, in metres.
+    pub at_m: [f64; 2],
+    /// The rule.
+    pub rule: String,
+    /// How sure it is, from 0 to 1.
+    pub confidence: f64,
+}
+
+impl Fall {
+    /// How sure it is, in words.
+    pub fn words(&self) -> &'static str {
+        match self.confidence {
+            sure if sure >= 0.8 => "very likely a fall",
+            sure if sure >= 0.6 => "probably a fall",
+            sure if sure >= 0.4 => "perhaps a fall",
+            _ => "hardly a fall",
+        }
+    }
+}
+
+/// Watches states as they come.
+#[derive(Clone, Debug)]
+pub struct Watch<'r> {
+    rules: &'r FallRules,
+    last: Option<Micros>,
+    /// When another state held last, by state.
+    upright_at: Option<Micros>,
+    in_between_at: Option<Micros>,
+    ground: Option<Lying>,
+    state: Option<State>,
+}
+
+/// Somebody on the ground.
+#[derive(Clone, Debug)]
+struct Lying {
+    since: Micros,
+    last: Micros,
+    /// Means over its pictures.
+    sum: f64,
+    pictures: u32,
+    /// How long before they were upright, and in between; None for not, or nobody knows.
+    upright_before: Option<Micros>,
+    in_between_before: Option<Micros>,
+    /// The confidence of what has been told.
+    told: f64,
+}
+
+impl<'r> Watch<'r> {
+    /// A watch by these rules.
+    pub fn new(rules: &'r FallRules) -> Watch<'r> {
+        Watch { rules, last: None, upright_at: None, in_between_at: None, ground: None, state: None }
+    }
+
+    /// How somebody was held to be last; None before anything was sure.
+    pub fn state(&self) -> Option<State> {
+        self.state
+    }
+
+    /// The next shape, in order of time. A fall is told once, and again only where a rule is surer of it.
+    pub fn next(&mut self, ShapeAt { at, shape }: &ShapeAt) -> Option<Fall> {
+        let at = *at;
+        let memberships: Memberships = self.rules.memberships(shape);
+        if self.last.is_some_and(|last| at - last > GAP) {
+            (self.upright_at, self.in_between_at, self.ground) = (None, None, None);
+        }
+        self.last = Some(at);
+        let holds = |state: State| memberships.of(state) >= HOLDS;
+        let surest = STATES.into_iter().max_by(|&a, &b| memberships.of(a).total_cmp(&memberships.of(b)));
+        self.state = surest.filter(|&state| holds(state)).or(self.state);
+        if holds(State::Upright) {
+            self.upright_at = Some(at);
+        }
+        if holds(State::InBetween) {
+            self.in_between_at = Some(at);
+        }
+        if !holds(State::OnTheGround) {
+            if self.ground.as_ref().is_some_and(|lying| at - lying.last > LAPSE) {
+                self.ground = None;
+            }
+            return None;
+        }
+        let before = |then: Option<Micros>| then.map(|then| at - then);
+        let (upright_before, in_between_before) = (before(self.upright_at), before(self.in_between_at));
+        let lying = self.ground.get_or_insert(Lying {
+            since: at,
+            last: at,
+            sum: 0.0,
+            pictures: 0,
+            upright_before,
+            in_between_before,
+            told: 0.0,
+        });
+        lying.last = at;
+        lying.sum += memberships.on_the_ground;
+        lying.pictures += 1;
+        let lies = at - lying.since;
+        let mean = lying.sum / f64::from(lying.pictures);
+        let applies = |rule: &&FallRule| {
+            let was = rule.before.is_none_or(|before| {
+                let then = match before.state {
+                    State::Upright => lying.upright_before,
+                    State::InBetween => lying.in_between_before,
+                    State::OnTheGround => Some(0),
+                };
+                then.is_some_and(|then| then <= micros(before.within_s))
+            });
+            was && seconds(lies) >= rule.lies_s
+        };
+        let surest = self.rules.falls.iter().filter(applies).max_by(|a, b| a.confidence.total_cmp(&b.confidence))?;
+        let confidence = surest.confidence * mean;
+        if lying.told > 0.0 && surest.confidence <= lying.told {
+            return None;
+        }
+        lying.told = surest.confidence;
+        let rule = surest.name.clone();
+        Some(Fall { at: lying.since, alarm_at: at, at_m: shape.at_m, rule, confidence })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Shape;
+    use super::*;
+
+    fn shape(height_m: f64) -> Shape {
+        let (centroid_up_m, tilt_deg) = (height_m * 0.55, if height_m < 0.6 { 80.0 } else { 5.0 });
+        Shape { centroid_up_m, height_m, tilt_deg, volume_l: 100.0, at_m: [1.0, 2.0] }
+    }
+
+    /// Falls that are found as a body's height goes through these numbers, five pictures a second.
+    fn found(heights: &[(f64, u32)]) -> Vec<Fall> {
+        let rules = FallRules::default();
+        let (mut watch, mut at, mut found) = (Watch::new(&rules), 0, Vec::new());
+        for &(height_m, pictures) in heights {
+            for _ in 0..pictures {
+                found.extend(watch.next(&ShapeAt { at, shape: shape(height_m) }));
+                at += SECOND / 5;
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn who_is_upright_and_then_on_the_ground_has_fallen() {
+        let falls = found(&[(1.65, 20), (1.0, 3), (0.3, 60)]);
+        assert_eq!(falls.len(), 1, "{falls:?}");
+        assert_eq!((falls[0].rule.as_str(), falls[0].words()), ("sudden", "very likely a fall"));
+        assert_eq!((falls[0].at, falls[0].alarm_at), (23 * SECOND / 5, 43 * SECOND / 5));
+    }
+
+    #[test]
+    fn who_lies_down_slowly_has_not_but_is_told_of_after_two_minutes() {
+        let slowly = [(1.65, 20), (1.0, 15), (0.3, 60)];
+        let falls = found(&slowly);
+        assert!(falls.iter().all(|fall| fall.rule != "sudden"), "{falls:?}");
+        let falls = found(&[(0.3, 700)]);
+        assert_eq!(falls.iter().map(|fall| fall.rule.as_str()).collect::<Vec<_>>(), ["lies on the floor"]);
+        assert_eq!(falls[0].words(), "perhaps a fall");
+    }
+
+    #[test]
+    fn who_is_down_for_a_moment_is_not_told_of() {
+        assert_eq!(found(&[(1.65, 20), (0.3, 10), (1.65, 20)]), []);
+        assert_eq!(found(&[(1.65, 20), (1.0, 100), (1.65, 20)]), []);
+    }
+}

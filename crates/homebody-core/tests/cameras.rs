@@ -1,0 +1,116 @@
+//! Cameras in a home: what they keep does not depend on how a run is advanced, they cost nothing while they sleep, and what is wrong with one is told.
+
+use homebody_core::event::{Events, Value};
+use homebody_core::run::Run;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::time::{Micros, SECOND};
+use serde_json::json;
+use std::collections::BTreeMap;
+
+const LENGTH: Micros = 120 * SECOND;
+
+/// A room with two cameras, through which somebody walks, and falls.
+fn texts(camera: &serde_json::Value) -> BTreeMap<String, String> {
+    let home = json!({ "name": "one room",
+        "rooms": [{ "name": "room", "outline": [[0, 0], [5, 0], [5, 4], [0, 4]] }],
+        "walls": [{ "from": [0, 0], "to": [5, 0] }, { "from": [5, 0], "to": [5, 4] },
+            { "from": [5, 4], "to": [0, 4] }, { "from": [0, 4], "to": [0, 0] }],
+        "furniture": [{ "name": "bed", "at": [1.1, 3.4], "size_m": [2.0, 0.9], "height_m": 0.55, "enterable": true }],
+        "sensors": [{ "kind": "motion", "name": "motion", "at": [4.95, 0.6], "facing_deg": 160 }, camera,
+            { "kind": "camera", "name": "second", "at": [4.85, 0.15], "facing_deg": 140, "woken_by": ["motion"] }] });
+    let entry = json!({ "name": "cameras", "start": "2026-03-02T09:00:00", "time_zone": "UTC", "days": 1,
+        "home": "home.json", "residents": ["somebody.json"] });
+    let somebody = json!({ "name": "somebody", "driver": { "path": "path.json" } });
+    let path = json!({ "start": [4.4, 1.2], "steps": [
+        { "go": { "to": [[2.4, 2.0]], "pace_mps": 0.8 } }, { "wait": { "for_s": 30, "posture": "down" } },
+        { "go": { "to": [[4.0, 2.4]], "pace_mps": 0.8 } }, { "wait": { "for_s": 8, "posture": "bending" } } ] });
+    [("scenario.json", entry), ("home.json", home), ("somebody.json", somebody), ("path.json", path)]
+        .into_iter()
+        .map(|(name, text)| (name.to_owned(), text.to_string()))
+        .collect()
+}
+
+fn first(woken_by: &[&str]) -> serde_json::Value {
+    json!({ "kind": "camera", "name": "first", "at": [0.15, 0.15], "facing_deg": 40, "woken_by": woken_by })
+}
+
+fn lived(step: Micros) -> Events {
+    let scenario = Scenario::load(&texts(&first(&["motion"])), "scenario.json").unwrap();
+    let mut run = Run::new(&scenario, &(), 7, LENGTH);
+    let mut events = Events::default();
+    while run.now() < LENGTH {
+        run.advance(run.now() + step, &mut events).unwrap();
+    }
+    events
+}
+
+#[test]
+fn how_a_run_is_advanced_changes_no_silhouette() {
+    let whole = lived(LENGTH);
+    assert!(whole.frames.len() > 50, "{}", whole.frames.len());
+    for step in [1_000, 137_731, SECOND] {
+        let pieces = lived(step);
+        assert_eq!(pieces.firings, whole.firings);
+        assert!(pieces.frames == whole.frames, "in steps of {step}");
+    }
+}
+
+#[test]
+fn a_camera_wakes_with_its_sensor_and_sleeps_after_it() {
+    let events = lived(LENGTH);
+    let of = |sensor: usize, value: Value| {
+        events.firings.iter().filter(move |firing| firing.sensor.index() == sensor && firing.value == value)
+    };
+    let motion: Vec<Micros> = of(0, Value::Fire).map(|firing| firing.at).collect();
+    for camera in [1, 2] {
+        let (woke, slept) = (of(camera, Value::Woke).count(), of(camera, Value::Slept).count());
+        assert!(woke > 0 && (slept == woke || slept + 1 == woke), "{woke} {slept}");
+        for firing in of(camera, Value::Woke) {
+            assert!(motion.contains(&firing.at));
+        }
+        // A picture is taken only within ten seconds of a word of the sensor, to one period.
+        for frame in events.frames.iter().filter(|frame| frame.sensor.index() == camera) {
+            assert!(motion.iter().any(|&at| (0..=10 * SECOND + SECOND / 5).contains(&(frame.at - at))));
+        }
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_camera_is_told() {
+    let told = |camera: serde_json::Value| {
+        let problems = Scenario::load(&texts(&camera), "scenario.json").err().map(|problems| problems.to_string());
+        problems.unwrap_or_default()
+    };
+    assert_eq!(told(first(&["motion"])), "");
+    assert!(told(first(&[])).contains("no sensor wakes the camera \"first\""));
+    assert!(told(first(&["moton"])).contains("\"motion\""), "{}", told(first(&["moton"])));
+    assert!(told(first(&["second"])).contains("has no sensor that could wake a camera, called \"second\""));
+    let with = |key: &str, value: serde_json::Value| {
+        let mut camera = first(&["motion"]);
+        camera[key] = value;
+        told(camera)
+    };
+    assert!(with("at", json!([9, 9])).contains("is in no room"));
+    assert!(with("at", json!([0.02, 2])).contains("is inside the wall"));
+    assert!(with("facing_deg", json!(225)).contains("looks at nothing"));
+    assert!(with("pixels", json!([0, 120])).contains("pixels"));
+    assert!(with("frames_per_s", json!(10_000)).contains("frames_per_s"));
+    assert!(with("height_m", json!(0)).contains("height_m"));
+    assert!(with("field_deg", json!(200)).contains("field_deg"));
+}
+
+#[test]
+fn a_body_that_is_taller_than_its_room_and_a_camera_above_the_ceiling_are_told() {
+    let told = |ceiling_m: f64| {
+        let mut texts = texts(&first(&["motion"]));
+        let mut home: serde_json::Value = serde_json::from_str(&texts["home.json"]).unwrap();
+        home["rooms"][0]["ceiling_m"] = json!(ceiling_m);
+        texts.insert("home.json".into(), home.to_string());
+        Scenario::load(&texts, "scenario.json").err().map(|problems| problems.to_string()).unwrap_or_default()
+    };
+    assert_eq!(told(2.4), "");
+    let low = told(1.5);
+    assert!(low.contains("m tall, and the ceiling of \"room\" is at 1.5 m"), "{low}");
+    assert!(low.contains("the camera \"first\" hangs above the ceiling of \"room\""), "{low}");
+    assert!(told(0.1).contains("ceiling_m"));
+}

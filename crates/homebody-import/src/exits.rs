@@ -1,0 +1,189 @@
+//! Where a floor can be left by stairs when floors are drawn beside each other: gaps for a door in its outer walls.
+
+use crate::drawing::Piece;
+use crate::floor::Floor;
+use crate::kinds;
+use crate::outline::Room;
+use crate::walls::Wall;
+use crate::words::words;
+use homebody_core::geometry::{self, Point};
+use homebody_core::home::plan::FLAT_M;
+use homebody_core::role::Role;
+
+/// How wide the way through the wall is, and the flight of stairs between its walls' middle lines (ours).
+pub const DOOR_M: f64 = 0.9;
+pub const FLIGHT_M: f64 = 1.0;
+
+/// Floors with more walls are none of a home, and not unfolded (ours): each is looked along.
+const MOST_WALLS: usize = 400;
+
+/// So many places are tried on each floor, the nearest to the stairs first (ours), and in one wall, so far apart that there is
+/// room for another flight of stairs.
+const MOST_EXITS: usize = 16;
+const MOST_IN_WALL: usize = 3;
+const APART_M: f64 = FLIGHT_M + 0.2;
+
+/// How much farther a place may be for a room that is better than the next best (ours).
+const WORSE_M: f64 = 4.0;
+
+/// How far apart places along a wall are tried, and how many of a long one (ours).
+const STEP_M: f64 = 0.2;
+const MOST_STEPS: f64 = 100.0;
+
+/// How deep before the wall nothing may stand (ours): somebody turns there.
+const FREE_M: f64 = 0.75;
+
+/// A place for a door in an outer wall.
+#[derive(Clone, Copy, Debug)]
+pub struct Exit {
+    /// Its middle, on the middle line of the wall.
+    pub at: Point,
+    /// The way out, of length 1.
+    pub out: Point,
+    pub thickness_m: f64,
+    /// How far it is from where the stairs are drawn.
+    pub away_m: f64,
+    /// The room that it leads out of.
+    pub room: usize,
+}
+
+/// Places for a door in outer walls: of the rooms that the stairs are drawn in, then of those around them and next to these; the
+/// nearest first.
+pub fn exits(floor: &Floor, stairs: &Piece) -> Vec<Exit> {
+    if floor.walls.len() > MOST_WALLS {
+        return Vec::new();
+    }
+    let area = corners(stairs);
+    let within: Vec<usize> = (0..floor.rooms.len()).filter(|&room| shares(floor, room, &area)).collect();
+    let near_m = stairs.width_m.min(stairs.depth_m) / 2.0 + FREE_M;
+    let is_near = |room: &usize| geometry::distance_to_area(&floor.rooms[*room].outline, stairs.at) <= near_m;
+    let near: Vec<usize> = (0..floor.rooms.len()).filter(is_near).collect();
+    // Some plans leave a hole in the floor where stairs are.
+    let at = if within.is_empty() { &near } else { &within };
+    let is_next = |room: usize| at.iter().any(|&known| known != room && are_joined(floor, room, known));
+    // Nobody goes upstairs through a bathroom, nor through a bedroom if it can be helped.
+    let has = |room: usize, role: Role| {
+        let pieces = floor.furniture.iter().filter(|piece| piece.is_for(role));
+        pieces.into_iter().any(|piece| geometry::contains(&floor.rooms[room].outline, piece.at))
+    };
+    let is_bathroom = |room: usize| has(room, Role::Toilet) || has(room, Role::Shower);
+    let is_beside =
+        |room: &usize| (near.contains(room) || is_next(*room)) && !within.contains(room) && !is_bathroom(*room);
+    let (by_night, by_day): (Vec<usize>, Vec<usize>) =
+        (0..floor.rooms.len()).filter(is_beside).partition(|&room| has(room, Role::Bed));
+    // What is worse counts as farther, so that it is taken where there is no place for the better.
+    let of = |rooms: &[usize], worse_m: f64| {
+        let exits = rooms.iter().flat_map(|&room| of_room(floor, room, stairs.at));
+        exits.map(|exit| Exit { away_m: exit.away_m + worse_m, ..exit }).collect::<Vec<_>>()
+    };
+    let mut all = [of(&within, 0.0), of(&by_day, WORSE_M), of(&by_night, 2.0 * WORSE_M)].concat();
+    all.sort_by(|a, b| a.away_m.total_cmp(&b.away_m));
+    all.truncate(MOST_EXITS);
+    all
+}
+
+/// The corners of a piece of a plan.
+pub fn corners(piece: &Piece) -> [Point; 4] {
+    let along = geometry::direction(piece.turn_rad.to_degrees());
+    let (x, y) = (along * (piece.width_m / 2.0), along.perp() * (piece.depth_m / 2.0));
+    [x + y, y - x, -x - y, x - y].map(|corner| piece.at + corner)
+}
+
+/// Whether a room has at least a fifth of an area.
+fn shares(floor: &Floor, room: usize, area: &[Point]) -> bool {
+    const SHARE: f64 = 0.2;
+    let whole = geometry::signed_area(area).abs();
+    geometry::overlap::area(&floor.rooms[room].outline, area) >= SHARE * whole
+}
+
+/// Whether a door leads from one room to another, or nothing is between them.
+fn are_joined(floor: &Floor, one: usize, other: usize) -> bool {
+    let touches = |room: usize, p: Point| geometry::distance_to_area(&floor.rooms[room].outline, p) <= 0.3;
+    let middle = |(from, to): (Point, Point)| (from + to) / 2.0;
+    let through_door =
+        || floor.doors.iter().map(|door| middle((door.from, door.to))).any(|p| touches(one, p) && touches(other, p));
+    let is_open = |p: Point| {
+        let is_walled = |wall: &Wall| geometry::distance_to_segment(p, wall.from, wall.to) <= wall.thickness_m;
+        geometry::distance_to_area(&floor.rooms[other].outline, p) <= 0.02 && !floor.walls.iter().any(is_walled)
+    };
+    through_door() || geometry::sides(&floor.rooms[one].outline).any(|(a, b)| is_open((a + b) / 2.0))
+}
+
+/// A place for a front door: in a hall if there is one, else in the largest room that has a place for it.
+pub fn front_door(floor: &Floor) -> Option<Exit> {
+    if floor.walls.is_empty() || floor.walls.len() > MOST_WALLS {
+        return None;
+    }
+    let is_hall = |room: &Room| kinds::is_hall(&words(&[&room.name]));
+    let mut rooms: Vec<usize> = (0..floor.rooms.len()).collect();
+    let area = |room: usize| geometry::signed_area(&floor.rooms[room].outline).abs();
+    rooms.sort_by(|&a, &b| area(b).total_cmp(&area(a)));
+    rooms.sort_by_key(|&room| !is_hall(&floor.rooms[room]));
+    rooms.into_iter().find_map(|room| {
+        let exits = of_room(floor, room, geometry::inner_point(&floor.rooms[room].outline));
+        exits.into_iter().min_by(|a, b| a.away_m.total_cmp(&b.away_m))
+    })
+}
+
+/// In each outer wall of a room the places that are nearest to a point. What is drawn at that very point is not in the way.
+fn of_room(floor: &Floor, room: usize, near: Point) -> Vec<Exit> {
+    let mut found = Vec::new();
+    let outline = &floor.rooms[room].outline;
+    let (least, most) = geometry::bounds(outline.iter().copied());
+    for wall in &floor.walls {
+        let (low, high) = (wall.from.min(wall.to) - FREE_M, wall.from.max(wall.to) + FREE_M);
+        if wall.length() < DOOR_M + 2.0 * STEP_M || low.cmpgt(most).any() || high.cmplt(least).any() {
+            continue;
+        }
+        let step_m = STEP_M.max(wall.length() / MOST_STEPS);
+        let steps = ((wall.length() - DOOR_M) / step_m) as usize;
+        let first_m = (wall.length() - steps as f64 * step_m) / 2.0;
+        let places = (0..=steps).map(|step| wall.from + wall.along() * (first_m + step as f64 * step_m));
+        for out in [wall.along().perp(), -wall.along().perp()] {
+            let exit = |at: Point| Exit { at, out, thickness_m: wall.thickness_m, away_m: at.distance(near), room };
+            let fit = places.clone().map(exit).filter(|exit| is_outer(floor, exit) && is_free(floor, exit, wall, near));
+            let mut fit: Vec<Exit> = fit.collect();
+            fit.sort_by(|a, b| a.away_m.total_cmp(&b.away_m));
+            let mut taken: Vec<Exit> = Vec::new();
+            for exit in fit {
+                if taken.len() < MOST_IN_WALL && taken.iter().all(|other| other.at.distance(exit.at) >= APART_M) {
+                    taken.push(exit);
+                }
+            }
+            found.extend(taken);
+        }
+    }
+    found
+}
+
+/// The points in a grid on one side of an exit, from so far before its wall's middle to so far.
+fn grid(exit: &Exit, depths_m: [f64; 3]) -> impl Iterator<Item = Point> {
+    let along = exit.out.perp() * (DOOR_M / 2.0 - 0.05);
+    let (at, out) = (exit.at, exit.out);
+    depths_m.into_iter().flat_map(move |depth| [-1.0, 0.0, 1.0].map(|side| at + along * side + out * depth))
+}
+
+/// Whether one side is in the room as far as somebody needs it, and the other in none.
+fn is_outer(floor: &Floor, exit: &Exit) -> bool {
+    let face_m = exit.thickness_m / 2.0;
+    let outline = &floor.rooms[exit.room].outline;
+    let is_in_one = |p: Point| floor.rooms.iter().any(|room| geometry::contains(&room.outline, p));
+    grid(exit, [-face_m - 0.1, -face_m - FREE_M / 2.0, -face_m - FREE_M]).all(|p| geometry::contains(outline, p))
+        && !grid(exit, [face_m + 0.1, face_m + 0.4, face_m + 0.8]).any(is_in_one)
+}
+
+/// Whether there are no doors, no other walls and no furniture where the door is to be.
+fn is_free(floor: &Floor, exit: &Exit, own: &Wall, drawn_at: Point) -> bool {
+    let face_m = exit.thickness_m / 2.0;
+    let apart_m = DOOR_M / 2.0 + 0.1;
+    let has_door = floor.doors.iter().any(|door| geometry::distance_to_segment(exit.at, door.from, door.to) < apart_m);
+    let others = || floor.walls.iter().filter(|wall| *wall != own);
+    let is_walled =
+        |p: Point| others().any(|wall| geometry::distance_to_segment(p, wall.from, wall.to) <= wall.thickness_m / 2.0);
+    let pieces = || floor.furniture.iter().filter(|piece| piece.height_m > FLAT_M && piece.at != drawn_at);
+    let is_stood_on = |p: Point| pieces().any(|piece| geometry::contains(&piece.outline(), p));
+    let inside = [-face_m - 0.05, -face_m - FREE_M / 2.0, -face_m - FREE_M];
+    !has_door
+        && !grid(exit, inside).any(|p| is_walled(p) || is_stood_on(p))
+        && !grid(exit, [0.0, face_m + 0.2, face_m + 0.5]).any(is_walled)
+}

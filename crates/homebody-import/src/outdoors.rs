@@ -1,0 +1,108 @@
+//! Rooms that lie in the open, such as a terrace or the paving before a front door: where the way out leads into one, it is
+//! outside, and not a room of the home.
+
+use crate::doors::{self, Door};
+use crate::outline::Room;
+use crate::walls::Wall;
+use homebody_core::geometry::{self, Point};
+
+/// The share of an outline that neither a wall nor another room is along, from which on a room lies in the open (ours): of a
+/// terrace in the corner of a house it is half.
+const OPEN_SHARE: f64 = 0.4;
+
+/// How far apart an outline is looked along, and how many places of it (ours).
+const STEP_M: f64 = 0.25;
+const MOST_STEPS: f64 = 100.0;
+
+/// How far off walls and rooms may be that are along it (ours).
+const ALONG_M: f64 = 0.3;
+
+/// How far before a door the room is looked for that it leads to, in steps (ours): beyond a thick wall, and a step.
+const BEFORE_M: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.55, 0.7];
+
+/// Floors with more walls are none of a home, and not looked at (ours): each place is held against all.
+const MOST_WALLS: usize = 400;
+
+/// How surely somebody comes home by a door, and by a front door.
+const BY_DOOR: usize = 2;
+const BY_FRONT_DOOR: usize = 3;
+
+/// Leaves out the rooms in the open before the doors by which people come home, if no such door leads out yet: these doors lead
+/// out then. Says whether there are any.
+pub fn leave_out(rooms: &mut Vec<Room>, walls: &[Wall], doors: &mut [Door], remarks: &mut Vec<String>) -> bool {
+    let now = doors::way_out(doors);
+    if now == BY_FRONT_DOOR || walls.is_empty() || walls.len() > MOST_WALLS {
+        return false;
+    }
+    let open: Vec<bool> = rooms.iter().map(|room| is_open(room, rooms, walls)).collect();
+    let between: Vec<[Option<usize>; 2]> = doors.iter().map(|door| sides(door, rooms)).collect();
+    // The room in the open that a door leads to from one that is not.
+    let to_open = |two: &[Option<usize>; 2]| match *two {
+        [Some(one), Some(other)] if open[one] != open[other] => Some(if open[one] { one } else { other }),
+        _ => None,
+    };
+    let to_open: Vec<Option<usize>> = between.iter().map(to_open).collect();
+    let of_open = doors.iter().zip(&to_open).filter(|(_, room)| room.is_some());
+    let best = of_open.map(|(door, _)| door.leads_home + 1).max().unwrap_or(0);
+    if best <= now || best < if now > 0 { BY_FRONT_DOOR } else { BY_DOOR } {
+        return false;
+    }
+    let mut left: Vec<usize> = Vec::new();
+    for (door, room) in doors.iter().zip(&to_open) {
+        left.extend(room.filter(|_| door.leads_home + 1 == best));
+    }
+    // What else lies in the open and is reached through these alone, such as a garden behind a porch, is outside, too.
+    let beyond = |left: &[usize]| {
+        let reached = |room: usize| between.iter().filter(move |two| two.contains(&Some(room)));
+        let is_behind = |room: &usize| {
+            open[*room]
+                && !left.contains(room)
+                && reached(*room).count() > 0
+                && reached(*room).all(|two| two.iter().flatten().any(|other| left.contains(other)))
+        };
+        (0..rooms.len()).find(is_behind)
+    };
+    while let Some(room) = beyond(&left) {
+        left.push(room);
+    }
+    for (door, two) in doors.iter_mut().zip(&between) {
+        door.is_outside |= two.iter().flatten().any(|room| left.contains(room));
+    }
+    let mut index = 0..;
+    rooms.retain(|room| {
+        let leave = index.next().is_some_and(|index| left.contains(&index));
+        if leave {
+            remarks.push(format!("left out: the room {:?}, which lies in the open; doors to it lead out", room.name));
+        }
+        !leave
+    });
+    true
+}
+
+/// Whether enough of a room's outline is along no wall and no other room.
+fn is_open(room: &Room, rooms: &[Room], walls: &[Wall]) -> bool {
+    let length_m: f64 = geometry::sides(&room.outline).map(|(a, b)| a.distance(b)).sum();
+    let step_m = STEP_M.max(length_m / MOST_STEPS);
+    let (mut all, mut free) = (0_u32, 0_u32);
+    for (a, b) in geometry::sides(&room.outline) {
+        let steps = (a.distance(b) / step_m).ceil() as usize;
+        for p in (0..steps).map(|step| a + (b - a) * ((step as f64 + 0.5) / steps as f64)) {
+            let is_walled = walls
+                .iter()
+                .any(|wall| geometry::distance_to_segment(p, wall.from, wall.to) <= wall.thickness_m / 2.0 + ALONG_M);
+            let others = rooms.iter().filter(|other| !std::ptr::eq(*other, room));
+            let is_beside = || others.clone().any(|other| geometry::distance_to_area(&other.outline, p) <= ALONG_M);
+            all += 1;
+            free += u32::from(!is_walled && !is_beside());
+        }
+    }
+    f64::from(free) >= OPEN_SHARE * f64::from(all)
+}
+
+/// The rooms on both sides of a door.
+fn sides(door: &Door, rooms: &[Room]) -> [Option<usize>; 2] {
+    let middle = (door.from + door.to) / 2.0;
+    let across = (door.to - door.from).normalize_or_zero().perp();
+    let at = |p: Point| rooms.iter().position(|room| geometry::contains(&room.outline, p));
+    [1.0, -1.0].map(|side| BEFORE_M.iter().find_map(|before| at(middle + across * (side * before))))
+}

@@ -1,0 +1,85 @@
+//! Scenarios that begin: a folder that is new, whole or not there, with the schemas of its files, and what goes into it.
+
+mod empty;
+mod from_log;
+mod inhabited;
+mod sensor_table;
+mod traced;
+
+pub use empty::empty;
+pub use from_log::{GivenLog, OfLog, of_log};
+pub use inhabited::{Begun, Inhabited, inhabited, lived_in};
+pub use sensor_table::{Row, read_table};
+pub use traced::{Known, Traced};
+
+use crate::error::Error;
+use crate::source::Template;
+use homebody_core::scenario::schema::schemas;
+use homebody_log::fresh::FreshFile;
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// A scenario's files by name.
+pub type Texts = BTreeMap<String, String>;
+
+/// Makes a folder that was not there and has it written, by a function that gets the name of what is in it. The schemas of a
+/// scenario's files are there before.
+///
+/// # Errors
+///
+/// [`Error::Exists`] where something has that name, [`Error::File`] where the system refuses, and what the function says; then
+/// nothing is left behind.
+pub fn begin<E: From<Error>>(folder: &Path, write: impl FnOnce(&str) -> Result<(), E>) -> Result<(), E> {
+    let exists = || Error::Exists { path: folder.into() };
+    // What ends in `.` or `..` has no name of its own.
+    let name = folder.file_name().ok_or_else(exists)?;
+    let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());
+    parent.map_or(Ok(()), fs::create_dir_all).map_err(|error| Error::io(folder, error))?;
+    fs::create_dir(folder).map_err(|error| match error.kind() {
+        ErrorKind::AlreadyExists => exists(),
+        _ => Error::io(folder, error),
+    })?;
+    let written = write_schemas(folder).map_err(E::from).and_then(|()| write(&name.to_string_lossy()));
+    if written.is_err() {
+        // It is ours: nothing is left half made.
+        let _ = fs::remove_dir_all(folder);
+    }
+    written
+}
+
+/// Writes files into the folder of a scenario that begins.
+///
+/// # Errors
+///
+/// [`Error::Log`] where one is there already, or the system refuses.
+pub fn write(folder: &Path, texts: &Texts) -> Result<(), Error> {
+    for (file, text) in texts {
+        FreshFile::write_whole(&folder.join(file), text.as_bytes(), false)?;
+    }
+    Ok(())
+}
+
+/// The files of a template as those of a scenario that is called so.
+pub fn of_template(template: Template, name: &str) -> Texts {
+    let (name, own) = (json!(name), json!(template.name()));
+    let text = |(file, text): (String, String)| {
+        // The schemas of the repository are two folders up, ours are right here; and it has a name of its own.
+        let text = text.replace("\"../../schemas/", "\"./schemas/");
+        (file, text.replace(&format!("\"name\": {own}"), &format!("\"name\": {name}")))
+    };
+    template.files().map(text).collect()
+}
+
+fn write_schemas(folder: &Path) -> Result<(), Error> {
+    let schemas_folder = folder.join("schemas");
+    fs::create_dir(&schemas_folder).map_err(|error| Error::io(&schemas_folder, error))?;
+    for (name, schema) in schemas() {
+        let text =
+            serde_json::to_string_pretty(&schema).map_err(|error| Error::file(&schemas_folder, error.to_string()))?;
+        FreshFile::write_whole(&schemas_folder.join(name), (text + "\n").as_bytes(), false)?;
+    }
+    Ok(())
+}

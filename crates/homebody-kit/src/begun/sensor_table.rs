@@ -1,0 +1,117 @@
+//! A table of where somebody says that the sensors of a home are.
+
+use crate::error::Error;
+use homebody_core::scenario::nearest::nearest;
+use homebody_log::plain;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// No table has more bytes (ours): one of a thousand sensors has a tenth of it.
+const LARGEST_BYTES: u64 = 1 << 20;
+
+/// What a row says of a sensor.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Row {
+    /// The line that it is in.
+    pub line: u64,
+    /// The room that it is in.
+    pub room: Option<String>,
+    /// What it looks at.
+    pub place: Option<String>,
+    /// What it says, where the table tells: `motion` or `contact`.
+    pub kind: Option<String>,
+    /// Where it is: on a picture, or in metres.
+    pub at: Option<[f64; 2]>,
+}
+
+/// The columns, each with the names that it may have.
+const COLUMNS: [(&str, &[&str]); 6] = [
+    ("id", &["id", "sensor"]),
+    ("room", &["room"]),
+    ("place", &["place", "name"]),
+    ("kind", &["kind", "type"]),
+    ("x", &["x", "x_m", "x_px"]),
+    ("y", &["y", "y_m", "y_px"]),
+];
+
+/// The kinds that a home is made with.
+const KINDS: [&str; 2] = ["motion", "contact"];
+
+/// Reads a table, by the ids of sensors.
+///
+/// # Errors
+///
+/// [`Error::File`] where it cannot be read, [`Error::Unbeginnable`] with all that is wrong with it at once.
+pub fn read_table(path: &Path) -> Result<BTreeMap<String, Row>, Error> {
+    let bytes = plain::read(path, LARGEST_BYTES).map_err(|error| Error::io(path, error))?;
+    let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(&bytes[..]);
+    let header: Vec<String> = match reader.byte_headers() {
+        Ok(header) => header.iter().map(|cell| String::from_utf8_lossy(cell).to_lowercase()).collect(),
+        Err(error) => return Err(Error::file(path, error.to_string())),
+    };
+    let place = |names: &[&str]| names.iter().find_map(|name| header.iter().position(|cell| cell == name));
+    let [id, room, place, kind, x, y] = COLUMNS.map(|(_, names)| place(names));
+    let Some(id) = id else {
+        let near = header
+            .iter()
+            .find_map(|cell| nearest(cell, ["id"]))
+            .map_or_else(String::new, |near| format!("; did you mean {near}?"));
+        let what = format!(
+            "{}:1: there is no column id{near}\n  hint: its first line names the columns: id, room, place, x, y",
+            path.display()
+        );
+        return Err(Error::Unbeginnable(what));
+    };
+    let (mut rows, mut problems) = (BTreeMap::<String, Row>::new(), Vec::new());
+    for record in reader.byte_records() {
+        let record = record.map_err(|error| Error::file(path, error.to_string()))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let text = |column: Option<usize>| {
+            let text = String::from_utf8_lossy(record.get(column?)?).into_owned();
+            (!text.is_empty()).then_some(text)
+        };
+        let mut wrong = |what: String| problems.push(format!("{}:{line}: {what}", path.display()));
+        let Some(id) = text(Some(id)) else {
+            wrong("the row has no id".into());
+            continue;
+        };
+        let kind = text(kind).map(|kind| kind.to_lowercase());
+        if let Some(kind) = kind.as_deref().filter(|kind| !is_known(kind)) {
+            wrong(format!(
+                "{kind:?} is no kind of sensors that a home is made with: write one of {}",
+                KINDS.join(", ")
+            ));
+        }
+        let number = |text: Option<String>, wrong: &mut dyn FnMut(String)| {
+            let text = text?;
+            let number = text.parse().ok().filter(|number: &f64| number.is_finite());
+            if number.is_none() {
+                wrong(format!("{text:?} is no number"));
+            }
+            number
+        };
+        let (has_x, has_y) = (text(x).is_some(), text(y).is_some());
+        if has_x != has_y {
+            wrong(format!("{id:?} has one of x and y"));
+        }
+        let at = [number(text(x), &mut wrong), number(text(y), &mut wrong)];
+        let at = if let [Some(x), Some(y)] = at { Some([x, y]) } else { None };
+        let row = Row { line, room: text(room), place: text(place), kind: kind.map(of_ours), at };
+        if let Some(first) = rows.insert(id.clone(), row) {
+            problems.push(format!("{}:{line}: the sensor {id:?} is in line {}, too", path.display(), first.line));
+        }
+    }
+    match problems.is_empty() {
+        true => Ok(rows),
+        false => Err(Error::Unbeginnable(problems.join("\nerror: "))),
+    }
+}
+
+/// A run's own table has our kinds of motion sensors.
+fn of_ours(kind: String) -> String {
+    if kind == "ceiling_motion" { "motion".to_owned() } else { kind }
+}
+
+fn is_known(kind: &str) -> bool {
+    KINDS.contains(&kind) || homebody_core::sensors::kinds::KINDS.iter().any(|row| row.key == kind)
+}

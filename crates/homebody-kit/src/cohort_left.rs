@@ -1,0 +1,104 @@
+//! What a cohort has left where it lies: who was lived to the end there, and whether what is there is theirs.
+
+use crate::cohort::Cohort;
+use crate::cohort_list::ListedMember;
+use crate::cohort_members::{Member, MemberLived, Members};
+use crate::cohort_place::CohortPlace;
+use crate::error::Error;
+use crate::recorded;
+use homebody_core::recording::Recording;
+use rayon::prelude::*;
+use std::path::Path;
+
+impl Cohort {
+    /// By member: what has become of those who were lived to their end there, with all their files. No home is made for it.
+    pub(crate) fn found_in(&self, place: &CohortPlace) -> Result<Vec<Option<MemberLived>>, Error> {
+        (0..self.count()).into_par_iter().map(|index| self.found(place, index)).collect()
+    }
+
+    /// What has become of a member who was lived to the end there.
+    pub(crate) fn found(&self, place: &CohortPlace, index: usize) -> Result<Option<MemberLived>, Error> {
+        let member = self.members.who(self.recording.seed, index);
+        let here = place.here()?;
+        place.bring(&here, &[self.layout.recording(here.path(), &member.name)])?;
+        let left = self.left_of(place, here.path(), &member, index)?;
+        let Some(left) = left.filter(Recording::is_whole) else { return Ok(None) };
+        place.bring(&here, &self.layout.files(here.path(), &member.name, self.kept))?;
+        match self.layout.is_all_there(here.path(), &member.name, self.scenario.scenario(), self.kept) {
+            true => self.ended(here.path(), &member, &left).map(Some),
+            false => Ok(None),
+        }
+    }
+
+    /// The recording that a member has left here, complete or not; [`Error::Member`] if what is there is none of this member.
+    fn left_of(
+        &self,
+        place: &CohortPlace,
+        here: &Path,
+        member: &Member,
+        index: usize,
+    ) -> Result<Option<Recording>, Error> {
+        let path = self.layout.recording(here, &member.name);
+        let folder = path.parent().unwrap_or(here);
+        // People know it by where the cohort lies.
+        let there = |path: &Path| place.path().join(path.strip_prefix(here).unwrap_or(path));
+        let wrong = |why: String| Error::Member { folder: there(folder), why };
+        if folder.is_file() {
+            let is_file = there(folder);
+            return Err(wrong(format!("{} is a file, and a member's folder is to be there", is_file.display())));
+        }
+        match recorded::recording(&path) {
+            Err(Error::NoRecording { .. }) => Ok(None),
+            Err(error) => {
+                let [told, known] = [here, place.path()].map(|path| path.display().to_string());
+                Err(wrong(error.to_string().replace(&told, &known)))
+            }
+            Ok(left) if self.is_of(&left, member, index) => Ok(Some(left)),
+            Ok(_) => Err(wrong(format!("{}: it is of another cohort", there(&path).display()))),
+        }
+    }
+
+    /// Whether a recording is of this member's life, by its texts alone.
+    fn is_of(&self, left: &Recording, member: &Member, index: usize) -> bool {
+        let mut expected = self.recording_of(member);
+        if let Members::Listed(profiles) = &self.members {
+            let profile = &profiles[index];
+            let own = self.scenario.base().own_texts(profile);
+            // Which of the scenario's texts are left over where something else is in their place only loading tells.
+            let is_same = |(name, text): (&String, &String)| {
+                own.get(name).or(expected.files.get(name)).is_none_or(|expected| expected == text)
+            };
+            if !own.keys().all(|name| left.files.contains_key(name)) || !left.files.iter().all(is_same) {
+                return false;
+            }
+            expected.without.clone_from(&profile.without);
+            if !own.is_empty() {
+                expected.files = left.files.clone();
+            }
+        }
+        let length = left.stopped_of_us.unwrap_or(left.length_us);
+        left.run_id() == expected.run_id() && length == expected.length_us
+    }
+
+    /// What is recorded of a member, with the scenario's own texts.
+    pub(crate) fn recording_of(&self, member: &Member) -> Recording {
+        Recording { seed: member.seed, home: Some(member.name.clone()), ..self.recording.clone() }
+    }
+
+    /// What has become of a member.
+    pub(crate) fn ended(&self, folder: &Path, member: &Member, recording: &Recording) -> Result<MemberLived, Error> {
+        Ok(MemberLived {
+            listed: ListedMember {
+                name: member.name.clone(),
+                seed: member.seed,
+                firings: recording.firings,
+                rows: recording.rows.unwrap_or(recording.firings),
+                days: self.scenario.scenario().calendar.days_lived(recording.length_us),
+                profile: member.row.clone(),
+                sha256: self.layout.digest(folder, &member.name, self.kept)?,
+            },
+            length: recording.length_us,
+            is_early: recording.stopped_of_us.is_some(),
+        })
+    }
+}

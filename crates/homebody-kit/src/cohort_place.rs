@@ -1,0 +1,228 @@
+//! Where a cohort lies: in a folder, or below a prefix of an object store. Of a store, a member is lived in a folder of ours first, and what
+//! is there is brought here to be looked at; its recording goes last, so that a member who has one is there as a whole.
+
+use crate::cohort_members::CohortLayout;
+use crate::error::Error;
+use crate::recorded;
+use homebody_log::fresh::{FreshFile, remove_parts};
+use homebody_log::places::LIST;
+#[cfg(feature = "cloud")]
+use homebody_log::places::RECORDING;
+use homebody_log::truth::TruthKept;
+use homebody_log::{How, LogError};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The place of a cohort.
+pub(crate) enum CohortPlace {
+    Folder(PathBuf),
+    #[cfg(feature = "cloud")]
+    Store {
+        url: PathBuf,
+        store: Box<homebody_arrow::Store>,
+    },
+}
+
+/// A folder on this machine that stands for a cohort's, for as long as this lives.
+pub(crate) struct Here {
+    path: PathBuf,
+    #[cfg(feature = "cloud")]
+    _scratch: Option<tempfile::TempDir>,
+}
+
+impl Here {
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+/// Whether a path is the URL of an object store.
+pub(crate) fn is_in_store(path: &Path) -> bool {
+    path.to_string_lossy().contains("://")
+}
+
+impl CohortPlace {
+    /// What a path means: that of a folder, or the URL of a store. Nothing is made or asked there yet.
+    pub fn of(path: &Path) -> Result<CohortPlace, Error> {
+        match is_in_store(path) {
+            true => CohortPlace::in_store(path),
+            false => Ok(CohortPlace::Folder(path.into())),
+        }
+    }
+
+    #[cfg(feature = "cloud")]
+    fn in_store(url: &Path) -> Result<CohortPlace, Error> {
+        let store = Box::new(homebody_arrow::Store::open(url)?);
+        Ok(CohortPlace::Store { url: url.into(), store })
+    }
+
+    #[cfg(not(feature = "cloud"))]
+    fn in_store(url: &Path) -> Result<CohortPlace, Error> {
+        let (place, what) = (url.display().to_string(), "a cohort: this program has no object store".to_owned());
+        let hint = "build it with --features cloud; or name a folder, and copy it afterwards";
+        Err(LogError::CannotHold { place, what, hint }.into())
+    }
+
+    /// Its path, or its URL.
+    pub fn path(&self) -> &Path {
+        match self {
+            CohortPlace::Folder(folder) => folder,
+            #[cfg(feature = "cloud")]
+            CohortPlace::Store { url, .. } => url,
+        }
+    }
+
+    /// Makes the folder; a store has none.
+    pub fn make(&self) -> Result<(), Error> {
+        match self {
+            CohortPlace::Folder(folder) => fs::create_dir_all(folder).map_err(|error| Error::io(folder, error)),
+            #[cfg(feature = "cloud")]
+            CohortPlace::Store { .. } => Ok(()),
+        }
+    }
+
+    /// A cohort begins where nothing is: else nobody could tell its files from those of somebody else.
+    pub fn must_be_empty(&self) -> Result<(), Error> {
+        let found = match self {
+            CohortPlace::Folder(folder) => {
+                let entries = fs::read_dir(folder).map_err(|error| Error::io(folder, error))?;
+                let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+                // What is hidden is not a user's, and a cohort that was killed at once has left a part of its list.
+                let mut others: Vec<String> =
+                    names.filter(|name| !name.starts_with('.') && !recorded::is_part(name)).collect();
+                others.sort();
+                others.into_iter().next()
+            }
+            #[cfg(feature = "cloud")]
+            CohortPlace::Store { store, .. } => store.any()?,
+        };
+        let Some(file) = found else { return Ok(()) };
+        Err(Error::NotEmpty { folder: self.path().into(), is_cohort: self.has_list()?, file })
+    }
+
+    /// Whether a cohort was begun there.
+    pub fn has_list(&self) -> Result<bool, Error> {
+        match self {
+            CohortPlace::Folder(folder) => Ok(folder.join(LIST).exists()),
+            #[cfg(feature = "cloud")]
+            CohortPlace::Store { store, .. } => Ok(store.bytes(LIST)?.is_some()),
+        }
+    }
+
+    /// The text of the list.
+    pub fn list(&self) -> Result<String, Error> {
+        match self {
+            CohortPlace::Folder(folder) => {
+                recorded::must_be_folder(folder)?;
+                recorded::text_of_list(&folder.join(LIST))
+            }
+            #[cfg(feature = "cloud")]
+            CohortPlace::Store { url, store } => {
+                let path = url.join(LIST);
+                let bytes = store.bytes(LIST)?.ok_or_else(|| Error::NoRecording { path: path.clone() })?;
+                String::from_utf8(bytes).map_err(|_| Error::Recording { path, why: "it is not text in UTF-8".into() })
+            }
+        }
+    }
+
+    /// Writes the list, whole or not at all.
+    pub fn write_list(&self, text: String, how: How) -> Result<(), Error> {
+        match self {
+            CohortPlace::Folder(folder) => {
+                let path = folder.join(LIST);
+                if how != How::New {
+                    // A program that died while it wrote the list has left a part.
+                    remove_parts(&path)?;
+                }
+                Ok(FreshFile::write_whole(&path, text.as_bytes(), how != How::New)?)
+            }
+            #[cfg(feature = "cloud")]
+            CohortPlace::Store { url, store } => match how == How::New && self.has_list()? {
+                true => Err(LogError::Exists { place: url.join(LIST).display().to_string() }.into()),
+                false => Ok(store.put_bytes(LIST, text.into_bytes())?),
+            },
+        }
+    }
+
+    /// The folder in which members are lived and looked at: its own, or one of ours in which nothing is yet.
+    pub fn here(&self) -> Result<Here, Error> {
+        match self {
+            CohortPlace::Folder(folder) => Ok(Here {
+                path: folder.clone(),
+                #[cfg(feature = "cloud")]
+                _scratch: None,
+            }),
+            #[cfg(feature = "cloud")]
+            CohortPlace::Store { .. } => {
+                let scratch = tempfile::tempdir().map_err(|error| Error::io(&std::env::temp_dir(), error))?;
+                Ok(Here { path: scratch.path().into(), _scratch: Some(scratch) })
+            }
+        }
+    }
+
+    /// Brings files here, as far as they are there. What lies in a folder is here already.
+    #[cfg_attr(not(feature = "cloud"), allow(unused_variables, reason = "only stores are elsewhere"))]
+    pub fn bring(&self, here: &Here, files: &[PathBuf]) -> Result<(), Error> {
+        #[cfg(feature = "cloud")]
+        if let CohortPlace::Store { store, .. } = self {
+            for file in files {
+                let Some(bytes) = store.bytes(&name_in(here, file))? else { continue };
+                let made = file.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::write(file, bytes));
+                made.map_err(|error| Error::io(file, error))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Sends a member's files from here to where the cohort lies, the recording last.
+    #[cfg_attr(not(feature = "cloud"), allow(unused_variables, reason = "only stores are elsewhere"))]
+    pub fn send(&self, here: &Here, files: Vec<PathBuf>) -> Result<(), Error> {
+        #[cfg(feature = "cloud")]
+        if let CohortPlace::Store { store, .. } = self {
+            let is_recording = |file: &PathBuf| file.file_name().is_some_and(|name| name == RECORDING);
+            let (last, first): (Vec<_>, Vec<_>) = files.iter().partition(|file| is_recording(file));
+            for file in first.into_iter().chain(last) {
+                store.put(&name_in(here, file), file)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What a file is called where the cohort lies.
+#[cfg(feature = "cloud")]
+fn name_in(here: &Here, file: &Path) -> String {
+    file.strip_prefix(here.path()).unwrap_or(file).to_string_lossy().replace('\\', "/")
+}
+
+/// The text of the list of the cohort in a folder, or below the URL of an object store.
+///
+/// # Errors
+///
+/// [`Error::NotFolder`] if it is a file, [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if there is none,
+/// [`Error::Log`] if the store does not answer, or this program knows none.
+pub fn list_of_cohort(place: &Path) -> Result<String, Error> {
+    CohortPlace::of(place)?.list()
+}
+
+/// Copies the files of one member of a cohort's set into another folder, in which they lie as in the cohort's. Who reads a member in an
+/// object store reads it there.
+///
+/// # Errors
+///
+/// [`Error::Recording`] if the cohort is no set of this form, [`Error::Log`] if the store does not answer, or this program knows none.
+pub fn bring_member(place: &Path, form: &str, member: &str, to: &Path) -> Result<(), Error> {
+    let not_set = || Error::Recording { path: place.join(LIST), why: format!("members have no form {form:?}") };
+    let layout = CohortLayout::named(Some(form)).ok_or_else(not_set)?;
+    let from = CohortPlace::of(place)?;
+    let here = from.here()?;
+    // Of a brief truth, some are not there.
+    let files = layout.files(here.path(), member, TruthKept::All);
+    from.bring(&here, &files)?;
+    for file in files.into_iter().filter(|file| file.is_file()) {
+        let copy = to.join(file.strip_prefix(here.path()).unwrap_or(&file));
+        let made = copy.parent().map_or(Ok(()), fs::create_dir_all).and_then(|()| fs::copy(&file, &copy).map(drop));
+        made.map_err(|error| Error::io(&file, error))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,99 @@
+//! How answers are made: by threads for what takes its time, in JSON or MessagePack.
+
+use crate::stored_log::Refusal;
+use axum::Json;
+use axum::body::{Body, Bytes};
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use futures_util::StreamExt;
+use homebody_import::MOST_BYTES;
+use homebody_kit::Cancel;
+use serde::Serialize;
+use std::io;
+use std::path::Path;
+use tokio::io::AsyncWriteExt;
+
+/// Why there is no answer, and the code that says so.
+pub type Refused = (StatusCode, String);
+
+/// Why a thing that is stored is not told.
+pub fn refused(refusal: Refusal) -> Refused {
+    match refusal {
+        Refusal::Unknown(why) => (StatusCode::NOT_FOUND, why),
+        Refusal::Damaged(why) => (StatusCode::UNPROCESSABLE_ENTITY, why),
+        Refusal::Early(why) => (StatusCode::SERVICE_UNAVAILABLE, why),
+    }
+}
+
+/// What a thread for work that takes its time has found.
+pub async fn found<T: Send + 'static>(find: impl FnOnce() -> T + Send + 'static) -> Result<T, Refused> {
+    tokio::task::spawn_blocking(find).await.map_err(|error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))
+}
+
+/// The same for work that stops when nobody waits for it any more.
+pub async fn found_while_waited_for<T: Send + 'static>(
+    find: impl FnOnce(&Cancel) -> T + Send + 'static,
+) -> Result<T, Refused> {
+    struct Waits(Cancel);
+    impl Drop for Waits {
+        fn drop(&mut self) {
+            self.0.cancel();
+        }
+    }
+    // An answer is dropped on its way when its connection ends.
+    let waits = Waits(Cancel::new());
+    let cancel = waits.0.clone();
+    found(move || find(&cancel)).await
+}
+
+pub fn json(found: Result<impl Serialize, Refused>) -> Response {
+    found.map_or_else(Refused::into_response, |found| Json(found).into_response())
+}
+
+/// In MessagePack, for what is large.
+pub fn packed(found: Result<impl Serialize, Refused>) -> Response {
+    let pack = |found| match rmp_serde::to_vec_named(&found) {
+        Ok(bytes) => ([(header::CONTENT_TYPE, "application/msgpack")], bytes).into_response(),
+        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
+    };
+    found.map_or_else(Refused::into_response, pack)
+}
+
+/// How long a request's body is to be, if that is told.
+pub fn told_length(headers: &HeaderMap) -> Option<u64> {
+    headers.get(header::CONTENT_LENGTH)?.to_str().ok()?.parse().ok()
+}
+
+/// The bytes of a plan of another program.
+pub async fn plan_of(headers: &HeaderMap, body: Body) -> Result<Bytes, Refused> {
+    let too_large = || (StatusCode::PAYLOAD_TOO_LARGE, format!("A plan has at most {} MB.", MOST_BYTES >> 20));
+    if told_length(headers).is_some_and(|length| length > MOST_BYTES) {
+        return Err(too_large());
+    }
+    axum::body::to_bytes(body, MOST_BYTES as usize).await.map_err(|_| too_large())
+}
+
+/// Writes what comes into a file, up to so many bytes; false where nobody wants it any more.
+pub async fn received(
+    body: Body,
+    into: &Path,
+    (most, too_large): (u64, impl Fn() -> Refused),
+    is_cancelled: impl Fn() -> bool,
+) -> Result<bool, Refused> {
+    let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string());
+    let mut file = tokio::fs::File::create(into).await.map_err(failed)?;
+    let (mut parts, mut length) = (body.into_data_stream(), 0);
+    while let Some(part) = parts.next().await {
+        let Ok(part) = part else { return Err((StatusCode::BAD_REQUEST, "Not all of the log has come.".into())) };
+        length += part.len() as u64;
+        if length > most {
+            return Err(too_large());
+        }
+        if is_cancelled() {
+            return Ok(false);
+        }
+        file.write_all(&part).await.map_err(failed)?;
+    }
+    file.flush().await.map_err(failed)?;
+    Ok(true)
+}

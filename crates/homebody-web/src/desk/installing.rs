@@ -1,0 +1,203 @@
+//! The installer's desk: what is put up by a draft, beside another layout, on paper, and where sensors might go.
+
+use super::plan::{build, covered, home, step_m};
+use super::{Desk, problems};
+use crate::draw;
+use crate::wire::{
+    DiffersView, Draft, LayoutView, Layouts, LayoutsView, PartView, PartsView, ProblemView, ReachedView, StepView,
+    Suggest, SuggestionView,
+};
+use homebody_analysis::alerts::{Rules, USUAL};
+use homebody_analysis::coverage;
+use homebody_analysis::parts::{Layout, Part, Parts, beside};
+use homebody_core::home::Build;
+use homebody_core::home::resolved::ResolvedHome;
+use homebody_core::scenario::device::Device;
+use homebody_experiment::people::{NotLived, Opened};
+use homebody_experiment::placing;
+use homebody_experiment::proposal::{Ask, Doing, Proposed, goals, propose};
+use homebody_kit::Cancel;
+use homebody_picture::{installing, pdf};
+use std::sync::PoisonError;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// No more sensors are suggested at once, and nobody waits for more lives (ours): the command does both.
+const MOST_SENSORS: u16 = 64;
+const MOST_PEOPLE: u32 = 100;
+/// No fewer people live: one shows what is looked for, and others do not (ours).
+const FEWEST_PEOPLE: u32 = 4;
+/// The same people live each time.
+const SEED: u64 = 1;
+/// Living takes about so much of the work (ours); trying layouts is the rest.
+const SHARE_OF_LIVES: f64 = 0.8;
+
+impl Desk {
+    /// What is put up by a draft.
+    pub fn parts(&self, draft: Draft) -> PartsView {
+        match home(&self.with(draft), &self.shelf.entry) {
+            Err(wrong) => PartsView { problems: problems(&wrong), ..PartsView::default() },
+            Ok(home) => {
+                let parts = Parts::of(&home);
+                let view = parts.parts.iter().map(part).collect();
+                PartsView { problems: Vec::new(), devices: devices(&parts), parts: view, csv: parts.csv() }
+            }
+        }
+    }
+
+    /// Sheets to print of a draft, as a PDF; or what is wrong with the home.
+    pub fn sheet(&self, draft: Draft) -> Result<Vec<u8>, String> {
+        let (home, build) = self.read(draft).map_err(|wrong| in_words(&wrong))?;
+        let seen = coverage::of_home(&home, build, step_m(home.plan()));
+        pdf(&home.name, &installing(&home, &seen, &Parts::of(&home))).map_err(|error| error.to_string())
+    }
+
+    /// Two drafts side by side.
+    pub fn beside(&self, Layouts { one, other }: Layouts) -> LayoutsView {
+        let both = [one, other].map(|layout| (layout.name, self.read(layout.draft)));
+        let wrong: Vec<ProblemView> =
+            both.iter().filter_map(|(_, read)| read.as_ref().err()).flatten().cloned().collect();
+        let [(one, Ok(first)), (other, Ok(second))] = &both else {
+            return LayoutsView { problems: wrong, ..LayoutsView::default() };
+        };
+        let layouts = [(one, first), (other, second)].map(|(name, (home, build))| Layout { name, home, build: *build });
+        let differences = beside(layouts).differences;
+        let view = |(name, (home, build)): (&String, &(ResolvedHome, Build))| LayoutView {
+            name: name.clone(),
+            devices: devices(&Parts::of(home)),
+            home: draw::home(home, home.plan(), home.placed_sensors()),
+            coverage: covered(&coverage::of_home(home, *build, step_m(home.plan()))),
+        };
+        LayoutsView {
+            problems: Vec::new(),
+            layouts: vec![view((one, first)), view((other, second))],
+            differences: differences
+                .into_iter()
+                .map(|differs| DiffersView { sensor: differs.sensor, what: differs.what })
+                .collect(),
+        }
+    }
+
+    /// Where sensors might go in the home of a draft, for as long as somebody waits.
+    pub fn suggest(&self, asked: Suggest, cancel: &Cancel) -> SuggestionView {
+        let _making = self.suggesting.making.lock().unwrap_or_else(PoisonError::into_inner);
+        self.suggesting.done.store(0, Ordering::Relaxed);
+        match self.proposed(asked, cancel) {
+            Ok(proposed) => suggestion(proposed),
+            Err(Unsuggested::Problems(problems)) => SuggestionView { problems, ..SuggestionView::default() },
+            Err(Unsuggested::Said(why)) => SuggestionView { refused: Some(why), ..SuggestionView::default() },
+        }
+    }
+
+    /// How far the suggestion is that is being made, from 0 to 1.
+    pub fn suggested(&self) -> f64 {
+        f64::from(self.suggesting.done.load(Ordering::Relaxed)) / 1000.0
+    }
+
+    fn proposed(&self, asked: Suggest, cancel: &Cancel) -> Result<Proposed, Unsuggested> {
+        let Suggest { draft, sensors, to_see, people, device } = asked;
+        let goals = goals(&to_see).map_err(|unknown| {
+            Unsuggested::Said(format!("Nothing is called {}.", unknown.join(", ").escape_debug()))
+        })?;
+        if goals.is_empty() {
+            return Err(Unsuggested::Said("Say what is to be seen.".into()));
+        }
+        let of_key = |key: &String| Device::all().find(|device| device.key() == *key);
+        let device = match &device {
+            Some(key) => Some(of_key(key).ok_or_else(|| Unsuggested::Said("There is no such device.".into()))?),
+            None => None,
+        };
+        let rules = Rules::read(USUAL).map_err(|wrong| Unsuggested::Said(wrong.join("; ")))?;
+        let files = self.with(draft);
+        let home = home(&files, &self.shelf.entry).map_err(|wrong| Unsuggested::Problems(problems(&wrong)))?;
+        let sensors = usize::from(sensors.clamp(1, MOST_SENSORS));
+        let people = people.clamp(FEWEST_PEOPLE, MOST_PEOPLE);
+        let (build, step_m) = (build(&files, &self.shelf.entry), step_m(home.plan()));
+        let ask = Ask { goals: &goals, sensors, people, seed: SEED, rules: &rules, device, build, step_m };
+        let opened = || {
+            let (scenario, household) = self.lives(&files, &[]).map_err(homebody_core::problem::Problems)?;
+            Ok(Opened { scenario, household })
+        };
+        let lives = if ask.needs_lives() { SHARE_OF_LIVES } else { 0.0 };
+        let lived = AtomicU32::new(0);
+        let told = |doing: Doing| {
+            let share = match doing {
+                Doing::Lived => lives * f64::from(lived.fetch_add(1, Ordering::Relaxed) + 1) / f64::from(people),
+                Doing::Trying(_, placed) => lives + (1.0 - lives) * placed as f64 / (sensors + 1) as f64,
+            };
+            self.suggesting.done.store((share * 1000.0) as u32, Ordering::Relaxed);
+            !cancel.is_cancelled()
+        };
+        Ok(propose(&home, &ask, opened, &told)?)
+    }
+
+    /// A home and the body that is to be seen in it.
+    fn read(&self, draft: Draft) -> Result<(ResolvedHome, Build), Vec<ProblemView>> {
+        let files = self.with(draft);
+        let home = home(&files, &self.shelf.entry).map_err(|wrong| problems(&wrong))?;
+        Ok((home, build(&files, &self.shelf.entry)))
+    }
+}
+
+/// Why nothing is suggested.
+enum Unsuggested {
+    Problems(Vec<ProblemView>),
+    Said(String),
+}
+
+impl From<NotLived> for Unsuggested {
+    fn from(error: NotLived) -> Unsuggested {
+        match error {
+            NotLived::Problems(wrong) => Unsuggested::Problems(problems(&wrong.0)),
+            NotLived::NoRoutine => Unsuggested::Said(
+                "The first resident lives by no routine, so nobody can show a condition: ask for the floor alone."
+                    .into(),
+            ),
+            other => Unsuggested::Said(other.to_string()),
+        }
+    }
+}
+
+fn in_words(problems: &[ProblemView]) -> String {
+    problems.iter().map(|problem| format!("{}: {}", problem.file, problem.what)).collect::<Vec<_>>().join("\n")
+}
+
+fn part(part: &Part) -> PartView {
+    PartView {
+        number: part.number,
+        name: part.name.clone(),
+        kind: part.kind.to_owned(),
+        device: part.device.clone(),
+        network: part.network.to_owned(),
+        place: part.whereabouts(),
+        aim: part.aim(),
+    }
+}
+
+fn devices(parts: &Parts) -> Vec<(String, usize)> {
+    parts.devices.iter().map(|count| (count.device.clone(), count.count)).collect()
+}
+
+fn suggestion(Proposed { sensors, placed, own }: Proposed) -> SuggestionView {
+    let step = |layout: &placing::Layout| StepView {
+        sensor: layout.sensors.last().cloned().unwrap_or_default(),
+        score: layout.score,
+        reached: layout.goals.iter().map(reached).collect(),
+    };
+    SuggestionView {
+        problems: Vec::new(),
+        refused: None,
+        sensors: serde_json::to_string(&sensors).unwrap_or_default(),
+        steps: placed.steps.iter().map(step).collect(),
+        whole: placed.swapped.last().map(|swap| step(&swap.layout)),
+        own: own.as_ref().map(step),
+    }
+}
+
+fn reached(reached: &placing::Reached) -> ReachedView {
+    ReachedView {
+        goal: reached.goal.to_owned(),
+        score: reached.score,
+        value: reached.value,
+        unit: reached.unit.to_owned(),
+    }
+}

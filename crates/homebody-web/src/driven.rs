@@ -1,0 +1,27 @@
+//! A scenario in which somebody is moved by keys.
+
+use homebody_core::geometry::Point;
+use homebody_core::home::plan::Plan;
+use homebody_core::scenario::edit::ScenarioEdit;
+use homebody_core::scenario::input::{InputFile, KeysFile};
+use homebody_core::scenario::load::Scenario;
+
+/// Makes a resident one who is moved by keys; returns also the name of the file that holds them.
+pub fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(ScenarioEdit, String), String> {
+    let resident = scenario.residents.get(driven).ok_or("there is no such resident")?;
+    let name = format!("{}.keys.json", scenario.file.residents[driven].trim_end_matches(".json"));
+    let at = standing_place(scenario.home.plan(), resident.file.radius_m);
+    let keys = InputFile { schema: None, keys: input.to_vec() };
+    Ok((scenario.edit().keys(driven, &name, &keys, [at.x, at.y]), name))
+}
+
+/// Where somebody stands who is about to be driven: a place with a name and room around it, else any free place.
+fn standing_place(plan: &Plan, radius_m: f64) -> Point {
+    /// Beside the body, so that it can leave the place (ours).
+    const ROOM_M: f64 = 0.1;
+    let (least, most) = plan.bounds();
+    let named = plan.places.iter().map(|(_, at)| *at);
+    let steps = || (1..40).map(|step| f64::from(step) / 40.0);
+    let all = steps().flat_map(|x| steps().map(move |y| least + (most - least) * Point::new(x, y)));
+    named.chain(all).find(|&at| plan.is_walkable(at, radius_m + ROOM_M)).unwrap_or((least + most) / 2.0)
+}

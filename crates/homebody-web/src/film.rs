@@ -1,0 +1,172 @@
+//! What the cameras of a stored run have kept, a part at a time: silhouettes, and who is told by them.
+//!
+//! Of the file nothing is read but what is shown, but where falls are looked for in all of it.
+
+use crate::draw;
+use crate::stored_log::{Refusal, damaged};
+use crate::wire::{FilmView, MomentView, PersonView, PictureView, PlaybackView};
+use homebody_analysis::falls::rules::FallRules;
+use homebody_analysis::falls::scenes::{Person, Scenes, Seen};
+use homebody_analysis::falls::voxels::EDGE_M;
+use homebody_core::body::figure::Point3;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::time::Micros;
+use homebody_kit::find::Stay;
+use homebody_kit::{Cancel, LogWithSilhouettes};
+use homebody_log::LogError;
+use homebody_log::silhouettes::{Kept, Silhouettes};
+use std::borrow::Cow;
+use std::collections::HashSet;
+use std::path::PathBuf;
+use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
+
+/// So many instants are in an answer (ours): a minute of five pictures a second.
+const MOST_MOMENTS: usize = 300;
+
+/// The rules by which falls are looked for.
+static RULES: LazyLock<FallRules> = LazyLock::new(FallRules::default);
+
+/// The silhouettes of a stored run.
+pub struct Film {
+    path: PathBuf,
+    scenario: Scenario,
+    /// By name, in the order of the view's sensors.
+    sensors: Vec<String>,
+    open: Mutex<Option<OpenFilm>>,
+    /// What the cameras take for falls, once somebody has looked for them.
+    falls: OnceLock<Vec<Stay<'static>>>,
+}
+
+/// Once somebody has looked at it.
+struct OpenFilm {
+    silhouettes: Silhouettes,
+    scenes: Scenes<'static>,
+    /// The numbers of its cameras among the view's sensors.
+    numbers: Vec<u32>,
+}
+
+/// Why reading ends before its end.
+enum Ends {
+    Full,
+    Log(LogError),
+}
+
+impl From<LogError> for Ends {
+    fn from(error: LogError) -> Ends {
+        Ends::Log(error)
+    }
+}
+
+impl Film {
+    pub fn new(path: PathBuf, scenario: Scenario, view: &PlaybackView) -> Film {
+        let sensors = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
+        Film { path, scenario, sensors, open: Mutex::new(None), falls: OnceLock::new() }
+    }
+
+    /// The silhouettes of a span, as many as there is time for: all, or those of instants so far apart.
+    pub fn part(&self, (from, to): (Micros, Micros), every: Micros, longest: Duration) -> Result<FilmView, Refusal> {
+        let mut open = self.open.lock().unwrap_or_else(PoisonError::into_inner);
+        let open: &OpenFilm = match &mut *open {
+            Some(open) => open,
+            closed => closed.insert(self.opened()?),
+        };
+        let corner = self.scenario.home.plan().bounds().0;
+        let mut view =
+            FilmView { until_us: to.max(from), corner: draw::at(corner), edge_m: EDGE_M, moments: Vec::new() };
+        let (begun, mut now): (_, Vec<Seen>) = (Instant::now(), Vec::new());
+        let tell = |now: &mut Vec<Seen>, view: &mut FilmView| {
+            let Some(first) = now.first() else { return };
+            let persons: Vec<PersonView> =
+                open.scenes.persons(now).iter().map(|person| told(person, corner.extend(0.0))).collect();
+            let picture =
+                |seen: &Seen| PictureView { sensor: open.numbers[seen.camera], packed: seen.silhouette.packed() };
+            view.moments.push(MomentView { at_us: first.at, pictures: now.iter().map(picture).collect(), persons });
+            now.clear();
+        };
+        let is_enough = |view: &FilmView| view.moments.len() >= MOST_MOMENTS || begun.elapsed() >= longest;
+        let mut next = from;
+        while let Some(at) = open.silhouettes.next_from(next).map_err(damaged)?.filter(|at| *at < to) {
+            let end = if every > 0 { at + 1 } else { to };
+            let read = open.silhouettes.for_each_within(at..end, |Kept { at, camera, silhouette, .. }| {
+                if now.first().is_some_and(|seen| seen.at != at) {
+                    tell(&mut now, &mut view);
+                    if is_enough(&view) {
+                        view.until_us = at;
+                        return Err(Ends::Full);
+                    }
+                }
+                now.push(Seen { at, camera, silhouette });
+                Ok(())
+            });
+            match read {
+                Ok(()) => tell(&mut now, &mut view),
+                Err(Ends::Full) => return Ok(view),
+                Err(Ends::Log(error)) => return Err(damaged(error)),
+            }
+            if every <= 0 {
+                break;
+            }
+            next = at + every;
+            if is_enough(&view) {
+                view.until_us = next.min(to);
+                break;
+            }
+        }
+        Ok(view)
+    }
+
+    fn opened(&self) -> Result<OpenFilm, Refusal> {
+        let kept = LogWithSilhouettes::of(&self.path, &self.scenario).map_err(damaged)?;
+        let scenes = Scenes::new(self.scenario.home.plan(), &kept.lenses(), &RULES);
+        let number =
+            |name: &str| self.sensors.iter().position(|sensor| sensor == name).map_or(u32::MAX, |at| at as u32);
+        let numbers = kept.silhouettes.cameras.iter().map(|camera| number(&camera.file.name)).collect();
+        Ok(OpenFilm { silhouettes: kept.silhouettes, scenes, numbers })
+    }
+
+    /// Looks through all of it once, which takes a while; others can look at parts of it meanwhile.
+    pub fn falls(&self, cancel: &Cancel) -> Result<&Vec<Stay<'static>>, Refusal> {
+        if let Some(known) = self.falls.get() {
+            return Ok(known);
+        }
+        let kept = LogWithSilhouettes::of(&self.path, &self.scenario).map_err(damaged)?;
+        let looked = kept.falls(&RULES, |_| !cancel.is_cancelled()).map_err(damaged)?;
+        let stay = |fall: &homebody_analysis::falls::watch::Fall| Stay {
+            begin: fall.at,
+            end: fall.alarm_at,
+            who: None,
+            name: Cow::Owned(fall.rule.clone()),
+            words: Cow::Owned(kept.words(fall)),
+        };
+        let falls = looked.falls.iter().map(stay).collect();
+        Ok(self.falls.get_or_init(|| falls))
+    }
+}
+
+/// Somebody as the page draws them: of the cubes only those that are not all around by others.
+fn told(person: &Person, corner: Point3) -> PersonView {
+    let steps = |cube: &Point3| {
+        let from = (*cube - corner) / EDGE_M - Point3::splat(0.5);
+        [from.x.round() as i32, from.y.round() as i32, from.z.round() as i32]
+    };
+    let all: HashSet<[i32; 3]> = person.cubes.iter().map(steps).collect();
+    let is_surface = |[x, y, z]: &[i32; 3]| {
+        [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]
+            .iter()
+            .any(|[right, back, up]| !all.contains(&[x + right, y + back, z + up]))
+    };
+    let mut surface: Vec<&[i32; 3]> = all.iter().filter(|cube| is_surface(cube)).collect();
+    surface.sort_unstable();
+    let memberships = &person.memberships;
+    PersonView {
+        cubes: surface.into_iter().flatten().map(|&step| u16::try_from(step).unwrap_or(u16::MAX)).collect(),
+        height_m: person.shape.height_m,
+        centroid_up_m: person.shape.centroid_up_m,
+        tilt_deg: person.shape.tilt_deg,
+        at: person.shape.at_m,
+        upright: memberships.upright,
+        in_between: memberships.in_between,
+        on_the_ground: memberships.on_the_ground,
+    }
+}

@@ -1,0 +1,108 @@
+//! An address that outlives the server: a file keeps its port and its token, and only its owner may read it.
+
+use crate::guard::TOKEN_BYTES;
+use homebody_log::plain;
+use std::fs;
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+/// No such file is larger (ours): it is one address.
+const LARGEST_BYTES: u64 = 1000;
+
+/// What the file keeps.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kept {
+    pub port: u16,
+    pub token: String,
+}
+
+/// Why an address cannot be kept.
+#[derive(Debug, thiserror::Error)]
+pub enum Unkept {
+    #[error("{}: others may read this file, so its token is nobody's secret\n  hint: remove it; a new one is made with a new token", .0.display())]
+    Open(PathBuf),
+    #[error("{}: this is no address of this program\n  hint: name a file that is not there; it is made with a new token", .0.display())]
+    NoAddress(PathBuf),
+    #[error("{}: {error}", path.display())]
+    Io { path: PathBuf, error: io::Error },
+}
+
+/// What a file keeps; nothing where it is not there yet.
+pub fn read(path: &Path) -> Result<Option<Kept>, Unkept> {
+    let io = |error: io::Error| Unkept::Io { path: path.to_owned(), error };
+    let found = match fs::metadata(path) {
+        Ok(found) => found,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(io(error)),
+    };
+    if plain::others_may_read(&found) {
+        return Err(Unkept::Open(path.to_owned()));
+    }
+    let text = match plain::read_text(path, LARGEST_BYTES) {
+        Ok(text) => text,
+        Err(error) if matches!(error.kind(), ErrorKind::InvalidData | ErrorKind::FileTooLarge) => String::new(),
+        Err(error) => return Err(io(error)),
+    };
+    kept_in(&text).map(Some).ok_or_else(|| Unkept::NoAddress(path.to_owned()))
+}
+
+/// Writes an address into the file, which only its owner may read; what was there is replaced at once.
+pub fn write(path: &Path, address: &str) -> Result<(), Unkept> {
+    let io = |error: io::Error| Unkept::Io { path: path.to_owned(), error };
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    // Temporary files are their owner's alone from the beginning.
+    let mut fresh = tempfile::Builder::new().prefix(".address-").tempfile_in(folder).map_err(io)?;
+    fresh.write_all(format!("{address}\n").as_bytes()).map_err(io)?;
+    fresh.as_file().sync_all().map_err(io)?;
+    fresh.persist(path).map_err(|error| io(error.error))?;
+    Ok(())
+}
+
+/// `http://HOST:PORT/#token=HEX`, where a path may stand before the `#`.
+fn kept_in(text: &str) -> Option<Kept> {
+    let (place, token) = text.trim().strip_prefix("http://")?.split_once("#token=")?;
+    let is_token = token.len() == 2 * TOKEN_BYTES && token.bytes().all(|byte| byte.is_ascii_hexdigit());
+    let port = place.split('/').next()?.rsplit_once(':')?.1.parse().ok().filter(|&port| port > 0)?;
+    is_token.then(|| Kept { port, token: token.to_owned() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs::OpenOptions;
+
+    #[test]
+    fn what_is_kept_is_its_owners_alone_and_comes_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("address");
+        assert_eq!(read(&path).unwrap(), None);
+        let token = "0f".repeat(TOKEN_BYTES);
+        for place in ["127.0.0.1:8642/", "[::1]:8642/library/"] {
+            write(&path, &format!("http://{place}#token={token}")).unwrap();
+            assert_eq!(read(&path).unwrap(), Some(Kept { port: 8642, token: token.clone() }));
+        }
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o600);
+            fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
+            assert!(matches!(read(&path), Err(Unkept::Open(_))));
+        }
+    }
+
+    #[test]
+    fn a_file_of_another_kind_is_not_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("notes");
+        let wrong = ["", "my notes", "http://127.0.0.1:8642/#token=short", "http://127.0.0.1:0/#token="];
+        for text in wrong.map(str::to_owned).into_iter().chain(["x".repeat(2000)]) {
+            let mut options = OpenOptions::new();
+            options.write(true).create(true).truncate(true);
+            #[cfg(unix)]
+            std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+            options.open(&path).unwrap().write_all(text.as_bytes()).unwrap();
+            assert!(matches!(read(&path), Err(Unkept::NoAddress(_))), "{text}");
+        }
+        assert!(matches!(read(folder.path()), Err(Unkept::Open(_) | Unkept::Io { .. })));
+    }
+}

@@ -1,0 +1,388 @@
+//! A folder of homes: what there is in it, and what becomes of each.
+//!
+//! A home is a folder with a `scenario.json`, and its runs are in its folder `runs`, so that a home that is renamed, put aside or
+//! fetched back takes them along. The page knows homes by names that are looked up there, never by paths. What is made comes into a
+//! hidden folder first and gets its name once it is whole.
+
+use crate::aside::{self, Unmoved};
+use crate::copied;
+use crate::desk::entries::entries;
+use crate::playback::Playback;
+use crate::shelf::Shelf;
+use crate::stored_log::{Refusal, damaged};
+use crate::wire::{AsideView, CardView, HomeEntryView, LibraryView, MadeView, NewHome, TemplateView};
+use homebody_core::scenario::load::Files;
+use homebody_import::sweet_home;
+use homebody_kit::begun::{self, Begun, GivenLog, Texts};
+use homebody_kit::{Error, LogWithRun, Template};
+use homebody_log::fresh::FreshFile;
+use homebody_log::places::RUNS;
+use homebody_routine::household::Household;
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, HashMap};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::SystemTime;
+use tempfile::TempDir;
+
+/// What a scenario's own file is called in a library.
+const ENTRY: &str = "scenario.json";
+
+/// So many homes are shown, those that were changed last (ours).
+const MOST_HOMES: usize = 1000;
+
+/// So many runs of a home are told on the first page (ours).
+const MOST_RUNS: usize = 3;
+
+/// A home's name has no more letters, and no more bytes (ours): most systems take 255, and what is put aside has some more.
+const MOST_LETTERS: usize = 100;
+const MOST_NAME_BYTES: usize = 200;
+
+/// No larger home is drawn on the first page (ours).
+const LARGEST_DRAWN_BYTES: usize = 1 << 20;
+
+/// So many pictures of runs are kept (ours): each is some kilobytes.
+const MOST_PICTURES: usize = 2000;
+
+/// So many days are told apart in the picture of a run (ours).
+const MOST_COLUMNS: usize = 60;
+
+/// A folder of homes. A clone is the same one.
+#[derive(Clone, Debug)]
+pub struct Library {
+    folder: PathBuf,
+    /// Whether its homes are one's own: see [`Shelf::is_trusted`].
+    is_trusted: bool,
+    /// Held while something gets a name or loses it, so that no two pages take one.
+    naming: Arc<Mutex<()>>,
+    /// Pictures of runs, by home and run, as long as the recording stays as it is.
+    pictures: Arc<Mutex<HashMap<(String, String), Picture>>>,
+}
+
+/// When a recording was written, and what its log was like.
+type Picture = (Option<SystemTime>, Vec<Vec<u32>>);
+
+impl Library {
+    pub fn new(folder: PathBuf, is_trusted: bool) -> Library {
+        Library { folder, is_trusted, naming: Arc::default(), pictures: Arc::default() }
+    }
+
+    /// Everything in it.
+    pub fn view(&self) -> LibraryView {
+        let mut homes: Vec<HomeEntryView> = self.names().into_iter().map(|name| self.entry(name)).collect();
+        homes.sort_by(|a, b| b.changed_ms.cmp(&a.changed_ms).then_with(|| a.name.cmp(&b.name)));
+        let more = homes.len().saturating_sub(MOST_HOMES);
+        homes.truncate(MOST_HOMES);
+        let aside = aside::keys(&self.folder).into_iter();
+        let aside = aside.filter_map(|key| Some(AsideView { name: aside::name_of(&key)?, key }));
+        LibraryView {
+            folder: self.folder.canonicalize().unwrap_or_else(|_| self.folder.clone()).display().to_string(),
+            trouble: self.trouble(),
+            homes,
+            more: more as u32,
+            aside: aside.collect(),
+            templates: Template::all().map(template).collect(),
+            runs_beside: self.runs_beside() as u32,
+        }
+    }
+
+    /// The files and runs of a home.
+    pub fn home(&self, name: &str) -> Result<Shelf, Refusal> {
+        let is_there = is_inside(name) && is_folder(&self.folder.join(name)) && self.is_home(name);
+        is_there.then(|| self.shelf(name)).ok_or_else(|| unknown(name))
+    }
+
+    /// What is shown of a home.
+    pub fn card(&self, name: &str) -> Result<CardView, Refusal> {
+        let shelf = self.home(name)?;
+        let root = json_of(&shelf, ENTRY);
+        let home = root["home"].as_str().and_then(|file| shelf.read(file).ok());
+        let names = root["residents"].as_array().into_iter().flatten().filter_map(Value::as_str);
+        let residents = names.filter_map(|file| json_of(&shelf, file)["name"].as_str().map(str::to_owned)).collect();
+        let problems = Household::load(&shelf, ENTRY, &[]).err().map_or(0, |problems| problems.0.len());
+        let runs = shelf.runs().len();
+        Ok(CardView {
+            home: home.filter(|text| text.len() <= LARGEST_DRAWN_BYTES),
+            residents,
+            problems: problems as u32,
+            runs: runs as u32,
+            latest: Playback::new(shelf).latest(MOST_RUNS),
+        })
+    }
+
+    /// How many rows the log of a run has in each hour of the clock, by day; of a long run some days are one.
+    pub fn picture(&self, name: &str, run: &str) -> Result<Vec<Vec<u32>>, Refusal> {
+        let shelf = self.home(name)?;
+        let folder = shelf.run(run).ok_or_else(|| Refusal::Unknown(format!("There is no run {run:?}.")))?;
+        let written = fs::metadata(folder.join(homebody_log::places::RECORDING)).and_then(|meta| meta.modified()).ok();
+        let key = (name.to_owned(), run.to_owned());
+        // Held while one is drawn: a page of many homes asks for one after the other.
+        let mut pictures = self.pictures.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, hours)) = pictures.get(&key).filter(|(at, _)| *at == written) {
+            return Ok(hours.clone());
+        }
+        let view = Playback::new(shelf).run(run)?;
+        let together = view.hours.len().div_ceil(MOST_COLUMNS).max(1);
+        let column = |days: &[Vec<u32>]| -> Vec<u32> {
+            let of_hour = |hour: usize| days.iter().filter_map(|day| day.get(hour)).sum::<u32>() / days.len() as u32;
+            (0..24).map(of_hour).collect()
+        };
+        let hours: Vec<Vec<u32>> = view.hours.chunks(together).map(column).collect();
+        if pictures.len() >= MOST_PICTURES {
+            pictures.clear();
+        }
+        pictures.insert(key, (written, hours.clone()));
+        Ok(hours)
+    }
+
+    /// Begins a home: empty, or from a template.
+    pub fn begin(&self, name: &str, from: &NewHome) -> Result<MadeView, Refusal> {
+        let texts = match from {
+            NewHome::Empty => begun::empty(name),
+            NewHome::Template { name: template } => begun::of_template(
+                Template::named(template).map_err(|error| Refusal::Unknown(error.to_string()))?,
+                name,
+            ),
+        };
+        self.make(name, |folder| begun::write(folder, &texts))?;
+        Ok(MadeView { name: name.to_owned(), remarks: Vec::new() })
+    }
+
+    /// Begins a home from the bytes of a plan of Sweet Home 3D.
+    pub fn import(&self, name: &str, bytes: &[u8]) -> Result<MadeView, Refusal> {
+        self.is_free(name)?;
+        let imported = sweet_home(bytes, name, None).map_err(damaged)?;
+        let week = Begun::week(name, imported.home_json);
+        let lack = begun::inhabited(&week).map_err(damaged)?.lack;
+        // What it lacks the page lists among its problems, and puts there by a button: its hints are for people with files.
+        let lack = lack.iter().filter_map(|lack| lack.lines().next()).map(str::to_owned).collect();
+        self.write_lived(name, &begun::lived_in(&week), imported.remarks, lack)
+    }
+
+    /// Begins a schematic home from a log, whose file is called so.
+    pub fn from_log(&self, name: &str, file: &str, log: &Path) -> Result<MadeView, Refusal> {
+        self.is_free(name)?;
+        // Where the log lies meanwhile tells nobody anything.
+        let told =
+            |error: Error| damaged(without_options(&error.to_string().replace(&log.display().to_string(), file)));
+        let read = LogWithRun::read(&log.to_string_lossy(), None).map_err(told)?;
+        let table = BTreeMap::new();
+        let given = GivenLog { named: file, file, read: &read, time_zone: None, table, picture: None };
+        let made = begun::of_log(name, &given).map_err(told)?;
+        self.write_lived(name, &made.lived.texts, made.remarks, made.lived.lack)
+    }
+
+    fn write_lived(
+        &self,
+        name: &str,
+        texts: &Texts,
+        mut remarks: Vec<String>,
+        lack: Vec<String>,
+    ) -> Result<MadeView, Refusal> {
+        self.make(name, |folder| begun::write(folder, texts))?;
+        remarks.extend(lack.iter().map(|lack| format!("Nobody can live an ordinary life here yet: {lack}")));
+        Ok(MadeView { name: name.to_owned(), remarks })
+    }
+
+    /// A place for a log that is coming; gone when it is dropped.
+    pub fn hidden(&self) -> Result<TempDir, Refusal> {
+        tempfile::Builder::new().prefix(".new-").tempdir_in(&self.folder).map_err(|error| self.unwritten(&error))
+    }
+
+    /// Copies a home, without its runs.
+    pub fn duplicate(&self, name: &str, to: &str) -> Result<MadeView, Refusal> {
+        let from = self.home(name)?;
+        self.is_free(to)?;
+        let hidden = self.hidden()?;
+        let fresh = hidden.path().join(to);
+        copied::copy(&from.scenario, &fresh, &[RUNS]).map_err(damaged)?;
+        call_itself(&fresh, name, to).map_err(damaged)?;
+        self.take_name(&fresh, to)?;
+        Ok(MadeView { name: to.to_owned(), remarks: Vec::new() })
+    }
+
+    /// Calls a home otherwise. Nobody has it open.
+    pub fn rename(&self, name: &str, to: &str) -> Result<(), Refusal> {
+        let from = self.home(name)?;
+        self.take_name(&from.scenario, to)?;
+        call_itself(&self.folder.join(to), name, to).map_err(damaged)
+    }
+
+    /// Puts a home aside with its runs, and says under which key it is fetched back. Nobody has it open.
+    pub fn put_aside(&self, name: &str) -> Result<String, Refusal> {
+        let _naming = self.naming();
+        self.home(name)?;
+        let failed = |error: io::Error| damaged(format!("{name} cannot be put aside: {error}"));
+        aside::put(&self.folder, name).map_err(failed)
+    }
+
+    /// Fetches back what was put aside.
+    pub fn fetch_back(&self, key: &str) -> Result<String, Refusal> {
+        let _naming = self.naming();
+        aside::fetch_back(&self.folder, key).map_err(|why| match why {
+            Unmoved::Unknown => Refusal::Unknown(format!("Nothing is put aside as {}.", shown(key))),
+            Unmoved::Taken(name) => damaged(format!("There is another home called {name} now: rename that one first.")),
+            Unmoved::Failed(error) => damaged(format!("{} cannot be fetched back: {error}", shown(key))),
+        })
+    }
+
+    /// Whether a new home can have this name.
+    pub fn is_free(&self, name: &str) -> Result<(), Refusal> {
+        if let Some(why) = wrong_name(name) {
+            return Err(damaged(why));
+        }
+        match fs::symlink_metadata(self.folder.join(name)) {
+            Ok(_) => Err(damaged(format!("There is something called {name} here already: choose another name."))),
+            Err(_) => Ok(()),
+        }
+    }
+
+    /// Makes a home of a name: it is there whole, or not at all.
+    fn make(&self, name: &str, write: impl FnOnce(&Path) -> Result<(), Error>) -> Result<(), Refusal> {
+        self.is_free(name)?;
+        let hidden = self.hidden()?;
+        let fresh = hidden.path().join(name);
+        begun::begin(&fresh, |_| write(&fresh)).map_err(damaged)?;
+        self.take_name(&fresh, name)
+    }
+
+    /// A folder becomes the home of a name.
+    fn take_name(&self, folder: &Path, name: &str) -> Result<(), Refusal> {
+        let _naming = self.naming();
+        self.is_free(name)?;
+        fs::rename(folder, self.folder.join(name)).map_err(|error| self.unwritten(&error))
+    }
+
+    /// The names of all homes.
+    fn names(&self) -> Vec<String> {
+        let folders = fs::read_dir(&self.folder).into_iter().flatten().flatten();
+        let folders = folders.filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_dir()));
+        let names = folders.filter_map(|entry| entry.file_name().into_string().ok());
+        names.filter(|name| !name.starts_with('.') && self.is_home(name)).collect()
+    }
+
+    fn is_home(&self, name: &str) -> bool {
+        let entry = fs::symlink_metadata(self.folder.join(name).join(ENTRY));
+        entry.is_ok_and(|entry| entry.is_file())
+    }
+
+    fn entry(&self, name: String) -> HomeEntryView {
+        let shelf = self.shelf(&name);
+        let root = json_of(&shelf, ENTRY);
+        let text = |key: &str| root[key].as_str().unwrap_or_default().to_owned();
+        HomeEntryView { title: text("name"), about: text("about"), changed_ms: changed_ms(&shelf.scenario), name }
+    }
+
+    fn shelf(&self, name: &str) -> Shelf {
+        let scenario = self.folder.join(name);
+        Shelf { runs: scenario.join(RUNS), scenario, entry: ENTRY.into(), is_trusted: self.is_trusted }
+    }
+
+    /// How many folders of runs lie beside the homes, as `homebody run` leaves them where it is started.
+    fn runs_beside(&self) -> usize {
+        let beside = Shelf { runs: self.folder.join(RUNS), ..self.shelf("") };
+        beside.runs().len()
+    }
+
+    /// Why no home can be put into it, if that is so. A file without a name leaves no trace.
+    fn trouble(&self) -> Option<String> {
+        let error = tempfile::tempfile_in(&self.folder).err()?;
+        Some(format!("Nothing can be changed here: {error}. Homes can be looked at; their runs cannot be stored."))
+    }
+
+    fn unwritten(&self, error: &io::Error) -> Refusal {
+        damaged(format!("Nothing can be written into {}: {error}", self.folder.display()))
+    }
+
+    fn naming(&self) -> MutexGuard<'_, ()> {
+        self.naming.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+fn unknown(name: &str) -> Refusal {
+    Refusal::Unknown(format!("There is no home called {} here.", shown(name)))
+}
+
+/// As much of a name as is read.
+fn shown(name: &str) -> String {
+    let short: String = name.chars().take(MOST_LETTERS).collect();
+    if short.len() < name.len() { format!("{short}…") } else { short }
+}
+
+/// Whether a name is that of something in a folder, and leads nowhere else.
+fn is_inside(name: &str) -> bool {
+    !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', '\0'])
+}
+
+/// What is wrong with the name of a new home, if anything: it is the name of a folder on any system.
+fn wrong_name(name: &str) -> Option<String> {
+    let mut wrong = Vec::new();
+    if name.trim().is_empty() {
+        wrong.push("it has no letters".to_owned());
+    }
+    if name.chars().count() > MOST_LETTERS || name.len() > MOST_NAME_BYTES {
+        wrong.push(format!("it is longer than {MOST_LETTERS} letters"));
+    }
+    if name.starts_with('.') {
+        wrong.push("it begins with a dot".into());
+    }
+    if name != name.trim() || name.ends_with('.') {
+        wrong.push("it begins or ends with a space, or ends with a dot".into());
+    }
+    if name.chars().any(|c| c.is_control() || "/\\:*?\"<>|".contains(c)) {
+        wrong.push("it has one of / \\ : * ? \" < > | in it, or a character that nobody sees".into());
+    }
+    if name == RUNS {
+        wrong.push("runs that were made from here are in a folder of that name".into());
+    }
+    (!wrong.is_empty()).then(|| format!("No home can be called {:?}: {}.", shown(name), wrong.join("; ")))
+}
+
+fn is_folder(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|found| found.is_dir())
+}
+
+fn json_of(files: &Shelf, name: &str) -> Value {
+    files.read(name).ok().and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default()
+}
+
+fn template(template: Template) -> TemplateView {
+    let text = template.files().find(|(name, _)| name == ENTRY).map(|(_, text)| text);
+    let root: Value = text.and_then(|text| serde_json::from_str(&text).ok()).unwrap_or_default();
+    TemplateView { name: template.name(), about: root["about"].as_str().unwrap_or_default().to_owned() }
+}
+
+/// When a file of a home was changed last, in milliseconds since 1970.
+fn changed_ms(folder: &Path) -> Option<i64> {
+    let files = fs::read_dir(folder).ok()?.flatten().filter_map(|entry| entry.metadata().ok());
+    let times = files.filter(fs::Metadata::is_file).filter_map(|found| found.modified().ok());
+    let since = times.max()?.duration_since(SystemTime::UNIX_EPOCH).ok()?;
+    i64::try_from(since.as_millis()).ok()
+}
+
+/// What is wrong with a log, without hints at options of the command, which a page has not: it has drawing instead.
+fn without_options(said: &str) -> String {
+    let is_option = |line: &str| line.trim_start().starts_with("hint: ") && line.contains(" --");
+    let lines = said.lines().map(|line| {
+        if is_option(line) {
+            "  hint: begin an empty home, draw its rooms, and put up sensors of these names"
+        } else {
+            line
+        }
+    });
+    lines.collect::<Vec<&str>>().join("\n")
+}
+
+/// A scenario that was called as its folder is called as the folder is now: runs are named after it.
+fn call_itself(folder: &Path, before: &str, now: &str) -> Result<(), String> {
+    let path = folder.join(ENTRY);
+    let text = fs::read_to_string(&path).map_err(|error| format!("{ENTRY}: {error}"))?;
+    let Some(own) = entries(&text).into_iter().find(|entry| entry.is(&["name"]) && entry.text() == Some(before)) else {
+        return Ok(());
+    };
+    let mut fresh = text.clone();
+    fresh.replace_range(own.name_range(), &json!(now).to_string());
+    FreshFile::write_whole(&path, fresh.as_bytes(), true).map_err(|error| error.to_string())
+}

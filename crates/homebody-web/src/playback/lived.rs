@@ -1,0 +1,163 @@
+//! What residents did and where they were, of a run whose truth is read while the run is open already, as its log is.
+
+use super::coming::{Coming, Grows, HowFar, read_in};
+use crate::stored_log::{Refusal, damaged};
+use homebody_core::time::{DAY, Micros};
+use homebody_log::{LifeSpan, LogError, RunClock, SpanKind, Url};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A truth tells of what is done once it is over, and nobody does one thing for longer than this (ours): so far back something may
+/// still come.
+const LATE: Micros = 31 * DAY;
+
+/// So many spans are handed on at a time (ours).
+const MOST_AT_ONCE: usize = 1000;
+
+/// Of a resident: from when until when, and a number of what.
+pub(super) type Spans = Vec<(Micros, Micros, u32)>;
+
+/// What the truth tells of the whole run, or of as much as has come.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Lives {
+    /// By resident; numbers are those of the home's rooms.
+    pub rooms: Vec<Spans>,
+    /// By resident; numbers are those of `names`.
+    pub activities: Vec<Spans>,
+    /// What is done, in the order in which it comes.
+    pub names: Vec<String>,
+}
+
+/// What is known of lives so far.
+pub(super) struct Known {
+    lives: Arc<Lives>,
+    how_far: HowFar,
+}
+
+impl Grows for Known {
+    fn how_far(&self) -> &HowFar {
+        &self.how_far
+    }
+}
+
+/// Lives, as far as they have come.
+pub(super) struct Lived {
+    coming: Coming<Known>,
+}
+
+impl Lived {
+    /// Begins to read the truth of a run with these residents and rooms in another thread.
+    pub fn begin(truth: Url, clock: RunClock, residents: Vec<String>, rooms: &[String]) -> Result<Lived, Refusal> {
+        let rooms: HashMap<String, u32> = rooms.iter().cloned().zip(0..).collect();
+        let none = || vec![Vec::new(); residents.len()];
+        let lives = Arc::new(Lives { rooms: none(), activities: none(), names: Vec::new() });
+        let coming = Coming::new(Known { lives, how_far: HowFar::begun(LATE) });
+        let lived = Lived { coming: coming.clone() };
+        read_in("reads a truth", move || {
+            let mut taken = Taken { residents, rooms, names: HashMap::new(), spans: Vec::new() };
+            let read = homebody_log::life_spans(&truth, &clock, &mut |span| {
+                taken.take(&span);
+                if taken.spans.len() >= MOST_AT_ONCE { coming.grow(|known| taken.hand_on(known)) } else { Ok(()) }
+            });
+            let read = read.and_then(|()| coming.grow(|known| taken.hand_on(known)));
+            coming.end(|known| known.how_far.ended = Some(read.map_err(damaged)));
+        })?;
+        Ok(lived)
+    }
+
+    /// What has come, to be waited for.
+    pub fn coming(&self) -> &Coming<Known> {
+        &self.coming
+    }
+
+    /// All of it.
+    pub fn whole(&self) -> Result<Arc<Lives>, Refusal> {
+        Ok(self.coming.until(Micros::MAX)?.lives.clone())
+    }
+}
+
+impl Known {
+    /// What has come of lives.
+    pub fn lives(&self) -> &Lives {
+        &self.lives
+    }
+}
+
+/// What has been taken from a truth and is not handed on yet.
+struct Taken {
+    residents: Vec<String>,
+    rooms: HashMap<String, u32>,
+    names: HashMap<String, u32>,
+    /// Of which resident, of what, and the span.
+    spans: Vec<(usize, SpanKind, (Micros, Micros, u32))>,
+}
+
+impl Taken {
+    fn take(&mut self, span: &LifeSpan) {
+        let Some(resident) = self.residents.iter().position(|name| name == span.resident) else { return };
+        let number = match span.kind {
+            SpanKind::Room => self.rooms.get(span.name).copied(),
+            SpanKind::Activity => match self.names.get(span.name) {
+                Some(&number) => Some(number),
+                None => {
+                    let number = self.names.len() as u32;
+                    self.names.insert(span.name.to_owned(), number);
+                    Some(number)
+                }
+            },
+        };
+        self.spans.extend(number.map(|number| (resident, span.kind, (span.begin, span.end, number))));
+    }
+
+    fn hand_on(&mut self, known: &mut Known) -> Result<(), LogError> {
+        // Nobody else has it before all has come.
+        let lives = Arc::make_mut(&mut known.lives);
+        if lives.names.len() < self.names.len() {
+            let mut names: Vec<(&String, &u32)> = self.names.iter().collect();
+            names.sort_by_key(|(_, number)| **number);
+            lives.names = names.into_iter().map(|(name, _)| name.clone()).collect();
+        }
+        for (resident, kind, span) in self.spans.drain(..) {
+            known.how_far.last_us = known.how_far.last_us.max(span.1);
+            let of = match kind {
+                SpanKind::Room => &mut lives.rooms,
+                SpanKind::Activity => &mut lives.activities,
+            };
+            of[resident].push(span);
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_done_is_known_once_nothing_more_of_its_time_comes() {
+        let lives = Arc::new(Lives { rooms: vec![Vec::new()], activities: vec![Vec::new()], names: Vec::new() });
+        let coming = Coming::new(Known { lives, how_far: HowFar::begun(LATE) });
+        let lived = Lived { coming: coming.clone() };
+        let rooms = HashMap::from([("hall".to_owned(), 7)]);
+        let mut taken = Taken { residents: vec!["ann".into()], rooms, names: HashMap::new(), spans: Vec::new() };
+        let mut hand_on = |kind, resident, name, begin, end| {
+            taken.take(&LifeSpan { kind, resident, name, begin: begin * DAY, end: end * DAY });
+            coming.grow(|known| taken.hand_on(known)).unwrap();
+        };
+        hand_on(SpanKind::Activity, "ann", "sleeping", 0, 1);
+        hand_on(SpanKind::Room, "ann", "hall", 1, 2);
+        hand_on(SpanKind::Room, "ann", "attic", 2, 3);
+        hand_on(SpanKind::Activity, "nobody", "reading", 2, 3);
+        assert!(coming.known().read_us().unwrap().unwrap() < 0);
+        hand_on(SpanKind::Activity, "ann", "eating", 3, 40);
+        assert_eq!(coming.known().read_us(), Ok(Some(9 * DAY)));
+        let known = coming.until(9 * DAY).unwrap().lives().clone();
+        assert_eq!(
+            (&known.rooms[0][..], &known.activities[0][..]),
+            (&[(DAY, 2 * DAY, 7)][..], &[(0, DAY, 0), (3 * DAY, 40 * DAY, 1)][..])
+        );
+        assert_eq!(known.names, ["sleeping", "eating"]);
+        coming.end(|known| known.how_far.ended = Some(Ok(())));
+        assert_eq!(*lived.whole().unwrap(), known);
+    }
+}

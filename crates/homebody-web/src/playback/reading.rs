@@ -1,0 +1,183 @@
+//! The log of a run that is read while the run is open already: of ten years the first days are seen at once, and the last as soon as they
+//! have come.
+
+use super::coming::{Coming, Grows, HowFar, read_in};
+use crate::stored_log::{MOST_ROWS, Refusal, StoredRows, damaged, stranger, told_of};
+use crate::wire::PlaybackView;
+use homebody_core::scenario::load::Scenario;
+use homebody_core::time::{DAY, Micros};
+use homebody_log::{Event, Log, LogError, Url};
+use std::collections::HashMap;
+
+/// A message comes no later than this after others of its time (ours): so far back a log that is being read may still get rows.
+const LATE: Micros = DAY;
+
+/// The rows of a log, as far as they have come.
+pub(super) type Reading = Coming<Known>;
+
+/// What is known of a log so far.
+pub(super) struct Known {
+    pub rows: StoredRows,
+    /// What the log calls its sensors, those of the home first.
+    pub sensors: Vec<String>,
+    /// What they say.
+    pub values: Vec<String>,
+    pub remarks: Vec<String>,
+    how_far: HowFar,
+}
+
+impl Coming<Known> {
+    /// A log that is read already.
+    pub fn whole(rows: StoredRows, view: &mut PlaybackView) -> Reading {
+        Coming::new(Known {
+            rows,
+            sensors: std::mem::take(&mut view.sensors),
+            values: std::mem::take(&mut view.values),
+            remarks: Vec::new(),
+            how_far: HowFar::whole(),
+        })
+    }
+
+    /// Begins to read a run's own log in another thread. A run that has not come to its end may have none yet.
+    pub fn begin(
+        url: Url,
+        scenario: &Scenario,
+        is_complete: bool,
+        view: &PlaybackView,
+        rows: StoredRows,
+    ) -> Result<Reading, Refusal> {
+        let names: Vec<String> = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
+        let sensors = homebody_log::ids(&url, &scenario.logger, &names);
+        let mut numbers: HashMap<String, u32> = sensors.iter().cloned().zip(0..).collect();
+        let (values, remarks) = (Vec::new(), Vec::new());
+        let reading = Coming::new(Known { rows, sensors, values, remarks, how_far: HowFar::begun(LATE) });
+        let (coming, logger) = (reading.clone(), scenario.logger.clone());
+        read_in("reads a log", move || {
+            let mut clock = None;
+            let mut take = |part: &Log| coming.grow(|known| known.take(part, &mut clock, &mut numbers));
+            let read = homebody_log::stream(&url, &logger, &mut take);
+            let read = match read {
+                // A run that was killed before its first row, or has only just begun.
+                Err(LogError::NoTables { .. }) if !is_complete => Ok(Log::default()),
+                read => read.map_err(damaged),
+            };
+            coming.end(|known| known.end(read, is_complete));
+        })?;
+        Ok(reading)
+    }
+}
+
+impl Grows for Known {
+    fn how_far(&self) -> &HowFar {
+        &self.how_far
+    }
+}
+
+impl Known {
+    /// The rows of a day.
+    pub fn of(&mut self, day: usize) -> Result<Vec<Event>, Refusal> {
+        self.rows.of(day).map_err(damaged)
+    }
+
+    /// A part of the log has come.
+    fn take(
+        &mut self,
+        part: &Log,
+        clock: &mut Option<homebody_log::RunClock>,
+        numbers: &mut HashMap<String, u32>,
+    ) -> Result<(), LogError> {
+        let Known { rows, sensors, values, how_far, .. } = self;
+        for id in part.sensors.iter().skip(rows.numbers.len()) {
+            let number = *numbers.entry(id.clone()).or_insert_with(|| stranger(id, sensors));
+            rows.numbers.push(number);
+        }
+        values.extend_from_slice(part.values.get(values.len()..).unwrap_or_default());
+        how_far.last_us = how_far.last_us.max(rows.take(part, clock, MOST_ROWS)?);
+        Ok(())
+    }
+
+    /// No more rows come.
+    fn end(&mut self, read: Result<Log, Refusal>, is_complete: bool) {
+        let ended = read.and_then(|mut log| {
+            self.rows.flush(&mut log, MOST_ROWS).map_err(damaged)?;
+            if log.rows == 0 && !is_complete {
+                self.remarks.push("The run has no rows yet.".into());
+            }
+            self.remarks.extend(told_of(&log));
+            Ok(())
+        });
+        self.how_far.ended = Some(ended);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dates;
+    use homebody_core::scenario::calendar::Calendar;
+    use std::path::Path;
+    use std::thread;
+    use std::time::Duration;
+
+    /// A log of which nothing has come yet, of four days.
+    fn begun() -> Reading {
+        let calendar = Calendar::new("2009-03-02T00:00:00", "UTC").unwrap();
+        let days = dates::all(&calendar, 4 * DAY);
+        let rows = StoredRows::of_days(Path::new("."), days, &calendar, 4 * DAY, Micros::MAX).unwrap();
+        let (sensors, values, remarks) = (vec!["hall".into()], Vec::new(), Vec::new());
+        Coming::new(Known { rows, sensors, values, remarks, how_far: HowFar::begun(LATE) })
+    }
+
+    /// A part with a row an hour from a day on until another.
+    fn part(days: std::ops::Range<i64>) -> Log {
+        let start = 1_235_952_000_000_000;
+        let hours = days.start * 24..days.end * 24;
+        Log {
+            sensors: vec!["attic".into(), "hall".into()],
+            values: vec!["ON".into()],
+            events: hours
+                .map(|hour| Event { at: start + hour * DAY / 24, sensor: (hour % 2) as u32, value: 0 })
+                .collect(),
+            ..Log::default()
+        }
+    }
+
+    #[test]
+    fn days_are_there_once_nothing_more_of_them_comes() {
+        let reading = begun();
+        let mut numbers = HashMap::from([("hall".to_owned(), 0)]);
+        let mut clock = None;
+        let mut take = |days| reading.grow(|known| known.take(&part(days), &mut clock, &mut numbers));
+        assert!(reading.wait(DAY, Duration::from_millis(20)).read_us().unwrap().unwrap() < 0);
+        take(0..2).unwrap();
+        // What comes late may be of the second day.
+        assert_eq!(reading.known().read_us(), Ok(Some(23 * DAY / 24)));
+        take(2..3).unwrap();
+        let first = reading.until(DAY).unwrap().of(0).unwrap();
+        assert_eq!(first.iter().map(|row| row.sensor).collect::<Vec<_>>(), [1, 0].repeat(12));
+        take(3..4).unwrap();
+        assert_eq!(reading.until(DAY).unwrap().of(0).unwrap(), first);
+        reading.end(|known| known.end(Ok(Log::default()), true));
+        assert_eq!(reading.known().read_us(), Ok(None));
+        let mut known = reading.until(Micros::MAX).unwrap();
+        assert_eq!(
+            (known.of(3).unwrap().len(), &known.sensors[..]),
+            (24, &["hall".to_owned(), "attic".to_owned()][..])
+        );
+    }
+
+    #[test]
+    fn what_breaks_off_is_told_to_whoever_waits_and_what_nobody_wants_ends() {
+        let reading = begun();
+        let waiting = thread::spawn({
+            let reading = reading.clone();
+            move || reading.until(Micros::MAX).map(drop)
+        });
+        reading.end(|known| known.end(Err(Refusal::Damaged("cut short".into())), true));
+        assert_eq!(waiting.join().unwrap(), Err(Refusal::Damaged("cut short".into())));
+        let reading = begun();
+        reading.stop();
+        let stopped = reading.grow(|known| known.take(&part(0..1), &mut None, &mut HashMap::new()));
+        assert!(matches!(stopped, Err(LogError::Stopped { .. })));
+    }
+}

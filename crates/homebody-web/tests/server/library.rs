@@ -1,0 +1,351 @@
+//! A folder of homes: what its first page is told, and what becomes of homes by what is asked there.
+
+use super::served::{Heard, LONGEST_WAIT, Page, Served};
+use homebody_web::Options;
+use homebody_web::kept_address;
+use homebody_web::library::Library;
+use serde_json::{Value, json};
+use std::fs;
+use std::io::{Cursor, Write};
+use std::path::Path;
+use std::time::Instant;
+use tungstenite::Message;
+use zip::ZipWriter;
+use zip::write::SimpleFileOptions;
+
+impl Served {
+    fn json(&self, path: &str) -> Value {
+        let answer = self.api(path);
+        assert_eq!(answer.code, 200, "{path}: {}", String::from_utf8_lossy(&answer.body));
+        serde_json::from_slice(&answer.body).unwrap()
+    }
+
+    fn homes(&self) -> Vec<String> {
+        let homes = self.json("/api/library")["homes"].clone();
+        let mut names: Vec<String> =
+            homes.as_array().unwrap().iter().map(|home| home["name"].as_str().unwrap().to_owned()).collect();
+        names.sort();
+        names
+    }
+
+    /// What is answered, which is no success.
+    fn refusal(&self, method: &str, path: &str, body: &Value) -> (u16, String) {
+        let answer = self.send(method, path, body.to_string().as_bytes());
+        (answer.code, String::from_utf8_lossy(&answer.body).into_owned())
+    }
+}
+
+fn text(path: &Path) -> Value {
+    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
+}
+
+#[test]
+fn homes_are_begun_copied_renamed_deleted_and_put_back() {
+    let served = Served::library(&["studio"]);
+    let at = |path: &str| served.folder.path().join(path);
+    // What is no home is none.
+    fs::create_dir(at("notes")).unwrap();
+    fs::create_dir(at(".hidden")).unwrap();
+    fs::write(at(".hidden/scenario.json"), "{}").unwrap();
+    assert_eq!(served.homes(), ["studio"]);
+    served.told("/api/library/homes/a%20flat", &json!({ "from": "template", "name": "tigerplace" }));
+    served.told("/api/library/homes/nothing", &json!({ "from": "empty" }));
+    assert_eq!(served.homes(), ["a flat", "nothing", "studio"]);
+    assert_eq!(text(&at("a flat/scenario.json"))["name"], "a flat");
+    let card = served.json("/api/library/homes/a%20flat");
+    assert_eq!((&card["problems"], &card["residents"]), (&json!(0), &json!(["margaret"])));
+    assert!(card["home"].as_str().unwrap().contains("\"rooms\""));
+    assert!(
+        served.json("/api/library/homes/nothing")["problems"].as_u64().unwrap() > 0,
+        "nobody can live in an empty home"
+    );
+
+    served.told("/api/library/homes/studio/copy", &json!({ "name": "studio, too" }));
+    fs::create_dir_all(at("studio/runs/mine")).unwrap();
+    served.told("/api/library/homes/studio/name", &json!({ "name": "attic" }));
+    assert_eq!(served.homes(), ["a flat", "attic", "nothing", "studio, too"]);
+    assert!(at("attic/runs/mine").is_dir(), "its runs have come along");
+    assert_eq!(text(&at("attic/scenario.json"))["name"], "attic");
+    assert_eq!(text(&at("studio, too/scenario.json"))["name"], "studio, too");
+
+    let answer = served.send("DELETE", "/api/library/homes/attic", b"");
+    let aside: Value = serde_json::from_slice(&answer.body).unwrap();
+    assert_eq!(served.homes(), ["a flat", "nothing", "studio, too"]);
+    assert_eq!(served.json("/api/library")["aside"], json!([{ "key": aside["key"], "name": "attic" }]));
+    let back = format!("/api/library/put-aside/{}", aside["key"].as_str().unwrap());
+    served.told(&back, &json!({}));
+    assert!(at("attic/runs/mine").is_dir());
+    assert_eq!(served.refusal("POST", &back, &json!({})).0, 404);
+    assert_eq!(served.json("/api/library")["aside"], json!([]));
+    // Nothing hidden is left of what was made.
+    let hidden = fs::read_dir(served.folder.path()).unwrap().flatten();
+    let hidden = hidden.filter(|entry| entry.file_name().to_string_lossy().starts_with(".new-")).count();
+    assert_eq!(hidden, 0);
+}
+
+#[test]
+fn names_that_are_none_are_refused_with_all_that_is_wrong() {
+    let served = Served::library(&["studio"]);
+    let long = "n".repeat(4000);
+    let given = fs::read_dir(served.folder.path()).unwrap().count();
+    for name in ["..", ".hidden", "a%2Fb", "%2Fetc", "..%2F..%2Fetc", "a%00b", "runs", "%20", "a.", "a%3Ab", &long] {
+        let (code, why) = served.refusal("POST", &format!("/api/library/homes/{name}"), &json!({ "from": "empty" }));
+        assert!(code == 422 || code == 404, "{name}: {code} {why}");
+        assert!(why.len() < 500, "{why}");
+        for path in [format!("/api/library/homes/{name}/copy"), format!("/api/library/homes/{name}/name")] {
+            assert!(served.refusal("POST", &path, &json!({ "name": "b" })).0 >= 404, "{path}");
+        }
+        assert_eq!(served.refusal("DELETE", &format!("/api/library/homes/{name}"), &json!({})).0, 404, "{name}");
+        assert_eq!(served.api(&format!("/api/homes/{name}/files")).code, 404, "{name}");
+    }
+    let (_, why) = served.refusal("POST", "/api/library/homes/studio/name", &json!({ "name": format!(".{long}/") }));
+    assert!(
+        why.contains("longer than 100 letters") && why.contains("begins with a dot") && why.contains("one of /"),
+        "{why}"
+    );
+    let (code, why) = served.refusal("POST", "/api/library/homes/studio/copy", &json!({ "name": "studio" }));
+    assert!(code == 422 && why.contains("something called studio here already"), "{why}");
+    assert_eq!(fs::read_dir(served.folder.path()).unwrap().count(), given);
+}
+
+#[cfg(unix)]
+#[test]
+fn links_lead_out_of_no_library() {
+    let elsewhere = tempfile::tempdir().unwrap();
+    fs::write(elsewhere.path().join("scenario.json"), "{}").unwrap();
+    let served = Served::library(&["studio"]);
+    std::os::unix::fs::symlink(elsewhere.path(), served.folder.path().join("link")).unwrap();
+    assert_eq!(served.homes(), ["studio"]);
+    assert_eq!(served.api("/api/homes/link/files").code, 404);
+    assert_eq!(served.api("/api/library/homes/link").code, 404);
+    // A home with a link in it is not copied, and what was copied before is gone.
+    std::os::unix::fs::symlink("/etc/hostname", served.folder.path().join("studio/link")).unwrap();
+    let (code, why) = served.refusal("POST", "/api/library/homes/studio/copy", &json!({ "name": "copy" }));
+    assert!(code == 422 && why.contains("is a link"), "{code} {why}");
+    assert_eq!(served.homes(), ["studio"]);
+}
+
+/// Each home has its own run: what one page does is nothing to the other's.
+#[test]
+fn two_homes_are_lived_at_once_each_into_its_own_runs() {
+    let served = Served::library(&["studio", "by-hand"]);
+    let mut pages: Vec<Page> =
+        ["studio", "by-hand"].map(|name| served.page_at(&format!("/api/homes/{name}/live"))).into();
+    for page in &mut pages {
+        page.say(r#"{"say":"step","seconds":60}"#);
+        page.until(|frame| frame["now_us"] == 60_000_000 && frame["state"] == "paused");
+        page.say(r#"{"say":"stop"}"#);
+        page.until(|frame| frame["state"] == "over");
+    }
+    for name in ["studio", "by-hand"] {
+        let runs = served.json(&format!("/api/homes/{name}/runs"));
+        assert_eq!(runs.as_array().unwrap().len(), 1, "{runs}");
+        assert_eq!(runs[0]["scenario"], name);
+        assert!(served.folder.path().join(name).join("runs").join(format!("{name}-1")).is_dir());
+        let card = served.json(&format!("/api/library/homes/{name}"));
+        assert_eq!((&card["runs"], &card["latest"][0]["name"]), (&json!(1), &json!(format!("{name}-1"))));
+        let hours = served.json(&format!("/api/library/homes/{name}/runs/{name}-1"));
+        let rows: u64 = hours[0].as_array().unwrap().iter().map(|rows| rows.as_u64().unwrap()).sum();
+        assert_eq!((hours.as_array().unwrap().len(), hours[0].as_array().unwrap().len()), (1, 24));
+        assert!(rows > 0 || name == "studio", "{hours}");
+    }
+}
+
+/// The code with which a page's socket is closed.
+fn closed_with(page: &mut Page) -> u16 {
+    let begun = Instant::now();
+    loop {
+        match page.socket.read() {
+            Ok(Message::Close(Some(frame))) => return frame.code.into(),
+            Ok(_) => assert!(begun.elapsed() < LONGEST_WAIT, "it is not closed"),
+            Err(error) => panic!("{error}"),
+        }
+    }
+}
+
+#[test]
+fn who_looks_at_a_home_that_is_renamed_hears_so_and_its_run_is_whole() {
+    let served = Served::library(&["by-hand"]);
+    let mut page = served.page_at("/api/homes/by-hand/live");
+    page.say(r#"{"say":"step","seconds":60}"#);
+    page.until(|frame| frame["now_us"] == 60_000_000);
+    served.told("/api/library/homes/by-hand/name", &json!({ "name": "other" }));
+    assert_eq!(closed_with(&mut page), 4404);
+    assert_eq!(closed_with(&mut served.page_at("/api/homes/by-hand/live")), 4404, "it is not there any more");
+    let runs = served.json("/api/homes/other/runs");
+    assert_eq!((runs.as_array().unwrap().len(), &runs[0]["problem"]), (1, &Value::Null), "{runs}");
+    // Who has no token hears nothing of which homes there are.
+    for name in ["other", "by-hand"] {
+        let mut stranger = Page { socket: served.socket_at(&format!("/api/homes/{name}/live")) };
+        stranger.say(r#"{"say":"hello","token":"guessed"}"#);
+        assert_eq!(closed_with(&mut stranger), 4401);
+        assert_eq!(served.get(&format!("/api/homes/{name}/files"), "").code, 401);
+        assert_eq!(served.get(&format!("/homes/{name}/"), "").code, 200);
+    }
+    assert!(matches!(served.page_at("/api/homes/other/live").hear(), Heard::Tell(_)));
+}
+
+/// A page whose server ends waits for the next one: only of a home that has gone it hears that.
+#[test]
+fn a_server_that_ends_says_of_no_home_that_it_is_gone() {
+    let mut served = Served::library(&["by-hand"]);
+    let mut page = served.page_at("/api/homes/by-hand/live");
+    page.until(|_| true);
+    served.close();
+    let is_gone = |message: &Message| matches!(message, Message::Close(Some(frame)) if u16::from(frame.code) == 4404);
+    while let Ok(message) = page.socket.read() {
+        assert!(!is_gone(&message));
+    }
+}
+
+/// The desk of a home of a library is that of a server of it alone: what a page has not seen, another does not replace.
+#[test]
+fn two_pages_of_one_home_do_not_write_over_each_other() {
+    let served = Served::library(&["studio"]);
+    let versions = served.json("/api/homes/studio/files/versions");
+    let save =
+        |text: &str| json!({ "files": [{ "name": "home.json", "text": text, "version": versions["home.json"] }] });
+    let first = served.told("/api/homes/studio/files", &save("{ \"first\": 1 }"));
+    assert!(first["saved"]["home.json"].is_string(), "{first}");
+    let second = served.told("/api/homes/studio/files", &save("{ \"second\": 1 }"));
+    assert_eq!(second["changed"][0]["text"], "{ \"first\": 1 }");
+    assert_eq!(text(&served.folder.path().join("studio/home.json")), json!({ "first": 1 }));
+}
+
+#[test]
+fn so_many_homes_are_open_at_once_and_one_that_nobody_looks_at_makes_room() {
+    let served = Served::library(&["by-hand"]);
+    let names: Vec<String> = (0..20).map(|number| format!("home {number}")).collect();
+    for name in &names {
+        served.told("/api/library/homes/by-hand/copy", &json!({ "name": name }));
+    }
+    let path = |name: &str, rest: &str| format!("/api/homes/{}/{rest}", name.replace(' ', "%20"));
+    for name in &names {
+        assert_eq!(served.api(&path(name, "runs")).code, 200, "{name}");
+    }
+    let mut pages = Vec::new();
+    for name in &names[..16] {
+        let mut page = served.page_at(&path(name, "live"));
+        page.until(|_| true);
+        pages.push(page);
+    }
+    let answer = served.api(&path(&names[16], "runs"));
+    assert_eq!(answer.code, 503, "{}", String::from_utf8_lossy(&answer.body));
+    drop(pages.remove(3));
+    let is_free = |_: u32| {
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        served.api(&path(&names[16], "runs")).code == 200
+    };
+    assert!((0..100).any(is_free), "the place of a page that is gone becomes free");
+}
+
+/// All of `/proc` is a folder into which nobody writes, root neither.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_cannot_be_written_is_said_so() {
+    let library = Library::new("/proc".into(), false);
+    let served = Served::of(tempfile::tempdir().unwrap(), Options { port: Some(0), ..Options::new(library) });
+    let view = served.json("/api/library");
+    assert!(view["trouble"].as_str().unwrap().contains("Nothing can be changed here"), "{view}");
+    let (code, why) = served.refusal("POST", "/api/library/homes/mine", &json!({ "from": "empty" }));
+    assert!(code == 422 && why.contains("Nothing can be written into /proc"), "{code} {why}");
+}
+
+#[test]
+fn a_thousand_homes_are_shown_and_more_are_told_of() {
+    let folder = tempfile::tempdir().unwrap();
+    for number in 0..1005 {
+        let home = folder.path().join(format!("home {number}"));
+        fs::create_dir(&home).unwrap();
+        fs::write(home.join("scenario.json"), "{").unwrap();
+    }
+    let library = Library::new(folder.path().to_owned(), false);
+    let view = library.view();
+    assert_eq!((view.homes.len(), view.more), (1000, 5));
+    // What is no JSON at all is a home still, and its card says that something is wrong.
+    assert_eq!(library.card(&view.homes[0].name).unwrap().problems, 1);
+}
+
+#[test]
+fn homes_come_from_plans_and_logs() {
+    let served = Served::library(&[]);
+    let (code, why) = served.refusal("POST", "/api/library/plans/plan", &json!("no plan"));
+    assert!(code == 422 && !why.is_empty(), "{code} {why}");
+    let rows: String = (0..40)
+        .map(|minute| {
+            let sensor = if minute % 8 < 4 { "bedroom" } else { "kitchen" };
+            let said = if minute % 2 == 0 { "ON" } else { "OFF" };
+            format!("2026-01-05 07:{minute:02}:00.000000\t{sensor}\t{said}\n")
+        })
+        .collect();
+    let answer = served.send("POST", "/api/library/logs/theirs/week.txt", rows.as_bytes());
+    assert_eq!(answer.code, 200, "{}", String::from_utf8_lossy(&answer.body));
+    let made: Value = serde_json::from_slice(&answer.body).unwrap();
+    assert!(!made["remarks"].as_array().unwrap().is_empty(), "a schematic home says what it lacks");
+    let home = text(&served.folder.path().join("theirs/home.json"));
+    let rooms: Vec<&str> =
+        home["rooms"].as_array().unwrap().iter().map(|room| room["name"].as_str().unwrap()).collect();
+    assert!(rooms.contains(&"bedroom") && rooms.contains(&"kitchen"), "{rooms:?}");
+    // Of names that tell no room, what to do is said as the page does it.
+    let placeless = rows.replace("bedroom", "M001").replace("kitchen", "M002");
+    let answer = served.send("POST", "/api/library/logs/none/week.txt", placeless.as_bytes());
+    let why = String::from_utf8_lossy(&answer.body).into_owned();
+    assert!(
+        answer.code == 422 && why.contains("M001") && why.contains("draw its rooms") && !why.contains("--"),
+        "{why}"
+    );
+    let answer = served.send("POST", "/api/library/logs/none/week.txt", b"this is no log");
+    let why = String::from_utf8_lossy(&answer.body).into_owned();
+    assert!(answer.code == 422 && why.contains("week.txt") && !why.contains(".new-"), "{why}");
+    assert_eq!(served.homes(), ["theirs"]);
+}
+
+/// What a plan lacks is a problem as in a home that was begun empty, and somebody lives there as soon as it is put there.
+#[test]
+fn what_a_plan_lacks_for_a_life_is_put_there_in_the_page() {
+    let served = Served::library(&[]);
+    let corners = [(0, 0), (600, 0), (600, 400), (0, 400)];
+    let walls = (0..4).map(|side| {
+        let [(x, y), (to_x, to_y)] = [corners[side], corners[(side + 1) % 4]];
+        format!("<wall xStart='{x}' yStart='{y}' xEnd='{to_x}' yEnd='{to_y}' thickness='20'/>")
+    });
+    let points = corners.map(|(x, y)| format!("<point x='{x}' y='{y}'/>")).concat();
+    let mut plan = ZipWriter::new(Cursor::new(Vec::new()));
+    plan.start_file("Home.xml", SimpleFileOptions::default()).unwrap();
+    write!(
+        plan,
+        "<home version='7200'>{}<room name='Kitchen'>{points}</room>\
+         <doorOrWindow name='Front door' x='300' y='400' width='90' depth='20' height='210'/></home>",
+        walls.collect::<String>()
+    )
+    .unwrap();
+    let answer = served.send("POST", "/api/library/plans/mine", &plan.finish().unwrap().into_inner());
+    let made: Value = serde_json::from_slice(&answer.body).unwrap();
+    let remarks = made["remarks"].to_string();
+    assert!(remarks.contains("nowhere in this home to sleep") && !remarks.contains("hint"), "{remarks}");
+    let folder = served.folder.path().join("mine");
+    assert_eq!(text(&folder.join("anna.json"))["driver"]["routine"], "anna.routine");
+    let check = served.told("/api/homes/mine/check", &json!({ "texts": {} }));
+    assert!(check["problems"].to_string().contains("nowhere in this home to sleep"), "{check}");
+}
+
+/// The same address and token after a restart; without the file the token is another.
+#[test]
+fn an_address_that_is_kept_outlives_the_server() {
+    let files = tempfile::tempdir().unwrap();
+    let kept = files.path().join("address");
+    let serve = |kept: Option<&Path>, port| {
+        let folder = tempfile::tempdir().unwrap();
+        let library = Library::new(folder.path().to_owned(), false);
+        Served::of(folder, Options { port, kept: kept.map(Path::to_owned), ..Options::new(library) })
+    };
+    let first = serve(Some(&kept), Some(0));
+    let (address, token) = (first.address, first.token.clone());
+    drop(first);
+    assert_eq!(kept_address::read(&kept).unwrap().unwrap().port, address.port());
+    let second = serve(Some(&kept), None);
+    assert_eq!((second.address, &second.token), (address, &token));
+    assert_eq!(second.api("/api/library").code, 200);
+    drop(second);
+    assert_ne!(serve(None, Some(0)).token, token);
+}

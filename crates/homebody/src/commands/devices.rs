@@ -1,0 +1,103 @@
+//! `homebody devices`: the catalogue of motion sensors.
+
+use crate::failure::Failure;
+use crate::print::{print_json, print_text};
+use homebody_core::scenario::device::Device;
+use homebody_core::scenario::nearest::nearest;
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Lists the motion sensors whose timing is known, with make and model, network, mounting height, field of view, reach and timing,
+/// and where each of these is from. The first column is what "preset" in home.json calls it.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody devices
+  homebody devices fibaro
+  homebody devices --json")]
+pub struct Arguments {
+    /// This one alone, with the sources of its numbers
+    name: Option<String>,
+    /// Print them as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let one = self.name.as_deref().map(device).transpose()?;
+        let devices: Vec<Device> = one.map_or_else(|| Device::all().collect(), |one| vec![one]);
+        if self.json {
+            return print_json(&json!({ "devices": devices.iter().map(row).collect::<Vec<_>>() }));
+        }
+        match one {
+            Some(device) => print_text(&sheet(&device)),
+            None => print_text(&table(&devices)),
+        }
+    }
+}
+
+/// The device of a name, or what there is instead.
+pub fn device(name: &str) -> Result<Device, Failure> {
+    let names: Vec<String> = Device::all().map(|device| device.key()).collect();
+    Device::all().find(|device| device.key() == name).ok_or_else(|| {
+        let hint = match nearest(name, names.iter().map(String::as_str)) {
+            Some(near) => format!("did you mean {near:?}?"),
+            None => format!("there are {}", names.join(", ")),
+        };
+        Failure::Usage(format!("there is no device {name:?}\n  hint: {hint}"))
+    })
+}
+
+fn row(device: &Device) -> Value {
+    let timing = device.preset.timing();
+    json!({
+        "name": device.key(), "make": device.make, "model": device.model, "network": device.network,
+        "height_m": device.height_m, "field_deg": device.field_deg, "reach_m": device.reach_m,
+        "first_fire_s": timing.first_fire_s, "refire_s": timing.refire_s, "persist_s": timing.persist_s,
+        "timing_source": device.timing,
+    })
+}
+
+fn table(devices: &[Device]) -> String {
+    let mut text = format!(
+        "{:14} {:48} {:10} {:>8} {:>12} {:>7} {:>14}\n",
+        "name", "make and model", "network", "height m", "field °", "reach m", "next after s"
+    );
+    for device in devices {
+        let [across, down] = device.field_deg.value;
+        let _ = writeln!(
+            text,
+            "{:14} {:48} {:10} {:>8} {:>12} {:>7} {:>14}",
+            device.key(),
+            device.name(),
+            device.network,
+            device.height_m.value,
+            format!("{across} x {down}"),
+            device.reach_m.value,
+            range(device.preset.timing().refire_s)
+        );
+    }
+    text
+}
+
+fn sheet(device: &Device) -> String {
+    let timing = device.preset.timing();
+    let [across, down] = device.field_deg.value;
+    let rows = [
+        ("mounting height", format!("{} m", device.height_m.value), device.height_m.source),
+        ("field of view", format!("{across}° across, {down}° up and down"), device.field_deg.source),
+        ("reach", format!("{} m", device.reach_m.value), device.reach_m.source),
+        ("first message", format!("after {} s", range(timing.first_fire_s)), device.timing),
+        ("next message", format!("after {} s", range(timing.refire_s)), device.timing),
+    ];
+    let network = if device.network.is_empty() { String::new() } else { format!(", {}", device.network) };
+    let mut text = format!("{} ({}{network})\n\n", device.name(), device.key());
+    for (what, value, source) in rows {
+        let _ = writeln!(text, "{what:16} {value:32} {source}");
+    }
+    text
+}
+
+fn range([least, most]: [f64; 2]) -> String {
+    if least == most { least.to_string() } else { format!("{least} to {most}") }
+}

@@ -1,0 +1,101 @@
+//! `homebody falls`: falls in what a run's cameras have kept.
+
+use super::answer::Figures;
+use crate::failure::{EXIT_CODES, Failure};
+use crate::print::print_text;
+use homebody_analysis::falls::rules::{FallRules, USUAL};
+use homebody_kit::{Fallen, FallsFound, LogWithSilhouettes, NamedLog, falls_in};
+use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
+use homebody_log::plain;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// Looks for falls in the silhouettes beside a log: who is upright, in between or on the ground, and how it came to that.
+///
+/// Where two cameras of a room see somebody, the volume that both agree on is the voxel person of Anderson et al. 2009; of one
+/// camera it is what its silhouette is like. Fuzzy rules say how far somebody is on the ground, and a second level of rules whether
+/// that is a fall. The rules are a few lines of JSON, which --rules replaces.
+#[derive(clap::Args)]
+#[command(after_help = format!("Examples:
+  homebody falls runs/cameras-1
+  homebody falls runs/cameras-1 --json falls.json
+  homebody falls --show-rules > rules.json
+  homebody falls runs/cameras-1 --rules rules.json
+  homebody silhouettes runs/cameras-1 --from 2025-06-03T03:12 --every 0.5s --png fall.png
+
+{EXIT_CODES}."))]
+pub struct Arguments {
+    /// The folder of a run whose home has cameras
+    #[arg(required_unless_present = "show_rules")]
+    log: Option<String>,
+    /// The rules, instead of the usual ones
+    #[arg(long, value_name = "FILE")]
+    rules: Option<PathBuf>,
+    /// Print the usual rules, to begin one's own with
+    #[arg(long, conflicts_with_all = ["log", "rules", "json"])]
+    show_rules: bool,
+    #[command(flatten)]
+    figures: Figures,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        if self.show_rules {
+            return print_text(USUAL);
+        }
+        let rules = self.rules.as_deref().map(rules).transpose()?.unwrap_or_default();
+        let named = NamedLog::find(&self.log.unwrap_or_default())?;
+        let sources: Vec<PathBuf> = named.place.files().into_iter().chain(self.rules.clone()).collect();
+        let answer = self.figures.check(&sources)?;
+        let bar = looking_bar(&named);
+        let found = falls_in(&named, &rules, |at| {
+            bar.set_position(at.max(0) as u64);
+            true
+        });
+        bar.finish_and_clear();
+        answer.give(&Answered(found?), [])
+    }
+}
+
+/// A bar that shows how far silhouettes have been looked at, where somebody looks.
+pub fn looking_bar(named: &NamedLog) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left");
+    let length = LogWithSilhouettes::beside(named).and_then(|kept| Ok(kept.silhouettes.span()?));
+    let end = length.ok().flatten().map_or(0, |(_, last)| last.max(0) as u64);
+    ProgressBar::new(end).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// The rules of a file.
+fn rules(path: &Path) -> Result<FallRules, Failure> {
+    let name = path.display();
+    let text = plain::read_text(path, LARGEST_OF_SCENARIO_BYTES)
+        .map_err(|error| Failure::usage(format!("{name}: {error}")))?;
+    FallRules::parse(&text).map_err(|wrong| {
+        let lines: Vec<String> = wrong.iter().map(|line| format!("{name}: {line}")).collect();
+        let hint = "homebody falls --show-rules prints the usual ones";
+        Failure::usage(format!("{}\n  hint: {hint}", lines.join("\n")))
+    })
+}
+
+/// What was found, in words.
+#[derive(Serialize)]
+#[serde(transparent)]
+struct Answered(FallsFound);
+
+impl fmt::Display for Answered {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let FallsFound { name, cameras, pictures, voxel_persons, falls } = &self.0;
+        let cameras = if *cameras == 1 { "1 camera".into() } else { format!("{cameras} cameras") };
+        writeln!(f, "{name}: {cameras}, {pictures} pictures with somebody in them, {voxel_persons} voxel persons")?;
+        if falls.is_empty() {
+            return writeln!(f, "no fall");
+        }
+        for Fallen { at, seconds_to_alarm, room, rule, confidence, words, .. } in falls {
+            let place = room.as_deref().map_or(String::new(), |room| format!(", {room}"));
+            writeln!(f, "{at}{place}: {words} ({confidence:.2}; {rule}), told after {seconds_to_alarm:.1} s")?;
+        }
+        Ok(())
+    }
+}

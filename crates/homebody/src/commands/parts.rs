@@ -1,0 +1,85 @@
+//! `homebody parts`: what is put up in a home.
+
+use super::answer::Answer;
+use super::scenario::Chosen;
+use crate::failure::Failure;
+use crate::print::{tell, write_file};
+use homebody_analysis::coverage::{self, STEP_M};
+use homebody_analysis::parts::{Layout, Parts, beside};
+use homebody_core::home::Build;
+use homebody_core::scenario::load::Scenario;
+use homebody_kit::Source;
+use homebody_log::places::can_be_written;
+use homebody_picture::{coverage_map, installing, pdf};
+use std::path::PathBuf;
+
+/// Lists the sensors of a home for who puts them up: device, place by distances from two walls, mounting height, where it looks.
+///
+/// With --beside, two layouts of sensors: what each sees, and in what they differ. With --pdf, sheets to print: the plan with what the
+/// sensors see, coverage and legend, then the list.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody parts scenarios/tigerplace
+  homebody parts my-home --csv parts.csv --pdf sheet.pdf
+  homebody parts my-home --beside my-home-with-six --json")]
+pub struct Arguments {
+    #[command(flatten)]
+    scenario: Chosen,
+    /// Another scenario, whose sensors are held against these
+    #[arg(long, value_name = "SCENARIO")]
+    beside: Option<PathBuf>,
+    /// Write the list as comma-separated values
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Write sheets to print
+    #[arg(long, value_name = "FILE")]
+    pdf: Option<PathBuf>,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let source = self.scenario.source()?;
+        let scenario = source.scenario()?;
+        let mut sources = source.paths(&scenario);
+        let other = match &self.beside {
+            None => None,
+            Some(path) => {
+                let source = Source::at(path)?;
+                let other = source.scenario()?;
+                sources.extend(source.paths(&other));
+                Some((path.display().to_string(), other))
+            }
+        };
+        let answer = self.answer.check_beside([""], self.csv.as_deref(), &sources)?;
+        if let Some(path) = &self.pdf {
+            can_be_written(&[path.as_path()], &sources, self.answer.replaces())?;
+        }
+        let (home, build, parts) = (&scenario.home, build(&scenario), Parts::of(&scenario.home));
+        if let Some(path) = &self.pdf {
+            let pages = installing(home, &coverage::of_home(home, build, STEP_M), &parts);
+            let bytes = pdf(&home.name, &pages).map_err(|error| Failure::Io(error.to_string()))?;
+            write_file(path, &bytes, self.answer.replaces())?;
+            tell(format_args!("{} is written", path.display()));
+        }
+        let map = || {
+            let seen = coverage::of_home(home, build, STEP_M);
+            coverage_map(&seen.home, &seen.coverage, &seen.beams())
+        };
+        let table = || parts.csv();
+        match other {
+            None => answer.give_beside(&parts, [&map], &table),
+            Some((path, other)) => {
+                let one = Layout { name: &self.scenario.name(), home, build };
+                let two = Layout { name: &path, home: &other.home, build };
+                answer.give_beside(&beside([one, two]), [&map], &table)
+            }
+        }
+    }
+}
+
+/// The body of the first resident, or an adult's where nobody lives there.
+pub fn build(scenario: &Scenario) -> Build {
+    scenario.residents.first().map_or_else(Build::adult, |resident| Build::of(&resident.file))
+}

@@ -1,0 +1,256 @@
+//! `homebody silhouettes`: what a run's cameras have kept, as pictures, as a film, and as figures.
+
+mod asked;
+mod outputs;
+
+use super::answer::Answer;
+use super::falls::looking_bar;
+use crate::failure::{EXIT_CODES, Failure};
+use crate::length::span;
+use asked::Asked;
+use homebody_core::problem::counted;
+use homebody_core::time::Micros;
+use homebody_kit::{LogWithSilhouettes, NamedLog};
+use homebody_log::LogError;
+use homebody_log::places::SILHOUETTES;
+use homebody_log::silhouettes::Kept;
+use homebody_picture::{SilhouetteStrip, StripMoment, silhouette_strip};
+use outputs::{Output, Outputs, Written};
+use serde::Serialize;
+use std::fmt;
+use std::path::PathBuf;
+
+/// How far apart the moments of a strip are, unless it is said.
+const STRIP_EVERY: Micros = 1_000_000;
+
+/// Shows the silhouettes that a run's cameras have kept: no other picture of anybody exists.
+///
+/// Without an output it says how many there are, of which cameras, and when. --png and --svg draw moments side by side, a row for
+/// each camera. --out writes all of them, by what the name ends in: .apng is a film in which the cameras are side by side, which
+/// browsers show; .csv and .jsonl are what each silhouette is like, a row or an object each: its box, its middle, its direction,
+/// how much longer than wide it is, and where and how high a body is by this camera alone; any other name is a new folder with a
+/// PNG of each, in folders by camera.
+#[derive(clap::Args)]
+#[command(after_help = format!("Examples:
+  homebody silhouettes runs/cameras-1
+  homebody silhouettes runs/cameras-1 --from 2025-06-03T03:12 --every 0.5s --frames 8 --png fall.png
+  homebody silhouettes runs/cameras-1 --from 2025-06-03T03:12 --to 2025-06-03T03:14 --out fall.apng
+  homebody silhouettes runs/cameras-1 --camera 'camera east' --every 1m --out features.csv --out pictures
+
+A film leaves out what lies between two pictures but for a second.
+
+{EXIT_CODES}."))]
+pub struct Arguments {
+    /// The folder of a run whose home has cameras
+    run: String,
+    /// Only this camera; may be said several times
+    #[arg(long, value_name = "NAME")]
+    camera: Vec<String>,
+    /// From when on: a date and time such as 2025-06-03T03:12:05, or a time of day of the run's first 24 hours
+    #[arg(long, value_name = "TIME")]
+    from: Option<String>,
+    /// Until when
+    #[arg(long, value_name = "TIME")]
+    to: Option<String>,
+    /// Take pictures so far apart instead of all; those of a strip are 1s apart
+    #[arg(long, value_name = "SPAN", value_parser = span)]
+    every: Option<Micros>,
+    /// How many moments --png and --svg draw
+    #[arg(long, value_name = "COUNT", default_value_t = 8, value_parser = clap::value_parser!(u8).range(1..=64))]
+    frames: u8,
+    /// Write them: FILE.apng, FILE.csv, FILE.jsonl or a new folder; may be said several times
+    #[arg(long, value_name = "PLACE")]
+    out: Vec<PathBuf>,
+    /// How many pixels wide and high each pixel of a camera is, in films and pictures
+    #[arg(long, value_name = "TIMES", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=32))]
+    scale: u32,
+    #[command(flatten)]
+    answer: Answer,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let named = NamedLog::find(&self.run)?;
+        let kept = LogWithSilhouettes::beside(&named)?;
+        let mut sources = named.place.files();
+        sources.push(named.place.path().with_file_name(SILHOUETTES));
+        let strip = self.answer.draws().then(|| self.every.unwrap_or(STRIP_EVERY) * Micros::from(self.frames - 1));
+        let asked = Asked::of(&kept, (&self.camera[..], self.from.as_deref(), self.to.as_deref()), strip)?;
+        let outputs = Output::of(&self.out, &sources, self.answer.replaces())?;
+        let checked = self.answer.check([""], &sources)?;
+        let bar = looking_bar(&named);
+        let mut answered = self.survey(&named.name, &kept, &asked, &bar)?;
+        let mut film = self.answer.draws().then(|| Strip::new(&asked, self.every.unwrap_or(STRIP_EVERY), self.frames));
+        let (counted, scale) = (answered.counted(), self.scale);
+        let mut outputs = Outputs::begin(outputs, &kept, &asked.cameras, counted, scale, self.answer.replaces())?;
+        if film.is_some() || !outputs.is_empty() {
+            let mut thinned = Thinned::new(self.every);
+            asked.for_each::<Failure>(&kept, |kept, camera| {
+                bar.set_position(kept.at.max(0) as u64);
+                if let Some(film) = &mut film {
+                    film.take(camera, &kept);
+                }
+                if thinned.takes(kept.at) { outputs.take(camera, &kept) } else { Ok(()) }
+            })?;
+        }
+        bar.finish_and_clear();
+        answered.written = outputs.finish()?;
+        let names: Vec<&str> = answered.cameras.iter().map(|camera| camera.name.as_str()).collect();
+        let draw = || {
+            let strip = film.as_ref().map(|film| film.strip(&named.name, &names, |at| asked::clock(&kept, at)));
+            strip.as_ref().map_or_else(String::new, silhouette_strip)
+        };
+        checked.give(&answered, [&draw])
+    }
+
+    /// Counts what there is to be written, before anything is.
+    fn survey(
+        &self,
+        name: &str,
+        kept: &LogWithSilhouettes,
+        asked: &Asked,
+        bar: &indicatif::ProgressBar,
+    ) -> Result<Answered, Failure> {
+        let mut seen = vec![(0u64, None::<(Micros, Micros)>); asked.cameras.len()];
+        let (mut instants, mut last) = (0, Micros::MIN);
+        let mut thinned = Thinned::new(self.every);
+        asked.for_each::<LogError>(kept, |kept, camera| {
+            bar.set_position(kept.at.max(0) as u64);
+            if !thinned.takes(kept.at) {
+                return Ok(());
+            }
+            instants += u64::from(kept.at != last);
+            last = kept.at;
+            let (count, span) = &mut seen[camera];
+            *count += 1;
+            *span = Some((span.map_or(kept.at, |(first, _)| first), kept.at));
+            Ok(())
+        })?;
+        if instants == 0 {
+            return Err(asked.nothing(kept)?);
+        }
+        let cameras = asked.cameras.iter().zip(seen).map(|(&camera, (pictures, span))| {
+            let file = &kept.silhouettes.cameras[camera].file;
+            CameraTold {
+                name: file.name.clone(),
+                columns: file.pixels[0],
+                rows: file.pixels[1],
+                frames_per_s: file.frames_per_s,
+                pictures,
+                first: span.map(|(first, _)| asked::clock(kept, first)),
+                last: span.map(|(_, last)| asked::clock(kept, last)),
+            }
+        });
+        let cameras: Vec<CameraTold> = cameras.collect();
+        let pictures = cameras.iter().map(|camera| camera.pictures).sum();
+        Ok(Answered { name: name.into(), pictures, instants, cameras, written: Vec::new() })
+    }
+}
+
+/// Takes pictures of instants that are so far apart, of all cameras at once.
+struct Thinned {
+    every: Micros,
+    taken: Option<Micros>,
+}
+
+impl Thinned {
+    fn new(every: Option<Micros>) -> Thinned {
+        Thinned { every: every.unwrap_or(0), taken: None }
+    }
+
+    fn takes(&mut self, at: Micros) -> bool {
+        let is_taken = self.taken.is_none_or(|taken| at == taken || at >= taken + self.every);
+        if is_taken {
+            self.taken = Some(at);
+        }
+        is_taken
+    }
+}
+
+/// The moments of a strip, as its pictures come.
+struct Strip {
+    moments: Vec<(Micros, Vec<Option<Kept>>)>,
+    /// How long a picture is the latest, by camera.
+    periods: Vec<Micros>,
+    sizes: Vec<[u32; 2]>,
+}
+
+impl Strip {
+    fn new(asked: &Asked, every: Micros, count: u8) -> Strip {
+        let moment = |index| (asked.span.start + every * Micros::from(index), vec![None; asked.cameras.len()]);
+        let within = |(at, _): &(Micros, _)| *at < asked.span.end;
+        Strip {
+            moments: (0..count).map(moment).filter(within).collect(),
+            periods: asked.files.iter().map(|file| file.period()).collect(),
+            sizes: asked.files.iter().map(|file| file.pixels).collect(),
+        }
+    }
+
+    fn take(&mut self, camera: usize, kept: &Kept) {
+        let shown = kept.at..kept.at + self.periods[camera];
+        for (_, seen) in self.moments.iter_mut().filter(|(at, _)| shown.contains(at)) {
+            seen[camera] = Some(kept.clone());
+        }
+    }
+
+    fn strip(&self, name: &str, names: &[&str], clock: impl Fn(Micros) -> String) -> SilhouetteStrip {
+        let moment = |(at, seen): &(Micros, Vec<Option<Kept>>)| StripMoment {
+            at: clock(*at),
+            silhouettes: seen.iter().map(|kept| kept.as_ref().map(|kept| kept.silhouette.clone())).collect(),
+        };
+        SilhouetteStrip {
+            name: name.into(),
+            cameras: names.iter().map(ToString::to_string).zip(self.sizes.iter().copied()).collect(),
+            moments: self.moments.iter().map(moment).collect(),
+        }
+    }
+}
+
+/// What there is, and what was written of it.
+#[derive(Serialize)]
+struct Answered {
+    name: String,
+    /// How many silhouettes.
+    pictures: u64,
+    /// How many instants they are of.
+    instants: u64,
+    cameras: Vec<CameraTold>,
+    written: Vec<Written>,
+}
+
+#[derive(Serialize)]
+struct CameraTold {
+    name: String,
+    columns: u32,
+    rows: u32,
+    frames_per_s: f64,
+    pictures: u64,
+    /// On the clock on the wall.
+    first: Option<String>,
+    last: Option<String>,
+}
+
+impl Answered {
+    fn counted(&self) -> outputs::Counted {
+        outputs::Counted { pictures: self.pictures, instants: self.instants }
+    }
+}
+
+impl fmt::Display for Answered {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let pictures = counted(self.pictures as usize, "silhouette", "silhouettes");
+        let instants = counted(self.instants as usize, "instant", "instants");
+        writeln!(f, "{}: {pictures} of {instants}; no other picture exists", self.name)?;
+        for CameraTold { name, columns, rows, frames_per_s, pictures, first, last } in &self.cameras {
+            write!(f, "  {name}, {columns} x {rows}, {frames_per_s} a second: ")?;
+            match (first, last) {
+                (Some(first), Some(last)) => writeln!(f, "{pictures}, from {first} to {last}")?,
+                _ => writeln!(f, "none")?,
+            }
+        }
+        for Written { path, what } in &self.written {
+            writeln!(f, "{path}: {what}")?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,354 @@
+//! Where silhouettes go: films, tables, and folders of pictures. Each is whole under its name, or not there.
+
+use crate::failure::Failure;
+use homebody_analysis::falls::single;
+use homebody_core::body::ground::Ground;
+use homebody_core::camera::lens::Lens;
+use homebody_core::camera::silhouette::Silhouette;
+use homebody_core::home::outlook::outlook;
+use homebody_core::problem::counted;
+use homebody_core::sensors::camera::CameraFile;
+use homebody_core::time::{Micros, SECOND};
+use homebody_kit::LogWithSilhouettes;
+use homebody_log::fresh::FreshFile;
+use homebody_log::places::can_be_written;
+use homebody_log::silhouettes::Kept;
+use homebody_log::spreadsheet::escaped;
+use homebody_picture::{FilmFrame, PngError, silhouette_film, silhouette_png};
+use serde::Serialize;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// No film has more frames (ours): ten minutes of five a second.
+const MOST_FRAMES: u64 = 3000;
+
+/// No folder gets more pictures (ours): systems become slow with more.
+const MOST_PICTURES: u64 = 200_000;
+
+/// A frame of a film is shown no longer than this, whatever lies between it and the next.
+const LONGEST_FRAME: Micros = SECOND;
+
+/// What a place is to become.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Form {
+    Film,
+    Csv,
+    JsonLines,
+    Folder,
+}
+
+/// A place that can be written.
+pub struct Output {
+    form: Form,
+    path: PathBuf,
+}
+
+impl Output {
+    /// Makes sure that all places can be written, over none of the `sources`.
+    pub fn of(paths: &[PathBuf], sources: &[PathBuf], force: bool) -> Result<Vec<Output>, Failure> {
+        let (mut outputs, mut wrong) = (Vec::new(), Vec::new());
+        for path in paths {
+            match form(path) {
+                Ok(form) => outputs.push(Output { form, path: path.clone() }),
+                Err(why) => wrong.push(why),
+            }
+        }
+        if !wrong.is_empty() {
+            return Err(Failure::Usage(wrong.join("\n")));
+        }
+        let is_file = |output: &&Output| output.form != Form::Folder;
+        let files: Vec<&Path> = outputs.iter().filter(is_file).map(|output| output.path.as_path()).collect();
+        can_be_written(&files, sources, force)?;
+        Ok(outputs)
+    }
+}
+
+/// What a place is to become, by what its name ends in.
+fn form(path: &Path) -> Result<Form, String> {
+    let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    let name = path.display();
+    match extension.as_str() {
+        "apng" => Ok(Form::Film),
+        "csv" => Ok(Form::Csv),
+        "jsonl" => Ok(Form::JsonLines),
+        "png" | "svg" => Err(format!(
+            "--out {name} is no film\n  hint: --{extension} {name} draws moments side by side; {} is a film",
+            path.with_extension("apng").display()
+        )),
+        "gif" | "mp4" | "webm" | "avi" | "mkv" | "mov" | "json" | "jpg" | "jpeg" | "webp" | "tsv" | "txt" => {
+            let hint = "films are .apng, features .csv or .jsonl; any other name is a folder of pictures";
+            Err(format!("--out {name}: no {extension} is written\n  hint: {hint}"))
+        }
+        _ => {
+            let is_full = path.is_file() || path.read_dir().is_ok_and(|mut entries| entries.next().is_some());
+            let hint = "name a new or an empty folder";
+            if is_full { Err(format!("{name} is no empty folder\n  hint: {hint}")) } else { Ok(Form::Folder) }
+        }
+    }
+}
+
+/// How much is going to be written.
+#[derive(Clone, Copy)]
+pub struct Counted {
+    pub pictures: u64,
+    pub instants: u64,
+}
+
+/// What was written, and where.
+#[derive(Serialize)]
+pub struct Written {
+    pub path: String,
+    pub what: String,
+}
+
+/// All places that silhouettes go to, in one pass.
+pub struct Outputs<'a> {
+    open: Vec<(PathBuf, Open)>,
+    kept: &'a LogWithSilhouettes<'a>,
+    /// Where seats and beds are.
+    ground: Ground,
+    cameras: Vec<(&'a CameraFile, Lens)>,
+    scale: u32,
+    force: bool,
+}
+
+/// An instant, and what each camera has of it, packed.
+type Instant = (Micros, Vec<Option<Vec<u8>>>);
+
+enum Open {
+    /// What it has so far.
+    Film(Vec<Instant>),
+    Table(Form, FreshFile, u64),
+    /// Under a name of its own until it is whole.
+    Folder(PathBuf, u64),
+}
+
+impl<'a> Outputs<'a> {
+    /// Begins all of them. What would be too large is refused before anything is begun.
+    pub fn begin(
+        outputs: Vec<Output>,
+        kept: &'a LogWithSilhouettes,
+        cameras: &[usize],
+        all: Counted,
+        scale: u32,
+        force: bool,
+    ) -> Result<Outputs<'a>, Failure> {
+        for Output { form, path } in &outputs {
+            let (count, most, what) = match form {
+                Form::Film => (all.instants, MOST_FRAMES, "frames"),
+                Form::Folder => (all.pictures, MOST_PICTURES, "pictures"),
+                Form::Csv | Form::JsonLines => continue,
+            };
+            if count > most {
+                let hint = "choose less by --from and --to, --camera, or --every 1s";
+                let path = path.display();
+                return Err(Failure::usage(format!(
+                    "{path} would have {count} {what}, at most {most}\n  hint: {hint}"
+                )));
+            }
+        }
+        let camera = |&camera: &usize| {
+            let file = &kept.silhouettes.cameras[camera].file;
+            (file, file.lens())
+        };
+        let ground = outlook(kept.scenario.home.plan()).ground;
+        let cameras = cameras.iter().map(camera).collect();
+        let mut begun = Outputs { open: Vec::new(), kept, ground, cameras, scale, force };
+        for Output { form, path } in outputs {
+            let open = match form {
+                Form::Film => Open::Film(Vec::new()),
+                Form::Csv | Form::JsonLines => Open::Table(form, FreshFile::create(&path, force)?, 0),
+                Form::Folder => {
+                    let part = part_of(&path);
+                    begun.cameras.iter().enumerate().try_for_each(|(number, _)| {
+                        let folder = part.join(begun.folder_of(number));
+                        fs::create_dir_all(&folder).map_err(|error| Failure::io(&folder, error))
+                    })?;
+                    Open::Folder(part, 0)
+                }
+            };
+            begun.open.push((path, open));
+        }
+        Ok(begun)
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.open.is_empty()
+    }
+
+    /// The folder of a camera's pictures: its name without what systems do not take, and its number where another's is the same.
+    fn folder_of(&self, camera: usize) -> String {
+        let plain = |camera: usize| {
+            let name = self.cameras[camera].0.name.chars().take(80);
+            let name: String = name.map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+            name.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
+        };
+        let name = plain(camera);
+        let is_taken = (0..self.cameras.len()).any(|other| other != camera && plain(other) == name);
+        if is_taken || name.is_empty() { format!("{name}-{}", camera + 1) } else { name }
+    }
+
+    /// Takes the next silhouette of a camera.
+    pub fn take(&mut self, camera: usize, kept: &Kept) -> Result<(), Failure> {
+        let folder = self.folder_of(camera);
+        let local = self.kept.scenario.calendar.local(kept.at);
+        for (_, open) in &mut self.open {
+            match open {
+                Open::Film(frames) => {
+                    if frames.last().is_none_or(|(at, _)| *at != kept.at) {
+                        frames.push((kept.at, vec![None; self.cameras.len()]));
+                    }
+                    let seen = frames.last_mut().and_then(|(_, seen)| seen.get_mut(camera));
+                    seen.into_iter().for_each(|seen| *seen = Some(kept.silhouette.packed()));
+                }
+                Open::Table(form, file, rows) => {
+                    let at = local.strftime("%Y-%m-%dT%H:%M:%S%.3f%:z").to_string();
+                    let (CameraFile { name, .. }, lens) = &self.cameras[camera];
+                    let name = if *form == Form::Csv { escaped(name) } else { name.into() };
+                    file.write(&row(*form, &Row::of(at, &name, (lens, &self.ground), kept), *rows == 0)?)?;
+                    *rows += 1;
+                }
+                Open::Folder(part, pictures) => {
+                    let name = local.strftime("%Y-%m-%dT%H-%M-%S%.3f%z.png").to_string();
+                    let path = part.join(&folder).join(name);
+                    let png = silhouette_png(&kept.silhouette, self.scale).map_err(undrawn)?;
+                    fs::write(&path, png).map_err(|error| Failure::io(&path, error))?;
+                    *pictures += 1;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Completes all of them.
+    pub fn finish(mut self) -> Result<Vec<Written>, Failure> {
+        let mut written = Vec::new();
+        while !self.open.is_empty() {
+            let (path, open) = self.open.remove(0);
+            let what = match open {
+                Open::Film(frames) => {
+                    FreshFile::write_whole(&path, &self.film(&frames)?, self.force)?;
+                    format!("a film of {}", counted(frames.len(), "frame", "frames"))
+                }
+                Open::Table(form, file, rows) => {
+                    file.finish()?;
+                    match form {
+                        Form::Csv => counted(rows as usize, "row", "rows"),
+                        _ => counted(rows as usize, "object", "objects"),
+                    }
+                }
+                Open::Folder(part, pictures) => {
+                    if path.is_dir() {
+                        fs::remove_dir(&path).map_err(|error| Failure::io(&path, error))?;
+                    }
+                    fs::rename(&part, &path).map_err(|error| Failure::io(&path, error))?;
+                    counted(pictures as usize, "picture", "pictures")
+                }
+            };
+            written.push(Written { path: path.display().to_string(), what });
+        }
+        Ok(written)
+    }
+
+    fn film(&self, frames: &[Instant]) -> Result<Vec<u8>, Failure> {
+        let sizes: Vec<[u32; 2]> = self.cameras.iter().map(|(file, _)| file.pixels).collect();
+        let shortest = self.cameras.iter().map(|(file, _)| file.period()).min().unwrap_or(SECOND);
+        let frame = |(index, (at, seen)): (usize, &Instant)| {
+            let lasts = frames.get(index + 1).map_or(shortest, |(next, _)| next - at).min(LONGEST_FRAME);
+            let unpacked = |(packed, [columns, rows]): (&Option<Vec<u8>>, &[u32; 2])| {
+                Silhouette::unpacked(packed.as_ref()?, *columns, *rows)
+            };
+            FilmFrame {
+                silhouettes: seen.iter().zip(&sizes).map(unpacked).collect(),
+                lasts_ms: u16::try_from(lasts / 1000).unwrap_or(u16::MAX),
+            }
+        };
+        let frames: Vec<FilmFrame> = frames.iter().enumerate().map(frame).collect();
+        silhouette_film(&sizes, &frames, self.scale).map_err(undrawn)
+    }
+}
+
+impl Drop for Outputs<'_> {
+    /// What was begun and is not whole is gone.
+    fn drop(&mut self) {
+        for (_, open) in &self.open {
+            if let Open::Folder(part, _) = open {
+                let _ = fs::remove_dir_all(part);
+            }
+        }
+    }
+}
+
+/// Where a folder is until it is whole.
+fn part_of(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!("{name}.{}.part", std::process::id()))
+}
+
+fn undrawn(error: PngError) -> Failure {
+    match error {
+        PngError::Size { .. } => Failure::usage(format!("{error}\n  hint: a smaller --scale makes it smaller")),
+        error => Failure::usage(error),
+    }
+}
+
+/// What a silhouette is like.
+#[derive(Serialize)]
+struct Row<'a> {
+    at: String,
+    camera: &'a str,
+    area_px: u32,
+    left_px: u32,
+    top_px: u32,
+    right_px: u32,
+    bottom_px: u32,
+    width_px: u32,
+    height_px: u32,
+    centroid_x_px: f64,
+    centroid_y_px: f64,
+    orientation_deg: f64,
+    elongation: f64,
+    /// By this camera alone; none where it stands beyond the horizon.
+    x_m: Option<f64>,
+    y_m: Option<f64>,
+    height_m: Option<f64>,
+}
+
+impl<'a> Row<'a> {
+    fn of(at: String, camera: &'a str, (lens, ground): (&Lens, &Ground), kept: &Kept) -> Row<'a> {
+        let rounded = |number: f64| (number * 1000.0).round() / 1000.0;
+        let features = &kept.features;
+        let [left_px, top_px, right_px, bottom_px] = features.box_px;
+        let shape = single::shape(lens, &kept.silhouette, ground);
+        Row {
+            at,
+            camera,
+            area_px: features.area_px,
+            left_px,
+            top_px,
+            right_px,
+            bottom_px,
+            width_px: right_px.saturating_sub(left_px) + 1,
+            height_px: bottom_px.saturating_sub(top_px) + 1,
+            centroid_x_px: rounded(features.centroid_px[0]),
+            centroid_y_px: rounded(features.centroid_px[1]),
+            orientation_deg: rounded(features.orientation_deg),
+            elongation: rounded(features.elongation),
+            x_m: shape.map(|shape| rounded(shape.at_m[0])),
+            y_m: shape.map(|shape| rounded(shape.at_m[1])),
+            height_m: shape.map(|shape| rounded(shape.height_m)),
+        }
+    }
+}
+
+/// A row as a table has it; the first of CSV has the names of columns before it.
+fn row(form: Form, row: &Row, is_first: bool) -> Result<Vec<u8>, Failure> {
+    if form == Form::JsonLines {
+        let mut bytes = serde_json::to_vec(row).map_err(Failure::usage)?;
+        bytes.push(b'\n');
+        return Ok(bytes);
+    }
+    let mut writer = csv::WriterBuilder::new().has_headers(is_first).from_writer(Vec::new());
+    writer.serialize(row).map_err(Failure::usage)?;
+    writer.into_inner().map_err(Failure::usage)
+}

@@ -1,0 +1,58 @@
+//! What is put up in a home, by commands: devices, parts, sheets, layouts side by side.
+
+use crate::flat::flat;
+use crate::folder::{Folder, ROOT};
+use serde_json::json;
+
+#[test]
+fn parts_are_listed_in_words_in_figures_and_on_sheets() {
+    let folder = flat();
+    let done = folder.run("parts flat --json parts.json --csv parts.csv --pdf sheet.pdf --svg map.svg").ok();
+    assert!(done.out.contains("KitchenWall") && done.out.contains("on the west wall"), "{}", done.out);
+    let figures: serde_json::Value = serde_json::from_str(&folder.read("parts.json")).unwrap();
+    assert_eq!(figures, folder.run("parts flat --json").ok().json());
+    assert_eq!(figures["parts"].as_array().unwrap().len(), 5);
+    assert_eq!(figures["parts"][0]["looks"], json!("east, straight out from the wall"));
+    assert_eq!(folder.read("parts.csv").lines().count(), 6);
+    assert!(std::fs::read(folder.path("sheet.pdf")).unwrap().starts_with(b"%PDF-"));
+    assert!(folder.read("map.svg").starts_with("<svg"));
+
+    // Nothing is replaced that is there, and nothing is half written.
+    folder.run("parts flat --pdf sheet.pdf --csv fresh.csv").fails(1, "sheet.pdf");
+    assert!(!folder.path("fresh.csv").exists());
+    folder.run("parts flat --pdf flat/home.json --force").fails(1, "home.json");
+}
+
+#[test]
+fn two_layouts_are_compared() {
+    let folder = flat();
+    for file in folder.files().into_iter().filter(|file| file.starts_with("flat/")) {
+        folder.write(&file.replacen("flat", "other", 1), folder.read(&file));
+    }
+    folder.edit("other/home.json", "\"at\": [0.05, 1.5]", "\"at\": [0.05, 2.0]");
+    let told = folder.run("parts flat --beside other").ok();
+    assert!(told.out.contains("KitchenWall: hangs 0.50 m away"), "{}", told.out);
+    let figures = folder.run("parts flat --beside other --json").ok().json();
+    assert_eq!(figures["differences"].as_array().unwrap().len(), 1);
+    assert_eq!(figures["layouts"][1]["name"], json!("other"));
+    // The control: a home beside itself.
+    assert_eq!(folder.run("parts flat --beside flat --json").ok().json()["differences"], json!([]));
+    folder.run("parts flat --beside nowhere").fails(1, "nowhere");
+}
+
+#[test]
+fn devices_are_listed_and_placed() {
+    let folder = Folder::new();
+    let listed = folder.run("devices --json").ok().json();
+    let names: Vec<&str> =
+        listed["devices"].as_array().unwrap().iter().map(|row| row["name"].as_str().unwrap()).collect();
+    assert!(names.contains(&"fibaro") && names.contains(&"paper"), "{names:?}");
+    assert!(folder.run("devices fibaro").ok().out.contains("operating manual"));
+    folder.run("devices fibro").fails(2, "did you mean \"fibaro\"?");
+
+    let placed =
+        folder.run(&format!("place {ROOT}/scenarios/studio --to-see falls --sensors 2 --device fibaro --json"));
+    let sensors = placed.ok().json()["sensors"].clone();
+    let motion: Vec<_> = sensors.as_array().unwrap().iter().filter(|sensor| sensor["kind"] == "motion").collect();
+    assert!(!motion.is_empty() && motion.iter().all(|sensor| sensor["preset"] == "fibaro"), "{sensors}");
+}

@@ -1,0 +1,57 @@
+// What a picture of the time line says below it: from when to when it is, of which run, of two runs which is which, and what is not in it.
+
+import type { Sight } from '../charts/axis';
+import { date, time } from '../clock';
+import { type Calendar, clockOf } from '../localtime';
+import type { Palette } from '../plan/palette';
+import { FONT, type Ink } from '../plan/pen';
+import { isolated, shortened } from '../plan/words';
+
+/** One run, or two that are compared; `isCounts` where what is drawn of them are counts. */
+export type Runs = { first: string; second: string | null; isCounts: boolean };
+
+const ROW = 17;
+const MARGIN = 6;
+/** So many letters of a run's name fit into the narrowest picture: of a longer one its begin and its end, where names of twins differ. */
+const LONGEST_NAME = 80;
+
+const rows = ({ second }: Runs, unseen: string | null) => (second === null ? 2 : 4) + (unseen === null ? 0 : 1);
+
+export function captionHeight(runs: Runs, unseen: string | null): number {
+  return rows(runs, unseen) * ROW + 2 * MARGIN;
+}
+
+/** @param unseen what was not seen of it, in words. */
+export function drawCaption(
+  pen: Ink, top: number, calendar: Calendar, { from_us, to_us }: Sight, { first, second, isCounts }: Runs, unseen: string | null, palette: Palette,
+): void {
+  const when = (at_us: number) => {
+    const clock = clockOf(calendar, Math.min(Math.max(at_us, 0), calendar.length_us));
+    return `${date(clock)}, ${time(clock)}`;
+  };
+  let middle = top + MARGIN + ROW / 2;
+  const line = (words: string, colour: string | null) => {
+    if (colour !== null) {
+      pen.fillStyle = colour;
+      pen.fillRect(10, middle - 5.5, 3, 11);
+    }
+    pen.fillStyle = palette.text;
+    pen.fillText(words, colour === null ? 8 : 20, middle + 0.5);
+    middle += ROW;
+  };
+  pen.font = `11.5px ${FONT}`;
+  pen.textAlign = 'left';
+  pen.textBaseline = 'middle';
+  line(`${when(from_us)} to ${when(to_us)}`, null);
+  if (unseen !== null) line(unseen, null);
+  if (second === null) return line(name(first), null);
+  line(`above the line: ${name(first)}`, palette.seen);
+  line(`below the line: ${name(second)}`, palette.beam);
+  line(`In these colours is what each ${isCounts ? 'has more of' : 'has alone, and its curve of numbers'}; of two bands the upper one is of the run above the line.`, null);
+}
+
+function name(run: string): string {
+  const letters = [...shortened(run, 1000)];
+  const half = LONGEST_NAME / 2;
+  return isolated(letters.length <= LONGEST_NAME ? letters.join('') : `${letters.slice(0, half - 1).join('')}…${letters.slice(-half).join('')}`);
+}

@@ -1,0 +1,214 @@
+// A folder of homes, as this page knows it: what there is, what was asked of it last, and what can be undone.
+
+import { type Server, said } from '../../server';
+import { Underlay, carryUnderlay } from '../plan/underlay.svelte';
+import type { AsideView, CallHome, CardView, HomeEntryView, LibraryView, MadeView, NewHome, PutAside } from '../../wire';
+
+/** So many cards are asked for at once (ours): the server checks a scenario for each. */
+const AT_ONCE = 2;
+
+type Note = { text: string; bad: boolean };
+
+/** A home that was deleted in this page: the name of the home after it, the height of its card, and why it was not put back. */
+export type Deleted = { home: HomeEntryView; aside: AsideView; before: string | null; height_px: number; problem: string };
+
+/** What stands in a place of the library. */
+type Entry = { key: string; home: HomeEntryView; deleted: Deleted | null };
+
+/** What a new home is made of. */
+export type From = { kind: 'empty' } | { kind: 'template'; name: string } | { kind: 'plan' | 'image' | 'log'; file: File };
+
+/** Where a picture lies under a home that has nothing yet, in metres: in the middle of what Plan shows then, and nearly as large. */
+const PICTURE = { at: [5, 3.5], within_m: [10, 7] } as const;
+
+const MOST_LETTERS = 100;
+
+export class Library {
+  view = $state.raw<LibraryView | null>(null);
+  /** By the home's name. */
+  cards = $state.raw<Record<string, CardView | string>>({});
+  note = $state.raw<Note | null>(null);
+  private deleted = $state.raw<Deleted[]>([]);
+  private waiting: (() => Promise<void>)[] = [];
+  private busy = 0;
+
+  constructor(private readonly server: Server) {}
+
+  async load(): Promise<void> {
+    try {
+      const before = this.view;
+      this.view = await this.server.json<LibraryView>('/api/library');
+      // What has changed is asked for again when it is seen.
+      const same = new Map(before?.homes.map(({ name, changed_ms }) => [name, changed_ms]));
+      const kept = this.view.homes.filter(({ name, changed_ms }) => same.get(name) === changed_ms).map(({ name }) => name);
+      this.cards = Object.fromEntries(Object.entries(this.cards).filter(([name]) => kept.includes(name)));
+    } catch (error) {
+      this.tell(said(error), true);
+    }
+  }
+
+  /** The homes in their order; those that were deleted just now keep their places. */
+  get entries(): Entry[] {
+    const entries: Entry[] = (this.view?.homes ?? []).map((home) => ({ key: `home ${home.name}`, home, deleted: null }));
+    // The home after one may be deleted, too.
+    let left = this.deleted;
+    for (let before = -1; left.length !== before; ) {
+      before = left.length;
+      left = left.filter((deleted) => {
+        const at = deleted.before === null ? entries.length : entries.findIndex(({ home }) => home.name === deleted.before);
+        if (at >= 0) entries.splice(at, 0, entryOf(deleted));
+        return at < 0;
+      });
+    }
+    return [...entries, ...left.map(entryOf)];
+  }
+
+  tell(text: string, bad: boolean): void {
+    this.note = { text, bad };
+  }
+
+  dismiss(): void {
+    this.note = null;
+  }
+
+  /** Asks for a card, after those that were asked for before. */
+  want(name: string): void {
+    if (name in this.cards) return;
+    this.soon(async () => {
+      if (name in this.cards) return;
+      const card = await this.server.json<CardView>(`/api/library/homes/${encodeURIComponent(name)}`).catch(said);
+      this.cards = { ...this.cards, [name]: card };
+    });
+  }
+
+  /** The rows of a run by day and hour; nothing where they cannot be read. */
+  picture(home: string, run: string): Promise<number[][] | null> {
+    return new Promise((done) => {
+      this.soon(async () => {
+        const path = `/api/library/homes/${encodeURIComponent(home)}/runs/${encodeURIComponent(run)}`;
+        done(await this.server.json<number[][]>(path).catch(() => null));
+      });
+    });
+  }
+
+  /** Makes a home. @returns what came of it, or why nothing did. */
+  async make(name: string, from: From): Promise<MadeView | string> {
+    const at = encodeURIComponent(name);
+    const underlay = new Underlay(this.server);
+    if (from.kind === 'image') await underlay.choose(from.file, [...PICTURE.at], [...PICTURE.within_m]);
+    if (underlay.problem !== '') return underlay.problem;
+    const [path, body]: [string, unknown] =
+      from.kind === 'plan' ? [`/api/library/plans/${at}`, from.file]
+      : from.kind === 'log' ? [`/api/library/logs/${at}/${encodeURIComponent(from.file.name.slice(-100) || 'log')}`, from.file]
+      : [`/api/library/homes/${at}`, (from.kind === 'template' ? { from: 'template', name: from.name } : { from: 'empty' }) satisfies NewHome];
+    try {
+      const made = await this.server.post<MadeView>(path, body);
+      // One that was kept for a home of this name, which is gone, is not this one's.
+      await underlay.layUnder(made.name);
+      await this.load();
+      return underlay.problem === '' ? made : { ...made, remarks: [...made.remarks, underlay.problem] };
+    } catch (error) {
+      return said(error);
+    }
+  }
+
+  /** @returns why it was not done. */
+  async call(name: string, as: string, what: 'name' | 'copy'): Promise<string | null> {
+    try {
+      await this.server.post<unknown>(`/api/library/homes/${encodeURIComponent(name)}/${what}`, { name: as } satisfies CallHome);
+      // A browser that keeps nothing has nothing to carry.
+      await carryUnderlay(name, as, what).catch(() => {});
+      if (what === 'name') this.deleted = this.deleted.map((deleted) => (deleted.before === name ? { ...deleted, before: as } : deleted));
+      this.tell(what === 'name' ? `${name} is called ${as} now.` : `${as} is a copy of ${name}, without its runs.`, false);
+      await this.load();
+      return null;
+    } catch (error) {
+      return said(error);
+    }
+  }
+
+  /** The log goes to the home that was made of it, to be walked back through it. @returns why it does not. */
+  async walk(home: string, log: File): Promise<string | null> {
+    return this.server.post<unknown>(`/api/homes/${encodeURIComponent(home)}/walk/${encodeURIComponent(log.name)}`, log).then(() => null, said);
+  }
+
+  /** @param height_px how high its card is, which its place stays. */
+  async remove(home: HomeEntryView, height_px: number): Promise<void> {
+    const { name } = home;
+    // By the time it is deleted others may be, too.
+    const { entries } = this;
+    const before = entries[entries.findIndex(({ key }) => key === `home ${name}`) + 1]?.home.name ?? null;
+    try {
+      const { key } = await this.server.remove<PutAside>(`/api/library/homes/${encodeURIComponent(name)}`);
+      this.deleted = [...this.deleted, { home, aside: { key, name }, before, height_px, problem: '' }];
+      if (this.view) this.view = { ...this.view, homes: this.view.homes.filter((other) => other.name !== name) };
+    } catch (error) {
+      this.tell(said(error), true);
+    }
+    await this.load();
+  }
+
+  /** @returns whether it is back; where it is not, its place says why, if it has one. */
+  async putBack({ key, name }: AsideView): Promise<boolean> {
+    const hasPlace = this.deleted.some(({ aside }) => aside.key === key);
+    try {
+      await this.server.post<string>(`/api/library/put-aside/${encodeURIComponent(key)}`, {});
+    } catch (error) {
+      if (hasPlace) this.deleted = this.deleted.map((deleted) => (deleted.aside.key === key ? { ...deleted, problem: said(error) } : deleted));
+      else this.tell(said(error), true);
+      await this.load();
+      return false;
+    }
+    if (!hasPlace) this.tell(`${name} is back.`, false);
+    await this.load();
+    this.deleted = this.deleted.filter(({ aside }) => aside.key !== key);
+    return true;
+  }
+
+  /** The place of a home that was deleted is given up: what stood before it stands before what comes after it. */
+  forget(key: string): void {
+    const gone = this.deleted.find(({ aside }) => aside.key === key);
+    if (gone === undefined) return;
+    const left = this.deleted.filter((deleted) => deleted !== gone);
+    this.deleted = left.map((deleted) => (deleted.before === gone.home.name ? { ...deleted, before: gone.before } : deleted));
+  }
+
+  private soon(ask: () => Promise<void>): void {
+    this.waiting.push(ask);
+    while (this.busy < AT_ONCE && this.waiting.length > 0) void this.next();
+  }
+
+  private async next(): Promise<void> {
+    this.busy += 1;
+    for (let ask = this.waiting.shift(); ask; ask = this.waiting.shift()) await ask();
+    this.busy -= 1;
+  }
+}
+
+function entryOf(deleted: Deleted): Entry {
+  return { key: `deleted ${deleted.aside.key}`, home: deleted.home, deleted };
+}
+
+/** The name of a home that is made from a file: the file's, as far as a home can have it. */
+export function nameOf(file: string): string {
+  const bare = file.replace(/\.[^.]*$/, '').replace(/[/\\:*?"<>|\p{C}]+/gu, ' ').replace(/^[\s.]+/, '');
+  return [...bare].slice(0, MOST_LETTERS).join('').replace(/[\s.]+$/, '') || 'home';
+}
+
+/** A name that no home has yet: `flat 2` where there is a `flat`. */
+export function freshName(name: string, taken: string[]): string {
+  const base = name.replace(/ \d+$/, '');
+  let [fresh, count] = [name, 1];
+  while (taken.some((other) => other.toLowerCase() === fresh.toLowerCase())) fresh = `${base} ${++count}`;
+  return fresh;
+}
+
+/** When something was, in words: how long ago, or the date. */
+export function ago(then_ms: number, now_ms: number): string {
+  const minutes = Math.round((now_ms - then_ms) / 60_000);
+  if (minutes < 1) return 'just now';
+  if (minutes < 60) return minutes === 1 ? 'a minute ago' : `${minutes} minutes ago`;
+  const hours = Math.round(minutes / 60);
+  if (hours < 24) return hours === 1 ? 'an hour ago' : `${hours} hours ago`;
+  return new Date(then_ms).toLocaleDateString('en-GB', { dateStyle: 'medium' });
+}

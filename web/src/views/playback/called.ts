@@ -1,0 +1,10 @@
+// What stored runs are called, so that two of one scenario are told apart.
+
+import { spoken } from '../../plan/words';
+import type { StoredView } from '../../wire';
+
+/** A run's own name, behind the one that somebody gave it, and the conditions that it was lived without. */
+export function calledOf({ name, about, without }: Pick<StoredView, 'name' | 'about' | 'without'>): string {
+  const own = about.title !== '' ? `${about.title.slice(0, 60)} (${name.slice(0, 40)})` : name.slice(0, 60);
+  return without.length > 0 ? `${own} without ${spoken(without.join(', ').slice(0, 60))}` : own;
+}
