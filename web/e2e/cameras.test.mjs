@@ -19,12 +19,12 @@ const bodyPixels = (picture) => picture.locator('canvas').evaluate((canvas) => {
   return count;
 });
 
-test('a fall is played back in silhouettes of all cameras with the voxel person', { timeout: 120_000 }, async () => {
+test('a fall is played back in silhouettes of all cameras with the voxel person', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/postures-1@2025-06-02T10:00:05`);
   const cameras = page.getByRole('region', { name: 'Cameras', exact: true });
   await cameras.getByText('no other picture of anybody exists').waitFor();
-  for (const name of ['south-west', 'south-east', 'north-east']) await cameras.getByRole('img', { name: `Silhouette of ${name}: sees somebody` }).waitFor({ timeout: 60_000 });
+  for (const name of ['south-west', 'south-east', 'north-east']) await cameras.getByRole('img', { name: `Silhouette of ${name}: sees somebody` }).waitFor();
   assert.ok(await bodyPixels(cameras.getByRole('img', { name: 'Silhouette of south-west' })) > 100);
   await cameras.getByRole('img', { name: /voxel person/ }).waitFor();
   await cameras.getByText('upright', { exact: true }).waitFor();
@@ -34,9 +34,9 @@ test('a fall is played back in silhouettes of all cameras with the voxel person'
   // The usual rules find the fall; its mark leads there.
   await cameras.getByRole('button', { name: 'Find what they take for falls' }).click();
   // The finder opens, and says apart what cameras see and what is true.
-  await page.getByText(/Falls by cameras: [1-9]\d*, by the truth: \d+/).waitFor({ timeout: 60_000 });
+  await page.getByText(/Falls by cameras: [1-9]\d*, by the truth: \d+/).waitFor();
   const hit = page.getByRole('region', { name: 'What was found' }).getByRole('button', { name: /by cameras: very likely a fall/ }).first();
-  await hit.waitFor({ timeout: 60_000 });
+  await hit.waitFor();
   await hit.click();
   for (let turn = 0; turn < 3; turn += 1) {
     await page.getByRole('slider', { name: 'Time of the day' }).press('Shift+ArrowRight');
@@ -47,26 +47,26 @@ test('a fall is played back in silhouettes of all cameras with the voxel person'
   await looked(page, 'playback of cameras', process.env.LOOKS);
 });
 
-test('at any speed it goes on, and before the run there is nothing to see', { timeout: 60_000 }, async () => {
+test('at any speed it goes on, and before the run there is nothing to see', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/postures-1@2025-06-02T10:00:00`);
   const cameras = page.getByRole('region', { name: 'Cameras', exact: true });
   await cameras.getByRole('img', { name: /: sees somebody/ }).first().waitFor();
   await page.getByRole('button', { name: '10×: ' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
-  await cameras.getByText('in between', { exact: true }).waitFor({ timeout: 20_000 });
-  await cameras.getByText('on the ground', { exact: true }).waitFor({ timeout: 20_000 });
+  await cameras.getByText('in between', { exact: true }).waitFor();
+  await cameras.getByText('on the ground', { exact: true }).waitFor();
   // What is closed is fetched no more, and opens by a key.
   await cameras.locator('summary').press('Enter');
   await cameras.getByRole('img').first().waitFor({ state: 'hidden' });
 });
 
-test('live pictures are those of now', { timeout: 60_000 }, async () => {
+test('live pictures are those of now', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/live`);
   const cameras = page.getByRole('region', { name: 'Cameras', exact: true });
   await page.getByRole('button', { name: 'Play', exact: true }).click();
-  await cameras.getByRole('img', { name: 'Silhouette of south-west: sees somebody' }).waitFor({ timeout: 20_000 });
+  await cameras.getByRole('img', { name: 'Silhouette of south-west: sees somebody' }).waitFor();
   assert.ok(await bodyPixels(cameras.getByRole('img', { name: 'Silhouette of south-west' })) > 100);
   await looked(page, 'cameras live', process.env.LOOKS);
 });

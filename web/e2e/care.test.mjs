@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { serve } from './served.mjs';
+import { serve, until } from './served.mjs';
 
 const RUN = 'tigerplace-depression-1';
 const axe = readFileSync(new URL('../node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
@@ -21,7 +21,7 @@ after(() => served.close());
 const calendar = (page) => page.getByRole('region', { name: 'Calendar' });
 const opened = (page) => page.getByRole('region', { name: 'The day that is open' });
 
-test('a day is found by keyboard, and what is noted about its alert another browser sees', { timeout: 60_000 }, async () => {
+test('a day is found by keyboard, and what is noted about its alert another browser sees', { timeout: 240_000 }, async () => {
   const { page } = served;
   const alert = calendar(page).getByRole('button', { name: /alert not seen to/ }).last();
   await alert.waitFor();
@@ -37,7 +37,7 @@ test('a day is found by keyboard, and what is noted about its alert another brow
   await page.keyboard.press('Tab');
   const other = await served.context.newPage();
   const place = join(served.folder, 'runs', RUN, 'care-notes.json');
-  for (let tries = 0; tries < 50 && !readIf(place).includes('rang her son'); tries++) await page.waitForTimeout(100);
+  await until(() => readIf(place).includes('rang her son'), 'the note is on disk');
   await other.goto(served.address);
   await other.goto(await page.evaluate(() => window.location.href));
   await opened(other).getByRole('checkbox').first().waitFor();
@@ -54,7 +54,7 @@ function readIf(place) {
   }
 }
 
-test('a sentence opens down to its days, and to the evening on which one began', { timeout: 60_000 }, async () => {
+test('a sentence opens down to its days, and to the evening on which one began', { timeout: 240_000 }, async () => {
   const { page } = served;
   const changed = page.getByRole('region', { name: 'What has changed' });
   await changed.locator('summary').first().click();
@@ -64,13 +64,13 @@ test('a sentence opens down to its days, and to the evening on which one began',
   const clock = new RegExp(`^${Number(moment[1].slice(8))} \\w+, ${moment[2]}`);
   const slider = page.getByLabel('Time of the day');
   await slider.waitFor();
-  for (let tries = 0; tries < 50 && !clock.test((await slider.getAttribute('aria-valuetext')) ?? ''); tries++) await page.waitForTimeout(100);
-  assert.match(await slider.getAttribute('aria-valuetext'), clock);
+  const shown = () => slider.getAttribute('aria-valuetext');
+  await until(async () => clock.test((await shown()) ?? ''), async () => `${clock}, while the page shows ${await shown()}`);
   await page.goBack();
   await changed.waitFor();
 });
 
-test('two spans, and no violation in light or dark, nor on a telephone', { timeout: 60_000 }, async () => {
+test('two spans, and no violation in light or dark, nor on a telephone', { timeout: 240_000 }, async () => {
   const { page } = served;
   await page.goto(`${served.address.split('#')[0]}#/care/${RUN}`);
   const spans = page.getByRole('region', { name: 'Two spans' });

@@ -32,18 +32,18 @@ async function write(sentence) {
 
 const question = () => served.page.getByRole('alert').filter({ hasText: /was (changed on|removed from) disk/ });
 
-test('what nobody here has changed is shown as it is on disk', { timeout: 30_000 }, async () => {
+test('what nobody here has changed is shown as it is on disk', { timeout: 240_000 }, async () => {
   writeFileSync(path(), `${onDisk()}\nOften she drinks.`);
-  await served.page.waitForFunction(() => document.querySelector('main').innerText.includes('has a drink'), null, { timeout: 10_000 });
+  await served.page.waitForFunction(() => document.querySelector('main').innerText.includes('has a drink'));
   assert.match(await shown(), /Often she drinks\.$/);
 });
 
-test('what was changed here and there is asked about, and mine can be kept', { timeout: 60_000 }, async () => {
+test('what was changed here and there is asked about, and mine can be kept', { timeout: 240_000 }, async () => {
   const { page } = served;
   await write('Often she exercises.');
   const theirs = `${onDisk()}\nOften she has a snack.`;
   writeFileSync(path(), theirs);
-  await question().waitFor({ timeout: 10_000 });
+  await question().waitFor();
   // Asked or not, saving does not replace what has not been decided on.
   await page.keyboard.press('Control+s');
   await page.getByText('margaret.routine is not saved.').waitFor();
@@ -55,25 +55,25 @@ test('what was changed here and there is asked about, and mine can be kept', { t
   assert.doesNotMatch(onDisk(), /snack/);
 });
 
-test('theirs can be taken, and a file that has gone is made again', { timeout: 60_000 }, async () => {
+test('theirs can be taken, and a file that has gone is made again', { timeout: 240_000 }, async () => {
   const { page } = served;
   await write('Often she naps.');
   const theirs = onDisk().replace('Often she exercises.', 'Often she relaxes.');
   writeFileSync(path(), theirs);
-  await question().getByRole('button', { name: 'Take the one on disk' }).click({ timeout: 10_000 });
+  await question().getByRole('button', { name: 'Take the one on disk' }).click();
   await page.getByText('All is saved.').waitFor();
   assert.match(await shown(), /Often she relaxes\.$/);
   assert.equal(onDisk(), theirs);
 
   await write('Often she reads.');
   rmSync(path());
-  await question().getByRole('button', { name: 'Keep mine' }).click({ timeout: 10_000 });
+  await question().getByRole('button', { name: 'Keep mine' }).click();
   await page.keyboard.press('Control+s');
   await page.getByText('All is saved.').waitFor();
   assert.equal(onDisk(), `${theirs}\nOften she reads.`);
 });
 
-test('what is not saved is not lost with a view, and a connection that is lost is told', { timeout: 60_000 }, async () => {
+test('what is not saved is not lost with a view, and a connection that is lost is told', { timeout: 240_000 }, async () => {
   const { page, context } = served;
   await write('Often she phones.');
   await page.evaluate(() => (window.location.hash = '#/live'));

@@ -55,7 +55,7 @@ before(async () => {
 });
 after(() => served.close());
 
-test('whatever things are called, the page shows it as text', { timeout: 120_000 }, async () => {
+test('whatever things are called, the page shows it as text', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   const origin = address.split('#')[0];
   const refused = [];

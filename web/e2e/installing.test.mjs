@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { looked, serve } from './served.mjs';
+import { looked, serve, until } from './served.mjs';
 
 const SCENARIO = 'studio';
 
@@ -24,14 +24,6 @@ const home = () => JSON.parse(readFileSync(join(served.folder, SCENARIO, 'home.j
 const desk = () => served.page.getByRole('region', { name: /What goes where/ });
 const count = () => desk().locator('ol > li').count();
 
-async function until(holds, what) {
-  for (let tries = 0; tries < 150; tries++) {
-    if (await holds()) return;
-    await served.page.waitForTimeout(100);
-  }
-  assert.fail(what);
-}
-
 /** Saves what is drawn, and reads it from the disk. */
 async function saved() {
   const { page } = served;
@@ -40,7 +32,7 @@ async function saved() {
   return home();
 }
 
-test('a device of the catalogue is put up with its numbers, and the list leads to it', { timeout: 60_000 }, async () => {
+test('a device of the catalogue is put up with its numbers, and the list leads to it', { timeout: 240_000 }, async () => {
   const { page } = served;
   const before = home().sensors.length;
   await until(async () => (await count()) === before, 'all sensors are listed');
@@ -61,7 +53,7 @@ test('a device of the catalogue is put up with its numbers, and the list leads t
   await page.getByRole('tab', { name: 'Parts' }).click();
 });
 
-test('a sheet to print and a table are saved', { timeout: 60_000 }, async () => {
+test('a sheet to print and a table are saved', { timeout: 240_000 }, async () => {
   const { page } = served;
   const fetched = async (name) => {
     const coming = page.waitForEvent('download');
@@ -76,7 +68,7 @@ test('a sheet to print and a table are saved', { timeout: 60_000 }, async () => 
   assert.equal(text.toString().trim().split('\n').length, home().sensors.length + 1);
 });
 
-test('the floor has the colours of the sheet that is printed', { timeout: 60_000 }, async () => {
+test('the floor has the colours of the sheet that is printed', { timeout: 240_000 }, async () => {
   const paint = readFileSync(new URL('../../crates/homebody-picture/src/paint.rs', import.meta.url), 'utf8');
   const [, seen] = /pub const SEEN: \[&str; 3\] = \[(.*)\];/.exec(paint);
   const printed = [...seen.matchAll(/#(..)(..)(..)/g)].map(([, ...parts]) => `rgb(${parts.map((part) => parseInt(part, 16)).join(', ')})`);
@@ -87,7 +79,7 @@ test('the floor has the colours of the sheet that is printed', { timeout: 60_000
   }
 });
 
-test('places are suggested, put in place of those there, and compared with them', { timeout: 120_000 }, async () => {
+test('places are suggested, put in place of those there, and compared with them', { timeout: 240_000 }, async () => {
   const { page } = served;
   const before = home().sensors.map(({ name }) => name);
   const motion = home().sensors.filter(({ kind }) => kind === 'motion').map(({ name }) => name);
@@ -118,19 +110,19 @@ test('places are suggested, put in place of those there, and compared with them'
   await until(async () => (await count()) === before.length, 'all sensors are back');
 });
 
-test('by what people would show it takes a while, says how far it is, and can be stopped', { timeout: 180_000 }, async () => {
+test('by what people would show it takes a while, says how far it is, and can be stopped', { timeout: 240_000 }, async () => {
   const { page } = served;
   await page.getByRole('checkbox', { name: 'Nights in the bathroom' }).check();
   await page.getByRole('button', { name: 'Suggest places' }).click();
   await page.getByRole('progressbar', { name: 'How far the suggestion is' }).waitFor();
   // The first people are lived in a second, or in many where much else goes on; a quick machine may be ready before it is stopped.
-  const ready = page.getByRole('region', { name: 'What is suggested' }).waitFor({ timeout: 150_000 });
-  const goesOn = page.waitForFunction(() => document.querySelector('progress[aria-label="How far the suggestion is"]')?.value > 0, null, { timeout: 150_000 });
+  const ready = page.getByRole('region', { name: 'What is suggested' }).waitFor();
+  const goesOn = page.waitForFunction(() => document.querySelector('progress[aria-label="How far the suggestion is"]')?.value > 0);
   await Promise.any([ready, goesOn]);
-  await Promise.any([ready, page.getByRole('button', { name: 'Stop', exact: true }).click({ timeout: 150_000 })]);
+  await Promise.any([ready, page.getByRole('button', { name: 'Stop', exact: true }).click()]);
   await page.getByRole('button', { name: 'Suggest places' }).and(page.locator(':enabled')).waitFor();
 });
 
-test('the desk is accessible, and as wide as its window', { timeout: 120_000 }, async () => {
+test('the desk is accessible, and as wide as its window', { timeout: 240_000 }, async () => {
   await looked(served.page, 'parts', process.env.PICTURES);
 });

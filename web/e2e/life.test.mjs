@@ -33,7 +33,7 @@ function check() {
   }
 }
 
-test('a mistake is underlined, in the words of the program, and mended by completion', { timeout: 60_000 }, async () => {
+test('a mistake is underlined, in the words of the program, and mended by completion', { timeout: 240_000 }, async () => {
   const { page } = served;
   const problems = page.getByRole('region', { name: 'Problems' });
   const before = onDisk();
@@ -66,7 +66,7 @@ test('a mistake is underlined, in the words of the program, and mended by comple
   assert.doesNotMatch(check(), /not|problem/i);
 });
 
-test('what is begun is completed while it is written', { timeout: 30_000 }, async () => {
+test('what is begun is completed while it is written', { timeout: 240_000 }, async () => {
   const { page } = served;
   await editor.click();
   await page.keyboard.press('Control+End');
@@ -84,16 +84,16 @@ test('what is begun is completed while it is written', { timeout: 30_000 }, asyn
   await page.getByText('Every sentence is understood.').waitFor();
 });
 
-test('the days are drawn, and are others without the condition', { timeout: 120_000 }, async () => {
+test('the days are drawn, and are others without the condition', { timeout: 240_000 }, async () => {
   const { page } = served;
   await page.getByRole('button', { name: 'Show its days' }).click();
   await page.getByText('3 – 30 May 2009').waitFor();
-  await page.getByText('living them').waitFor({ state: 'hidden', timeout: 60_000 });
+  await page.getByText('living them').waitFor({ state: 'hidden' });
   const [before, picture] = [await days(), await drawn()];
   assert.equal(before.length, 28);
   await page.getByLabel('depression', { exact: true }).check();
   await page.getByLabel('side by side').uncheck();
-  await page.getByRole('heading', { name: 'Without depression' }).waitFor({ timeout: 60_000 });
+  await page.getByRole('heading', { name: 'Without depression' }).waitFor();
   const motion = (all) => all.reduce((sum, day) => sum + Number(/(\d+) motion firings/.exec(day)[1]), 0);
   assert.ok(motion(await days()) > motion(before) * 1.1, 'who is not depressed moves more');
   assert.notEqual(await drawn(), picture);
@@ -109,7 +109,7 @@ test('all of it is lived as it was drawn, and can be played back', { timeout: 30
   const link = page.getByRole('link', { name: /^Play back/ });
   await link.waitFor({ timeout: 240_000 });
   await link.click();
-  await page.getByText('Day 1 of 120').waitFor({ timeout: 60_000 });
+  await page.getByText('Day 1 of 120').waitFor();
   const [run] = served.runs().slice(-1);
   assert.match(readFileSync(join(served.folder, 'runs', run, 'recording.json'), 'utf8'), /depression/);
 });

@@ -25,7 +25,7 @@ async function goTo(view) {
   await served.page.getByRole('link', { name: view, exact: true }).click();
 }
 
-test('table, columns, ids, messages and time are changed, and the first rows show it', { timeout: 120_000 }, async () => {
+test('table, columns, ids, messages and time are changed, and the first rows show it', { timeout: 240_000 }, async () => {
   const { page } = served;
   await goTo('Log');
   await rows().getByRole('columnheader', { name: 'event_code' }).waitFor();
@@ -51,7 +51,7 @@ test('table, columns, ids, messages and time are changed, and the first rows sho
   assert.equal(logger(), expected, 'only what was changed is another');
 });
 
-test('what is wrong stands beside its field, and a place outside the run is told', { timeout: 60_000 }, async () => {
+test('what is wrong stands beside its field, and a place outside the run is told', { timeout: 240_000 }, async () => {
   const { page } = served;
   const table = page.getByLabel('Table', { exact: true });
   await table.fill('My Table');
@@ -70,7 +70,7 @@ test('what is wrong stands beside its field, and a place outside the run is told
   await page.getByText('All is saved.').waitFor();
 });
 
-test('the next run is stored so, and is seen to grow', { timeout: 120_000 }, async () => {
+test('the next run is stored so, and is seen to grow', { timeout: 240_000 }, async () => {
   const { page } = served;
   await goTo('Live');
   await page.getByRole('button', { name: 'New run' }).click();
@@ -82,9 +82,9 @@ test('the next run is stored so, and is seen to grow', { timeout: 120_000 }, asy
   await map.focus();
   await page.keyboard.press('ArrowDown');
   const hour = page.getByText(/^Mon, 2 March 2009, 00 to 01 h: [\d,]+ firings?$/);
-  await hour.waitFor({ timeout: 30_000 });
+  await hour.waitFor();
   const first = await hour.innerText();
-  await page.waitForFunction((first) => document.querySelector('.foot .said').innerText !== first, first, { timeout: 30_000 });
+  await page.waitForFunction((first) => document.querySelector('.foot .said').innerText !== first, first);
   await page.getByLabel('as a table').last().check();
   await page.getByRole('row', { name: /^bedroom motion [1-9]/ }).waitFor();
   await goTo('Live');
@@ -102,7 +102,7 @@ test('the next run is stored so, and is seen to grow', { timeout: 120_000 }, asy
   for (const column of ['run_id', 'seq', 'read_at', 'unit', 'event_code']) assert.ok(table.includes(column), `${column} is not in ${table}`);
 });
 
-test('the log is downloaded from the Log view as it is stored', { timeout: 60_000 }, async () => {
+test('the log is downloaded from the Log view as it is stored', { timeout: 240_000 }, async () => {
   const { page } = served;
   await goTo('Log');
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Log', exact: true }).click()]);

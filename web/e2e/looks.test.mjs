@@ -48,7 +48,7 @@ const DONE = {
 
 for (const theme of ['light', 'dark']) {
   for (const [name, view] of Object.entries(VIEWS)) {
-    test(`${name}, ${theme}`, { timeout: 60_000 }, async () => {
+    test(`${name}, ${theme}`, { timeout: 240_000 }, async () => {
       const { page, address } = served;
       await page.emulateMedia({ colorScheme: theme });
       // What was chosen before is not.

@@ -14,7 +14,7 @@ after(() => served.close());
 const lost = (page) => page.getByText('connection lost, trying again');
 const connected = (page) => page.getByText('connected', { exact: true });
 
-test('a line that is cut is told, and found again while the run goes on', { timeout: 60_000 }, async () => {
+test('a line that is cut is told, and found again while the run goes on', { timeout: 240_000 }, async () => {
   const { context, address } = served;
   const page = await context.newPage();
   let [line, isCut] = [null, false];
@@ -49,7 +49,7 @@ test('a line that is cut is told, and found again while the run goes on', { time
   await page.close();
 });
 
-test('what was written outlives a server that is started again', { timeout: 60_000 }, async () => {
+test('what was written outlives a server that is started again', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/life`);
   const editor = page.getByRole('textbox', { name: /^The routine of walter/ });
@@ -62,7 +62,7 @@ test('what was written outlives a server that is started again', { timeout: 60_0
   await lost(page).waitFor();
   const next = await again();
   // Each start has a token of its own.
-  await page.getByLabel('Token, or the whole address').waitFor({ timeout: 20_000 });
+  await page.getByLabel('Token, or the whole address').waitFor();
   await page.getByLabel('Token, or the whole address').fill(next);
   await page.getByRole('button', { name: 'Connect' }).click();
   await connected(page).waitFor();

@@ -26,7 +26,7 @@ after(() => served.close());
 const onDisk = (name) => readFileSync(join(served.folder, SCENARIO, name), 'utf8');
 const go = async (view) => served.page.goto(`${served.address.split('#')[0]}#/${view}`);
 
-test('a scenario with problems opens, says them, and is mended by one click', { timeout: 60_000 }, async () => {
+test('a scenario with problems opens, says them, and is mended by one click', { timeout: 240_000 }, async () => {
   const { page } = served;
   await page.getByText('8 things are wrong with the scenario').waitFor();
   // Where each is mended is known once the files have come.
@@ -40,7 +40,7 @@ test('a scenario with problems opens, says them, and is mended by one click', { 
   assert.deepEqual(JSON.parse(served.homebody('check', SCENARIO, '--json')).problems, []);
 });
 
-test('a chair that is called otherwise is so in the routine, and one step back everywhere', { timeout: 60_000 }, async () => {
+test('a chair that is called otherwise is so in the routine, and one step back everywhere', { timeout: 240_000 }, async () => {
   const { page } = served;
   await go('plan');
   await page.getByRole('tab', { name: 'List' }).click();
@@ -65,7 +65,7 @@ test('a chair that is called otherwise is so in the routine, and one step back e
   await page.getByText('have been saved since this run began').waitFor({ state: 'detached' });
 });
 
-test('what was understood stands beside its sentence, however wide the window is', { timeout: 60_000 }, async () => {
+test('what was understood stands beside its sentence, however wide the window is', { timeout: 240_000 }, async () => {
   const { page } = served;
   await go('life');
   await page.getByText('Every sentence is understood.').waitFor();
@@ -97,7 +97,7 @@ test('what was understood stands beside its sentence, however wide the window is
   await page.setViewportSize({ width: 1280, height: 1600 });
 });
 
-test('whoever is driven walks at once after a button, goes out of the open door and comes back', { timeout: 60_000 }, async () => {
+test('whoever is driven walks at once after a button, goes out of the open door and comes back', { timeout: 240_000 }, async () => {
   const { page } = served;
   await go('live');
   await page.getByRole('button', { name: 'As fast as it goes' }).click();
@@ -126,7 +126,7 @@ test('whoever is driven walks at once after a button, goes out of the open door 
   await page.getByText('rows are in').first().waitFor();
 });
 
-test('a run is named, deleted, and fetched back; the address knows the time', { timeout: 60_000 }, async () => {
+test('a run is named, deleted, and fetched back; the address knows the time', { timeout: 240_000 }, async () => {
   const { page } = served;
   const run = served.runs().at(-1);
   await go(`playback/${run}`);
@@ -153,7 +153,7 @@ test('a run is named, deleted, and fetched back; the address knows the time', { 
   assert.ok(existsSync(join(served.folder, 'runs', run, 'recording.json')));
 });
 
-test('a resident is called otherwise in one step, which can be undone, and lives on under the new name', { timeout: 60_000 }, async () => {
+test('a resident is called otherwise in one step, which can be undone, and lives on under the new name', { timeout: 240_000 }, async () => {
   const served = await serve('tigerplace');
   try {
     const { page, address, folder } = served;
@@ -184,7 +184,7 @@ test('a resident is called otherwise in one step, which can be undone, and lives
   }
 });
 
-test('what has one answer is done by a button in one step, and what a home lacks is put into it', { timeout: 60_000 }, async () => {
+test('what has one answer is done by a button in one step, and what a home lacks is put into it', { timeout: 240_000 }, async () => {
   const served = await serve('studio', {
     prepare: (folder) => {
       const file = join(folder, 'home.json');
@@ -220,7 +220,7 @@ test('what has one answer is done by a button in one step, and what a home lacks
   }
 });
 
-test('of a home whose folder is gone it is said that it is, and its files are written back', { timeout: 60_000 }, async () => {
+test('of a home whose folder is gone it is said that it is, and its files are written back', { timeout: 240_000 }, async () => {
   const served = await serve('studio');
   try {
     await served.page.goto(`${served.address.split('#')[0]}#/plan`);

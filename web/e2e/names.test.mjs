@@ -34,7 +34,7 @@ after(() => served.close());
 const whole = () => served.page.getByRole('tooltip');
 const entry = (name) => served.page.getByRole('tabpanel').getByRole('button', { name: name.slice(0, 40) }).first();
 
-test('what is cut is read by keys', { timeout: 60_000 }, async () => {
+test('what is cut is read by keys', { timeout: 240_000 }, async () => {
   const { page } = served;
   for (const name of [LONG, HUGE]) {
     await page.getByRole('textbox', { name: 'Find by name or kind' }).fill(name.slice(0, 12));
@@ -50,7 +50,7 @@ test('what is cut is read by keys', { timeout: 60_000 }, async () => {
   }
 });
 
-test('what no hint of a browser has room for is read by hovering', { timeout: 60_000 }, async () => {
+test('what no hint of a browser has room for is read by hovering', { timeout: 240_000 }, async () => {
   const { page } = served;
   await page.mouse.move(5, 5);
   const { x, y, width, height } = await entry(HUGE).locator('.name').boundingBox();
@@ -62,7 +62,7 @@ test('what no hint of a browser has room for is read by hovering', { timeout: 60
   await whole().waitFor({ state: 'detached' });
 });
 
-test('nothing is wider than its window for a long name, whatever the view', { timeout: 120_000 }, async () => {
+test('nothing is wider than its window for a long name, whatever the view', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   for (const view of ['live', 'plan', 'life', 'log', 'playback']) {
     await page.goto(`${address.split('#')[0]}#/${view}`);

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
-import { serve } from './served.mjs';
+import { serve, until } from './served.mjs';
 
 const SCENARIO = 'older-adult';
 
@@ -44,14 +44,6 @@ async function unseen() {
   return parseFloat(await cell.innerText());
 }
 
-async function until(holds, what) {
-  for (let tries = 0; tries < 100; tries++) {
-    if (await holds()) return;
-    await served.page.waitForTimeout(100);
-  }
-  assert.fail(what);
-}
-
 /** The lines of each text that the other has not. */
 function differing(before, after) {
   const [old, now] = [before.split('\n'), after.split('\n')];
@@ -67,7 +59,7 @@ async function drag(locator, dx, dy) {
   await page.mouse.up();
 }
 
-test('a sensor is moved by keys and another by the mouse: less is unseen, and two lines are saved', { timeout: 60_000 }, async () => {
+test('a sensor is moved by keys and another by the mouse: less is unseen, and two lines are saved', { timeout: 240_000 }, async () => {
   const { page } = served;
   const begun = onDisk();
   const first = await unseen();
@@ -121,7 +113,7 @@ for (const [mistake, make] of [
     await page.keyboard.press('Enter');
   }],
 ]) {
-  test(`${mistake} is said as the command says it, and undo mends it`, { timeout: 60_000 }, async () => {
+  test(`${mistake} is said as the command says it, and undo mends it`, { timeout: 240_000 }, async () => {
     const { page } = served;
     const begun = onDisk();
     assert.deepEqual(checked().problems, []);

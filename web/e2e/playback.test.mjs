@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { setTimeout as wait } from 'node:timers/promises';
-import { serve } from './served.mjs';
+import { serve, until } from './served.mjs';
 
 let served;
 before(async () => {
@@ -13,7 +13,7 @@ before(async () => {
 });
 after(() => served.close());
 
-test('a finished run is opened, and a trip of the night played', { timeout: 120_000 }, async () => {
+test('a finished run is opened, and a trip of the night played', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/tigerplace-1`);
   await page.getByText('Day 1 of 90').waitFor();
@@ -31,13 +31,13 @@ test('a finished run is opened, and a trip of the night played', { timeout: 120_
   assert.match(begun, /^0[0-6]:/, `${begun} is no night`);
   await page.getByRole('button', { name: '10×: ' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
-  await page.getByRole('row', { name: /margaret.*bathroom/ }).waitFor({ timeout: 20_000 });
-  await page.getByRole('row', { name: /(toilet|bathroom) motion.*ON|A[57].*ON/ }).first().waitFor({ timeout: 20_000 });
+  await page.getByRole('row', { name: /margaret.*bathroom/ }).waitFor();
+  await page.getByRole('row', { name: /(toilet|bathroom) motion.*ON|A[57].*ON/ }).first().waitFor();
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
   assert.notEqual(await clock.innerText(), begun);
 });
 
-test('of two runs that differ by a condition it is shown what one has and the other lacks', { timeout: 180_000 }, async () => {
+test('of two runs that differ by a condition it is shown what one has and the other lacks', { timeout: 240_000 }, async () => {
   const twins = await serve('tigerplace-depression');
   try {
     const { page, address } = twins;
@@ -90,7 +90,7 @@ test('of two runs that differ by a condition it is shown what one has and the ot
   }
 });
 
-test('what is looked for over the whole run is listed, marked on the time line, and gone to by a key', { timeout: 60_000 }, async () => {
+test('what is looked for over the whole run is listed, marked on the time line, and gone to by a key', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/tigerplace-1@2009-03-02T12:00:00`);
   await page.getByText('Day 1 of 90').waitFor();
@@ -101,17 +101,15 @@ test('what is looked for over the whole run is listed, marked on the time line, 
   const hits = page.getByRole('region', { name: 'What was found' }).getByRole('button');
   assert.match(await hits.first().innerText(), /0[0-5]:\d\d:\d\d.*margaret/s);
   const clock = page.locator('time, .clock').first();
+  const shows = (holds, what) => until(async () => holds(await clock.innerText()), async () => `${what}, while it shows ${await clock.innerText()}`);
   await page.locator('main, body').first().press('n');
-  await wait(300);
+  await shows((text) => /^0[0-5]:/.test(text), 'a time of the night');
   const first = await clock.innerText();
-  assert.match(first, /^0[0-5]:/, `${first} is no night`);
   await page.getByRole('row', { name: /margaret.*bathroom/ }).waitFor();
   await page.keyboard.press('n');
-  await wait(300);
-  assert.notEqual(await clock.innerText(), first);
+  await shows((text) => text !== first, 'another time');
   await page.keyboard.press('p');
-  await wait(300);
-  assert.equal(await clock.innerText(), first);
+  await shows((text) => text === first, 'the first time again');
   // What is chosen stays open.
   await page.getByLabel('What is looked for').selectOption('on');
   await page.getByLabel('Sensor', { exact: true }).selectOption('stove motion');
@@ -123,7 +121,7 @@ test('what is looked for over the whole run is listed, marked on the time line, 
   await page.getByRole('alert').getByText('different times of a day').waitFor();
 });
 
-test('the time line goes from the whole run to seconds, is sorted, and is kept as picture, lines and table', { timeout: 60_000 }, async () => {
+test('the time line goes from the whole run to seconds, is sorted, and is kept as picture, lines and table', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/tigerplace-1@2009-03-10T12:00:00`);
   await page.getByText('Day 9 of 90').waitFor();

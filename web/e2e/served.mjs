@@ -13,6 +13,18 @@ const program = resolve(process.env.HOMEBODY ?? join(repository, 'target/debug/h
 const browser = process.env.CHROMIUM ?? '/usr/bin/chromium';
 const flags = ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 
+/** How long anything is waited for: far longer than it takes, for machines that are busy with other things. */
+const PATIENCE_MS = 90_000;
+
+/** Waits until something holds, and fails with what did not. */
+export async function until(holds, what) {
+  const begun = performance.now();
+  while (!(await holds())) {
+    if (performance.now() - begun > PATIENCE_MS) assert.fail(`waited in vain: ${typeof what === 'function' ? await what() : what}`);
+    await new Promise((on) => setTimeout(on, 100));
+  }
+}
+
 /**
  * Serves a copy of a scenario of the repository, and opens its page.
  * @param prepare changes the copy before it is served; `script` runs in each page before its own.
@@ -61,6 +73,7 @@ async function served(scenarios, { prepare = () => {}, script, words }) {
     page.on('console', (message) => message.type() === 'error' && wrong.push(message.text()));
   };
   context.on('page', watch);
+  context.setDefaultTimeout(PATIENCE_MS);
   const page = await context.newPage();
   await page.goto(address);
   return {

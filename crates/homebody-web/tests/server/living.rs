@@ -1,6 +1,6 @@
 //! What a page does to a run, and what it does not.
 
-use super::served::{Page, Seen, Served};
+use super::served::{LONGEST_WAIT, Page, Seen, Served};
 use homebody_core::event::Events;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
@@ -217,7 +217,7 @@ fn what_is_done_at_the_keys_is_soon_on_disk() {
                 assert_eq!(keys.matches("\"held\": [").count(), number + 1, "{keys}");
                 break;
             }
-            assert!(pressed.elapsed() < Duration::from_secs(20), "{key} is not on disk: {keys}");
+            assert!(pressed.elapsed() < LONGEST_WAIT, "{key} is not on disk: {keys}");
             thread::sleep(Duration::from_millis(50));
         }
     }

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 const SPAN: &str = "50m";
 
 /// A run that is stopped ends within this time, on however slow a machine: it waits for the broker for ten minutes, or a day.
-const SOON: Duration = Duration::from_secs(5);
+const SOON: Duration = Duration::from_secs(60);
 
 /// Begins a run, has its broker go away, and stops it at once or when it has said that it waits. How it ended, and what it said.
 fn stopped(folder: &Folder, words: &str, (broker, says): (Ends, Option<&str>)) -> (ExitStatus, String) {

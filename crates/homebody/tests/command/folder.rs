@@ -11,6 +11,9 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
+/// How long anything is waited for: far longer than it takes, for machines that are busy with other things.
+const PATIENCE: Duration = Duration::from_secs(120);
+
 /// The repository.
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
@@ -154,11 +157,16 @@ impl Folder {
 
     /// Waits until something is so.
     pub fn until(&self, what: &str, is_so: impl Fn(&Folder) -> bool) {
-        let begun = Instant::now();
-        while !is_so(self) {
-            assert!(begun.elapsed() < Duration::from_secs(20), "waited in vain until {what}");
-            thread::sleep(Duration::from_millis(5));
-        }
+        wait_until(|| is_so(self), || what.to_owned());
+    }
+}
+
+/// Waits until something is so, and fails with what was waited for.
+pub fn wait_until(is_so: impl Fn() -> bool, what: impl Fn() -> String) {
+    let begun = Instant::now();
+    while !is_so() {
+        assert!(begun.elapsed() < PATIENCE, "waited in vain until {}", what());
+        thread::sleep(Duration::from_millis(5));
     }
 }
 

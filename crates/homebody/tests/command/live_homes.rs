@@ -1,6 +1,6 @@
 //! Homes on the world's clock: they go on after a stop or a death without a gap, and what they leave is what a run leaves.
 
-use crate::folder::Folder;
+use crate::folder::{Folder, wait_until};
 use std::fs::File;
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -29,6 +29,11 @@ impl<'f> Living<'f> {
         (code, numbers(&self.folder.read(&format!("{}.out", self.name))))
     }
 
+    /// Waits until something is so of it; where it never is, its words say why.
+    fn until(&self, what: &str, is_so: impl Fn() -> bool) {
+        wait_until(is_so, || format!("{}: {what}; it has said: {}", self.name, self.told()));
+    }
+
     /// What it has said besides.
     fn told(&self) -> String {
         self.folder.read(&format!("{}.err", self.name))
@@ -50,7 +55,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
 
     // Years are caught up with in a while; meanwhile it is stopped.
     let home = Living::begin(&folder, "first", "live studio --folder home --from 2024-11-01 --out jsonl:-");
-    folder.until("it has begun", |_| stored() > 1000);
+    home.until("it has begun", || stored() > 1000);
     let (code, first) = home.end("TERM");
     assert_eq!(code, Some(143));
     assert!(first.iter().copied().eq(0..first.len() as u64), "every row once, in order");
@@ -59,7 +64,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
 
     // What has passed meanwhile is lived, and nothing is given twice.
     let home = Living::begin(&folder, "second", "live studio --folder home --out jsonl:-");
-    folder.until("it has gone on", |_| stored() > first.len() as i64);
+    home.until("it has gone on", || stored() > first.len() as i64);
     let (code, second) = home.end("INT");
     assert_eq!(code, Some(130));
     assert!(second.iter().copied().eq(first.len() as u64..stored() as u64), "{:?}", second.first());
@@ -67,10 +72,10 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     // After a death some rows may be given again, by their numbers, and none is missing.
     let killed = || folder.stored_rows("killed/log.db");
     let home = Living::begin(&folder, "third", "live studio --folder killed --from 2024-11-01 --out jsonl:-");
-    folder.until("it has begun", |_| killed() > 1000);
+    home.until("it has begun", || killed() > 1000);
     let (_, before) = home.end("KILL");
     let home = Living::begin(&folder, "fourth", "live studio --folder killed --out jsonl:-");
-    folder.until("it has gone on", |_| killed() > before.len() as i64);
+    home.until("it has gone on", || killed() > before.len() as i64);
     let (_, after) = home.end("TERM");
     assert!(after[0] <= before.len() as u64, "{} and {}", before.len(), after[0]);
     assert!(after.iter().copied().eq(after[0]..killed() as u64));
@@ -83,12 +88,12 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     let said = folder.run("doctor home").ok().out;
     assert!(said.contains("homebody live SCENARIO --folder home goes on with it"), "{said}");
     let home = Living::begin(&folder, "fifth", "live studio --folder home --from 2024-11-01 --seed 74");
-    folder.until("it says so", |_| home.told().contains("goes on in home, from 2024-11-01 00:00:00 on; Ctrl-C"));
+    home.until("it says so", || home.told().contains("goes on in home, from 2024-11-01 00:00:00 on; Ctrl-C"));
     assert_eq!(home.end("TERM").0, Some(143));
 
     // A clock of another zone may be behind ours, or a date be meant that is to come: that is said.
     let home = Living::begin(&folder, "sixth", "live studio --folder later --from 2100-01-01");
-    folder.until("it says so", |_| home.told().contains(" days from now: its clock says 20"));
+    home.until("it says so", || home.told().contains(" days from now: its clock says 20"));
     assert_eq!(home.end("TERM").0, Some(143));
 
     // Another scenario has another folder.
@@ -109,12 +114,12 @@ fn the_texts_of_a_live_home_can_be_followed() {
         let file = format!("home/{log}");
         let lines = || std::fs::read_to_string(folder.path(&file)).map_or(0, |text| text.lines().count());
         let home = Living::begin(&folder, "first", "live studio --folder home --from 2024-11-01");
-        folder.until("it can be followed", |_| lines() > 100);
+        home.until("it can be followed", || lines() > 100);
         home.end("KILL");
         let before = folder.read(&file);
         assert!(!before.is_empty());
         let home = Living::begin(&folder, "second", "live studio --folder home");
-        folder.until("it has gone on", |_| lines() > before.lines().count() + 100);
+        home.until("it has gone on", || lines() > before.lines().count() + 100);
         let now = folder.read(&file);
         assert!(now.starts_with(&before[..before.rfind('\n').unwrap() + 1]), "what was read stays");
         assert_eq!(home.end("TERM").0, Some(143));
@@ -133,7 +138,7 @@ fn the_numbers_of_a_run_are_served_under_their_own_name_alone() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
     let home = Living::begin(&folder, "watched", "live studio --metrics 127.0.0.1:0");
-    folder.until("it says where", |_| home.told().contains("/metrics"));
+    home.until("it says where", || home.told().contains("/metrics"));
     let told = home.told();
     let address = told.split("http://").nth(1).unwrap().split('/').next().unwrap().to_owned();
     let ask = |host: &str| {
@@ -143,7 +148,7 @@ fn the_numbers_of_a_run_are_served_under_their_own_name_alone() {
         stream.read_to_string(&mut answer).unwrap();
         answer
     };
-    folder.until("it has begun", |_| ask(&address).contains("homebody_lag_seconds"));
+    home.until("it has begun", || ask(&address).contains("homebody_lag_seconds"));
     let numbers = ask(&address);
     assert!(
         numbers.starts_with("HTTP/1.1 200") && numbers.contains("homebody_lag_seconds{scenario=\"studio\"}"),

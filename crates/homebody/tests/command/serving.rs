@@ -7,19 +7,9 @@ use std::net::TcpStream;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::thread;
-use std::time::{Duration, Instant};
 
 /// Stands in for a browser's opener: says what it was started with, and keeps what it was led to.
 const OPENER: &str = "#!/bin/sh\nprintf '%s\\n' \"$@\" > opened.tmp\ncp \"$1\" led.html\nmv opened.tmp opened\n";
-
-fn until(what: &str, is_so: impl Fn() -> bool) {
-    let begun = Instant::now();
-    while !is_so() {
-        assert!(begun.elapsed() < Duration::from_secs(20), "{what}");
-        thread::sleep(Duration::from_millis(20));
-    }
-}
 
 fn mode(path: &Path) -> u32 {
     fs::metadata(path).unwrap().permissions().mode() & 0o777
@@ -46,7 +36,7 @@ fn the_token_is_on_no_command_line() {
     BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();
     let (address, token) = said.trim().strip_prefix("http://").unwrap().split_once("/#token=").unwrap();
 
-    until("a browser is opened", || folder.path("opened").exists());
+    folder.until("a browser is opened", |folder| folder.path("opened").exists());
     let opened = folder.read("opened");
     assert!(!opened.contains(token), "{opened}");
     let file = PathBuf::from(opened.trim());
@@ -73,7 +63,7 @@ fn the_token_is_on_no_command_line() {
     assert_eq!(ask("wrong"), "401");
     assert!(file.exists());
     assert_eq!(ask(token), "200");
-    until("the file is removed", || !file.exists() && !file.parent().unwrap().exists());
+    folder.until("the file is removed", |_| !file.exists() && !file.parent().unwrap().exists());
 
     served.kill().unwrap();
     let mut errors = String::new();

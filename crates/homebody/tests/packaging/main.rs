@@ -62,14 +62,15 @@ fn a_home_of_the_unit_lives_stops_in_time_and_goes_on() {
         let mut home = folder.command(&words).spawn().unwrap();
         let begun = Instant::now();
         while !folder.path("state/recording.json").exists() {
-            assert!(begun.elapsed() < Duration::from_secs(20), "it begins");
+            assert!(begun.elapsed() < Duration::from_secs(120), "it begins");
             sleep(Duration::from_millis(20));
         }
         sleep(Duration::from_millis(700));
+        let told = Instant::now();
         assert!(Command::new("kill").args(["-TERM", &home.id().to_string()]).status().unwrap().success());
         let ended = home.wait().unwrap();
         assert_eq!(ended.code(), Some(143), "as the unit says");
-        assert!(begun.elapsed() < Duration::from_secs(30));
+        assert!(told.elapsed() < Duration::from_secs(30));
     }
 }
 
