@@ -8,7 +8,7 @@ use homebody_core::ids::{ResidentId, RoomId, SensorId};
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, OccupancyFile, OnOffFile, TimeFormat};
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::SECOND;
-use homebody_log::{LogError, RowsOfFirings, Url, truth};
+use homebody_log::{How, LogError, RowsOfFirings, Url, truth};
 use rusqlite::Connection;
 use stage::Folder;
 use std::collections::BTreeSet;
@@ -148,6 +148,27 @@ fn a_live_run_can_be_watched_and_goes_on_while_it_is() {
     assert_eq!(count(), 3, "a watcher's transaction stands still");
     watcher.execute_batch("COMMIT").unwrap();
     assert_eq!(count(), 4);
+}
+
+#[test]
+fn who_reads_while_a_run_is_gone_on_with_is_in_nobodys_way() {
+    let folder = Folder::new("reader-of-a-beginning");
+    let urls = [folder.url("sqlite:log.db")];
+    let firings = stage::firings(50);
+    let mut logger = stage::open(&urls, &LoggerFile::default(), false).unwrap();
+    let watcher = Connection::open(folder.path().join("log.db")).unwrap();
+    let count = || watcher.query_row("SELECT count(*) FROM firing", [], |row| row.get::<_, i64>(0)).unwrap();
+    logger.store(&firings[..20], firings[20].at).unwrap();
+    logger.settle().unwrap();
+    logger.wait_settled().unwrap();
+    assert_eq!(count(), 20);
+    // It stops before its end, and the watcher still has it open.
+    drop(logger);
+    let logger = stage::open_of(&urls, &LoggerFile::default(), &stage::sensors(), How::GoOn).unwrap();
+    watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
+    stage::store(logger, &firings, 7).unwrap();
+    watcher.execute_batch("COMMIT").unwrap();
+    assert_eq!(count(), 50);
 }
 
 #[test]

@@ -236,3 +236,21 @@ fn who_falls_out_of_bed_falls_out_of_their_sleep() {
         assert!(4 * from_sleep >= 3 * lies.len(), "{said}: {from_sleep} of {}", lies.len());
     }
 }
+
+/// Who naps then is woken by it, falls beside the seat, and naps on.
+#[test]
+fn a_fall_that_has_its_time_breaks_into_a_nap() {
+    let said = "Every day she naps in the armchair at 15:00 for 2 hours.\n\
+                Every day at 15:30 she falls and lies there for 10 minutes.\n";
+    let days = 6;
+    let lived = live(said, days);
+    let falls: Vec<_> = lived.of("fallen").collect();
+    assert_eq!(falls.len() as i64, days, "{falls:?}");
+    for (begin, end) in falls {
+        let time = begin.rem_euclid(DAY);
+        assert!((time - (15 * HOUR + 30 * MINUTE)).abs() < 10 * MINUTE, "{time}");
+        let naps_around = lived.of("napping").any(|(_, to)| (begin - 2 * MINUTE..=begin).contains(&to))
+            && lived.of("napping").any(|(from, _)| (end..end + 5 * MINUTE).contains(&from));
+        assert!(naps_around, "{begin} to {end}: {:?}", lived.of("napping").collect::<Vec<_>>());
+    }
+}

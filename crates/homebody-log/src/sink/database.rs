@@ -149,11 +149,18 @@ impl Database {
             // What was under way as the program died is undone or brought in first.
             let begun = "SELECT count(*) FROM sqlite_schema";
             let is_begun: bool = connection.query_row(begun, [], |row| row.get(0))?;
-            connection.execute_batch(Flow::Pouring.journal())?;
+            let flow = match connection.execute_batch(Flow::Pouring.journal()) {
+                Ok(()) => Flow::Pouring,
+                Err(error) => {
+                    // Who has it open keeps a write-ahead log in use: rows go on through that.
+                    let journal: String = connection.query_row("PRAGMA journal_mode", [], |row| row.get(0))?;
+                    if journal == "wal" { Flow::Trickling } else { return Err(error) }
+                }
+            };
             connection.execute_batch(SAFE)?;
-            Ok((connection, is_begun))
+            Ok((connection, is_begun, flow))
         });
-        let (connection, is_begun) = opened.map_err(|error| LogError::database(path, error))?;
+        let (connection, is_begun, flow) = opened.map_err(|error| LogError::database(path, error))?;
         if !is_begun {
             drop(connection);
             fs::remove_file(path).map_err(|error| LogError::file(path, error))?;
@@ -165,7 +172,7 @@ impl Database {
             connection: Some(connection),
             unsettled: 0,
             has_rows: true,
-            flow: Flow::Pouring,
+            flow,
             is_watched: false,
             replaced: None,
             _lock: lock,

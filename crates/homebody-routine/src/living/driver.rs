@@ -315,7 +315,8 @@ impl RoutineDriver {
 
     /// Stays for as long as nothing ends it, one movement or rest after the other.
     fn stay(&mut self, now: Micros) {
-        let (interrupted_at, rules_at) = (self.interrupted_at(now), self.rules_at().max(now));
+        let interrupted_at = self.interrupted_at(now);
+        let rules_at = self.rules_at().min(self.accident_at()).max(now);
         let breaks_at = self.breaks_into_cooking_at(now);
         let next_start =
             self.agenda.items.get(self.next_item).map_or(self.agenda.bed, |item| item.start.min(self.agenda.bed));

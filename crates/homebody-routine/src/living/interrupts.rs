@@ -39,6 +39,13 @@ impl RoutineDriver {
         if waits { Micros::MAX } else { item.start }
     }
 
+    /// When somebody falls or stumbles next: nothing that they do then keeps them from it, and no nap.
+    pub(super) fn accident_at(&self) -> Micros {
+        let next = self.agenda.breaks.get(self.next_break).filter(|_| self.visitor.is_none());
+        let is_accident = |item: &&Item| matches!(item.activity, Activity::Fall | Activity::Stumble);
+        next.filter(is_accident).map_or(Micros::MAX, |item| item.start)
+    }
+
     /// When something is next to be done that is soon done, and may be done while a meal is cooked.
     pub(super) fn breaks_into_cooking_at(&self, now: Micros) -> Micros {
         let next = self.agenda.breaks.get(self.next_break).filter(|_| self.visitor.is_none());

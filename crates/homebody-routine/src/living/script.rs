@@ -95,9 +95,9 @@ pub struct Stay {
 pub enum Interruptible {
     /// Nothing.
     Nothing,
-    /// Only rules.
+    /// Only rules, and falls.
     Rules,
-    /// Rules, and what the plan says is done meanwhile; it goes on afterwards.
+    /// These, and what the plan says is done meanwhile; it goes on afterwards.
     Breaks,
     /// These, needs and meals; it goes on afterwards.
     Interrupt,
