@@ -78,6 +78,18 @@ test('sliders go by minute, second, hour and day, and say where', async () => {
   expect(button('Again')).toBeDefined();
 });
 
+test('an address of another view is left alone', async () => {
+  await begin();
+  press('ArrowRight', slider('Time of the day'));
+  await vi.advanceTimersByTimeAsync(400);
+  expect(window.location.hash).toMatch(/^#\/playback\/cottage-2@\d+-03-02T00:01:00$/);
+  press('ArrowRight', slider('Time of the day'));
+  // Who goes back is there before the page has heard of it.
+  window.history.replaceState(null, '', '#/care/cottage-2');
+  await vi.advanceTimersByTimeAsync(400);
+  expect(window.location.hash).toBe('#/care/cottage-2');
+});
+
 test('Space plays and pauses', async () => {
   await begin();
   press(' ', document.body);
