@@ -43,7 +43,7 @@ export const KNOWN: ReadonlyMap<string, keyof typeof KINDS> = new Map([
   ['away', 'out'],
   ['coming_home', 'out'],
   ['visit', 'other'],
-  ['visiting', 'out'],
+  ['visiting', 'other'],
   ['going_to_bed', 'sleep'],
   ['sleeping', 'sleep'],
   ['lying_awake', 'other'],
@@ -87,3 +87,6 @@ export const KIND_WORDS: readonly (readonly [keyof typeof KINDS, readonly string
   ['housework', ['laundry', 'house', 'clean', 'tid', 'vacuum', 'iron', 'chore']],
   ['leisure', ['relax', 'rest', 'read', 'tele', 'tv', 'watch', 'knit', 'phone', 'work', 'desk', 'comput', 'music', 'sit', 'hobby']],
 ];
+
+/** What the truth says of who is out of the home. */
+export const AWAY = 'away';

@@ -69,6 +69,11 @@ export class Live {
     );
   }
 
+  /** The folder of the run that is being lived: what is stored of it is not whole yet. */
+  get goesOn(): string | null {
+    return this.run === null || this.run.replay || this.frame?.state === 'over' ? null : this.run.id;
+  }
+
   open(): void {
     this.socket.open();
     // The last frames and firings before a pause are shown, too, though no other comes after them.

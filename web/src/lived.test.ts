@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { activityKind } from './charts/kinds-of-activities';
 import { KEPT_US, Lived } from './lived';
 import { firing, frame } from './testing/frames';
 import { madeUpHome } from './testing/home';
@@ -19,9 +20,23 @@ test('firings and what people did are kept as they come', () => {
   all.take(frame({ now_us: 30, firings: [firing(1, 25, 1)], bodies: [body('eating', 1)] }));
   all.take(frame({ now_us: 40, bodies: [null] }));
   expect([all.fired[1], all.said[1]]).toEqual([[9, 25], ['ON', 'ON']]);
-  expect(all.names).toEqual(['cooking', 'eating']);
-  expect(all.activities[0]!.map(([begin, , what]) => [begin, what])).toEqual([[10, 0], [30, 1]]);
+  expect(all.names).toEqual(['cooking', 'eating', 'away']);
+  expect(all.activities[0]!.map(([begin, , what]) => [begin, what])).toEqual([[10, 0], [30, 1], [40, 2]]);
   expect(all.rooms[0]).toEqual([[10, 39, 1]]);
+});
+
+test('who is out of the home is so for as long as they are; what visitors do elsewhere is not told', () => {
+  const all = new Lived();
+  all.clear({ home: madeUpHome(3), residents: ['Agnes', "Agnes's nurse"].map((name) => ({ name, radius_m: 0.2 })) });
+  for (const now_us of [0, 10, 20]) all.take(frame({ now_us, bodies: [null, null] }));
+  all.take(frame({ now_us: 30, bodies: [body('coming_home', 1), body('visiting', 1)] }));
+  all.take(frame({ now_us: 40, bodies: [body('visit', 1), null] }));
+  expect(all.activities.map((spans) => spans.map(([begin, end, what]) => [begin, end, all.names[what]]))).toEqual([
+    [[0, 30, 'away'], [30, 40, 'coming_home'], [40, 40, 'visit']],
+    [[30, 39, 'visiting']],
+  ]);
+  expect([all.doing(0, null), all.doing(1, null), all.doing(1, { ...body('', 1), activity: null })]).toEqual(['away', '', '']);
+  expect(activityKind(all.doing(0, null)).id).toBe('out');
 });
 
 test('what was taken back is forgotten, and told again is there once', () => {
@@ -45,8 +60,8 @@ test('what was done while the run jumped is not known', () => {
 test('what is too old is forgotten', () => {
   const all = lived();
   all.take(frame({ now_us: 10, firings: [firing(0, 9, 1)], bodies: [body('cooking', 1)] }));
-  all.take(frame({ now_us: 20, bodies: [null] }));
-  all.take(frame({ now_us: KEPT_US + 100, firings: [firing(1, KEPT_US + 50, 1)], bodies: [null] }));
+  all.take(frame({ now_us: 20, bodies: [body('', null)] }));
+  all.take(frame({ now_us: KEPT_US + 100, firings: [firing(1, KEPT_US + 50, 1)], bodies: [body('', null)] }));
   expect([all.fired[1], all.activities[0], all.from_us]).toEqual([[KEPT_US + 50], [], 100]);
 });
 

@@ -1,8 +1,9 @@
 // What this page has seen of the run that is being lived: which sensors fired when, and what everybody did where. What was told of but
 // not shown, as at the greatest speeds or where somebody goes to another time, is not in it, and when that was is known.
 
+import { AWAY } from './activities';
 import type { Unseen } from './charts/unseen';
-import type { FiringView, Frame, RunView } from './wire';
+import type { BodyView, FiringView, Frame, RunView } from './wire';
 
 /** So far back it is kept. */
 export const KEPT_US = 36 * 3_600e6;
@@ -29,6 +30,8 @@ export class Lived {
   /** When it was not seen what people did. */
   unseen: Unseen[] = [];
   private forgotten: number[] = [];
+  /** By resident. */
+  private visitors: boolean[] = [];
   from_us = 0;
   now_us = 0;
   private told = 0;
@@ -39,6 +42,8 @@ export class Lived {
     this.activities = residents.map(() => []);
     this.rooms = residents.map(() => []);
     this.names = [];
+    // They are called after their hosts.
+    this.visitors = residents.map(({ name }) => residents.some((host) => name.startsWith(`${host.name}'s `)));
     this.missed = home.sensors.map(() => []);
     this.unseen = [];
     this.forgotten = home.sensors.map(() => 0);
@@ -59,12 +64,19 @@ export class Lived {
     }
     if (now_us - this.now_us > SEEN_US) add(this.unseen, { from_us: Math.max(this.now_us, 0), to_us: now_us, missing: 0 });
     frame.bodies.forEach((body, who) => {
-      this.goOn(this.activities[who], body?.activity == null || body.activity === '' ? null : this.nameOf(body.activity), now_us);
+      const activity = this.doing(who, body);
+      this.goOn(this.activities[who], activity === '' ? null : this.nameOf(activity), now_us);
       this.goOn(this.rooms[who], body?.room ?? null, now_us);
     });
     this.now_us = now_us;
     this.from_us = Math.max(this.from_us, now_us - KEPT_US);
     this.forget();
+  }
+
+  /** What somebody does, also out of the home; but what visitors do elsewhere is not of this home. */
+  doing(who: number, body: BodyView | null): string {
+    if (body === null) return this.visitors[who] ? '' : AWAY;
+    return body.activity ?? '';
   }
 
   private nameOf(activity: string): number {

@@ -13,8 +13,9 @@ test('areas, and lengths for fields', () => {
   expect(inMetres(inUnits(3.81, 'feet'), 'feet')).toBeCloseTo(3.81, 2);
 });
 
-test('a share is rounded down, but what is not nothing is not said to be', () => {
-  expect([1, 0.99964, 0.29, 0.001, 0.0004, 0].map(percent)).toEqual(['100.0 %', '99.9 %', '29.0 %', '0.1 %', '<0.1 %', '0.0 %']);
+test('a share is told to the nearest tenth, but less than all is not said to be all, nor what is not nothing to be nothing', () => {
+  expect([1, 1 - 1e-12, 0.99964, 0.9994, 0.29, 0.2846, 0.2844].map(percent)).toEqual(['100.0 %', '100.0 %', '99.9 %', '99.9 %', '29.0 %', '28.5 %', '28.4 %']);
+  expect([0.001, 0.0006, 0.0004, 1e-12, 0].map(percent)).toEqual(['0.1 %', '0.1 %', '<0.1 %', '0.0 %', '0.0 %']);
 });
 
 test('a scale bar is round and no wider than it may be', () => {

@@ -6,6 +6,9 @@ const FOOT_M = 0.3048;
 
 const INCHES_A_FOOT = 12;
 
+/** Of shares that are added up so much comes of rounding alone. */
+const NOTHING = 1e-9;
+
 /** Such as `1.25 m` or `4 ft 1 in`. */
 export function length(metres: number, units: Units): string {
   if (units === 'metric') return `${metres.toFixed(2)} m`;
@@ -33,10 +36,11 @@ export function inMetres(value: number, units: Units): number {
   return units === 'metric' ? value : value * FOOT_M;
 }
 
-/** A share in percent, rounded down: less than all is never 100 %. What is not nothing is never 0 %, either. */
+/** A share in percent, to the nearest tenth; but less than all is never 100 %, and what is not nothing is never 0 %. */
 export function percent(share: number): string {
-  const tenths = Math.floor(share * 1000 + 1e-6);
-  return tenths === 0 && share > 1e-9 ? '<0.1 %' : `${(tenths / 10).toFixed(1)} %`;
+  const tenths = Math.round(share * 1000);
+  if (tenths === 0 && share > NOTHING) return '<0.1 %';
+  return `${((tenths === 1000 && share < 1 - NOTHING ? 999 : tenths) / 10).toFixed(1)} %`;
 }
 
 /** Such as `12.5 m²` or `134.5 ft²`; what is small has one digit more. */

@@ -344,7 +344,11 @@ runs: number,
 /**
  * Those that were lived last.
  */
-latest: Array<StoredView>, };
+latest: Array<StoredView>, 
+/**
+ * The one that is being lived in the page.
+ */
+goes_on: string | null, };
 
 export type NewHome = { "from": "empty" } | { "from": "template", name: string, };
 

@@ -24,7 +24,7 @@ pub enum ActivityKind {
     Leisure,
     /// Taking medicine.
     Medicine,
-    /// Out of the home, leaving and coming back, and being a guest.
+    /// Out of the home, leaving and coming back.
     Out,
     /// All else.
     Other,
@@ -155,7 +155,7 @@ activities! {
     VISIT "visit": "Somebody who does not live there is there: the host lets them in and talks to them",
         Other, Company, around(90.0, 0.4), [FrontDoor, Armchair, GuestSeat];
     VISITING "visiting": "Being that guest, from the door to the seat and back",
-        Out, Other, None, [FrontDoor, GuestSeat];
+        Other, Other, None, [FrontDoor, GuestSeat];
     GOING_TO_BED "going_to_bed": "Lying down at night, and falling asleep", Sleep, Sleep, around(5.0, 0.4), [Bed];
     SLEEPING "sleeping": "Asleep at night; of a pet, at any time", Sleep, Sleep, None, [Bed];
     LYING_AWAKE "lying_awake": "Awake in bed at night", Other, Sleep, around(25.0, 0.5), [Bed];

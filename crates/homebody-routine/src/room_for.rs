@@ -43,6 +43,12 @@ const STEP_M: f64 = 0.1;
 const BESIDE_M: f64 = 0.02;
 const FROM_DOORS_M: f64 = 0.7;
 
+/// How much room there is to be before the front of a piece (ours).
+const IN_FRONT_M: f64 = 0.6;
+
+/// How far from a wall is as bad as a front that is blocked (ours).
+const BLOCKED_M: f64 = 1.0;
+
 /// So many places are tried in a room, and walked to in one and in all (ours): each walk takes a while.
 const MOST_TRIED: f64 = 4_000.0;
 const MOST_WALKED_IN_ROOM: usize = 3;
@@ -71,9 +77,9 @@ pub fn piece(home: &HomeFile, role: Role, resident: &ResidentFile, numbers: &Num
     let mut walked = 0;
     for room in in_order(home, &plan, needed) {
         let mut fit: Vec<(f64, FurnitureFile)> = Vec::new();
-        for turn_deg in [0.0, 90.0] {
+        for turn_deg in [0.0, 90.0, 180.0, 270.0] {
             let places = grid(&plan, room).map(|at| new(at, turn_deg));
-            fit.extend(places.filter_map(|piece| Some((fits(&plan, room, &doors, &piece)?, piece))));
+            fit.extend(places.filter_map(|piece| Some((out_of_place_m(&plan, room, &doors, &piece)?, piece))));
         }
         fit.sort_by(|a, b| a.0.total_cmp(&b.0));
         // Those side by side are blocked by the same: of a few all over the room one is free.
@@ -134,22 +140,61 @@ fn grid(plan: &Plan, room: usize) -> impl Iterator<Item = Point> {
     (0..columns * rows).map(move |index| least + (at(index) + 0.5) * step_m)
 }
 
-/// How far from a wall a piece is if it fits in: it is in the room, overlaps nothing, and stands in no doorway.
-fn fits(plan: &Plan, room: usize, doors: &[Point], piece: &FurnitureFile) -> Option<f64> {
+/// How far the back of a piece is from a wall, and by how much more it is out of place where its front is blocked; nothing
+/// where it does not fit in: it has to be in the room, overlap nothing, and stand in no doorway.
+fn out_of_place_m(plan: &Plan, room: usize, doors: &[Point], piece: &FurnitureFile) -> Option<f64> {
     let outline = furniture_outline(piece);
     let around = &plan.rooms[room].outline;
-    let is_within = || {
-        geometry::sides(&outline)
+    let is_within = |outline: &[Point]| {
+        geometry::sides(outline)
             .all(|(a, b)| [0.0, 0.25, 0.5, 0.75].iter().all(|&share| geometry::contains(around, a + (b - a) * share)))
     };
+    let is_free = |outline: &[Point]| plan.solids.iter().all(|solid| overlap::area(outline, &solid.outline) < 1e-6);
     let (least, most) = geometry::bounds(outline.iter().copied());
     let beside = Point::splat(BESIDE_M);
     let (least, most) = (least - beside, most + beside);
     let box_around = [least, Point::new(most.x, least.y), most, Point::new(least.x, most.y)];
-    let is_free = || plan.solids.iter().all(|solid| overlap::area(&box_around, &solid.outline) < 1e-6);
     let is_clear = || doors.iter().all(|&door| geometry::distance_to_area(&outline, door) >= FROM_DOORS_M);
+    if !(is_within(&outline) && is_free(&box_around) && is_clear()) {
+        return None;
+    }
+    // Unturned, its back is above.
+    let [front_left, front_right, back_right, back_left] = outline[..] else { return None };
     let walls = plan.solids.iter().filter(|solid| matches!(solid.origin, Origin::Wall(_)));
-    let middle = geometry::inner_point(&outline);
-    let to_wall_m = || walls.map(|wall| geometry::distance_to_area(&wall.outline, middle)).fold(f64::MAX, f64::min);
-    (is_within() && is_free() && is_clear()).then(to_wall_m)
+    let back = (back_left + back_right) / 2.0;
+    let to_wall_m = walls.map(|wall| geometry::distance_to_area(&wall.outline, back)).fold(f64::MAX, f64::min);
+    let ahead = (front_left - back_left).normalize_or_zero() * IN_FRONT_M;
+    let before = [front_left + ahead, front_right + ahead, front_right, front_left];
+    let is_open = is_within(&before) && is_free(&before);
+    Some(to_wall_m + if is_open { 0.0 } else { BLOCKED_M })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::{from_value, json};
+
+    #[test]
+    fn what_is_put_into_an_empty_room_has_its_back_at_a_wall_and_room_before_it() {
+        let mut home: HomeFile = from_value(json!({
+            "name": "one room",
+            "rooms": [{ "name": "room", "outline": [[0, 0], [4.2, 0], [4.2, 3.6], [0, 3.6]] }],
+            "walls": [
+                { "from": [0, 0], "to": [4.2, 0] }, { "from": [4.2, 0], "to": [4.2, 3.6] },
+                { "from": [4.2, 3.6], "to": [0, 3.6] }, { "from": [0, 3.6], "to": [0, 0] }
+            ],
+            "doors": [{ "name": "front door", "from": [1, 0], "to": [1.9, 0], "outside": true }]
+        }))
+        .unwrap();
+        let resident: ResidentFile = from_value(json!({ "name": "ann", "driver": { "path": "ann.json" } })).unwrap();
+        for needed in &NEEDED {
+            let numbers = Numbers::default();
+            let piece = piece(&home, needed.role, &resident, &numbers).expect("there is room");
+            let plan = Plan::new(&home);
+            let outline = furniture_outline(&piece);
+            let away_m = out_of_place_m(&plan, 0, &[], &piece).expect("it fits in");
+            assert!(away_m < 2.0 * STEP_M, "{}: {away_m} m, {outline:?}", piece.name);
+            home.furniture.push(piece);
+        }
+    }
 }

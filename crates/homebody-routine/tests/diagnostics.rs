@@ -31,6 +31,14 @@ fn an_unknown_verb() {
 }
 
 #[test]
+fn late_and_early_are_no_time_of_what_comes_after_something() {
+    let (what, hint) = ("is not understood here", "say at what time");
+    refused("She has dinner at 18:00. She goes to bed late after dinner.", "late", what, hint);
+    refused("She reads at 21:00. On Monday she goes to bed early after she reads.", "early", what, hint);
+    understood("She goes to bed late, at about 1 am. She naps late in the afternoon.");
+}
+
+#[test]
 fn every_other_of_several_days() {
     let (what, hint) = ("is of several days", "every other Saturday");
     refused("Her daughter visits every other weekend.", "every other weekend", what, hint);

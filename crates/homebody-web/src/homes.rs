@@ -11,7 +11,7 @@ use crate::page::{self, FIRST_PAGE};
 use crate::socket;
 use crate::visit::Visit;
 use crate::walks::LARGEST_LOG_BYTES;
-use crate::wire::{CallHome, MadeView, NewHome, PutAside};
+use crate::wire::{CallHome, CardView, MadeView, NewHome, PutAside};
 use axum::body::Body;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, Request, State};
@@ -125,7 +125,11 @@ async fn library(State(homes): State<Homes>) -> Response {
 }
 
 async fn card(State(homes): State<Homes>, Path(name): Path<String>) -> Response {
-    json(found(move || homes.library.card(&name)).await.and_then(|card| card.map_err(refused)))
+    let open = homes.open.lock().await;
+    let goes_on = open.iter().find(|opened| opened.name == name).and_then(|opened| opened.house.goes_on());
+    drop(open);
+    let card = move || Ok(CardView { goes_on, ..homes.library.card(&name)? });
+    json(found(card).await.and_then(|card| card.map_err(refused)))
 }
 
 async fn picture(State(homes): State<Homes>, Path((name, run)): Path<(String, String)>) -> Response {

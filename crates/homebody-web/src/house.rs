@@ -74,6 +74,11 @@ impl House {
         self.gone.receiver_count() > 0 || self.stage.is_playing() || self.walks.is_going_on()
     }
 
+    /// The run of it that is being lived.
+    pub fn goes_on(&self) -> Option<String> {
+        self.stage.recorded()
+    }
+
     /// Tells who looks at it that it is not here any more.
     pub fn send_away(&self) {
         self.gone.send_replace(true);
@@ -314,7 +319,7 @@ async fn call(State(house): State<House>, Path(run): Path<String>, Json(about): 
 }
 
 async fn put_aside(State(house): State<House>, Path(run): Path<String>) -> Response {
-    if house.stage.records(&run) {
+    if house.stage.recorded().as_ref() == Some(&run) {
         return (StatusCode::CONFLICT, "This run is being lived: stop it first.").into_response();
     }
     json(found(move || keeping::put_aside(&house.shelf, &run)).await.and_then(|aside| aside.map_err(refused)))

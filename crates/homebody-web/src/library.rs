@@ -109,6 +109,7 @@ impl Library {
             problems: problems as u32,
             runs: runs as u32,
             latest: Playback::new(shelf).latest(MOST_RUNS),
+            goes_on: None,
         })
     }
 

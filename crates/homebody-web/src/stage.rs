@@ -156,11 +156,11 @@ impl Stage {
         growth.view()
     }
 
-    /// Whether this run is being recorded now.
-    pub fn records(&self, run: &str) -> bool {
+    /// The run that is being recorded now.
+    pub fn recorded(&self) -> Option<String> {
         let board = locked(&self.board);
         let lived = board.lived.as_ref().filter(|lived| lived.frame.state != State::Over && !lived.view.replay);
-        lived.is_some_and(|lived| lived.view.id.as_deref() == Some(run))
+        lived.and_then(|lived| lived.view.id.clone())
     }
 
     /// Whether a run is going on now.

@@ -4,7 +4,7 @@
 mod generated;
 
 use generated::is_generated;
-use homebody_core::activity::{ACTIVITIES, ActivityKind, KIND_WORDS};
+use homebody_core::activity::{ACTIVITIES, AWAY, ActivityKind, KIND_WORDS};
 use homebody_core::scenario::device::Device;
 use homebody_core::sensors::form::{Colour, KindRow, Mount};
 use homebody_core::sensors::kinds::KINDS;
@@ -226,6 +226,6 @@ fn the_page_knows_our_activities() {
     for (kind, words) in KIND_WORDS {
         text += &format!("  ['{}', {}],\n", key(kind), format!("{words:?}").replace('"', "'"));
     }
-    text += "];\n";
+    text += &format!("];\n\n/** What the truth says of who is out of the home. */\nexport const AWAY = '{AWAY}';\n");
     is_generated("web/src/activities.ts", &text);
 }

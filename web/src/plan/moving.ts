@@ -210,6 +210,10 @@ export function colourOf(resident: number): string {
   return people[resident % people.length]!;
 }
 
+/** Half of the length of somebody who lies, and half of their head's, as they are to half of the shoulders' breadth (ours). */
+const LYING = 3.65;
+const HEAD = 0.55;
+
 /** `sure` is how likely somebody is there, from 0 to 1: who is unsure is faint. */
 export type Person = { resident: ResidentView; body: BodyView; index: number; driven: boolean; sure: number };
 
@@ -230,12 +234,13 @@ function body(pen: Pen, view: View, palette: Palette, { resident, body, index, d
   pen.lineWidth = 1.6;
   pen.beginPath();
   if (body.posture === 'lying') {
-    // From above: head and trunk in one line, as long as somebody is beside being wide.
-    pen.roundRect(-radius * 2.6, -radius * 0.75, radius * 3.4, radius * 1.5, radius * 0.7);
+    // From above: trunk and head in one line, their middle where somebody is.
+    const [feet, neck] = [-radius * LYING, radius * (LYING - 2 * HEAD + 0.15)];
+    pen.roundRect(feet, -radius * 0.75, neck - feet, radius * 1.5, radius * 0.7);
     pen.fill();
     pen.stroke();
     pen.beginPath();
-    pen.arc(radius * 1.15, 0, radius * 0.55, 0, 2 * Math.PI);
+    pen.arc(radius * (LYING - HEAD), 0, radius * HEAD, 0, 2 * Math.PI);
   } else if (body.posture === 'sitting') {
     // Two thighs in front of the trunk.
     pen.roundRect(0, -radius * 0.85, radius * 1.6, radius * 0.7, radius * 0.3);
@@ -278,8 +283,9 @@ function name(pen: Pen, view: View, palette: Palette, { resident, body, index, s
   // At an edge of the picture it stays inside, as long as the body does.
   const isIn = at >= 0 && at <= size.width;
   const x = isIn ? Math.min(Math.max(at, width / 2 + 2), Math.max(size.width - width / 2 - 2, width / 2 + 2)) : at;
-  const above = y - radius * 1.6 - 21;
-  const top = above < 2 && y >= 0 ? y + radius * 1.6 + 4 : above;
+  const reach = radius * Math.max(1.6, body.posture === 'lying' ? LYING * Math.abs(Math.sin((body.heading_deg * Math.PI) / 180)) : 0);
+  const above = y - reach - 21;
+  const top = above < 2 && y >= 0 ? y + reach + 4 : above;
   capsule(pen, x - width / 2, top, width, 17);
   const colour = colourOf(index);
   pen.fillStyle = colour;

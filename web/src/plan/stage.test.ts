@@ -88,6 +88,15 @@ test('somebody who is out is not drawn', () => {
   expect(named('Bertram')).toBe(false);
 });
 
+test('who lies in a bed has the head at the wall, whatever way they came', () => {
+  const heads = () => drawn(0).seen.filter(({ name }) => name === 'rotate').map(({ args }) => [Math.cos(Number(args[0])), -Math.sin(Number(args[0]))].map(Math.round).map(String));
+  take({ bodies: [{ ...body(1.2), at: [1.2, 6.4], heading_deg: 90, posture: 'lying' }, null] }, 0);
+  expect(heads()).toEqual([['-1', '0']]);
+  take({ bodies: [{ ...body(3), at: [3, 6.4], heading_deg: 90, posture: 'lying' }, null] }, 0);
+  // Beside it as they came.
+  expect(heads()).toEqual([['0', '1']]);
+});
+
 test('in fast time no ring grows, and counts grow no more often than one can read', () => {
   const [x, y] = run.home.sensors[0]!.at;
   const centre = [stage.view.x + x * stage.view.scale, stage.view.y - y * stage.view.scale];

@@ -5,6 +5,7 @@ import { type At, distance } from './geometry';
 import { NAME_HIGH, floorsOf, framed } from './floors';
 import { Eased, Glow, Pulses, Throttle, isFast } from './glow';
 import type { Layers } from './layers';
+import { type Lain, laid, lainIn } from './lying';
 import {
   type Person, drawCounts, drawDoors, drawFloor, drawOn, drawPeople, drawPulses, drawSeen, drawTrails, litRooms, sides,
 } from './moving';
@@ -43,6 +44,7 @@ export class Stage {
   private clock: Size = { width: 150, height: 92 };
   private fitted = true;
   private sides: number[] = [];
+  private lain: Lain[] = [];
   /** What lies below the beams that see somebody, and what must be read over them. */
   private readonly still = document.createElement('canvas');
   private readonly names = document.createElement('canvas');
@@ -66,6 +68,7 @@ export class Stage {
     const before = this.scene?.home;
     if (before !== scene.home) {
       this.sides = sides(scene.home);
+      this.lain = lainIn(scene.home);
       this.trails.clear();
       this.pulses.clear();
       this.frame = null;
@@ -189,8 +192,15 @@ export class Stage {
     if (scene.layers.trails && !scene.reducedMotion && !fast) drawTrails(pen, view, this.trails.of, now_ms);
     drawPulses(pen, scene.home, view, scene.palette, pulses, scene.reducedMotion);
     if (fast) drawCounts(pen, scene.home, view, scene.palette, this.shown);
-    drawPeople(pen, view, scene.palette, persons(scene, frame, this.sure), this.size);
+    drawPeople(pen, view, scene.palette, this.persons(scene, frame), this.size);
     return true;
+  }
+
+  private persons(scene: Scene, frame: Frame): Person[] {
+    return scene.residents.flatMap((resident, index) => {
+      const body = frame.bodies[index];
+      return body ? [{ resident, body: laid(body, this.lain), index, driven: scene.driven === index, sure: this.sure?.[index] ?? 1 }] : [];
+    });
   }
 
   private begin(pen: Pen): void {
@@ -219,11 +229,4 @@ export class Stage {
     }
     this.stillIs = true;
   }
-}
-
-function persons(scene: Scene, frame: Frame, sure: readonly number[] | null): Person[] {
-  return scene.residents.flatMap((resident, index) => {
-    const body = frame.bodies[index];
-    return body ? [{ resident, body, index, driven: scene.driven === index, sure: sure?.[index] ?? 1 }] : [];
-  });
 }

@@ -14,6 +14,8 @@ type Symbol = {
   /** Which sides can be its back: those as short as beds' heads, or as long as sofas' backs. */
   back: 'short' | 'long';
   lines: Line[];
+  /** Whether people lie in it. */
+  isLainIn?: true;
 };
 
 const box = (left: number, bottom: number, right: number, top: number): Line => ({ points: [[left, bottom], [right, bottom], [right, top], [left, top]], closed: true });
@@ -21,9 +23,9 @@ const line = (...points: At[]): Line => ({ points });
 const circle = (x: number, y: number, radius: number): Line => ({ centre: [x, y], radius });
 
 const SYMBOLS: Symbol[] = [
-  { names: /double bed/, back: 'short', lines: [box(-0.85, 0.6, -0.08, 0.9), box(0.08, 0.6, 0.85, 0.9), line([-1, 0.4], [1, 0.4])] },
-  { names: /\bbed\b/, back: 'short', lines: [box(-0.7, 0.6, 0.7, 0.9), line([-1, 0.4], [1, 0.4])] },
-  { names: /sofa|couch|settee|armchair|recliner|easy chair/, back: 'long', lines: [line([-1, 0.55], [1, 0.55]), line([-0.75, -1], [-0.75, 0.55]), line([0.75, -1], [0.75, 0.55])] },
+  { names: /double bed/, back: 'short', lines: [box(-0.85, 0.6, -0.08, 0.9), box(0.08, 0.6, 0.85, 0.9), line([-1, 0.4], [1, 0.4])], isLainIn: true },
+  { names: /\bbed\b/, back: 'short', lines: [box(-0.7, 0.6, 0.7, 0.9), line([-1, 0.4], [1, 0.4])], isLainIn: true },
+  { names: /sofa|couch|settee|armchair|recliner|easy chair/, back: 'long', lines: [line([-1, 0.55], [1, 0.55]), line([-0.75, -1], [-0.75, 0.55]), line([0.75, -1], [0.75, 0.55])], isLainIn: true },
   { names: /chair|stool|bench/, back: 'long', lines: [line([-0.8, 0.7], [0.8, 0.7])] },
   { names: /toilet|\bwc\b/, back: 'short', lines: [line([-1, 0.5], [1, 0.5]), circle(0, -0.25, 0.62)] },
   { names: /bath ?tub|\bbath\b/, back: 'short', lines: [box(-0.82, -0.86, 0.82, 0.86), circle(0, 0.7, 0.06)] },
@@ -80,6 +82,15 @@ export function frameOf(name: string, outline: At[], walls: At[][]): Frame | nul
   const wide = Math.abs(turned[0] * width[0] + turned[1] * width[1]) > Math.abs(turned[0] * depth[0] + turned[1] * depth[1]) ? width : depth;
   const right = wide[0] * turned[0] + wide[1] * turned[1] < 0 ? opposite(wide) : wide;
   return { at, right, back };
+}
+
+/**
+ * The ways from its middle to where the heads are of people who lie in a piece: at its back, where beds have their pillows, or at
+ * either end of one that is wider than deep, as sofas are. None where nobody lies in it.
+ */
+export function headsOf(name: string, { right, back }: Frame): At[] {
+  if (symbolOf(name)?.isLainIn === undefined) return [];
+  return Math.hypot(...right) < Math.hypot(...back) * LONG ? [back] : [right, [-right[0], -right[1]]];
 }
 
 /** How far a point is from an outline; nothing inside of it. */

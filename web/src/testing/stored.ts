@@ -80,7 +80,7 @@ export function walkedDay(run: PlaybackView, number: number): DayView {
 }
 
 /** Answers as the server does, for runs of these names. */
-export function fakeRuns(names: string[], make: (name: string) => PlaybackView = storedRun, without: Record<string, string[]> = {}): Fetch {
+export function fakeRuns(names: string[], make: (name: string) => PlaybackView = storedRun, listed: Record<string, Partial<StoredView>> = {}): Fetch {
   const runs = new Map(names.map((name) => [name, make(name)]));
   return async (path) => {
     if (path === '/api/walk') return Response.json(null);
@@ -96,7 +96,7 @@ export function fakeRuns(names: string[], make: (name: string) => PlaybackView =
     }
     const [, name, day] = /^\/api\/runs\/([^/]+)(?:\/days\/(\d+))?$/.exec(path) ?? [];
     if (name === undefined) {
-      const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth, walk }) => ({ name, scenario, start, days: days.length, has_truth, walked_back: walk?.log ?? null, problem: null, made_ms: null, seed: 7, without: without[name] ?? [], about: { title: '', note: '' } }));
+      const list: StoredView[] = [...runs.values()].map(({ name, scenario, start, days, has_truth, walk }) => ({ name, scenario, start, days: days.length, has_truth, walked_back: walk?.log ?? null, problem: null, made_ms: null, seed: 7, without: [], about: { title: '', note: '' }, ...listed[name] }));
       return Response.json(list);
     }
     const run = runs.get(decodeURIComponent(name));

@@ -13,7 +13,7 @@ use super::said::{Predicate, named};
 use super::subjects::Subject;
 use super::unknown;
 use super::words::Token;
-use crate::routine::{Activity, PartOfDay};
+use crate::routine::{Activity, PartOfDay, When};
 
 /// "gets up to use the toilet", "goes to the kitchen to make tea": what for is what is done.
 pub fn says_purpose(reader: &mut Reader, clause: &mut Clause) -> bool {
@@ -324,7 +324,9 @@ pub fn stays_on(reader: &mut Reader, clause: &mut Clause) -> bool {
 
 /// "goes to bed late, at about 1 am": the time says it.
 pub fn says_late(reader: &mut Reader, clause: &mut Clause) -> bool {
-    let has_time = |adverbs: &Adverbs| adverbs.when.is_some() || adverbs.until_time.is_some();
+    // "After she reads" is at no time of its own, early or late.
+    let is_time = |when: &Slot<When>| matches!(when.value, When::At(_) | When::Within(_));
+    let has_time = |adverbs: &Adverbs| adverbs.when.as_ref().is_some_and(is_time) || adverbs.until_time.is_some();
     reader
         .attempt(|reader| {
             reader.eat("quite|very|rather|fairly");

@@ -61,6 +61,8 @@ pub struct CardView {
     pub runs: u32,
     /// Those that were lived last.
     pub latest: Vec<StoredView>,
+    /// The one that is being lived in the page.
+    pub goes_on: Option<String>,
 }
 
 /// What a new home begins with.

@@ -131,11 +131,14 @@ fn two_homes_are_lived_at_once_each_into_its_own_runs() {
     let served = Served::library(&["studio", "by-hand"]);
     let mut pages: Vec<Page> =
         ["studio", "by-hand"].map(|name| served.page_at(&format!("/api/homes/{name}/live"))).into();
-    for page in &mut pages {
+    let goes_on = |name: &str| served.json(&format!("/api/library/homes/{name}"))["goes_on"].clone();
+    for (page, name) in pages.iter_mut().zip(["studio", "by-hand"]) {
         page.say(r#"{"say":"step","seconds":60}"#);
         page.until(|frame| frame["now_us"] == 60_000_000 && frame["state"] == "paused");
+        assert_eq!(goes_on(name), format!("{name}-1"));
         page.say(r#"{"say":"stop"}"#);
         page.until(|frame| frame["state"] == "over");
+        assert_eq!(goes_on(name), Value::Null);
     }
     for name in ["studio", "by-hand"] {
         let runs = served.json(&format!("/api/homes/{name}/runs"));

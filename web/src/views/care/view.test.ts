@@ -50,7 +50,7 @@ async function settle() {
   }
 }
 
-async function begin(hash = '#/care') {
+async function begin(hash = '#/care', goesOn: string | null = null) {
   window.location.hash = hash;
   const fetch = async (path: string, init: RequestInit) => {
     if (init.method === 'POST') {
@@ -66,7 +66,7 @@ async function begin(hash = '#/care') {
     return path in answers ? Response.json(answers[path]) : new Response('There is no such run.', { status: 404 });
   };
   const server = new Server('token', () => {}, fetch);
-  view = mount(CarePage, { target: document.body, props: { live: { server } as Live } });
+  view = mount(CarePage, { target: document.body, props: { live: { server, goesOn } as Live } });
   await settle();
 }
 
@@ -88,6 +88,11 @@ test('of twins the menu says which was lived without what', async () => {
   answers['/api/runs'] = [stored('a'), { ...stored('b'), without: ['low_mood'] }];
   await begin();
   expect([...document.querySelectorAll('#care-run option')].map((option) => option.textContent!.split(' · ')[0])).toEqual(['a', 'b without low mood']);
+});
+
+test('a run that is being lived has no length in the menu', async () => {
+  await begin('#/care/b', 'a');
+  expect([...document.querySelectorAll('#care-run option')].map((option) => option.textContent)).toEqual(['a · 2009-03-02, being lived', 'b · 2009-03-02, 30 days']);
 });
 
 test('the day, what has changed and what is worth a look are told in words', async () => {
@@ -194,6 +199,26 @@ test('without a usual nothing is called usual or unusual', async () => {
   expect(text()).toContain('What is usual is not known yet');
   expect(text()).toContain('Too little is known to say what has changed');
   expect(text()).not.toContain('All was as usual');
+});
+
+test('with an alert nothing is said to be as usual, or not to stand out, without it', async () => {
+  const of = care('a');
+  const calm = { ...of, sentences: of.sentences.filter((sentence) => !sentence.is_change), days: of.days.map((day) => ({ ...day, told: day.told.map((one) => ({ ...one, is_more: null })) })) };
+  const begun = async (alerts: CareView['alerts']) => {
+    answers['/api/runs/a/care'] = { ...calm, alerts };
+    await begin();
+    const shown = text();
+    await unmount(view);
+    return shown;
+  };
+  const without = await begun([]);
+  expect(without).toContain('All was as usual.');
+  expect(without).toContain('from the weeks before.');
+  const withOne = await begun([{ ...of.alerts[0]!, day: of.day! }]);
+  expect(withOne).not.toContain('All was as usual.');
+  expect(withOne).toContain('an alert came of it and the days before');
+  expect(withOne).toContain('of single days there are alerts');
+  await begin();
 });
 
 test('where too little lies before, nothing is said to be as before', async () => {

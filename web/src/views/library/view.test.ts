@@ -2,7 +2,7 @@ import { flushSync, mount, unmount } from 'svelte';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Server } from '../../server';
 import { FakeStore } from '../../testing/store';
-import type { CardView, LibraryView as View } from '../../wire';
+import type { CardView, LibraryView as View, StoredView } from '../../wire';
 import { Library } from './library.svelte';
 import LibraryView from './Library.svelte';
 
@@ -13,11 +13,14 @@ let view: View;
 let refusal: string | null = null;
 
 let card: CardView;
-const CARD: CardView = { home: '{ "rooms": [{ "name": "hall", "outline": [[0, 0], [4, 0], [4, 3]] }] }', residents: ['agnes'], problems: 2, runs: 0, latest: [] };
+const CARD: CardView = { home: '{ "rooms": [{ "name": "hall", "outline": [[0, 0], [4, 0], [4, 3]] }] }', residents: ['agnes'], problems: 2, runs: 0, latest: [], goes_on: null };
+
+const stored = (name: string): StoredView => ({ name, scenario: 'flat', start: '2009-03-02 00:00:00', days: 3, has_truth: true, walked_back: null, problem: null, made_ms: null, seed: null, without: [], about: { title: '', note: '' } });
 
 function answers(path: string, init: RequestInit): Response {
   asked.push(`${init.method} ${path}${typeof init.body === 'string' ? ` ${init.body}` : ''}`);
   if (path === '/api/library') return Response.json(view);
+  if (path.includes('/runs/')) return Response.json([[0, 1]]);
   if (init.method === 'DELETE') return Response.json({ key: `${path.split('/').at(-1)}~1` });
   if (refusal !== null && path.includes('/put-aside/')) return new Response(refusal, { status: 422 });
   if (path.startsWith('/api/library/logs/') || path.startsWith('/api/homes/')) return Response.json({ name: 'tm 1', remarks: [] });
@@ -68,6 +71,12 @@ test('a home is drawn, with who lives there and what is wrong, and leads to its 
   expect(article.textContent).toContain('agnes');
   expect(article.querySelector('a.wrong')!.textContent).toContain('2 things');
   expect(article.querySelector('a.open')!.getAttribute('href')).toBe('/homes/flat/#/plan');
+});
+
+test('of a run that is being lived no length is told', async () => {
+  card = { ...CARD, runs: 2, latest: ['flat-2', 'flat-1'].map(stored), goes_on: 'flat-2' };
+  await open();
+  expect([...document.querySelectorAll('article li .quiet')].map((one) => one.textContent)).toEqual(['being lived', '3 days']);
 });
 
 test('a home that is deleted leaves its place, from which it is put back', async () => {

@@ -59,6 +59,18 @@ afterEach(async () => {
   vi.useRealTimers();
 });
 
+test('what is recorded is known to go on until it is over, and a replay records nothing', () => {
+  const folder = live.run!.id;
+  expect(folder).not.toBeNull();
+  show({ state: 'paused' });
+  expect(live.goesOn).toBe(folder);
+  show({ state: 'over' });
+  expect(live.goesOn).toBeNull();
+  wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: { ...live.run, replay: true } }) });
+  show({});
+  expect(live.goesOn).toBeNull();
+});
+
 test('keys walk after any button of the panel, and not while something is written or chosen', () => {
   for (const at of [button('Sit'), button('10×')]) {
     at.focus();
@@ -156,6 +168,39 @@ test('a stove is turned on and a wardrobe opened, and who is out finds the door'
   show({ bodies: [null, null] });
   const reach = () => document.querySelector('[aria-label="Within reach"]')!.textContent!;
   expect(reach()).toContain(near.name);
+});
+
+test('of who is out of the home the table of people says so', () => {
+  show({ now_us: 60e6 });
+  show({ now_us: 120e6, bodies: [null, null] });
+  const rows = [...document.querySelectorAll('.people tbody tr')].map((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent!.trim()));
+  expect(rows).toEqual([['out', '', 'away'], ['out', '', 'away']]);
+});
+
+test('the menu of what is kept closes by Escape, by a press elsewhere and once something is chosen', () => {
+  const menu = document.querySelector<HTMLDetailsElement>('details.menu')!;
+  const summary = menu.querySelector('summary')!;
+  const press = (at: Element) => at.dispatchEvent(new PointerEvent('pointerdown', { bubbles: true }));
+  const open = () => {
+    menu.open = true;
+    button('Picture (PNG)').focus();
+  };
+  open();
+  press(button('Picture (PNG)'));
+  expect(menu.open).toBe(true);
+  key('keydown', 'Enter');
+  expect(menu.open).toBe(true);
+  key('keydown', 'Escape');
+  expect([menu.open, document.activeElement]).toEqual([false, summary]);
+  open();
+  press(button('10×'));
+  expect(menu.open).toBe(false);
+  open();
+  button('Table (CSV)').click();
+  expect([menu.open, document.activeElement]).toEqual([false, summary]);
+  plan().focus();
+  key('keydown', 'Escape');
+  expect(document.activeElement).toBe(plan());
 });
 
 test('keys of the plan are its own', () => {

@@ -15,17 +15,24 @@ const TOOLS: Record<string, Tool> = {
   s: { tool: 'sensor', kind: 'motion' },
 };
 
-export function toolOf(key: string): Tool | null {
+function toolOf(key: string): Tool | null {
   const letter = key.toLowerCase();
   return Object.hasOwn(TOOLS, letter) ? TOOLS[letter]! : null;
 }
 
 const FIELDS = 'input:not([type="checkbox"]):not([type="range"]):not([type="radio"]), select, textarea, [contenteditable]';
 
+/** Whether keys are for a field or a dialog now, not for the plan. */
+const isElsewhere = () => (document.activeElement?.matches(FIELDS) ?? false) || document.querySelector('dialog[open]') !== null;
+
+/** @returns the tool that a key takes wherever the focus is, unless the key means something else there. */
+export function toolTaken(event: KeyboardEvent): Tool | null {
+  return event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || isElsewhere() ? null : toolOf(event.key);
+}
+
 /** @returns whether the key was one of these. */
 export function shortcut(event: KeyboardEvent, editor: Editor): boolean {
-  if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
-  if (document.activeElement?.matches(FIELDS) || document.querySelector('dialog[open]')) return false;
+  if (!(event.ctrlKey || event.metaKey) || event.altKey || isElsewhere()) return false;
   const key = event.key.toLowerCase();
   if (key === 'z') {
     if (event.shiftKey) editor.redo();

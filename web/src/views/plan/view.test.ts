@@ -260,10 +260,47 @@ test('after another view was looked at all goes on, and can be undone', async ()
   expect(document.getElementById('form-furniture/1')!.getAttribute('points')).not.toContain('2.75,');
 });
 
-test('letters and arrows count only while the plan has the focus, and Space is nobody\'s', async () => {
+test('the keys of tools count as soon as the plan is shown, and the plan has the focus then', async () => {
+  await begin(FLAT);
+  const takes = () => document.querySelector('[aria-label="Tools"] [aria-pressed="true"]')!.getAttribute('data-tool');
+  for (const [letter, tool] of [['w', 'wall'], ['U', 'furniture'], ['s', 'sensor'], ['v', 'select']] as const) {
+    (document.activeElement as HTMLElement).blur();
+    expect(key(letter).defaultPrevented).toBe(true);
+    expect([takes(), document.activeElement]).toEqual([tool, plan()]);
+  }
+  button('Zoom in').focus();
+  key('w');
+  expect([takes(), document.activeElement]).toEqual(['wall', plan()]);
+});
+
+test('a key of a tool that means something else where the focus is takes none', async () => {
+  await begin(FLAT);
+  click('List');
+  click('room motion');
+  click('Element');
+  const dialog = document.createElement('dialog');
+  const select = document.body.appendChild(document.createElement('select'));
+  for (const place of [field('Name'), document.querySelector<HTMLElement>('[role="slider"]')!, select]) {
+    place.focus();
+    expect(document.activeElement).toBe(place);
+    key('w');
+    expect(button('Select').getAttribute('aria-pressed')).toBe('true');
+    expect(document.activeElement).toBe(place);
+  }
+  select.remove();
+  document.body.append(dialog);
+  dialog.setAttribute('open', '');
+  (document.activeElement as HTMLElement).blur();
+  key('w');
+  dialog.remove();
+  for (const more of [{ ctrlKey: true }, { metaKey: true }, { altKey: true }]) key('w', more);
+  expect(button('Select').getAttribute('aria-pressed')).toBe('true');
+});
+
+test('keys that change the plan count only while it has the focus, and Space is nobody\'s', async () => {
   await begin(FLAT);
   document.body.focus();
-  for (const letter of ['w', 'd', 'Delete', 'ArrowLeft', '[']) expect(key(letter).defaultPrevented, letter).toBe(false);
+  for (const letter of ['Delete', 'ArrowLeft', '[']) expect(key(letter).defaultPrevented, letter).toBe(false);
   expect(text()).toBe(FLAT);
   plan().focus();
   expect(key(' ').defaultPrevented).toBe(false);

@@ -8,3 +8,14 @@ export function calledOf({ name, about, without }: Pick<StoredView, 'name' | 'ab
   const own = about.title !== '' ? `${about.title.slice(0, 60)} (${name.slice(0, 40)})` : name.slice(0, 60);
   return without.length > 0 ? `${own} without ${spoken(without.join(', ').slice(0, 60))}` : own;
 }
+
+/** How long a run is; of one that is being lived nobody knows how long it will be. */
+export function lengthOf({ name, days }: Pick<StoredView, 'name' | 'days'>, goesOn: string | null): string {
+  if (name === goesOn) return 'being lived';
+  return days === 1 ? '1 day' : `${days} days`;
+}
+
+/** When a run begins and how long it is. */
+export function spanOf(run: Pick<StoredView, 'name' | 'start' | 'days'>, goesOn: string | null): string {
+  return `${run.start.slice(0, 10)}, ${lengthOf(run, goesOn)}`;
+}

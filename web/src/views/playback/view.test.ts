@@ -3,7 +3,7 @@ import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { Live } from '../../live.svelte';
 import { Server } from '../../server';
 import { fakeRuns, storedRun, walkedRun } from '../../testing/stored';
-import type { PlaybackView } from '../../wire';
+import type { PlaybackView, StoredView } from '../../wire';
 import PlaybackPage from './Playback.svelte';
 
 const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=1</script>';
@@ -16,9 +16,9 @@ async function settle(): Promise<void> {
   flushSync();
 }
 
-async function begin(names = ['cottage-2', 'cottage-1'], make: (name: string) => PlaybackView = storedRun, without: Record<string, string[]> = {}): Promise<void> {
-  const server = new Server('token', () => {}, fakeRuns(names, make, without));
-  view = mount(PlaybackPage, { target: document.body, props: { live: { server } as Live } });
+async function begin(names = ['cottage-2', 'cottage-1'], make: (name: string) => PlaybackView = storedRun, listed: Record<string, Partial<StoredView>> = {}, goesOn: string | null = null): Promise<void> {
+  const server = new Server('token', () => {}, fakeRuns(names, make, listed));
+  view = mount(PlaybackPage, { target: document.body, props: { live: { server, goesOn } as Live } });
   for (let turn = 0; turn < 10; turn++) await settle();
 }
 
@@ -47,6 +47,14 @@ afterEach(async () => {
   window.history.replaceState(null, '', '#/playback');
   await unmount(view);
   vi.useRealTimers();
+});
+
+test('of who is out of the home it is said that they are away', async () => {
+  window.location.hash = '#/playback/cottage@2009-03-02T23:30:00';
+  const spans: PlaybackView['spans'] = [[[0, (23 * DAY) / 24, 0], [(23 * DAY) / 24, DAY, 1]], []];
+  await begin(['cottage'], (name) => storedRun(name, 1, { activities: ['cooking', 'away'], spans }));
+  const rows = [...document.querySelectorAll('.people tbody tr')].map((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent!.trim()));
+  expect(rows).toEqual([['out', '', 'away'], ['out', '', '']]);
 });
 
 test('the latest run is opened, and another can be chosen', async () => {
@@ -110,6 +118,33 @@ test('who is where is told in words, and not with the truth hidden', async () =>
   expect(now()).not.toContain('Agnes');
 });
 
+test('a run that is being lived is said to be, wherever its length would be', async () => {
+  const make = (name: string) => storedRun(name, 3, { remarks: ['The run has no rows yet.'] });
+  const titles = () => [...document.querySelectorAll('#first-run option')].map((option) => option.textContent);
+  const text = () => document.body.textContent!.replace(/\s+/g, ' ');
+  await begin(undefined, make, {}, 'cottage-2');
+  expect(titles()).toEqual(['cottage-2 · 2009-03-02, being lived', 'cottage-1 · 2009-03-02, 3 days']);
+  expect(text()).toContain('This run is still being lived: what is stored of it so far is shown. Stop it in Live to play all of it back.');
+  expect(text()).not.toContain('no rows yet');
+  expect(text()).not.toContain('of 3');
+  expect(slider('Time in the run').getAttribute('aria-valuetext')).toBe('2 March, 00:00:00, day 1');
+  // The other is whole.
+  choose('#first-run', 'cottage-1');
+  for (let turn = 0; turn < 5; turn++) await settle();
+  expect(text()).toContain('no rows yet');
+  expect(text()).toContain('Day 1 of 3');
+  expect(text()).not.toContain('still being lived');
+});
+
+test('a run that has a name has it beside what it leads to', async () => {
+  await begin(undefined, undefined, { 'cottage-2': { about: { title: 'out and back', note: '' } } });
+  const summary = () => document.querySelector('.keep summary')!.textContent;
+  expect(summary()).toBe('out and back · name, note, how it was made');
+  choose('#first-run', 'cottage-1');
+  for (let turn = 0; turn < 5; turn++) await settle();
+  expect(summary()).toBe('Name, note, how it was made');
+});
+
 test('a run without truth says so and has no activities to go to', async () => {
   await begin(['alone'], (name) => storedRun(name, 2, { has_truth: false, spans: [] }));
   expect(button('Next activity')).toBeUndefined();
@@ -124,7 +159,7 @@ test('a second run is shown beside the first', async () => {
 });
 
 test('of two runs each is named wherever it is shown, with what it was lived without', async () => {
-  await begin(['cottage-2', 'cottage-1'], storedRun, { 'cottage-1': ['low_mood'] });
+  await begin(['cottage-2', 'cottage-1'], storedRun, { 'cottage-1': { without: ['low_mood'] } });
   choose('#second-run', 'cottage-1');
   for (let turn = 0; turn < 5; turn++) await settle();
   const said = (selector: string) => [...document.querySelectorAll(selector)].map((one) => one.textContent!.replace(/\s+/g, ' ').trim());
