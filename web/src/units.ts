@@ -6,7 +6,7 @@ const FOOT_M = 0.3048;
 
 const INCHES_A_FOOT = 12;
 
-/** Of shares that are added up so much comes of rounding alone. */
+/** Sums of shares are off by less than this through rounding. */
 const NOTHING = 1e-9;
 
 /** Such as `1.25 m` or `4 ft 1 in`. */

@@ -162,10 +162,10 @@ fn who_reads_while_a_run_is_gone_on_with_is_in_nobodys_way() {
     logger.settle().unwrap();
     logger.wait_settled().unwrap();
     assert_eq!(count(), 20);
-    // It stops before its end, and the watcher still has it open.
+    // It stops before its end, while the watcher reads.
+    watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
     drop(logger);
     let logger = stage::open_of(&urls, &LoggerFile::default(), &stage::sensors(), How::GoOn).unwrap();
-    watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
     stage::store(logger, &firings, 7).unwrap();
     watcher.execute_batch("COMMIT").unwrap();
     assert_eq!(count(), 50);

@@ -49,10 +49,13 @@ const IN_FRONT_M: f64 = 0.6;
 /// How far from a wall is as bad as a front that is blocked (ours).
 const BLOCKED_M: f64 = 1.0;
 
-/// So many places are tried in a room, and walked to in one and in all (ours): each walk takes a while.
+/// A piece whose back is nearer to a wall than this stands at it (ours).
+const AT_WALL_M: f64 = 0.3;
+
+/// So many places are tried in a room, and walked to at its walls, elsewhere in it, and in all (ours): each walk takes a while.
 const MOST_TRIED: f64 = 4_000.0;
 const MOST_WALKED_IN_ROOM: usize = 3;
-const MOST_WALKED: usize = 9;
+const MOST_WALKED: usize = 12;
 
 /// A piece of furniture for a role in a place where it can stand; nothing where there is no room, or none for that role.
 ///
@@ -82,9 +85,13 @@ pub fn piece(home: &HomeFile, role: Role, resident: &ResidentFile, numbers: &Num
             fit.extend(places.filter_map(|piece| Some((out_of_place_m(&plan, room, &doors, &piece)?, piece))));
         }
         fit.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let (at_walls, others) = fit.split_at(fit.partition_point(|(away_m, _)| *away_m < AT_WALL_M));
         // Those side by side are blocked by the same: of a few all over the room one is free.
-        let step = fit.len().div_ceil(MOST_WALKED_IN_ROOM).max(1);
-        for (_, piece) in fit.into_iter().step_by(step) {
+        let spread = |places: &[(f64, FurnitureFile)]| -> Vec<FurnitureFile> {
+            let step = places.len().div_ceil(MOST_WALKED_IN_ROOM).max(1);
+            places.iter().step_by(step).map(|(_, piece)| piece.clone()).collect()
+        };
+        for piece in spread(at_walls).into_iter().chain(spread(others)) {
             walked += 1;
             if walked > MOST_WALKED {
                 return None;
@@ -140,8 +147,8 @@ fn grid(plan: &Plan, room: usize) -> impl Iterator<Item = Point> {
     (0..columns * rows).map(move |index| least + (at(index) + 0.5) * step_m)
 }
 
-/// How far the back of a piece is from a wall, and by how much more it is out of place where its front is blocked; nothing
-/// where it does not fit in: it has to be in the room, overlap nothing, and stand in no doorway.
+/// How far the back of a piece is from a wall, and by how much more it is out of place where its front is blocked. None: it
+/// does not fit, for it is not in the room, overlaps something, or stands in a doorway.
 fn out_of_place_m(plan: &Plan, room: usize, doors: &[Point], piece: &FurnitureFile) -> Option<f64> {
     let outline = furniture_outline(piece);
     let around = &plan.rooms[room].outline;

@@ -241,6 +241,7 @@ fn who_falls_out_of_bed_falls_out_of_their_sleep() {
 #[test]
 fn a_fall_that_has_its_time_breaks_into_a_nap() {
     let said = "Every day she naps in the armchair at 15:00 for 2 hours.\n\
+                Every day at 15:10 she goes to the bathroom.\n\
                 Every day at 15:30 she falls and lies there for 10 minutes.\n";
     let days = 6;
     let lived = live(said, days);

@@ -39,11 +39,16 @@ impl RoutineDriver {
         if waits { Micros::MAX } else { item.start }
     }
 
-    /// When somebody falls or stumbles next: nothing that they do then keeps them from it, and no nap.
+    /// When somebody falls or stumbles next: no nap, no meal and no wash keeps them from it.
     pub(super) fn accident_at(&self) -> Micros {
-        let next = self.agenda.breaks.get(self.next_break).filter(|_| self.visitor.is_none());
-        let is_accident = |item: &&Item| matches!(item.activity, Activity::Fall | Activity::Stumble);
-        next.filter(is_accident).map_or(Micros::MAX, |item| item.start)
+        self.next_accident().map_or(Micros::MAX, |index| self.agenda.breaks[index].start)
+    }
+
+    /// Where among the breaks that is; others may come before it that wait for the end of a nap.
+    fn next_accident(&self) -> Option<usize> {
+        let is_accident = |item: &Item| matches!(item.activity, Activity::Fall | Activity::Stumble);
+        let ahead = self.agenda.breaks.get(self.next_break..).filter(|_| self.visitor.is_none())?;
+        ahead.iter().position(is_accident).map(|index| self.next_break + index)
     }
 
     /// When something is next to be done that is soon done, and may be done while a meal is cooked.
@@ -78,6 +83,11 @@ impl RoutineDriver {
         if self.rules_at() <= now && self.answer_rule(now) {
             return;
         }
+        if let Some(index) = self.next_accident().filter(|_| self.accident_at() <= now) {
+            // It comes before what waits.
+            self.agenda.breaks[self.next_break..=index].rotate_right(1);
+            return self.begin_break(now);
+        }
         if let Some((index, due)) = self.essential()
             && due <= now
         {
@@ -87,16 +97,8 @@ impl RoutineDriver {
             }
             return;
         }
-        if self.next_break_at(now) <= now
-            && let Some(item) = self.agenda.breaks.get(self.next_break).cloned()
-        {
-            self.next_break += 1;
-            // Nobody lies awake who is up.
-            let is_idle = item.activity == Activity::LieAwake && !self.needs.asleep();
-            if now <= item.latest && !is_idle {
-                self.begin_at(&item, now);
-            }
-            return;
+        if self.next_break_at(now) <= now {
+            return self.begin_break(now);
         }
         if let Some(activity) = self.needs.pressing(now, self.hour(now)) {
             let key = format!("need/{}/{}", activity.label(), self.times(&activity));
@@ -108,6 +110,17 @@ impl RoutineDriver {
             };
             let lasts = self.parameters.lasting_s(&activity, stream.lognormal(median_min * 60.0, sigma));
             self.begin(&Item::now(key, activity, micros(lasts)));
+        }
+    }
+
+    /// Does what breaks into the day next, unless it is too late for it.
+    fn begin_break(&mut self, now: Micros) {
+        let Some(item) = self.agenda.breaks.get(self.next_break).cloned() else { return };
+        self.next_break += 1;
+        // Nobody lies awake who is up.
+        let is_idle = item.activity == Activity::LieAwake && !self.needs.asleep();
+        if now <= item.latest && !is_idle {
+            self.begin_at(&item, now);
         }
     }
 

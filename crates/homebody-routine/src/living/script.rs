@@ -95,7 +95,7 @@ pub struct Stay {
 pub enum Interruptible {
     /// Nothing.
     Nothing,
-    /// Only rules, and falls.
+    /// Only rules, falls and stumbles.
     Rules,
     /// These, and what the plan says is done meanwhile; it goes on afterwards.
     Breaks,

@@ -216,8 +216,8 @@ test('with an alert nothing is said to be as usual, or not to stand out, without
   expect(without).toContain('from the weeks before.');
   const withOne = await begun([{ ...of.alerts[0]!, day: of.day! }]);
   expect(withOne).not.toContain('All was as usual.');
-  expect(withOne).toContain('an alert came of it and the days before');
-  expect(withOne).toContain('of single days there are alerts');
+  expect(withOne).toContain('an alert of this day is under Worth a look');
+  expect(withOne).toContain('alerts of these days are under Worth a look');
   await begin();
 });
 

@@ -1,5 +1,5 @@
-// Keys of the editor. Single letters count only while the drawing has the focus; those with Ctrl in all of the view, but for
-// fields, which have their own.
+// Keys of the editor. Single letters count while the drawing has the focus, or nothing has; those with Ctrl in all of the view, but
+// for fields, which have their own.
 
 import type { Editor, Tool } from './editor.svelte';
 import { PIECES } from './library';
@@ -25,9 +25,12 @@ const FIELDS = 'input:not([type="checkbox"]):not([type="range"]):not([type="radi
 /** Whether keys are for a field or a dialog now, not for the plan. */
 const isElsewhere = () => (document.activeElement?.matches(FIELDS) ?? false) || document.querySelector('dialog[open]') !== null;
 
-/** @returns the tool that a key takes wherever the focus is, unless the key means something else there. */
-export function toolTaken(event: KeyboardEvent): Tool | null {
-  return event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || isElsewhere() ? null : toolOf(event.key);
+/** @returns the tool that a key takes while the focus is on the drawing, or nowhere. */
+export function toolTaken(event: KeyboardEvent, drawing: HTMLElement): Tool | null {
+  const focused = document.activeElement;
+  const isHere = focused === null || focused === document.body || focused === drawing;
+  if (!isHere || isElsewhere() || event.ctrlKey || event.metaKey || event.altKey || event.repeat || event.defaultPrevented) return null;
+  return toolOf(event.key);
 }
 
 /** @returns whether the key was one of these. */
