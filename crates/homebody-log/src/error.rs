@@ -446,6 +446,12 @@ impl LogError {
         }
     }
 
+    /// Whether a database is in use by somebody else, as an error of it says.
+    pub(crate) fn is_in_use(error: &rusqlite::Error) -> bool {
+        use rusqlite::ErrorCode::{DatabaseBusy, DatabaseLocked};
+        matches!(error.sqlite_error_code(), Some(DatabaseBusy | DatabaseLocked))
+    }
+
     /// What an error of a database means.
     pub(crate) fn database(path: &Path, source: rusqlite::Error) -> LogError {
         use rusqlite::ErrorCode::*;
@@ -454,7 +460,7 @@ impl LogError {
         const WRITING: [i32; 4] = [SQLITE_IOERR_WRITE, SQLITE_IOERR_SHMSIZE, SQLITE_IOERR_TRUNCATE, SQLITE_IOERR_FSYNC];
         let place = place_of(path);
         match source.sqlite_error_code() {
-            Some(DatabaseBusy | DatabaseLocked) => LogError::Locked { place },
+            _ if LogError::is_in_use(&source) => LogError::Locked { place },
             Some(DiskFull) => LogError::Full { place },
             Some(TooBig) => {
                 let what = format!("a row or a cell of it is longer than {LONGEST_ROW_BYTES} bytes");

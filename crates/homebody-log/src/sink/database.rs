@@ -5,14 +5,14 @@
 //!
 //! Rows that pour in go through a rollback journal: it writes a new page once, a write-ahead log twice. Rows that
 //! trickle in, as those of a live run, go through a write-ahead log: it lets others read for as long as they like.
-//! Where rows pour in, who reads is waited for. A run that is gone on with while somebody reads begins with what trickles. A new database begins as if they trickled in: who reads on from before the
-//! first rows is in nobody's way. After the run the database is one file; only who reads on for longer than is waited for
+//! Where rows pour in, who reads is waited for. A new database begins as if they trickled in, and so does one that somebody
+//! reads while a run goes on with it: who reads on from before the first rows is in nobody's way. After the run the database is one file; only who reads on for longer than is waited for
 //! keeps the write-ahead log beside it until they are done.
 
 use crate::error::{LogError, place_of};
 use crate::fresh::Found;
 use crate::lock::FileLock;
-use rusqlite::{CachedStatement, Connection, ErrorCode, OpenFlags, ToSql};
+use rusqlite::{CachedStatement, Connection, OpenFlags, ToSql};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -151,7 +151,7 @@ impl Database {
             let is_begun: bool = connection.query_row(begun, [], |row| row.get(0))?;
             let flow = match connection.execute_batch(Flow::Pouring.journal()) {
                 Ok(()) => Flow::Pouring,
-                Err(error) if !is_busy(&error) => return Err(error),
+                Err(error) if !LogError::is_in_use(&error) => return Err(error),
                 Err(error) => {
                     // Who has it open keeps a write-ahead log in use: rows go on through that.
                     let journal: String = connection.query_row("PRAGMA journal_mode", [], |row| row.get(0))?;
@@ -302,11 +302,6 @@ impl Drop for Database {
             }
         }
     }
-}
-
-/// Whether somebody else has the database in use.
-fn is_busy(error: &rusqlite::Error) -> bool {
-    matches!(error.sqlite_error_code(), Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked))
 }
 
 /// The statements that insert rows into a table, one or several at a time.

@@ -83,7 +83,7 @@ impl RoutineDriver {
         if self.rules_at() <= now && self.answer_rule(now) {
             return;
         }
-        if let Some(index) = self.next_accident().filter(|_| self.accident_at() <= now) {
+        if let Some(index) = self.next_accident().filter(|&index| self.agenda.breaks[index].start <= now) {
             // It comes before what waits.
             self.agenda.breaks[self.next_break..=index].rotate_right(1);
             return self.begin_break(now);
