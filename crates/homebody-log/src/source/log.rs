@@ -23,6 +23,10 @@ pub struct Log {
     pub clock: Clock,
     /// What residents did, where the log notes it.
     pub activities: Vec<Activity>,
+    /// What each column of a table was taken for, and why; empty for forms without columns.
+    pub columns: Vec<ColumnUse>,
+    /// Spans in which nothing was recorded, in the order of time: what held before such a span is not known within it.
+    pub gaps: Vec<(Micros, Micros)>,
     /// What else is left out than lines: a sentence each.
     pub remarks: Vec<String>,
     /// The first of the lines that were skipped.
@@ -40,6 +44,47 @@ pub struct Event {
     pub sensor: u32,
     /// Index into the log's values.
     pub value: u32,
+}
+
+/// What a reader took a column of a table for.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ColumnUse {
+    /// Its heading; without one its place, such as `column 2`.
+    pub column: String,
+    /// What it was taken for.
+    pub used_as: ColumnRole,
+    /// By which evidence, such as `its heading` or `9 of 10 cells are instants`.
+    pub because: String,
+}
+
+/// What a column of a table may hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ColumnRole {
+    /// When a row was stored, or a part of it: a date alone, a time of day alone.
+    Time,
+    /// When what the row reports ended.
+    End,
+    /// For how long it lasted.
+    Duration,
+    /// Which sensor reported.
+    Sensor,
+    /// What the sensor reported.
+    Value,
+    /// What somebody did.
+    Label,
+    /// Which home or person the row belongs to.
+    Home,
+    /// What kind of sensor reported.
+    Kind,
+    /// In which room the sensor is.
+    Room,
+    /// The unit of the value.
+    Unit,
+    /// The readings of one sensor, whose name is the heading.
+    OneSensor,
+    /// Nothing: the reader passes it over.
+    Unused,
 }
 
 /// Which clock a log's instants are told by.

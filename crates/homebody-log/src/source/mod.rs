@@ -56,7 +56,7 @@ use homebody_core::scenario::logger::LoggerFile;
 pub use instant::{Instant, since_1970};
 pub(crate) use lives::lives_of;
 pub use lives::{Life, LifeSpan, SpanKind, activities, life_spans, lives};
-pub use log::{Clock, Event, Log};
+pub use log::{Clock, ColumnRole, ColumnUse, Event, Log};
 pub use movements::{Movement, MovementKind, Movements};
 pub use reading::Reading;
 pub(crate) use recorded_truth::{LABEL_TABLES, RecordedTruth};

@@ -2,11 +2,12 @@
 
 use super::activities::{Activity, Notes};
 use super::instant::{Instant, Instants};
-use super::log::{Clock, Event, Log};
+use super::log::{Clock, ColumnRole, ColumnUse, Event, Log};
 use crate::error::{LogError, place_of};
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
 use crate::packed::unpacked;
 use crate::plain::text;
+use crate::sensor_info::SensorInfo;
 use crate::skipped::Skipped;
 use foldhash::HashMap;
 use homebody_core::problem::readable;
@@ -259,6 +260,24 @@ impl<'t> Reading<'t> {
         if self.log.problems.len() < MOST_TOLD {
             self.log.problems.push(Skipped { line, beside: self.beside.clone(), why });
         }
+    }
+
+    /// Keeps what the source reports of a sensor: its name, kind, unit and room. What a table of sensors beside the log has of
+    /// it, or what came first, stays.
+    pub fn know(&mut self, sensor: SensorInfo) {
+        if self.log.known.iter().all(|known| known.id != sensor.id) {
+            self.log.known.push(sensor);
+        }
+    }
+
+    /// Records that nothing was recorded between two instants on the log's clock.
+    pub fn gap(&mut self, begin: Micros, end: Micros) {
+        self.log.gaps.push((begin, end));
+    }
+
+    /// Records what a column was taken for, and why.
+    pub fn column(&mut self, column: &str, used_as: ColumnRole, because: &str) {
+        self.log.columns.push(ColumnUse { column: column.into(), used_as, because: because.into() });
     }
 
     /// From now on a file beside the log is read.
