@@ -13,6 +13,9 @@ use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
+/// Analyses that keep figures of each day cover at most ten years.
+pub const MOST_DAYS: usize = 3_660;
+
 /// Midnight at the beginning of a date, in microseconds since 1970.
 pub fn midnight(day: Date) -> Micros {
     let days = date(1970, 1, 1).until(day).map_or(0, |span| span.get_days());

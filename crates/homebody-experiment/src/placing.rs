@@ -36,9 +36,9 @@ const STEP_M: f64 = 0.1;
 
 /// Less is nothing that a sensor adds (ours).
 const ADDS: f64 = 1e-6;
-/// Pairs are made of so many sensors, those that alone tell most (ours), as there are too many of all.
-const PAIRED: usize = 14;
-/// So many sensors go for others at most (ours).
+/// Pairs are made of this many sensors, those that add most, as there are too many pairs of all.
+const PAIRED: usize = 8;
+/// This many sensors are exchanged at most.
 const MOST_SWAPS: usize = 3;
 
 /// What somebody wants to see.

@@ -5,10 +5,13 @@ use homebody_analysis::dates::{date_of, midnight as midnight_of};
 use homebody_core::geometry::Point;
 use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
+use homebody_core::scenario::edit::text_of_path;
 use homebody_core::scenario::load::Scenario;
+use homebody_core::scenario::path::PathFile;
 use homebody_core::scenario::resident::{DriverFile, ResidentFile};
 use homebody_core::time::{DAY, Micros};
 use homebody_infer::{Guess, Instant, Kind, Message, Said, Senses, Spell, Track, spells, translate};
+use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::{Cancel, Event, Log};
 use homebody_walk::Mesh;
 use jiff::civil::Time;
@@ -392,13 +395,26 @@ fn acted_out(
         let body = scenario.residents.get(who).or(scenario.residents.first());
         let radius_m = body.map_or(0.2, |resident| resident.file.radius_m);
         let mesh = Mesh::with_numbers(scenario.home.plan(), radius_m, scenario.home.numbers());
-        let (path, acted_out) = track.path(&mesh, heard.length);
+        let (path, acted_out) = path_that_is_read(track, &mesh, heard.length);
         length = length.min(acted_out);
         let name = if who < residents { format!("walked-back-{}.path.json", who + 1) } else { PATH_OF_GUEST.into() };
         edit = edit.path(who, &name, &path);
     }
     let loaded = edit.file(|file| file.days = heard.calendar.days_lived(length)).load()?;
     Ok((loaded.sources, loaded.entry, length))
+}
+
+/// The path of a track until `end`, and how much of it the path has: so many whole days as its file may be large.
+fn path_that_is_read(track: &Track, mesh: &Mesh, end: Micros) -> (PathFile, Micros) {
+    let (mut path, mut length) = track.path(mesh, end);
+    loop {
+        let bytes = text_of_path(&path).len() as Micros;
+        let days = length / DAY * LARGEST_OF_SCENARIO_BYTES as Micros / bytes.max(1);
+        if bytes <= LARGEST_OF_SCENARIO_BYTES as Micros || days == 0 {
+            return (path, length);
+        }
+        (path, length) = track.path(mesh, days * DAY);
+    }
 }
 
 const PATH_OF_GUEST: &str = "walked-back-guest.path.json";

@@ -6,7 +6,7 @@ use crate::scenario::open;
 use crate::store::Destinations;
 use crate::translation::{Doubt, Place, Translation, Whereabouts, walk_back};
 use homebody_analysis::dates::date_of;
-use homebody_analysis::explained::{Explained, explained};
+use homebody_analysis::explained::{Explained, SensorExplained, explained};
 use homebody_core::home::plan::Plan;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::scheme::Scheme;
@@ -126,7 +126,8 @@ pub fn walk_into(
     write(&to.join(ROOMS), &rooms(&translation, plan)?)?;
     keep(&to.join(GIVEN), read)?;
     let relived = relive(to, &translation.entry, cancel, |share| progress(WALKING + share * (1.0 - WALKING)))?;
-    let report = report(name, read, &relived, &translation);
+    let mut report = report(name, read, &relived, &translation);
+    report.remarks.extend(unexplained_uses(&report.explained, scenario));
     let text = serde_json::to_string_pretty(&report).map_err(|error| Error::file(to, error.to_string()))?;
     write(&to.join(REPORT), (text + "\n").as_bytes())?;
     Ok(report)
@@ -183,6 +184,28 @@ fn report(name: &str, read: &LogWithRun, relived: &LogWithRun, translation: &Tra
         explained: explained(&beginning(&read.log, translation), &relived.log),
     }
 }
+
+/// Says that a path uses no things, where the log has firings of sensors that report such use.
+fn unexplained_uses(explained: &Explained, scenario: &Scenario) -> Option<String> {
+    let sensors = scenario.home.placed_sensors();
+    let reports_use = |name: &str| sensors.iter().any(|sensor| sensor.name == name && !sensor.senses_motion());
+    let silent = |one: &&SensorExplained| one.counts.real > 0 && one.counts.relived == 0 && reports_use(&one.sensor);
+    let uses: Vec<&SensorExplained> = explained.sensors.iter().filter(silent).collect();
+    let firings: u64 = uses.iter().map(|one| one.counts.real).sum();
+    let names: Vec<&str> = uses.iter().map(|one| one.sensor.as_str()).take(MOST_NAMED).collect();
+    let more = if uses.len() > names.len() { " and others" } else { "" };
+    (firings > 0).then(|| {
+        format!(
+            "{firings} of {} firings report that somebody used a thing ({}{more}): a path that is walked back uses nothing, \
+             so it explains none of them",
+            explained.all.real,
+            names.join(", ")
+        )
+    })
+}
+
+/// No more sensors are named in a sentence.
+const MOST_NAMED: usize = 5;
 
 /// The part of a log that is lived again, by the home's own names of its sensors.
 pub(crate) fn beginning(log: &Log, translation: &Translation) -> Log {

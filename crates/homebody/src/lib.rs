@@ -7,6 +7,7 @@ mod installation;
 mod length;
 mod pace;
 mod print;
+mod progress;
 mod signals;
 mod start;
 mod prometheus;

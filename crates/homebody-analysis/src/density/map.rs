@@ -8,14 +8,12 @@ use serde::Serialize;
 use std::ops::Range;
 
 use super::{Absence, Cell, Entrance, LEAST, Sign, State, Sum, absences, is_seat};
-use crate::dates::{ClockSet, clocks_set, date_of, midnight};
+use crate::dates::{ClockSet, MOST_DAYS, clocks_set, date_of, midnight};
 use crate::signs::{Kind, LogSensors, Says, says};
 
 const HOUR: Micros = 3600 * SECOND;
 /// A longer silence of all sensors is no recording.
 const SILENCE: Micros = DAY;
-/// The longest map: ten years.
-const MOST_DAYS: usize = 3660;
 
 /// What somebody wants to know of a log.
 #[derive(Clone, Debug)]

@@ -1,12 +1,9 @@
 //! How many rows each sensor has on each date.
 
-use crate::dates::date_of;
+use crate::dates::{MOST_DAYS, date_of};
 use homebody_core::time::{DAY, Micros};
 use jiff::civil::Date;
 use std::collections::BTreeMap;
-
-/// Dates are listed where they are no more (ours): ten years.
-const MOST_DAYS: i64 = 3_660;
 
 /// No more counts are kept (ours): a thousand sensors for ten years.
 const MOST_COUNTS: usize = 4_000_000;
@@ -59,7 +56,7 @@ impl DayCounts {
             return (Vec::new(), Vec::new());
         };
         let (first, days) = (*first, last - first + 1);
-        if days > MOST_DAYS || days as usize * sensors > MOST_COUNTS {
+        if days as usize > MOST_DAYS || days as usize * sensors > MOST_COUNTS {
             return (Vec::new(), Vec::new());
         }
         let mut by_sensor = vec![vec![0; days as usize]; sensors];

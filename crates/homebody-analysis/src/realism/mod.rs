@@ -27,6 +27,7 @@ mod heard;
 mod measures;
 mod table;
 
+use crate::dates::MOST_DAYS;
 use crate::density::{self, density};
 use figures::Figures;
 use forest::Rows;
@@ -149,6 +150,9 @@ pub enum NotComparable {
     /// The log of this name has no whole day.
     #[error("{0}: no day of it is whole\n  hint: days are compared, so record or live two days or more")]
     NoDay(String),
+    /// The log of this name spans too many days.
+    #[error("{0}: it spans {1} days, but realism compares at most ten years\n  hint: compare a part of the log")]
+    TooLong(String, usize),
 }
 
 /// The fewest days on each side from which anybody can say whether days are told apart.
@@ -162,6 +166,7 @@ const MOST_SIGNS: usize = 8;
 pub fn realism(a: Told, b: Told) -> Result<Realism, Vec<NotComparable>> {
     let logs = [a, b].map(|told| Heard::of(told.log, told.recorded));
     let problem = |(told, heard): (&Told, &Heard)| match () {
+        () if heard.days_count() > MOST_DAYS => Some(NotComparable::TooLong(told.name.into(), heard.days_count())),
         () if heard.sensors.is_empty() => Some(NotComparable::NoMotion(told.name.into())),
         () if heard.days_count() == 0 => Some(NotComparable::NoDay(told.name.into())),
         () => None,

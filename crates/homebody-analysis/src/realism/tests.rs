@@ -151,3 +151,14 @@ fn people_get_a_table_of_every_measure() {
     assert!(text.contains("days told apart        -       -"), "{text}");
     assert!(text.ends_with(MEASURES));
 }
+
+#[test]
+fn rejects_logs_that_span_more_than_ten_years() {
+    let day = 24 * 3600;
+    let of_years = |years: i64| log(&[(0, "M1", "ON"), (5, "M1", "OFF"), (years * 366 * day, "M1", "ON")]);
+    let (short, long) = (of_years(1), of_years(11));
+    let named = |name, log| Told { name, log, recorded: None };
+    let problems = realism(named("short", &short), named("long", &long)).unwrap_err();
+    assert!(matches!(&problems[..], [NotComparable::TooLong(name, _)] if name == "long"), "{problems:?}");
+    assert!(realism(named("short", &short), named("short", &short)).is_ok());
+}

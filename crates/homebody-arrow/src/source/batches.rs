@@ -2,13 +2,16 @@
 
 use super::guard::guarded;
 use super::ipc::IpcRows;
+use super::pages;
 use crate::fault::broken;
 use crate::layout::ABOUT;
 use arrow_array::RecordBatch;
-use arrow_schema::SchemaRef;
+use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use homebody_log::{LogError, plain};
 use parquet::arrow::ProjectionMask;
-use parquet::arrow::arrow_reader::{ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder};
+use parquet::arrow::arrow_reader::{
+    ArrowReaderMetadata, ArrowReaderOptions, ParquetRecordBatchReader, ParquetRecordBatchReaderBuilder,
+};
 use std::fs::File;
 use std::io::{ErrorKind, Read, Seek};
 use std::path::{Path, PathBuf};
@@ -17,8 +20,11 @@ use std::path::{Path, PathBuf};
 pub(super) const PARQUET: &[u8] = b"PAR1";
 pub(super) const ARROW: &[u8] = b"ARROW1";
 
-/// Rows that are decoded together (ours).
+/// Rows that are decoded together.
 const ROWS_AT_ONCE: usize = 8192;
+
+/// The same where texts share their beginnings: each of them may be as long as its page.
+const ROWS_THAT_SHARE: usize = 64;
 
 /// The rows of a file.
 pub(crate) struct Batches {
@@ -41,7 +47,7 @@ pub(super) struct Opened {
 }
 
 enum Unread {
-    Parquet(Box<ParquetRecordBatchReaderBuilder<File>>),
+    Parquet(File, ArrowReaderMetadata),
     Arrow(Box<IpcRows>),
 }
 
@@ -69,11 +75,12 @@ impl Opened {
             let why = "it is neither Parquet nor Arrow IPC".to_owned();
             return Err(LogError::NoLog { place: path.display().to_string(), why });
         }
-        let opened = guarded(|| ParquetRecordBatchReaderBuilder::try_new(file));
-        let rows = opened.map_err(|why| broken(path, "Parquet", why))?;
-        let told = rows.metadata().file_metadata().key_value_metadata();
-        let about = told.and_then(|all| all.iter().find(|told| told.key == ABOUT)?.value.clone());
-        Ok(Opened { path: path.into(), schema: rows.schema().clone(), about, rows: Unread::Parquet(Box::new(rows)) })
+        let opened = guarded(|| ArrowReaderMetadata::load(&file, ArrowReaderOptions::new()));
+        let metadata = opened.map_err(|why| broken(path, "Parquet", why))?;
+        let keys = metadata.metadata().file_metadata().key_value_metadata();
+        let about = keys.and_then(|all| all.iter().find(|entry| entry.key == ABOUT)?.value.clone());
+        let schema = metadata.schema().clone();
+        Ok(Opened { path: path.into(), schema, about, rows: Unread::Parquet(file, metadata) })
     }
 
     /// Its rows, with these columns in the order that they have in the file; all for None.
@@ -84,17 +91,48 @@ impl Opened {
                 rows.project(columns);
                 Rows::Arrow(rows)
             }
-            Unread::Parquet(builder) => {
-                let mask = match columns {
-                    Some(columns) => ProjectionMask::roots(builder.parquet_schema(), columns.iter().copied()),
-                    None => ProjectionMask::all(),
-                };
-                let reader = guarded(|| builder.with_projection(mask).with_batch_size(ROWS_AT_ONCE).build());
+            Unread::Parquet(file, metadata) => {
+                let reader = parquet_rows(file, metadata, columns);
                 Rows::Parquet(Box::new(reader.map_err(|why| broken(&path, "Parquet", why))?))
             }
         };
         Ok(Batches { path, rows })
     }
+}
+
+/// Reads these columns of a Parquet file, all for `None`, once the sizes of its pages are known to be sane.
+fn parquet_rows(
+    file: File,
+    metadata: ArrowReaderMetadata,
+    columns: Option<&[usize]>,
+) -> Result<ParquetRecordBatchReader, String> {
+    let shares = pages::check(&file, metadata.metadata(), columns)?;
+    let rows_at_once = if shares { ROWS_THAT_SHARE } else { ROWS_AT_ONCE };
+    guarded(|| {
+        let metadata = match columns {
+            Some(_) => {
+                let options = ArrowReaderOptions::new().with_schema(with_views(metadata.schema()));
+                ArrowReaderMetadata::try_new(metadata.metadata().clone(), options)?
+            }
+            None => metadata,
+        };
+        let builder = ParquetRecordBatchReaderBuilder::new_with_metadata(file, metadata);
+        let mask = match columns {
+            Some(columns) => ProjectionMask::roots(builder.parquet_schema(), columns.iter().copied()),
+            None => ProjectionMask::all(),
+        };
+        builder.with_projection(mask).with_batch_size(rows_at_once).build()
+    })
+}
+
+/// A schema whose texts refer to their page: a long text that many rows repeat is in memory once.
+fn with_views(schema: &Schema) -> SchemaRef {
+    let view = |field: &Field| match field.data_type() {
+        DataType::Utf8 | DataType::LargeUtf8 => field.clone().with_data_type(DataType::Utf8View),
+        _ => field.clone(),
+    };
+    let fields: Vec<Field> = schema.fields().iter().map(|field| view(field)).collect();
+    Schema::new_with_metadata(fields, schema.metadata().clone()).into()
 }
 
 /// All rows of a file of Parquet or Arrow IPC, with its columns.

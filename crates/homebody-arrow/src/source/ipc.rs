@@ -14,11 +14,14 @@ use std::io::{self, Read, Seek, SeekFrom};
 /// What a file ends with: the footer's length and the magic word.
 const TRAILER_BYTES: u64 = 10;
 
-/// No record batch is larger once it is unpacked (ours).
-const LARGEST_BATCH_BYTES: u64 = 1 << 30;
+/// A record batch that unpacks to no more than this is read, however well it is packed.
+const SMALL_BATCH_BYTES: u64 = 64 << 20;
 
-/// No packing makes so much of a byte: a block of 128 KiB takes four at least (RFC 8878, 3.1.1.2).
-const LARGEST_RATIO: u64 = 1 << 15;
+/// A larger batch unpacks to no more than this many times its packed size.
+const LARGEST_RATIO: u64 = 100;
+
+/// No record batch is larger once it is unpacked.
+const LARGEST_BATCH_BYTES: u64 = 1 << 30;
 
 /// Its record batches, one after the other.
 pub(super) struct IpcRows {
@@ -136,13 +139,12 @@ fn is_believed(batch: &Message, body: &[u8]) -> Result<(), String> {
         let (unpacked, packed) = packed.split_first_chunk::<8>().ok_or(SHORT)?;
         // A negative number says that it is not packed.
         let unpacked = u64::try_from(i64::from_le_bytes(*unpacked)).unwrap_or(packed.len() as u64);
-        if unpacked > (packed.len() as u64).saturating_mul(LARGEST_RATIO) {
-            return Err("a part of it says that it unpacks to more than it can".into());
-        }
         all = all.saturating_add(unpacked);
     }
-    match all > LARGEST_BATCH_BYTES {
-        true => Err(format!("a batch of its rows unpacks to more than {} MB", LARGEST_BATCH_BYTES >> 20)),
+    let in_proportion = (body.len() as u64).saturating_mul(LARGEST_RATIO);
+    let largest = in_proportion.clamp(SMALL_BATCH_BYTES, LARGEST_BATCH_BYTES);
+    match all > largest {
+        true => Err(format!("a batch of its rows unpacks to more than {} MB", largest >> 20)),
         false => Ok(()),
     }
 }

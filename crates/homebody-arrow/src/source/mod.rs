@@ -7,6 +7,7 @@ mod files;
 mod guard;
 mod here;
 mod ipc;
+mod pages;
 mod rows;
 mod tables;
 

@@ -8,7 +8,7 @@ use super::input::InputFile;
 use super::link::LinkFile;
 use super::load::{Files, Overlay, Scenario};
 use super::logger::LoggerFile;
-use super::path::PathFile;
+use super::path::{PathFile, Step};
 use super::resident::{DriverFile, LiveFile, ResidentFile};
 use crate::geometry::At;
 use crate::problem::Problems;
@@ -104,8 +104,8 @@ impl ScenarioEdit {
 
     /// A resident follows this path, in a file of this name.
     pub fn path(self, resident: usize, name: &str, path: &PathFile) -> ScenarioEdit {
-        let text = text_of(path);
-        self.text(name, text).resident(resident, |resident| resident.driver = DriverFile::Path(name.into()))
+        self.text(name, text_of_path(path))
+            .resident(resident, |resident| resident.driver = DriverFile::Path(name.into()))
     }
 
     /// A resident lives by this routine, in a file of this name.
@@ -171,6 +171,33 @@ fn value_of(file: &impl Serialize) -> Value {
     serde_json::to_value(file).expect(WRITABLE)
 }
 
+/// A path as its file has it: one step a line, so that months of steps stay a file that is read.
+pub fn text_of_path(path: &PathFile) -> String {
+    let head = text_of(&PathFile { steps: Vec::new(), ..path.clone() });
+    let mut text = head.trim_end().trim_end_matches(['}', ']', '\n']).to_owned();
+    steps_into(&path.steps, 1, &mut text);
+    text + "\n}\n"
+}
+
+/// Writes the steps of a list that has been opened, and closes it.
+fn steps_into(steps: &[Step], depth: usize, text: &mut String) {
+    let indent = |depth: usize| "  ".repeat(depth);
+    for (number, step) in steps.iter().enumerate() {
+        text.push_str(if number == 0 { "\n" } else { ",\n" });
+        text.push_str(&indent(depth + 1));
+        match step {
+            Step::Repeat(repeat) => {
+                let times = repeat.times.map_or(String::new(), |times| format!("\"times\": {times}, "));
+                text.push_str(&format!("{{\"repeat\": {{{times}\"steps\": ["));
+                steps_into(&repeat.steps, depth + 1, text);
+                text.push_str("}}");
+            }
+            step => text.push_str(&serde_json::to_string(step).expect(WRITABLE)),
+        }
+    }
+    text.push_str(&format!("\n{}]", indent(depth)));
+}
+
 fn text_of(file: &impl Serialize) -> String {
     serde_json::to_string_pretty(file).expect(WRITABLE) + "\n"
 }
@@ -180,6 +207,20 @@ mod tests {
     use super::*;
     use crate::scenario::home::{MotionFile, RoomFile, SensorFile, WallFile};
     use crate::scenario::path::{Posture, Spot};
+
+    #[test]
+    fn a_path_is_one_step_a_line_and_reads_as_it_was() {
+        let text = r#"{"start": [1, 2], "posture": "lying", "steps": [
+            {"wait": {"for_s": 1.5, "stir": {"every_s": 2, "for_s": 1}}}, {"activity": "cooking"},
+            {"repeat": {"times": 2, "steps": [{"go": {"to": [[1, 2], "bed"]}}, {"repeat": {"steps": [{"away": {"until": "07:30"}}]}}]}}]}"#;
+        let path: PathFile = serde_json::from_str(text).unwrap();
+        for path in [PathFile { steps: Vec::new(), ..path.clone() }, path] {
+            let text = text_of_path(&path);
+            assert_eq!(serde_json::from_str::<PathFile>(&text).unwrap(), path, "{text}");
+            let steps = text.lines().filter(|line| line.contains('{') && line.len() > 1);
+            assert_eq!(steps.count(), if path.steps.is_empty() { 0 } else { 6 }, "{text}");
+        }
+    }
 
     fn one_room() -> ScenarioEdit {
         let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];

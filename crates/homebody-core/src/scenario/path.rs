@@ -179,8 +179,8 @@ impl Posture {
     }
 }
 
-/// More steps and waypoints than this are no path (ours): two weeks of somebody whose every way was found by a log.
-pub const MOST_STEPS: usize = 60_000;
+/// A path has at most this many steps and waypoints: some two months of a person whose ways a log tells.
+pub const MOST_STEPS: usize = 120_000;
 
 impl PathFile {
     /// How many steps there are, the repeated ones once, and waypoints with them: no more than [`MOST_STEPS`].

@@ -13,7 +13,7 @@ const GREATEST_DEPTH: usize = 64;
 
 /// No file of a scenario has more values: keys, items, objects and lists counted together (ours). Each takes some 200 bytes
 /// while the file is read.
-pub const MOST_VALUES: usize = 500_000;
+pub const MOST_VALUES: usize = 1_000_000;
 
 /// No text in a file is longer, in bytes (ours): names, sentences about something, times.
 pub const LONGEST_TEXT_BYTES: usize = 10_000;

@@ -93,7 +93,7 @@ fn what_costs_the_square_of_the_size_is_seen() {
 
 #[test]
 fn what_is_too_long_is_refused_in_words() {
-    let (text, values) = (format!("\"{}\"", "x".repeat(10_001)), list(500_001, |_| "0".into()));
+    let (text, values) = (format!("\"{}\"", "x".repeat(10_001)), list(1_000_001, |_| "0".into()));
     check(&[(
         "scenario.json",
         r#""home": "home.json""#,
@@ -102,17 +102,17 @@ fn what_is_too_long_is_refused_in_words() {
     )]);
     assert_eq!(
         said(&with("home.json", format!("[{values}]"))),
-        "home.json:1:1000001: the file has more than 500000 values"
+        "home.json:1:2000001: the file has more than 1000000 values"
     );
     let steps = said(&path(10_001, |_| "{\"wait\":{\"for_s\":1}}".into()));
     assert_eq!(
         steps,
         r#"ann.path.json:1:24: "steps" must have at most 10000 items, but has 10001; What the resident does, in this order"#
     );
-    let waypoints = said(&path(100, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(650, |i| format!("[1.{i},1]")))));
+    let waypoints = said(&path(130, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(950, |i| format!("[1.{i},1]")))));
     assert_eq!(
         waypoints,
-        "ann.path.json:1:24: the path has more than 60000 steps and waypoints together; let what comes again be repeated, or say a life as a routine"
+        "ann.path.json:1:24: the path has more than 120000 steps and waypoints together; let what comes again be repeated, or say a life as a routine"
     );
 }
 

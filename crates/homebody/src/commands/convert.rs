@@ -3,6 +3,7 @@
 use super::read_log::{Mapped, tell_remarks};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
+use crate::progress;
 use homebody_analysis::look::Looker;
 use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
@@ -11,7 +12,7 @@ use homebody_log::fresh::same_file;
 use homebody_log::source::{Form, forms};
 use homebody_log::truth::tables;
 use homebody_log::{Activity, How, Life, RunClock, Transfer, Url, convert, lives};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
 /// What the forms of a log are, for a help.
@@ -152,8 +153,7 @@ pub fn files_of(truth: &Url) -> Vec<PathBuf> {
     truth.files(&tables()).into_iter().chain(truth.file().map(Path::to_owned)).collect()
 }
 
-/// A bar that shows how many rows have been written, where somebody looks.
+/// A bar that shows how many rows have been written.
 pub fn rows_bar(rows: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {human_pos} rows  {eta} left");
-    ProgressBar::new(rows).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    progress::bar(rows, "{bar:40} {percent:>3} %  {human_pos} rows  {eta} left")
 }

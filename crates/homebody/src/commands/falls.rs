@@ -3,11 +3,12 @@
 use super::answer::Figures;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::print_text;
+use crate::progress;
 use homebody_analysis::falls::rules::{FallRules, USUAL};
 use homebody_kit::{Fallen, FallsFound, LogWithSilhouettes, NamedLog, falls_in};
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::plain;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -59,12 +60,11 @@ impl Arguments {
     }
 }
 
-/// A bar that shows how far silhouettes have been looked at, where somebody looks.
+/// A bar that shows how far silhouettes have been looked at.
 pub fn looking_bar(named: &NamedLog) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left");
     let length = LogWithSilhouettes::beside(named).and_then(|kept| Ok(kept.silhouettes.span()?));
     let end = length.ok().flatten().map_or(0, |(_, last)| last.max(0) as u64);
-    ProgressBar::new(end).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    progress::bar(end, progress::SHARE)
 }
 
 /// The rules of a file.

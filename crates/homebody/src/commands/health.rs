@@ -5,8 +5,8 @@ use super::read_log::read_log;
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
+use crate::progress;
 use homebody_kit::health;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::path::PathBuf;
 
 /// Says what is wrong with the sensors of a home, by its log alone: which are stuck, dead or weak, lose messages, fire for no
@@ -44,9 +44,7 @@ impl Arguments {
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
         let read = read_log(&self.log, Some(&zone))?;
-        let bar = ProgressBar::new(1000);
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left");
-        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let bar = progress::bar(1000, progress::SHARE);
         let health = health(&read.log, home.scenario(), |share| bar.set_position((share * 1000.0) as u64))?;
         bar.finish_and_clear();
         health.remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.log)));

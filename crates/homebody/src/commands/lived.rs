@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
+use crate::progress::bar_unless;
 use crate::signals::Signals;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, Scheme, SchemeRow};
@@ -9,7 +10,7 @@ use homebody_core::time::{Micros, SECOND, seconds};
 use homebody_kit::{Destinations, Difference, Error, LiveRun, Lived, Progress, Url, VERSION, WhenDown};
 use homebody_log::LogError;
 use homebody_log::sink::log_beside;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -37,13 +38,9 @@ pub struct Output {
 }
 
 impl Output {
-    /// A bar that shows how far the run is, where somebody looks.
+    /// A bar that shows how far the run is.
     pub fn progress(&self, length: Micros) -> ProgressBar {
-        let hidden = self.quiet || self.json;
-        let target = if hidden { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {msg}  {eta} left");
-        let style = style.unwrap_or_else(|_| ProgressStyle::default_bar());
-        ProgressBar::with_draw_target(Some(length as u64), target).with_style(style)
+        bar_unless(self.quiet || self.json, length as u64, "{bar:40} {percent:>3} %  {msg}  {eta} left")
     }
 }
 

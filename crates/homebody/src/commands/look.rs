@@ -4,6 +4,7 @@ use super::answer::Answer;
 use super::read_log::{Mapped, go_on};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, write_file};
+use crate::progress::Working;
 use homebody_analysis::density::density;
 use homebody_analysis::look::{HomeSensor, Look, Looker};
 use homebody_core::scenario::calendar::Calendar;
@@ -85,7 +86,9 @@ impl Arguments {
             None => None,
         };
         let mut looker = Looker::new(zone.or_else(|| named.zone()));
+        let reading = Working::on(format!("reading {}", named.name));
         let about = named.stream(&mut |part| looker.take(part))?;
+        drop(reading);
         let known = |id: &str| about.known.iter().find(|known| known.id == id).map(|known| known.name.as_str());
         let name = |id: &str| map.name(id).or_else(|| named.name_of(id)).or_else(|| known(id)).map(str::to_owned);
         let home = home.as_ref().map(|(name, sensors)| (name.as_str(), &sensors[..]));

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::print::tell;
+use crate::progress::Working;
 use homebody_kit::{LogWithRun, NamedLog, Unended};
 use homebody_log::source::Clock;
 use homebody_log::{Log, read_mapping};
@@ -35,7 +36,9 @@ impl Mapped {
 
 /// Reads a log on the clock on the wall of its home, and tells what is left out of it.
 pub fn read_log(text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
+    let reading = Working::on(format!("reading {text}"));
     let read = LogWithRun::read(text, zone)?;
+    drop(reading);
     tell_remarks(text, &read.log);
     if read.log.skipped > 0 {
         tell(format_args!("{text}: {} lines were left out; homebody look says which", read.log.skipped));

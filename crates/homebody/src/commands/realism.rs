@@ -3,6 +3,7 @@
 use super::answer::Answer;
 use super::read_log::read_log;
 use crate::failure::Failure;
+use crate::progress::Working;
 use homebody_analysis::realism::{MEASURES, NotComparable, Told, realism};
 use homebody_kit::LogWithRun;
 use homebody_picture::{realism_chart, realism_page};
@@ -43,10 +44,12 @@ impl Arguments {
         let (a, b) = (read_log(&self.a, zone)?, read_log(&self.b, zone)?);
         let sources: Vec<PathBuf> = [&a, &b].into_iter().flat_map(|log| log.sources.clone()).collect();
         let answer = self.answer.check_beside([""], self.html.as_deref(), &sources)?;
+        let comparing = Working::on(format!("comparing {} with {}", self.b, self.a));
         let realism = realism(told(&a), told(&b)).map_err(|problems| {
             let said: Vec<String> = problems.iter().map(NotComparable::to_string).collect();
             Failure::usage(said.join("\nerror: "))
         })?;
+        drop(comparing);
         answer.give_beside(&realism, [&|| realism_chart(&realism)], &|| realism_page(&realism))
     }
 }

@@ -5,9 +5,9 @@ use super::read_log::read_log;
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json, print_text, tell};
+use crate::progress;
 use homebody_kit::Cancel;
 use homebody_kit::walked::walk_into;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::path::PathBuf;
 
 /// Walks a log back through the plan of its home: where everybody was at each instant, with how much doubt; and lives that
@@ -84,9 +84,7 @@ impl Arguments {
             return followed.follow(home.scenario());
         };
         let read = read_log(&self.log, Some(&zone))?;
-        let bar = ProgressBar::new(1000);
-        let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {eta} left");
-        bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let bar = progress::bar(1000, progress::SHARE);
         let progress = |share| bar.set_position((share * 1000.0) as u64);
         let report = walk_into(to, (&self.log, &read), home.scenario(), &Cancel::new(), progress)?;
         bar.finish_and_clear();

@@ -4,6 +4,7 @@ use super::walk_back::every_fault;
 use crate::commands::alerts::rules;
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
+use crate::progress::bar;
 use homebody_analysis::alerts::Rules;
 use homebody_analysis::measures::Measures;
 use homebody_core::scenario::link::LinkFile;
@@ -13,7 +14,6 @@ use homebody_experiment::measures::NotMeasured;
 use homebody_experiment::people::{CONDITIONS, Lives, ONSET, Opened, People};
 use homebody_kit::template;
 use homebody_picture::{TotalsLine, totals_chart};
-use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -85,9 +85,7 @@ impl Arguments {
             };
             layouts.iter().map(heard).collect()
         };
-        let progress = ProgressBar::new(u64::from(people.count()));
-        let style = ProgressStyle::with_template("{bar:40} {pos} of {len} people  {eta} left");
-        progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let progress = bar(u64::from(people.count()), "{bar:40} {pos} of {len} people  {eta} left");
         let one_more = || {
             progress.inc(1);
             true

@@ -2,9 +2,9 @@
 
 use crate::commands::answer::Figures;
 use crate::failure::Failure;
+use crate::progress::bar;
 use homebody_experiment::claims::{CLAIMS, Case, Experiment, Row};
 use homebody_kit::Error;
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 /// What is said is lived, or told before the run: a table of claims.
@@ -46,9 +46,7 @@ impl Arguments {
 
 /// Lives all cases, on all processors: what came of them in their order.
 pub fn lived(cases: &[Case], days: i32, seed: u64) -> Result<Vec<Row>, Failure> {
-    let progress = ProgressBar::new(cases.len() as u64);
-    let style = ProgressStyle::with_template("{bar:40} {pos} of {len} cases  {eta} left");
-    progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let progress = bar(cases.len() as u64, "{bar:40} {pos} of {len} cases  {eta} left");
     let live = |case: &Case| {
         let rows = case.live(days, seed);
         progress.inc(1);

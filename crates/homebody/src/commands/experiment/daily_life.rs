@@ -2,6 +2,7 @@
 
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
+use crate::progress::bar;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::event::Events;
 use homebody_core::ids::{ResidentId, RoomId};
@@ -14,7 +15,6 @@ use homebody_core::time::{DAY, micros};
 use homebody_experiment::daily_life::{Experiment, Lived, Person};
 use homebody_kit::Error;
 use homebody_routine::household::Household;
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
 /// Generated older adults lived at home, beside what was published of real ones.
@@ -46,9 +46,7 @@ impl Arguments {
         let answer = self.answer.check(["", "hours"], &[])?;
         let opened = homebody_kit::template(SCENARIO)?;
         let (scenario, household) = (opened.scenario(), opened.household().one_of_many());
-        let progress = ProgressBar::new(u64::from(self.people));
-        let style = ProgressStyle::with_template("{bar:40} {pos} of {len} people  {eta} left");
-        progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let progress = bar(u64::from(self.people), "{bar:40} {pos} of {len} people  {eta} left");
         let live = |number: u32| {
             let seed = seed_of(self.seed, number);
             let person = live(scenario, &household, seed, self.days)?;

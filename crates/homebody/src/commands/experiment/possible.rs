@@ -3,6 +3,7 @@
 use crate::commands::scenario::Trust;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
+use crate::progress::bar;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::event::Events;
 use homebody_core::run::{DriverProvider, Run};
@@ -10,7 +11,6 @@ use homebody_core::time::{DAY, SECOND};
 use homebody_experiment::possible::{Lives, Possible, Row};
 use homebody_kit::{OpenScenario, Template};
 use homebody_routine::routine::Kind;
-use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::path::PathBuf;
 
@@ -44,7 +44,7 @@ impl Arguments {
                 self.scenarios.iter().map(open).collect::<Result<_, _>>()?
             }
         };
-        let progress = ProgressBar::new(opened.len() as u64);
+        let progress = bar(opened.len() as u64, "{bar:40} {pos} of {len} scenarios  {eta} left");
         let rows: Result<Vec<Row>, DriverError> = opened
             .par_iter()
             .map(|opened| {

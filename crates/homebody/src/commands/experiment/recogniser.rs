@@ -3,9 +3,9 @@
 use crate::commands::read_log::read_log;
 use crate::failure::Failure;
 use crate::print::{json_text, print_json, print_text, write_file};
+use crate::progress::bar;
 use homebody_experiment::recogniser::{Case, NotRecognised, Prepared};
 use homebody_log::places::can_be_written;
-use indicatif::ProgressBar;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -52,7 +52,7 @@ impl Arguments {
         };
         let refused = |why: NotRecognised| Failure::Usage(format!("{}: {why}", path.display()));
         let prepared = Prepared::new(&read_log(&path.to_string_lossy(), None)?.log).map_err(refused)?;
-        let progress = ProgressBar::new(u64::from(self.seeds));
+        let progress = bar(u64::from(self.seeds), "{bar:40} {pos} of {len} seeds  {eta} left");
         let seeds: Vec<u64> = (1..=u64::from(self.seeds)).collect();
         let cases: Result<Vec<Case>, NotRecognised> = seeds
             .par_iter()

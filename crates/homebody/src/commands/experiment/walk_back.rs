@@ -2,12 +2,12 @@
 
 use crate::commands::answer::Figures;
 use crate::failure::Failure;
+use crate::progress::bar;
 use homebody_core::scenario::link::LinkFile;
 use homebody_core::scenario::load::Scenario;
 use homebody_experiment::walk_back::{Case, Home, case};
 use homebody_kit::{OpenScenario, template};
 use homebody_routine::routine::Kind;
-use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt;
@@ -75,9 +75,7 @@ pub(super) fn of_homes<Case: Sync, T: Send>(
     ask: impl Fn(&OpenScenario, &Case) -> Result<T, Failure> + Sync,
 ) -> Result<Vec<T>, Failure> {
     let opened = HOMES.map(template).into_iter().collect::<Result<Vec<OpenScenario>, _>>()?;
-    let progress = ProgressBar::new(cases.len() as u64);
-    let style = ProgressStyle::with_template("{bar:40} {pos} of {len} logs  {eta} left");
-    progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let progress = bar(cases.len() as u64, "{bar:40} {pos} of {len} logs  {eta} left");
     let ask = |case: &Case| {
         let answer = ask(&opened[home(case) % HOMES.len()], case);
         progress.inc(1);
