@@ -41,6 +41,7 @@ mod put_back;
 mod commanded;
 #[cfg(feature = "mqtt")]
 mod away;
+mod stalled;
 mod truths;
 mod walked_back;
 mod calibrated;
