@@ -1,5 +1,5 @@
-//! A place that stops answering while rows come, for tests of the crates that have such places: when that is noticed, what the others get
-//! meanwhile, and how soon a run ends that is stopped.
+//! A place that stops answering while rows come, for tests of the crates that have such places. They measure when it is noticed, how many
+//! rows the others get meanwhile, and how soon a stopped run ends.
 
 use homebody_core::event::Firing;
 use homebody_core::scenario::logger::LoggerFile;
@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 /// How long a place may take to answer.
 pub const DEADLINE: Duration = Duration::from_secs(1);
 
-/// What is to come comes within this time, on however slow a machine.
+/// How long a test waits for something, also on a slow machine.
 pub const SOON: Duration = Duration::from_secs(120);
 
 /// Rows of one step, and how many come before the place stops answering.
@@ -24,7 +24,7 @@ const BEFORE: u64 = 1000;
 /// Rows that the other place gets after it was noticed, before the place answers again.
 const BESIDE: u64 = 1000;
 
-/// What may be put aside.
+/// The size of a spool at most.
 const MOST_SPOOLED_BYTES: u64 = 64 << 20;
 
 /// A destination that counts its rows.
@@ -49,7 +49,7 @@ impl Sink for Counting {
     }
 }
 
-/// What was seen of a place that did not answer.
+/// Figures of a place that did not answer.
 #[derive(Debug)]
 pub struct Hang {
     /// Rows of the run.

@@ -141,7 +141,7 @@ impl Unfinished {
         self
     }
 
-    /// Its truth is on a server, where it went before, and is gone on with there.
+    /// Its truth is on a server, and continues there.
     pub fn with_truth(mut self, server: &Url) -> Unfinished {
         self.places.truth = Some(server.clone());
         self

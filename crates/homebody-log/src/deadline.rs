@@ -1,4 +1,4 @@
-//! How long a destination may take to answer one request: what it is asked for, and whoever waits for it, share this clock.
+//! The time that a destination has to answer one request. The destination and its caller share this clock.
 
 use std::fmt;
 use std::sync::Arc;
@@ -34,10 +34,10 @@ impl fmt::Debug for Deadline {
 }
 
 impl Deadline {
-    /// How long files may take, and whatever else says nothing of its own.
+    /// How long files may take, and all that have no time of their own.
     pub const OF_FILES: Duration = Duration::from_secs(120);
 
-    /// How long a server, or whoever reads a pipe, may take.
+    /// How long a server, or the reader of a pipe, may take.
     pub const OF_SERVERS: Duration = Duration::from_secs(10);
 
     /// Answers may take so long, from now on.

@@ -25,16 +25,16 @@ pub struct Destination {
     pub meter: Arc<Meter>,
     /// Ends the wait for it while it is away.
     pub cancel: Cancel,
-    /// What becomes of the run while it is away, beyond what the policy says.
+    /// How the run treats its absence, beyond the policy.
     pub when_down: WhenDown,
     /// The folder in which is noted what it has confirmed, where it cannot say so itself.
     pub notes: Option<PathBuf>,
 }
 
-/// How the destinations of a run are treated where somebody says so.
+/// How a run treats its servers, as its user asks for.
 #[derive(Clone, Debug, Default)]
 pub struct Treatment {
-    /// What becomes of the run while a server, or whoever reads standard output, is away.
+    /// How it treats the absence of a server, or of the reader of standard output.
     pub when_down: WhenDown,
     /// How long one of these may take to answer a request; None for as long as its kind may.
     pub answers_within: Option<Duration>,
@@ -75,7 +75,7 @@ impl Destination {
         Destination { policy, when_down: when.clone(), ..self }
     }
 
-    /// The same, treated as somebody says.
+    /// The same, treated so.
     pub fn treated(self, as_said: &Treatment) -> Destination {
         let answers_within = as_said.answers_within.unwrap_or(self.policy.answers_within);
         let (policy, cancel) = (Policy { answers_within, ..self.policy }, as_said.cancel.clone());

@@ -28,7 +28,7 @@ pub struct Policy {
     pub stops_within: Duration,
 }
 
-/// What a destination has that says nothing else: how long before the first retry, and how many batches may wait for it.
+/// The usual time before the first retry, and the usual number of batches that wait.
 const RETRY_AFTER_MS: u64 = 100;
 const BATCHES_WAITING: usize = 4;
 
@@ -56,7 +56,7 @@ impl Policy {
         Policy { required: false, ..Policy::default() }
     }
 
-    /// A server, or whoever reads a pipe: it must answer within ten seconds, and soon once the run is stopped.
+    /// A server, or the reader of a pipe: it must answer within ten seconds, and soon once the run is stopped.
     pub fn of_server() -> Policy {
         Policy { answers_within: Deadline::OF_SERVERS, stops_within: STOPS_WITHIN, ..Policy::default() }
     }

@@ -1,7 +1,7 @@
-//! A destination that is asked in a thread of its own, so that whoever asks need not wait longer than its deadline says.
+//! A destination in a thread of its own, so that its caller waits no longer than its deadline.
 //!
-//! A call that takes longer is an error that passes. It is not lost: it stays in its thread, and the same call, made again, gets its answer
-//! once that comes. So no rows are given twice, and no more than one thread hangs, however often somebody tries.
+//! A call that takes longer is an error that passes. The call stays in its thread, and the same call, made again, gets the answer once it
+//! comes. So no rows are given twice, and at most one thread hangs, also after many tries.
 
 use crate::cancel::Cancel;
 use crate::deadline::Deadline;
@@ -12,7 +12,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// How often whoever waits looks whether that is to end.
+/// How often a wait is checked.
 const LOOK: Duration = Duration::from_millis(20);
 
 /// By how much a destination that keeps to the deadline itself may be late: its own error says more.
@@ -24,7 +24,7 @@ const BRIEFLY: Duration = Duration::from_millis(50);
 /// How long a destination that is away, or a server, may take to answer once the run is stopped.
 pub(crate) const STOPS_WITHIN: Duration = Duration::from_millis(700);
 
-/// What a destination is asked for.
+/// The calls of a destination.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Call {
     Begin,
@@ -35,7 +35,7 @@ pub(crate) enum Call {
 
 /// A destination of a kind, with a deadline for each answer.
 pub(crate) struct Timed<S: ?Sized, A> {
-    /// What errors call it.
+    /// Its name in errors.
     place: String,
     /// Until its thread has it.
     sink: Option<Box<S>>,
@@ -153,7 +153,7 @@ impl<S: ?Sized + Send + 'static, A: Default + Send + 'static> Timed<S, A> {
         }
     }
 
-    /// The destination has panicked: so does whoever asks it.
+    /// The destination has panicked, and its caller does.
     fn break_up(&mut self) {
         self.unanswered = None;
         if let Some(Err(panic)) = self.hand.take().map(|hand| hand.thread.join()) {

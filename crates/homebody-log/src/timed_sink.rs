@@ -15,7 +15,7 @@ pub(crate) struct TimedSink {
     is_behind: bool,
 }
 
-/// What a sink answers: up to where rows are durable, and whether it is behind.
+/// The answer of a sink: up to where rows are durable, and whether it is behind.
 type Answer = (Watermark, bool);
 
 impl TimedSink {

@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Rows of one batch. This and the numbers below are ours.
 pub(crate) const BATCH: usize = 4096;
@@ -52,7 +52,7 @@ struct Shared {
     settled: AtomicU64,
     /// How many of the rows to come the destination has already.
     there: AtomicU64,
-    /// Whether nobody wants to hear of it any more.
+    /// Whether the run was given up.
     is_given_up: AtomicBool,
     durable: Mutex<Watermark>,
 }
@@ -64,7 +64,7 @@ enum Message {
 }
 
 impl Writer {
-    /// Begins the sink in a thread of its own. Waits until it has begun, so that its error is told at once.
+    /// Begins the sink in a thread of its own, and waits until it has begun: an error then comes from this call.
     pub fn spawn(destination: Destination, beginning: &Beginning) -> Result<Writer, LogError> {
         let (place, policy) = (destination.place.clone(), destination.policy.clone());
         let (meter, cancel) = (destination.meter.clone(), destination.cancel.clone());
@@ -287,8 +287,7 @@ impl Work {
         } else {
             self.call(|sink| sink.write(batch))?;
         }
-        let Work { shared, meter, .. } = self;
-        meter.took(batch);
+        self.meter.took(batch);
         Ok(())
     }
 

@@ -1,5 +1,5 @@
-//! A destination that stops answering: it counts as away once its deadline is over, gets each row once when it answers again, and keeps
-//! nobody from ending.
+//! A destination that stops answering counts as away once its deadline is over. It gets each row once when it answers again, and no run
+//! waits for it at its end.
 
 #[path = "../../../tests/hangs.rs"]
 mod hangs;
@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 const ROWS: u64 = 60_000;
 
-/// In which call a server hangs.
+/// The call in which a server hangs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Call {
     Begin,
@@ -105,12 +105,12 @@ fn one_that_does_not_answer_ends_a_run_that_does_not_wait() {
     let (error, took) = ended(server.destination(), stage::run(), &stage::firings(ROWS), |held| server.hold(held));
     assert!(matches!(error, LogError::Hangs { seconds: 1, .. }), "{error}");
     assert!((DEADLINE..SOON / 2).contains(&took), "{took:?}");
-    // It answers when nobody waits any more.
+    // The run has ended before the server answers.
     server.hold(false);
     assert!(!server.has(ROWS), "the control: without a spool it lacks rows");
 }
 
-/// Whichever call hangs, at the beginning or at the end, the same call gets the answer, and no row comes twice.
+/// The same call gets the answer, at the beginning and at the end, and no row comes twice.
 #[test]
 fn one_that_answers_late_is_waited_for_by_who_retries() {
     for (call, loses) in
@@ -129,8 +129,12 @@ fn one_that_answers_late_is_waited_for_by_who_retries() {
             }
             free.hold(false);
         });
-        let logger = Logger::open(vec![to], &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
-        let stored = stage::store(logger, &stage::firings(10_000), 1000).unwrap();
+        let mut logger = Logger::open(vec![to], &LoggerFile::default(), &Arc::new(stage::run()), How::New).unwrap();
+        for step in stage::firings(10_000).chunks(1000) {
+            logger.store(step, step[step.len() - 1].at + 1).unwrap();
+            logger.settle().unwrap();
+        }
+        let stored = logger.finish().unwrap();
         freed.join().unwrap();
         assert!(stored.rows == 10_000 && server.has(10_000), "{call:?}, lost {loses}");
     }

@@ -24,8 +24,8 @@ const LONGEST_IDLE: Duration = Duration::from_secs(90);
 /// How many packets ask a server of which nothing is heard whether it is there.
 const KEEPALIVES: u32 = 3;
 
-/// What holds in each connection. Who is cut off in the middle holds nobody up for long, and what is said to be committed is on the
-/// server's disk. The server names a lock that is not given before the deadline is over, and says who this connection is to it.
+/// The settings of each connection. A program that is cut off holds up no other for long, and committed rows are on the server's disk.
+/// The server reports a lock that it does not get before the deadline, and tells its own name of this connection.
 fn settings(within: Duration) -> String {
     let lock_ms = within.mul_f64(0.8).min(LONGEST_LOCK).as_millis().max(1);
     let idle_ms = (3 * within).min(LONGEST_IDLE).as_millis().max(1);
@@ -37,7 +37,7 @@ fn settings(within: Duration) -> String {
     )
 }
 
-/// What tells the server's end of a connection from all others, also where a number comes again.
+/// A name of the server's end of a connection that no other end gets.
 const BACKEND: &str = "pid || ' ' || backend_start";
 
 /// A connection. After an error that passes it is of no more use.
@@ -51,7 +51,7 @@ pub(crate) struct Connection {
     ended_by: Arc<Mutex<Option<Error>>>,
     /// How long the server may take for one thing that it is asked.
     deadline: Deadline,
-    /// Who this connection is to the server, where it says so.
+    /// The server's name of its end, if it tells it.
     pub backend: Option<String>,
 }
 
@@ -146,7 +146,7 @@ impl Connection {
     /// Ends what the server still does for a connection that this program has given up: it would keep its locks.
     pub fn end(&self, backend: &str) {
         let sql = format!("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE {BACKEND} = $1");
-        // Where that is not allowed, the server ends it by itself a little later.
+        // A server that does not allow it ends the connection by itself a little later.
         let _ = self.wait(self.client.execute(&sql, &[&backend]));
     }
 

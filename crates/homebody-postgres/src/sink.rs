@@ -39,7 +39,7 @@ struct Open {
     deadline: Deadline,
     /// None after it was lost, until the next transaction.
     connection: Option<Connection>,
-    /// Who the last connection was to the server, if it was given up.
+    /// The server's name of the last connection, if that was given up.
     left_behind: Option<String>,
     schema: Schema,
     run: RunInfo,

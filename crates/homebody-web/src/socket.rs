@@ -113,7 +113,7 @@ async fn close(mut socket: WebSocket, code: u16, reason: &'static str) {
     let _ = socket.send(Message::Close(Some(CloseFrame { code, reason: reason.into() }))).await;
 }
 
-/// What a page says, and the keys that it holds, which are let go when it goes.
+/// The voice of a page, and the keys that it holds, which are let go when it goes.
 struct Held {
     voice: Option<Voice>,
     keys: bool,
@@ -138,7 +138,7 @@ impl Drop for Held {
     }
 }
 
-/// What a page is told that says more than is done.
+/// The answer to a page that says more than the run can do.
 fn busy() -> Tell {
     let text =
         "The run has not done yet what it was told before, and has not heard the rest: say it again a little later.";

@@ -131,7 +131,7 @@ impl Stage {
         Ok(Stage { speakers, board, changed })
     }
 
-    /// One more who asks for something. What comes of it is on the board.
+    /// A voice for one more page. The board shows the answer.
     pub fn voice(&self) -> Voice {
         self.speakers.voice()
     }
@@ -258,7 +258,7 @@ impl Director {
     }
 
     fn take_turn(&mut self, mut wish: Option<Wish>) {
-        // What else was said meanwhile is done before the next picture, unless that takes long.
+        // All other wishes are done before the next picture, unless that takes long.
         let begun = Instant::now();
         while let Some(next) = wish.take() {
             self.fulfil(next);

@@ -35,7 +35,7 @@ pub struct Teller {
 pub struct Patience {
     /// For how long.
     pub retry_for: Duration,
-    /// How long a server, or whoever reads standard output, may take to answer; None for ten seconds.
+    /// How long a server, or the reader of standard output, may take to answer; None for ten seconds.
     pub answers_within: Option<Duration>,
     /// What ends it early.
     pub cancel: Cancel,
@@ -171,7 +171,7 @@ impl Teller {
     ///
     /// # Errors
     ///
-    /// The place could not be told, or not within a minute; or the fleet was stopped, and the place does not answer.
+    /// The place could not be told, or not within a minute. Or the fleet was stopped, and the place does not answer.
     pub fn finish(&mut self, end: i64) -> Result<(), LogError> {
         self.shared.lock().ended = Some((end, Instant::now()));
         self.shared.changed.notify_all();

@@ -26,8 +26,8 @@ use std::sync::Arc;
 ///
 /// Its life: [`begin`](Sink::begin) once, then any number of [`write`](Sink::write) and [`settle`](Sink::settle), then
 /// [`finish`](Sink::finish), or drop where the run is given up. All calls come from one thread, which is the destination's own:
-/// a slow one makes the run wait, or lets it go on, as its [`Policy`](crate::Policy) says. Who takes longer than `begin.deadline`
-/// says for one request hangs: for the run that is an error that passes, and the same call, made again, has the answer of the first.
+/// a slow one makes the run wait, or lets it go on, as its [`Policy`](crate::Policy) says. One that takes longer than `begin.deadline`
+/// for one request hangs. For the run that is an error that passes, and the same call, made again, gets the answer of the first.
 ///
 /// Rows come in the order in which they were made, without gaps. After an error that [`passes`](LogError::passes) the same
 /// call is made again, if the policy says so: what a destination has kept of it must not be kept twice. After any other

@@ -55,7 +55,7 @@ pub(super) enum Text {
 }
 
 impl Text {
-    /// Begins a text. One `is_followed` that has its name from its first line on, so that it can be read while it grows. Whoever reads
+    /// Begins a text. One `is_followed` that has its name from its first line on, so that it can be read while it grows. The reader of
     /// standard output has the time of the deadline for each piece.
     pub fn begin(at: &At, how: How, is_followed: bool, deadline: &Deadline) -> Result<Text, LogError> {
         Ok(match at {
@@ -120,7 +120,7 @@ pub(super) struct Pieces<W> {
 impl<W: Write> Write for Pieces<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.out.write(&bytes[..bytes.len().min(PIECE_BYTES)])?;
-        // What the system's own buffer holds back is no answer of who reads.
+        // Bytes in the system's own buffer are no answer of the reader.
         self.out.flush()?;
         self.deadline.asks();
         Ok(written)

@@ -1,4 +1,4 @@
-//! What pages want of a run, in the order in which they said it: a page that says much is refused, and keeps nobody else waiting.
+//! The wishes of pages, in their order. A page that says much is refused, so that no other page waits for it.
 
 use crate::wire::Say;
 use std::collections::VecDeque;
@@ -7,10 +7,10 @@ use std::sync::mpsc::Sender;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// So many wishes of one page wait, at most: a page that says more is told that the run is busy.
+/// So many wishes of one page wait, at most. A page that says more hears that the run is busy.
 pub(crate) const MOST_WAITING: usize = 32;
 
-/// What the stage is asked for.
+/// A request to the stage.
 pub(super) enum Wish {
     Say(Say),
     /// To complete all files, and then to say so.
@@ -20,7 +20,7 @@ pub(super) enum Wish {
 /// The wishes that wait, as the stage hears them.
 pub(super) struct Heard(Arc<Queue>);
 
-/// Whoever can say something to a stage. A clone is one more; when the last is gone, the stage is over.
+/// The speakers to a stage. A clone is one more; when the last is gone, the stage is over.
 #[derive(Clone)]
 pub(super) struct Speakers(Arc<Last>);
 
@@ -122,12 +122,12 @@ impl Voice {
     }
 }
 
-/// Whoever stops a run does not want to wait for these first: each of them may take long.
+/// A stop comes before these: each of them may take long.
 fn is_ended_by_stop(say: &Say) -> bool {
     matches!(say, Say::Start { .. } | Say::Replay { .. } | Say::Jump { .. } | Say::Stop)
 }
 
-/// What has come of waiting for a wish.
+/// The end of waiting for a wish.
 pub(super) enum Next {
     Wish(Wish),
     Nothing,

@@ -50,8 +50,9 @@ impl Output {
 /// What becomes of a run while a server that it writes to is away.
 #[derive(clap::Args)]
 pub struct Away {
-    /// What becomes of the run while a server is away or does not answer: it ends with an error, waits for the server, or goes on and
-    /// puts rows aside on disk until the server is back. Whoever reads standard output counts as a server
+    /// Say what the run does while a server is away or does not answer: it ends with an error, waits, or puts rows aside on disk
+    ///
+    /// The reader of standard output counts as a server.
     #[arg(long, value_name = "WHAT", value_enum, default_value_t)]
     on_sink_down: OnSinkDown,
     /// Where rows are put aside
@@ -67,8 +68,9 @@ pub struct Away {
 /// How long destinations may take.
 #[derive(clap::Args)]
 pub struct DestinationTimeout {
-    /// How long a server, or whoever reads standard output, may take to answer one request: 500ms, 10s or 2m. One that takes longer
-    /// counts as away
+    /// Count a server as away that takes longer than this for one request: 500ms, 10s or 2m
+    ///
+    /// The reader of standard output counts as a server.
     #[arg(long, value_name = "SPAN", value_parser = timeout, default_value = "10s")]
     destination_timeout: Duration,
 }

@@ -301,7 +301,7 @@ impl Arguments {
         signals.ended(lived.is_stopped())
     }
 
-    /// A truth that went to a server is gone on with there; one in the folder is found without a word.
+    /// A truth on a server continues there. A truth in the folder needs no option.
     fn with_truth(&self, run: Unfinished) -> Result<Unfinished, Failure> {
         match &self.output.truth {
             None => Ok(run),

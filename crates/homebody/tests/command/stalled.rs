@@ -1,4 +1,4 @@
-//! A reader of standard output that stands still: it is noticed, the home's own log goes on, and a signal ends the run soon.
+//! A reader of standard output that stands still. The run notices it, the home's own log grows, and a signal ends the run soon.
 
 use crate::folder::Folder;
 use std::fs::File;
@@ -23,7 +23,7 @@ impl Drop for Ends {
     }
 }
 
-/// Begins a command whose standard output nobody reads.
+/// Begins a command; the test does not read its standard output.
 fn unread(folder: &Folder, words: &str) -> (Ends, ChildStdout) {
     let mut command = folder.command(words);
     command.stdout(Stdio::piped()).stderr(File::create(folder.path("said")).unwrap());
@@ -88,7 +88,7 @@ fn a_reader_that_stands_still_stops_neither_the_homes_own_log_nor_a_signal() {
     output.read_to_string(&mut first).unwrap();
     let first = numbers(&first);
 
-    // Gone on with, whoever reads gets what is missing, by its numbers.
+    // The same command gives the rest, by its numbers.
     let words = "live studio --folder home --out jsonl:- --quiet";
     let out = File::create(folder.path("rest")).unwrap();
     let mut home = Ends(folder.command(words).stdout(out).stderr(Stdio::null()).spawn().unwrap());
