@@ -119,7 +119,7 @@ pub fn outlived(to: Destination, run: RunInfo, firings: &[Firing], mut stall: im
     Hang { rows, noticed, beside }
 }
 
-/// The same without a spool: the error by which the run ends, and after how long.
+/// The same without a spool. Returns the error that ends the run, and the time until then.
 pub fn ended(to: Destination, run: RunInfo, firings: &[Firing], mut stall: impl FnMut(bool)) -> (LogError, Duration) {
     let policy = Policy { answers_within: DEADLINE, ..to.policy.clone() };
     let (mut logger, _) = open(Destination { policy, ..to }, run).unwrap();

@@ -1,4 +1,4 @@
-//! Destinations beside a run's folder: servers and standard output, each treated as the user asks for.
+//! Destinations outside a run's folder: servers and standard output, each with its treatment.
 
 use crate::broker;
 use crate::error::Error;

@@ -27,7 +27,7 @@ pub struct Destination {
     pub cancel: Cancel,
     /// How the run treats its absence, beyond the policy.
     pub when_down: WhenDown,
-    /// The folder in which is noted what it has confirmed, where it cannot say so itself.
+    /// The folder with a note of its confirmed rows, if it cannot count them itself.
     pub notes: Option<PathBuf>,
 }
 

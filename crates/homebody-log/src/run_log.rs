@@ -95,7 +95,7 @@ impl RunLog {
         RunLog::open_with(places, Vec::new(), &Treatment::default(), scenario, run, recording, how)
     }
 
-    /// The same, with destinations of a caller's own beside the places. Servers among the places are treated so.
+    /// The same, with destinations of a caller's own, too, and a treatment of the servers among the places.
     pub fn open_with(
         places: &Places,
         own: Vec<Destination>,

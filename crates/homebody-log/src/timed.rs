@@ -46,7 +46,7 @@ pub(crate) struct Timed<S: ?Sized, A> {
     stops_within: Duration,
     stopped: Option<Instant>,
     meter: Arc<Meter>,
-    /// The call to which no answer has come.
+    /// The call that still has no answer.
     unanswered: Option<Call>,
     has_finished: bool,
 }

@@ -16,7 +16,7 @@ use std::time::{Duration, Instant};
 
 const ROWS: u64 = 60_000;
 
-/// The call in which a server hangs.
+/// The calls that may hang.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Call {
     Begin,

@@ -112,7 +112,7 @@ struct Told {
 }
 
 impl Flight {
-    /// One in which nobody waits for long once this handle says so, and a broker acknowledges within the deadline.
+    /// A flight with a handle that ends waits, and a deadline for acknowledgements.
     pub fn new(cancel: &Cancel, deadline: &Deadline) -> Flight {
         Flight { cancel: cancel.clone(), deadline: deadline.clone(), ..Flight::default() }
     }
@@ -164,8 +164,8 @@ impl Flight {
         }
     }
 
-    /// Waits until it is so. Gives up when the connection is over, when nothing is acknowledged for this long while there is none, and
-    /// when nothing is acknowledged within the deadline in any case; once the run is stopped, at once and after a second.
+    /// Waits until it is so. Gives up when the connection is over, and when no acknowledgement comes for this long without a connection,
+    /// or within the deadline with one. Once the run is stopped, it gives up at once without a connection, and after a second with one.
     pub fn wait(&self, patience: Duration, is_so: impl Fn(&State) -> bool) -> Result<MutexGuard<'_, State>, Trouble> {
         let mut state = self.lock();
         let mut since = (state.answers, Instant::now());

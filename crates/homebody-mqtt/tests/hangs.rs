@@ -1,5 +1,5 @@
-//! A broker that stops answering, as where its connection is half open: that is noticed, all rows are heard once it answers again, and a run
-//! that is stopped ends.
+//! A broker that stops answering, as by a half-open connection. The run notices it, all rows are heard once the broker answers again, and
+//! the run ends when it is stopped.
 
 #[path = "servers/broker.rs"]
 #[allow(dead_code, reason = "this test uses a part of it")]

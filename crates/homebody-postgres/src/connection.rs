@@ -12,16 +12,16 @@ use tokio::runtime::{Builder, Runtime};
 use tokio::task::JoinHandle;
 use tokio_postgres::{Client, Config, Error, SimpleQueryMessage};
 
-/// How long a server may take for one thing that it is asked where nobody says otherwise: whoever reads a log is patient.
+/// How long a server may take to answer a reader of a log, and a request that grows with the size of a table.
 const ANSWERS_WITHIN: Duration = Duration::from_secs(100);
 
 /// How long a server waits for a lock at most.
 const LONGEST_LOCK: Duration = Duration::from_secs(30);
 
-/// How long a server keeps a transaction open for a program of which it hears nothing, at most.
+/// How long a server keeps the transaction of a silent program open, at most.
 const LONGEST_IDLE: Duration = Duration::from_secs(90);
 
-/// How many packets ask a server of which nothing is heard whether it is there.
+/// How many packets ask a silent server whether it is there.
 const KEEPALIVES: u32 = 3;
 
 /// The settings of each connection. A program that is cut off holds up no other for long, and committed rows are on the server's disk.

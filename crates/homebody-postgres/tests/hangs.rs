@@ -1,5 +1,5 @@
-//! A server that stops answering, by a connection that is half open or a table that somebody locks, and one that takes no changes for a
-//! while: that is noticed, nothing is lost or doubled, and a run that is stopped ends.
+//! A server that stops answering, by a half-open connection or a locked table, and one that takes no changes for a while. The run notices
+//! it, loses and doubles no row, and ends when it is stopped.
 
 #[path = "../../../tests/hangs.rs"]
 mod hangs;

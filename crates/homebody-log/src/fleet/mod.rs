@@ -167,8 +167,8 @@ pub trait FleetSink: Send {
         Ok(())
     }
 
-    /// Begins. Returns up to which row the place holds each home already: those before are not given again. Each request of this
-    /// call and of later ones has the time of the deadline.
+    /// Begins. Returns for each home the number of its rows that the place holds already; it does not get these again. Each request, now and
+    /// later, has the time of the deadline.
     fn begin(&mut self, fleet: &Arc<Fleet>, how: How, deadline: &Deadline) -> Result<Vec<u64>, LogError>;
 
     /// Takes what is told, in order, and returns once it has arrived, as far as a place of this kind can say so.

@@ -171,7 +171,7 @@ impl Teller {
     ///
     /// # Errors
     ///
-    /// The place could not be told, or not within a minute. Or the fleet was stopped, and the place does not answer.
+    /// The place failed, or was away for a minute, or did not answer a fleet that was stopped.
     pub fn finish(&mut self, end: i64) -> Result<(), LogError> {
         self.shared.lock().ended = Some((end, Instant::now()));
         self.shared.changed.notify_all();
@@ -196,7 +196,7 @@ impl Drop for Teller {
     }
 }
 
-/// A place with a deadline: what it answers is up to which row it holds each home.
+/// A place with a deadline. Its answer counts the rows that it holds, by home.
 type Place = Timed<dyn FleetSink, Vec<u64>>;
 
 struct Work {

@@ -120,7 +120,7 @@ pub(super) struct Pieces<W> {
 impl<W: Write> Write for Pieces<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.out.write(&bytes[..bytes.len().min(PIECE_BYTES)])?;
-        // Bytes in the system's own buffer are no answer of the reader.
+        // Bytes in a buffer of this program have not reached the reader.
         self.out.flush()?;
         self.deadline.asks();
         Ok(written)

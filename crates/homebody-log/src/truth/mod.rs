@@ -73,7 +73,7 @@ impl TruthLog {
         TruthLog::open_keeping(TruthKept::All, url, (&logs, &Treatment::default()), file, run, how)
     }
 
-    /// The same, of a truth of which so much is kept, beside these files of logs. A server is treated so.
+    /// Opens the place of a truth that keeps so much. These files of logs may not be its place, and a server gets its treatment.
     pub(crate) fn open_keeping(
         kept: TruthKept,
         url: &Url,

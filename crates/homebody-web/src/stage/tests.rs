@@ -180,3 +180,21 @@ fn taking_the_keys_sets_the_speed_to_once() {
     look(&stage, &mut seen, |news| frame(news).speed == Some(1.0));
     stage.close();
 }
+
+/// The control of a queue without an end is 20,000 starts, which take minutes.
+#[test]
+fn a_page_that_says_much_keeps_no_other_from_being_heard_nor_the_stage_from_its_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let stage = Stage::open(shelf(&folder)).unwrap();
+    let loud = stage.voice();
+    let start = || Say::Start { driven: None, without: Vec::new(), seed: Some(1) };
+    let taken = (0..20_000).filter(|_| loud.say(start())).count();
+    assert!(taken < 20_000, "it is refused");
+    assert!(stage.voice().say(Say::Play));
+    look(&stage, &mut Seen::default(), |news| frame(news).state == State::Playing);
+    while loud.say(start()) {}
+    let begun = Instant::now();
+    stage.close();
+    println!("closed after {:?}", begun.elapsed());
+    assert!(begun.elapsed() < Duration::from_secs(30), "{:?}", begun.elapsed());
+}

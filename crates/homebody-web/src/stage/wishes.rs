@@ -24,10 +24,10 @@ pub(super) struct Heard(Arc<Queue>);
 #[derive(Clone)]
 pub(super) struct Speakers(Arc<Last>);
 
-/// The last speaker tells that nobody is left.
+/// The last speaker ends the stage.
 struct Last(Arc<Queue>);
 
-/// One page, or whoever else says what is wanted.
+/// One speaker to a stage, such as a page.
 pub(crate) struct Voice {
     speakers: Speakers,
     /// How many of its wishes wait.
@@ -64,7 +64,7 @@ impl Counted {
 
 impl Queue {
     fn lock(&self) -> MutexGuard<'_, Waiting> {
-        // Nobody panics while it is held; if somebody did, what is there is whole all the same.
+        // No panic leaves it half changed.
         self.waiting.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -37,6 +37,8 @@ mod fleets;
 mod postgres;
 #[cfg(feature = "postgresql")]
 mod put_back;
+#[cfg(feature = "postgresql")]
+mod server_truths;
 #[cfg(feature = "mqtt")]
 mod commanded;
 #[cfg(feature = "mqtt")]

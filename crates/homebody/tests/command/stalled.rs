@@ -47,7 +47,7 @@ fn stop(folder: &Folder, command: &mut Ends) -> Option<i32> {
     }
 }
 
-/// The numbers of whole rows; one that was cut short is none.
+/// The numbers of whole rows, without a last row that was cut short.
 fn numbers(rows: &str) -> Vec<u64> {
     let object = |line: &str| serde_json::from_str::<serde_json::Value>(line).ok();
     rows.lines().filter_map(object).map(|row| row["seq"].as_u64().unwrap()).collect()
