@@ -139,7 +139,8 @@ impl<S: ?Sized + Send + 'static, A: Default + Send + 'static> Timed<S, A> {
                 let stopped = self.stopped.get_or_insert_with(Instant::now).elapsed();
                 let why = self.meter.why_away();
                 let within = if why.is_some() { STOPS_WITHIN } else { self.stops_within };
-                if stopped.min(self.deadline.unanswered()) > within {
+                // One that is slow and answers has the time of one answer for all that is left.
+                if stopped.min(self.deadline.unanswered()) > within || stopped > within.max(self.deadline.within()) {
                     let why = why.unwrap_or_else(|| "it has not answered yet".into());
                     return Err(LogError::StoppedAway { place: self.place.clone(), why });
                 }

@@ -147,7 +147,7 @@ impl FleetSink for PostgresFleet {
         let ids: Vec<i64> = open.fleet.homes.iter().map(|home| home.run).collect();
         let sql = format!("UPDATE {} SET ended_at = $2 WHERE run_id = ANY($1)", open.schema.runs());
         let connection = open.connected()?;
-        match connection.wait(connection.client.execute(&sql, &[&ids, &At(end)])) {
+        match connection.wait_long(connection.client.execute(&sql, &[&ids, &At(end)])) {
             Ok(_) => self.open = None,
             Err(error) => {
                 open.connection = None;

@@ -166,7 +166,7 @@ impl Sink for Postgres {
         {
             open.commit(None)?;
         }
-        open.send_ahead();
+        open.send_ahead()?;
         open.encoder.learn(batch).map_err(|text| unheld(&open.server, &text))?;
         for row in batch.rows() {
             open.encoder.row(row.cells, &mut open.waiting[row.table]);
@@ -222,7 +222,7 @@ impl Open {
         };
         let (table, run_column) = (&schema.tables[0].quoted, &schema.tables[0].run_column);
         let sql = format!("SELECT EXISTS (SELECT FROM {table} WHERE {run_column} = $1 AND {column} > $2)");
-        match connection.wait(connection.client.query_one(&sql, &[&run.id, end]))?.get(0) {
+        match connection.wait_long(connection.client.query_one(&sql, &[&run.id, end]))?.get(0) {
             true => Err(changed(server, "it has rows from after the end of this one")),
             false => Ok(()),
         }
@@ -273,12 +273,14 @@ impl Open {
     }
 
     /// Sends what has come so far of a log's rows, so that the server works while others are made. Where that fails, the
-    /// transaction is made anew when it is to end, and says why.
-    fn send_ahead(&mut self) {
+    /// transaction is made anew when it is to end, and says why. A server that does not answer is an error at once.
+    fn send_ahead(&mut self) -> Result<(), LogError> {
         let is_due = self.waiting.len() == 1 && self.sealed.is_none() && self.waiting[0].whole_from(1).next().is_some();
-        if is_due && self.try_ahead().is_err() {
+        let tried = if is_due { self.try_ahead() } else { Ok(()) };
+        if tried.is_err() {
             self.disconnect();
         }
+        tried.or_else(|error| if matches!(error, LogError::Hangs { .. }) { Err(error) } else { Ok(()) })
     }
 
     fn try_ahead(&mut self) -> Result<(), LogError> {
