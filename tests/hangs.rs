@@ -49,17 +49,6 @@ impl Sink for Counting {
     }
 }
 
-/// Figures of a place that did not answer.
-#[derive(Debug)]
-pub struct Hang {
-    /// Rows of the run.
-    pub rows: u64,
-    /// How long it took until the place counted as away.
-    pub noticed: Duration,
-    /// Rows that the other place got between then and when the place answered again.
-    pub beside: u64,
-}
-
 /// A logger of two places, with the rows that the second has.
 fn open(to: Destination, run: RunInfo) -> Result<(Logger, Arc<AtomicU64>), LogError> {
     let count = Arc::new(AtomicU64::new(0));
@@ -87,8 +76,8 @@ fn live(logger: &mut Logger, firings: &[Firing], mut look: impl FnMut(u64) -> bo
 }
 
 /// Gives rows to a place whose answers `stall(true)` holds back, until that is noticed and the other place has got more rows; then
-/// `stall(false)` lets it answer again, and all are given.
-pub fn outlived(to: Destination, run: RunInfo, firings: &[Firing], mut stall: impl FnMut(bool)) -> Hang {
+/// `stall(false)` lets it answer again. Returns the number of all rows.
+pub fn outlived(to: Destination, run: RunInfo, firings: &[Firing], mut stall: impl FnMut(bool)) -> u64 {
     let spools = tempfile::tempdir().unwrap();
     let policy = Policy { answers_within: DEADLINE, ..to.policy.clone() };
     let to = Destination { policy, ..to }.when_down(&WhenDown::Spool(spools.path().into(), MOST_SPOOLED_BYTES));
@@ -115,8 +104,9 @@ pub fn outlived(to: Destination, run: RunInfo, firings: &[Firing], mut stall: im
     assert_eq!(std::fs::read_dir(spools.path()).unwrap().count(), 0, "no spool is left");
     let (noticed, beside) = (noticed.expect("it was noticed").0, back.expect("the other place got rows meanwhile"));
     println!("noticed after {:.2} s, {beside} of {rows} rows went to the other place meanwhile", noticed.as_secs_f64());
-    assert!(noticed < SOON, "{noticed:?}");
-    Hang { rows, noticed, beside }
+    // A server may report a lock a little before the deadline.
+    assert!(noticed >= DEADLINE * 3 / 4 && noticed < SOON, "{noticed:?}");
+    rows
 }
 
 /// The same without a spool. Returns the error that ends the run, and the time until then.

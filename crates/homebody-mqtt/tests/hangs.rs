@@ -33,7 +33,7 @@ fn rows_of_a_broker_that_does_not_answer_are_put_aside_and_heard() {
     let Some(broker) = Broker::with(REMEMBERS) else { return };
     let listener = Listener::lasting(&broker, "homebody/#");
     let (proxy, to) = behind(&broker);
-    let rows = outlived(to, run(), &firings(ROWS), |is_stalled| proxy.stall(is_stalled)).rows;
+    let rows = outlived(to, run(), &firings(ROWS), |is_stalled| proxy.stall(is_stalled));
     wait_for("the last row", || (listener.rows() == rows).then_some(()));
     let heard: Vec<u64> = listener.heard().iter().filter_map(|heard| Some(heard.row()?.1)).collect();
     let known: BTreeSet<u64> = heard.iter().copied().collect();

@@ -36,7 +36,7 @@ fn rows_of_a_half_open_connection_are_put_aside_and_there_once() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("half_open");
     let (proxy, to) = behind(server, &database);
-    let rows = outlived(to, run(1), &firings(ROWS), |is_stalled| proxy.stall(is_stalled)).rows;
+    let rows = outlived(to, run(1), &firings(ROWS), |is_stalled| proxy.stall(is_stalled));
     assert_eq!(counted(server, &database), format!("{rows}|{rows}|{}", rows - 1));
 }
 
@@ -58,7 +58,7 @@ fn rows_of_a_table_that_somebody_locks_are_put_aside_and_there_once() {
             }
             false => drop(server.psql("postgres", frees)),
         };
-        let rows = outlived(to, run(1), &firings(ROWS), stall).rows;
+        let rows = outlived(to, run(1), &firings(ROWS), stall);
         assert_eq!(counted(server, &database), format!("{rows}|{rows}|{}", rows - 1));
     });
 }
