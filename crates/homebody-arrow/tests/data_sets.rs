@@ -282,6 +282,7 @@ fn rows_in_no_order_of_time_keep_their_own_order() {
         spreadsheet_safe: false,
         how: How::New,
         cancel: &Cancel::new(),
+        deadline: &homebody_log::Deadline::default(),
     };
     let mut sink = homebody_log::sink::open(&url);
     sink.begin(&begin).unwrap();

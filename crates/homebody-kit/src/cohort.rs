@@ -16,6 +16,7 @@ use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, Micros};
+use homebody_log::destination::Treatment;
 use homebody_log::fresh::remove_parts;
 use homebody_log::lock::FolderLock;
 use homebody_log::places::LIST;
@@ -432,7 +433,8 @@ impl Cohort {
             // A program that died while it wrote it has left a part.
             remove_parts(&recorded)?;
         }
-        let lived = run.store_into(&places, Vec::new(), how, |progress| lived_on(progress.lived))?;
+        let lived =
+            run.store_into(&places, Vec::new(), &Treatment::default(), how, |progress| lived_on(progress.lived))?;
         let ended = self.ended(here.path(), member, &lived.recording)?;
         place.send(&here, places.files())?;
         Ok(ended)

@@ -92,6 +92,7 @@ pub use following::{Following, Learnt, Presence};
 pub use found_in_log::find_in_log;
 pub use health::{Found, Health, health};
 pub use homebody_infer::{Ailment, Ill, Kind, Spell};
+pub use homebody_log::destination::Treatment;
 pub use homebody_log::examine::{Check, Verdict};
 pub use homebody_log::meter::News;
 pub use homebody_log::places::LIST;

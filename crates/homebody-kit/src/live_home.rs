@@ -9,8 +9,9 @@ use crate::run::{LiveRun, Progress, RunSetup};
 use crate::store::Lived;
 use homebody_core::recording::LONGEST;
 use homebody_core::scenario::load::Scenario;
+use homebody_log::destination::Treatment;
 use homebody_log::places::RECORDING;
-use homebody_log::{Cancel, How, LogError, Places, Url, WhenDown};
+use homebody_log::{Cancel, How, LogError, Places, Url};
 use jiff::Timestamp;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -84,7 +85,7 @@ impl LiveHome {
     pub fn live(
         mut self,
         out: &[Url],
-        when: &WhenDown,
+        servers: &Treatment,
         meters: &Meters,
         cancel: &Cancel,
         progress: impl FnMut(Progress),
@@ -93,7 +94,7 @@ impl LiveHome {
         self.run.keep_pace(pace, cancel);
         self.run.meters = meters.clone();
         self.places.is_followed = true;
-        let own = beside::destinations(out, when, Some(&self.folder), &mut self.run.paced)?;
-        self.run.store_into(&self.places, own, self.how, progress)
+        let own = beside::destinations(out, servers, Some(&self.folder), &mut self.run.paced)?;
+        self.run.store_into(&self.places, own, servers, self.how, progress)
     }
 }

@@ -11,12 +11,13 @@ use crate::store::Lived;
 use homebody_core::problem::readable;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::scenario::load::Scenario;
+use homebody_log::destination::Treatment;
 use homebody_log::limits::{LARGEST_LIST_BYTES, LARGEST_RECORDING_BYTES};
 use homebody_log::places::{LIST, RECORDING, SENSORS, is_all_there};
 use homebody_log::plain;
 use homebody_log::source::is_brief;
 use homebody_log::truth::TruthKept;
-use homebody_log::{Cancel, Destination, How, Places, Url, WhenDown};
+use homebody_log::{Cancel, Destination, How, Places, Url};
 use homebody_routine::household::Household;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -140,6 +141,12 @@ impl Unfinished {
         self
     }
 
+    /// Its truth is on a server, and continues there.
+    pub fn with_truth(mut self, server: &Url) -> Unfinished {
+        self.places.truth = Some(server.clone());
+        self
+    }
+
     /// What is asked for through this channel is done to the run: see [`outside`](crate::outside).
     pub fn outside(mut self, asked: Receiver<Asked>) -> Unfinished {
         self.run.paced.outside.push(asked);
@@ -184,12 +191,12 @@ impl Unfinished {
     pub fn go_on_beside(
         mut self,
         servers: &[Url],
-        when: &WhenDown,
+        as_said: &Treatment,
         progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
         let folder = self.places.recording.as_deref().and_then(Path::parent).map(Path::to_owned);
-        let own = beside::destinations(servers, when, folder.as_deref(), &mut self.run.paced)?;
-        self.go_on_with(own, progress)
+        let own = beside::destinations(servers, as_said, folder.as_deref(), &mut self.run.paced)?;
+        self.run.store_into(&self.places, own, as_said, How::GoOn, progress)
     }
 
     /// The same with destinations of the caller's own beside, as [`LiveRun::store_with`] has them. They are begun with
@@ -199,7 +206,7 @@ impl Unfinished {
     ///
     /// As [`Unfinished::go_on`]; [`Error::Log`], too, if a destination that is required fails.
     pub fn go_on_with(self, own: Vec<Destination>, progress: impl FnMut(Progress)) -> Result<Lived, Error> {
-        self.run.store_into(&self.places, own, How::GoOn, progress)
+        self.run.store_into(&self.places, own, &Treatment::default(), How::GoOn, progress)
     }
 }
 

@@ -5,8 +5,9 @@ use crate::beside;
 use crate::error::Error;
 use crate::run::{LiveRun, Progress};
 use homebody_core::recording::Recording;
+use homebody_log::destination::Treatment;
 use homebody_log::places::{RECORDING, RUNS, TRUTH, can_be_written};
-use homebody_log::{Destination, How, Places, RunLog, Stored, Url, WhenDown};
+use homebody_log::{Destination, How, Places, RunLog, Stored, Url};
 use homebody_routine::living::account::Difference;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -25,8 +26,8 @@ pub struct Destinations {
     pub runs: Option<PathBuf>,
     /// Whether files that exist are replaced.
     pub replace: bool,
-    /// What becomes of the run while a server among the places of its log is away.
-    pub when_down: WhenDown,
+    /// How servers among its places and standard output are treated while they are away or do not answer.
+    pub servers: Treatment,
 }
 
 impl Default for Destinations {
@@ -37,7 +38,7 @@ impl Default for Destinations {
             recording: None,
             runs: Some(RUNS.into()),
             replace: false,
-            when_down: WhenDown::default(),
+            servers: Treatment::default(),
         }
     }
 }
@@ -175,12 +176,12 @@ impl LiveRun {
         progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
         let mut places = to.places(&self)?;
-        let servers = places.log.extract_if(.., |url| url.server().is_some());
+        let servers = places.log.extract_if(.., |url| url.server().is_some() || url.is_output());
         let servers: Vec<Url> = servers.collect();
-        let servers =
-            beside::destinations(&servers, &to.when_down, self.folder_in(&places).as_deref(), &mut self.paced)?;
+        let servers = beside::destinations(&servers, &to.servers, self.folder_in(&places).as_deref(), &mut self.paced)?;
         let how = if to.replace { How::Replace } else { How::New };
-        let lived = self.store_into(&places, servers.into_iter().chain(own).collect(), how, progress);
+        let own = servers.into_iter().chain(own).collect();
+        let lived = self.store_into(&places, own, &to.servers, how, progress);
         if lived.is_err() {
             // What was stored before the failure stays.
             places.give_up();
@@ -197,17 +198,19 @@ impl LiveRun {
         self,
         places: &Places,
         own: Vec<Destination>,
+        servers: &Treatment,
         how: How,
         progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
         let folder = self.folder_in(places);
-        self.stored(places, own, how, progress).map_err(|error| error.of_run_in(folder))
+        self.stored(places, own, servers, how, progress).map_err(|error| error.of_run_in(folder))
     }
 
     fn stored(
         mut self,
         places: &Places,
         own: Vec<Destination>,
+        servers: &Treatment,
         how: How,
         mut progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
@@ -217,7 +220,8 @@ impl LiveRun {
         let cancel = self.paced.cancel().clone();
         let own = own.into_iter().map(|destination| Destination { cancel: cancel.clone(), ..destination });
         let own: Vec<Destination> = own.inspect(|destination| self.meters.hear(destination)).collect();
-        let mut log = RunLog::open_with(places, own, &self.scenario, &self.run, &recording, how)?;
+        let servers = &Treatment { cancel, ..servers.clone() };
+        let mut log = RunLog::open_with(places, own, servers, &self.scenario, &self.run, &recording, how)?;
         self.meters.begin(self.scenario.calendar.timestamp(0), log.meters());
         let ended = loop {
             self.hear_outside(&log, &mut recording)?;
@@ -259,6 +263,9 @@ fn whole_folder(places: &Places) -> Option<PathBuf> {
     let folder = places.sensors.as_deref()?.parent()?;
     let is_here = |path: &Path, name: &str| path == folder.join(name);
     let is_whole = places.recording.as_deref().is_some_and(|path| is_here(path, RECORDING))
-        && places.truth.as_ref().and_then(Url::file).is_some_and(|path| is_here(path, TRUTH));
+        && places.truth.as_ref().is_some_and(|truth| match truth.file() {
+            Some(path) => is_here(path, TRUTH),
+            None => truth.server().is_some(),
+        });
     is_whole.then(|| folder.to_owned())
 }

@@ -4,9 +4,14 @@ use crate::cancel::Cancel;
 use crate::elsewhere;
 use crate::meter::Meter;
 use crate::policy::Policy;
+use crate::remembered::Remembered;
 use crate::sink::{self, Sink};
+use crate::spool::{BATCHES_WAITING, Spooled, WhenDown};
+use crate::timed_sink::TimedSink;
 use crate::url::Url;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Where rows go, and what becomes of the run if that fails.
 pub struct Destination {
@@ -20,14 +25,29 @@ pub struct Destination {
     pub meter: Arc<Meter>,
     /// Ends the wait for it while it is away.
     pub cancel: Cancel,
+    /// How the run treats its absence, beyond the policy.
+    pub when_down: WhenDown,
+    /// The folder with a note of its confirmed rows, if it cannot count them itself.
+    pub notes: Option<PathBuf>,
+}
+
+/// How a run treats its servers, as its user asks for.
+#[derive(Clone, Debug, Default)]
+pub struct Treatment {
+    /// How it treats the absence of a server, or of the reader of standard output.
+    pub when_down: WhenDown,
+    /// How long one of these may take to answer a request; None for as long as its kind may.
+    pub answers_within: Option<Duration>,
+    /// Ends the wait for any destination.
+    pub cancel: Cancel,
 }
 
 impl Destination {
     /// A place of one of the known kinds, which the run cannot do without.
     pub fn of(url: &Url) -> Destination {
-        let policy = elsewhere::of(url.scheme()).map_or_else(Policy::default, |elsewhere| (elsewhere.policy)());
-        let (meter, cancel) = (Arc::default(), Cancel::new());
-        Destination { place: url.to_string(), sink: sink::open(url), policy, meter, cancel }
+        let usual = if url.is_output() { Policy::of_server } else { Policy::default };
+        let policy = elsewhere::of(url.scheme()).map_or_else(usual, |elsewhere| (elsewhere.policy)());
+        Destination::with(url.to_string(), sink::open(url), policy)
     }
 
     /// The same for a home that nobody knows when it ends: a text file has its name from its first line on.
@@ -37,7 +57,49 @@ impl Destination {
 
     /// A caller's own.
     pub fn own(place: impl Into<String>, sink: impl Sink + 'static, policy: Policy) -> Destination {
-        let (meter, cancel) = (Arc::default(), Cancel::new());
-        Destination { place: place.into(), sink: Box::new(sink), policy, meter, cancel }
+        Destination::with(place.into(), Box::new(sink), policy)
+    }
+
+    fn with(place: String, sink: Box<dyn Sink>, policy: Policy) -> Destination {
+        let (meter, cancel, when_down, notes) = (Arc::default(), Cancel::new(), WhenDown::Error, None);
+        Destination { place, sink, policy, meter, cancel, when_down, notes }
+    }
+
+    /// The same, with what becomes of the run while it is away.
+    pub fn when_down(self, when: &WhenDown) -> Destination {
+        let policy = match when {
+            WhenDown::Error => return self,
+            &WhenDown::Retry(retry_for) => Policy { retry_for, retries_beginning: true, ..self.policy },
+            WhenDown::Spool(..) => Policy { batches_waiting: BATCHES_WAITING, ..self.policy },
+        };
+        Destination { policy, when_down: when.clone(), ..self }
+    }
+
+    /// The same, treated so.
+    pub fn treated(self, as_said: &Treatment) -> Destination {
+        let answers_within = as_said.answers_within.unwrap_or(self.policy.answers_within);
+        let (policy, cancel) = (Policy { answers_within, ..self.policy }, as_said.cancel.clone());
+        Destination { policy, cancel, ..self }.when_down(&as_said.when_down)
+    }
+
+    /// The same, with what it has confirmed noted in this folder.
+    pub fn remembered_in(self, folder: &Path) -> Destination {
+        Destination { notes: Some(folder.to_owned()), ..self }
+    }
+
+    /// Its sink with all that stands before it: a deadline, a spool, notes.
+    pub(crate) fn into_sink(self) -> Box<dyn Sink> {
+        let Destination { place, sink, policy, meter, when_down, notes, .. } = self;
+        let timed = TimedSink::new(place.clone(), sink, policy.stops_within, meter.clone());
+        let sink: Box<dyn Sink> = match when_down {
+            WhenDown::Spool(folder, most_bytes) => {
+                Box::new(Spooled::new(place.clone(), timed, &folder, most_bytes, meter))
+            }
+            WhenDown::Error | WhenDown::Retry(_) => Box::new(timed),
+        };
+        match notes {
+            Some(folder) => Box::new(Remembered::new(&place, sink, &folder)),
+            None => sink,
+        }
     }
 }

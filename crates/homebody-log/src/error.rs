@@ -9,6 +9,7 @@ use std::fmt;
 use std::fs::{File, OpenOptions};
 use std::io;
 use std::path::Path;
+use std::time::Duration;
 
 /// What to say where the system gives no thread `to` do something.
 pub fn no_thread(to: &str, why: impl fmt::Display) -> String {
@@ -361,7 +362,7 @@ pub enum LogError {
         /// In what it differs, as a part of a sentence.
         what: String,
     },
-    /// A destination has taken nothing for longer than its policy waits.
+    /// A destination has not answered a request within the time that its policy gives it.
     #[error("{place} does not answer: nothing was taken for {seconds} s\n  hint: what it confirmed before is safe")]
     Hangs {
         /// The destination.
@@ -403,21 +404,28 @@ impl LogError {
 
     /// Whether the same call may succeed a little later.
     pub fn passes(&self) -> bool {
-        matches!(self, LogError::Destination { passes: true, .. })
+        matches!(self, LogError::Destination { passes: true, .. } | LogError::Hangs { .. })
     }
 
     /// The same error, of a destination that is away, where the run was stopped and does not wait for it any more.
     pub(crate) fn of_stopped_run(self) -> LogError {
         match self {
             LogError::Destination { place, what, passes: true, .. } => LogError::StoppedAway { place, why: what },
+            LogError::Hangs { ref place, .. } => LogError::StoppedAway { place: place.clone(), why: self.reason() },
             other => other,
         }
+    }
+
+    /// The error of a destination that has not answered within this time.
+    pub fn hangs(place: &str, within: Duration) -> LogError {
+        LogError::Hangs { place: place.into(), seconds: within.as_secs().max(1) }
     }
 
     /// What is wrong with a destination, as a part of a sentence.
     pub(crate) fn reason(&self) -> String {
         match self {
             LogError::Destination { what, .. } => what.clone(),
+            LogError::Hangs { seconds, .. } => format!("it has not answered for {seconds} s"),
             other => other.to_string(),
         }
     }

@@ -28,10 +28,13 @@ pub mod table;
 pub mod sensor_info;
 pub mod run_info;
 mod cancel;
+mod deadline;
 pub mod meter;
 mod waiting;
+mod timed;
 pub mod policy;
 pub mod sink;
+mod timed_sink;
 mod check;
 mod numbered;
 pub mod elsewhere;
@@ -41,13 +44,13 @@ pub mod word;
 pub mod spreadsheet;
 mod mapping;
 mod messages;
-pub mod destination;
-mod writer;
 mod packed;
-
-pub mod logger;
 pub mod spool;
 pub mod remembered;
+pub mod destination;
+mod writer;
+
+pub mod logger;
 pub mod truth;
 
 /// Fleets: many homes that tell one place.
@@ -72,6 +75,7 @@ pub mod records;
 pub use anonymise::{Anonymised, Anonymising, anonymise};
 pub use cancel::Cancel;
 pub use convert::convert;
+pub use deadline::Deadline;
 pub use destination::Destination;
 pub use error::LogError;
 pub use label::{Labelled, label};

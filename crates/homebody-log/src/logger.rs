@@ -1,5 +1,7 @@
 //! Stores a run's firings in as many places as wished.
 
+use crate::cancel::Cancel;
+use crate::deadline::Deadline;
 use crate::destination::Destination;
 use crate::error::LogError;
 use crate::fresh::all_can_be_written;
@@ -7,10 +9,10 @@ use crate::mapping::{Columns, Shown};
 use crate::messages::{LogRow, Messages};
 use crate::meter::Meter;
 use crate::run_info::RunInfo;
-use crate::sink::{How, Watermark};
+use crate::sink::{Beginning, How, Watermark};
 use crate::table::{Batch, Cell, TextId, Texts};
 use crate::url::Url;
-use crate::writer::{BATCH, BATCH_WAITS, Beginning, Writer};
+use crate::writer::{BATCH, BATCH_WAITS, Writer};
 use homebody_core::event::{Firing, Value};
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::Micros;
@@ -93,6 +95,8 @@ impl Logger {
             run_column: columns.run,
             spreadsheet_safe: file.spreadsheet_safe,
             how,
+            cancel: Cancel::new(),
+            deadline: Deadline::default(),
         };
         let mut stored = Stored { by_sensor: vec![0; sensors.len()], ..Stored::default() };
         let mut writers = Vec::new();

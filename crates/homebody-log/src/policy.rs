@@ -1,7 +1,9 @@
 //! What becomes of a run when one of its destinations fails, hangs or is slow.
 
 use crate::cancel::Cancel;
+use crate::deadline::Deadline;
 use crate::meter::Meter;
+use crate::timed::STOPS_WITHIN;
 use crate::waiting::Waiting;
 use std::time::Duration;
 
@@ -19,19 +21,19 @@ pub struct Policy {
     pub retry_after: Duration,
     /// How many batches of at most 4,096 rows may wait for it. When they are that many, the run waits.
     pub batches_waiting: usize,
-    /// A destination that does not begin within this time, or takes nothing for so long, hangs: that is an error, and nobody waits
-    /// for it any more. Retries count: this should be longer than they may take.
+    /// How long the destination may take for one request. One that takes longer hangs. That is an error that passes: it is waited
+    /// for as any other, and the call that hangs is not made twice.
     pub answers_within: Duration,
+    /// Once the run is stopped, how long an answer is still waited for.
+    pub stops_within: Duration,
 }
 
-/// What a destination has that says nothing else: how long before the first retry, how many batches may wait for it, and how
-/// long it may take to answer (ours).
+/// The usual time before the first retry, and the usual number of batches that wait.
 const RETRY_AFTER_MS: u64 = 100;
 const BATCHES_WAITING: usize = 4;
-const ANSWERS_WITHIN_S: u64 = 120;
 
 impl Default for Policy {
-    /// Required, without retries, with little waiting; it must answer within two minutes.
+    /// Required, without retries, with little waiting; it must answer within two minutes, also once the run is stopped.
     fn default() -> Policy {
         Policy {
             required: true,
@@ -39,7 +41,8 @@ impl Default for Policy {
             retries_beginning: true,
             retry_after: Duration::from_millis(RETRY_AFTER_MS),
             batches_waiting: BATCHES_WAITING,
-            answers_within: Duration::from_secs(ANSWERS_WITHIN_S),
+            answers_within: Deadline::OF_FILES,
+            stops_within: Deadline::OF_FILES,
         }
     }
 }
@@ -51,6 +54,11 @@ impl Policy {
     /// A destination that the run can do without.
     pub fn optional() -> Policy {
         Policy { required: false, ..Policy::default() }
+    }
+
+    /// A server, or the reader of a pipe: it must answer within ten seconds, and soon once the run is stopped.
+    pub fn of_server() -> Policy {
+        Policy { answers_within: Deadline::OF_SERVERS, stops_within: STOPS_WITHIN, ..Policy::default() }
     }
 
     /// How the destination is waited for while it is away.

@@ -4,7 +4,6 @@
 //! What was given and not noted before the program died is given again, with the same numbers: such a destination gets each row at
 //! least once.
 
-use crate::destination::Destination;
 use crate::error::LogError;
 use crate::plain::read_text;
 use crate::sink::{Begin, How, Sink, Watermark};
@@ -16,18 +15,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-impl Destination {
-    /// The same, with what it has confirmed noted in this folder.
-    pub fn remembered_in(self, folder: &Path) -> Destination {
-        let path = folder.join(format!("{}{NOTES}", file_name(&self.place)));
-        Destination {
-            sink: Box::new(Remembered { inner: self.sink, path, noted: None, left_out: Vec::new(), given: Vec::new() }),
-            ..self
-        }
-    }
-}
-
-struct Remembered {
+pub(crate) struct Remembered {
     inner: Box<dyn Sink>,
     path: PathBuf,
     noted: Option<Note>,
@@ -64,6 +52,11 @@ impl Note {
 }
 
 impl Remembered {
+    pub fn new(place: &str, inner: Box<dyn Sink>, folder: &Path) -> Remembered {
+        let path = folder.join(format!("{}{NOTES}", file_name(place)));
+        Remembered { inner, path, noted: None, left_out: Vec::new(), given: Vec::new() }
+    }
+
     /// What is noted of this run; nothing where the file is of another, or damaged.
     fn read(&self, run: i64) -> Option<Note> {
         Note::read(&self.path).ok().filter(|note| note.run == run)

@@ -1,7 +1,7 @@
 //! All that a run leaves: its log, the truth apart from it, the table of its sensors, and the recording that lives it
 //! again.
 
-use crate::destination::Destination;
+use crate::destination::{Destination, Treatment};
 use crate::error::LogError;
 use crate::fresh::{FreshFile, remove_parts};
 use crate::limits::LARGEST_RECORDING_BYTES;
@@ -49,6 +49,8 @@ pub struct RunLog {
     /// The truth of a run that was stopped, which is written anew beside the old one.
     anew: Option<Anew>,
     how: How,
+    /// Why the truth was left behind, if its place was away when the run was stopped.
+    away: Option<LogError>,
     /// How many rows the log and the truth had when they were asked to make sure of them, and when that was.
     settled: (u64, Instant),
     /// Of a run's folder, or of a recording elsewhere, from the beginning to the end.
@@ -90,13 +92,14 @@ impl RunLog {
         recording: &Recording,
         how: How,
     ) -> Result<RunLog, LogError> {
-        RunLog::open_with(places, Vec::new(), scenario, run, recording, how)
+        RunLog::open_with(places, Vec::new(), &Treatment::default(), scenario, run, recording, how)
     }
 
-    /// The same, with destinations of a caller's own beside the places.
+    /// The same, with destinations of a caller's own, too, and a treatment of the servers among the places.
     pub fn open_with(
         places: &Places,
         own: Vec<Destination>,
+        as_said: &Treatment,
         scenario: &Scenario,
         run: &Run,
         recording: &Recording,
@@ -141,10 +144,16 @@ impl RunLog {
         if places.is_followed {
             all = places.log.iter().map(Destination::followed).collect();
         }
+        let is_server = places.log.iter().map(|url| url.server().is_some());
+        let all = all.into_iter().zip(is_server);
+        let treated = |(of, is_server): (Destination, bool)| if is_server { of.treated(as_said) } else { of };
+        let mut all: Vec<Destination> = all.map(treated).collect();
         all.extend(own);
         let opened = Logger::open(all, &scenario.logger, &info, how).and_then(|logger| {
             let truth = truth_url.as_ref();
-            let open = |url| TruthLog::open_keeping(places.kept, url, &places.log, &scenario.logger, &info, truth_how);
+            let logs: Vec<&Path> = places.log.iter().filter_map(Url::file).collect();
+            let treated = (&logs[..], as_said);
+            let open = |url| TruthLog::open_keeping(places.kept, url, treated, &scenario.logger, &info, truth_how);
             let truth = truth.map(open).transpose()?;
             let mut silhouettes = None;
             if let Some(path) = &places.sensors {
@@ -174,6 +183,7 @@ impl RunLog {
                     digest,
                     anew,
                     how,
+                    away: None,
                     settled: (0, Instant::now()),
                     _lock: lock,
                 })
@@ -224,7 +234,8 @@ impl RunLog {
         let Some(logger) = &mut self.logger else { return Ok(()) };
         let joined = logger.store(&events.firings, settled)?;
         if let Some(truth) = &mut self.truth {
-            truth.store(events, joined)?;
+            let stored = truth.store(events, joined);
+            self.unless_away(stored)?;
         }
         self.settle_if_due()
     }
@@ -241,15 +252,26 @@ impl RunLog {
         }
         logger.wait_settled()?;
         if let Some(truth) = &mut self.truth {
-            truth.wait_settled()?;
-            truth.settle()?;
+            let settled = truth.wait_settled().and_then(|()| truth.settle());
+            self.unless_away(settled)?;
         }
         if let Some(silhouettes) = &mut self.silhouettes {
             silhouettes.settle()?;
         }
-        logger.settle()?;
+        self.logger.as_mut().map_or(Ok(()), Logger::settle)?;
         self.settled = (rows, Instant::now());
         Ok(())
+    }
+
+    /// A truth that was away when the run was stopped is left behind: all else is to hold the run up to there.
+    fn unless_away(&mut self, done: Result<(), LogError>) -> Result<(), LogError> {
+        match done {
+            Err(error @ LogError::StoppedAway { .. }) => {
+                (self.truth, self.away) = (None, Some(error));
+                Ok(())
+            }
+            done => done,
+        }
     }
 
     /// Completes all places, and returns what was stored and the recording of what was lived: its length is where the run has
@@ -281,8 +303,8 @@ impl RunLog {
         let mut stored = self.logger.take().map(Logger::finish).transpose().map_err(early)?.unwrap_or_default();
         if let Some(mut truth) = self.truth.take() {
             let under_way = Events { facts: under_way, ..Events::default() };
-            truth.store(&under_way, &RowsOfFirings::default())?;
-            truth.finish(now).map_err(early)?;
+            let told = truth.store(&under_way, &RowsOfFirings::default()).and_then(|()| truth.finish(now));
+            self.unless_away(told.map_err(early))?;
         }
         if let Some(silhouettes) = self.silhouettes.take() {
             silhouettes.finish().map_err(early)?;
@@ -295,12 +317,12 @@ impl RunLog {
         let (length_us, rows) = (now, Some(stored.rows));
         let recording = Recording { length_us, stopped_of_us, rows, firings, sha256, ..recording };
         // One that was lived to its end, and that not all places have, stays as it was begun: what is complete is not gone on with.
-        let is_told = stored.away.is_none() || now < length;
+        let is_told = stored.away.is_none() && self.away.is_none() || now < length;
         if let (Some(path), true) = (&self.record, is_told) {
             write_recording(path, &recording, How::Replace)?;
         }
         self.given_up = None;
-        match stored.away.take() {
+        match stored.away.take().or(self.away.take()) {
             Some(away) => Err(away),
             None => Ok((stored, recording)),
         }
@@ -444,6 +466,7 @@ mod tests {
             digest: RunDigest::default(),
             anew: None,
             how: How::New,
+            away: None,
             settled: (0, Instant::now()),
             _lock: (None, None),
         };

@@ -5,16 +5,12 @@
 
 mod frame;
 
-use crate::cancel::Cancel;
-use crate::destination::Destination;
 use crate::error::{LogError, place_of};
 use crate::meter::Meter;
-use crate::policy::Policy;
-use crate::run_info::RunInfo;
-use crate::sink::{Begin, How, Sink, Watermark};
-use crate::table::{Batch, Table};
+use crate::sink::{Begin, Beginning, Sink, Watermark};
+use crate::table::Batch;
+use crate::timed_sink::TimedSink;
 use frame::{read_frame, write_frame};
-use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
 use std::fs::{self, File, OpenOptions};
 use std::io::{BufReader, BufWriter, Seek, SeekFrom, Write};
@@ -38,32 +34,14 @@ pub enum WhenDown {
 const FIRST_WAIT: Duration = Duration::from_millis(100);
 const LONGEST_WAIT: Duration = Duration::from_secs(5);
 
-/// How many batches may wait while a destination is tried that does not answer (ours).
-const BATCHES_WAITING: usize = 256;
+/// How many batches may wait while a destination is tried that does not answer.
+pub(crate) const BATCHES_WAITING: usize = 256;
+
+/// How soon a destination that has not answered is asked again whether it has.
+const ANSWER_LOOK: Duration = Duration::from_millis(250);
 
 /// How long a destination is waited for at the end of a run (ours): a restart of a server takes less.
 const END_WAITS: Duration = Duration::from_secs(60);
-
-impl Destination {
-    /// The same, with what becomes of the run while it is away.
-    pub fn when_down(self, when: &WhenDown) -> Destination {
-        match when {
-            WhenDown::Error => self,
-            &WhenDown::Retry(retry_for) => {
-                let answers_within = self.policy.answers_within.saturating_add(retry_for);
-                let policy = Policy { retry_for, retries_beginning: true, answers_within, ..self.policy };
-                Destination { policy, ..self }
-            }
-            WhenDown::Spool(folder, most_bytes) => {
-                let file = folder.join(format!("{}.spool", file_name(&self.place)));
-                let answers_within = self.policy.answers_within.saturating_add(END_WAITS);
-                let policy = Policy { batches_waiting: BATCHES_WAITING, answers_within, ..self.policy };
-                let spooled = Spooled::new(self.place.clone(), self.sink, file, *most_bytes, self.meter.clone());
-                Destination { sink: Box::new(spooled), policy, ..self }
-            }
-        }
-    }
-}
 
 /// A place as a file's name.
 pub(crate) fn file_name(place: &str) -> String {
@@ -72,9 +50,9 @@ pub(crate) fn file_name(place: &str) -> String {
 }
 
 /// A destination whose rows are put aside while it is away.
-struct Spooled {
+pub(crate) struct Spooled {
     place: String,
-    inner: Box<dyn Sink>,
+    inner: TimedSink,
     path: PathBuf,
     most_bytes: u64,
     beginning: Option<Beginning>,
@@ -87,17 +65,6 @@ struct Spooled {
     /// While it is away.
     away: Option<Away>,
     meter: Arc<Meter>,
-}
-
-/// What a destination is begun with, kept for when it is back.
-struct Beginning {
-    run: RunInfo,
-    tables: Vec<Table>,
-    time: TimeFormat,
-    run_column: String,
-    spreadsheet_safe: bool,
-    how: How,
-    cancel: Cancel,
 }
 
 /// What is kept while a destination is away.
@@ -113,7 +80,8 @@ struct Away {
 }
 
 impl Spooled {
-    fn new(place: String, inner: Box<dyn Sink>, path: PathBuf, most_bytes: u64, meter: Arc<Meter>) -> Spooled {
+    pub fn new(place: String, inner: TimedSink, folder: &Path, most_bytes: u64, meter: Arc<Meter>) -> Spooled {
+        let path = folder.join(format!("{}.spool", file_name(&place)));
         Spooled {
             place,
             inner,
@@ -130,22 +98,6 @@ impl Spooled {
 
     fn is_stopped(&self) -> bool {
         self.beginning.as_ref().is_some_and(|beginning| beginning.cancel.is_cancelled())
-    }
-
-    fn begin_inner(&mut self) -> Result<Watermark, LogError> {
-        let Some(kept) = &self.beginning else { return Ok(Watermark::none()) };
-        let begin = Begin {
-            run: &kept.run,
-            tables: &kept.tables,
-            time: kept.time,
-            run_column: &kept.run_column,
-            spreadsheet_safe: kept.spreadsheet_safe,
-            how: kept.how,
-            cancel: &kept.cancel,
-        };
-        let there = self.inner.begin(&begin)?;
-        self.has_begun = true;
-        Ok(there)
     }
 
     /// From now on rows are put aside, as the destination is away.
@@ -176,13 +128,20 @@ impl Spooled {
         Ok(())
     }
 
-    /// Hands over what was put aside if it is time to try; an error that passes means that the destination is still away.
+    /// Hands over what was put aside if it is time to try; an error that passes means that the destination is still away. Nobody waits
+    /// here for one that takes long to answer: its answer is heard later.
     fn catch_up(&mut self, now: bool) -> Result<(), LogError> {
         if self.away.as_ref().is_none_or(|away| !now && Instant::now() < away.next_try) {
             return Ok(());
         }
         match self.hand_over() {
-            Ok(()) => {
+            Ok(false) => {
+                if let Some(away) = &mut self.away {
+                    away.next_try = Instant::now() + ANSWER_LOOK;
+                }
+                Ok(())
+            }
+            Ok(true) => {
                 self.away = None;
                 self.meter.puts_aside(0);
                 self.meter.is_there(&self.place);
@@ -202,11 +161,13 @@ impl Spooled {
         }
     }
 
-    fn hand_over(&mut self) -> Result<(), LogError> {
-        if !self.has_begun {
-            self.there = self.begin_inner()?.0;
+    /// Hands over what was put aside. False where the destination has not answered yet: then the same is asked again.
+    fn hand_over(&mut self) -> Result<bool, LogError> {
+        if let (false, Some(beginning)) = (self.has_begun, &self.beginning) {
+            let Some(there) = self.inner.begin_briefly(&beginning.begin())? else { return Ok(false) };
+            (self.there, self.has_begun) = (there.0, true);
         }
-        let Some(away) = &mut self.away else { return Ok(()) };
+        let Some(away) = &mut self.away else { return Ok(true) };
         let failed = |path: &Path| {
             let path = path.to_owned();
             move |error| LogError::file(&path, error)
@@ -220,14 +181,15 @@ impl Spooled {
             // What it has already is counted down once: the same frame may be tried again.
             let mut there = self.there.clone();
             let rest = batch.beyond(&mut there);
-            if !rest.is_empty() {
-                self.inner.write(&rest)?;
+            if !rest.is_empty() && self.inner.write_briefly(&rest)?.is_none() {
+                return Ok(false);
             }
             self.there = there;
             away.read_bytes += bytes;
         }
-        self.durable = self.inner.settle()?;
-        Ok(())
+        let Some(durable) = self.inner.settle_briefly()? else { return Ok(false) };
+        self.durable = durable;
+        Ok(true)
     }
 }
 
@@ -239,21 +201,16 @@ impl Sink for Spooled {
         {
             return Err(LogError::file(&self.path, error));
         }
-        self.beginning = Some(Beginning {
-            run: begin.run.clone(),
-            tables: begin.tables.to_vec(),
-            time: begin.time,
-            run_column: begin.run_column.to_owned(),
-            spreadsheet_safe: begin.spreadsheet_safe,
-            how: begin.how,
-            cancel: begin.cancel.clone(),
-        });
-        match self.begin_inner() {
+        self.beginning = Some(Beginning::of(begin));
+        match self.inner.begin(begin) {
             Err(error) if error.passes() => {
                 self.goes_away(&error)?;
                 Ok(Watermark::none())
             }
-            begun => begun,
+            begun => {
+                self.has_begun = begun.is_ok();
+                begun
+            }
         }
     }
 

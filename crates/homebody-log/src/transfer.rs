@@ -2,6 +2,7 @@
 //! values what they were, as far as the other form can write them.
 
 use crate::cancel::Cancel;
+use crate::deadline::Deadline;
 use crate::error::LogError;
 use crate::fresh::all_can_be_written;
 use crate::mapping::Columns;
@@ -103,8 +104,8 @@ impl Transfer<'_> {
             tables.push(spans::table());
         }
         let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
-        let (how, cancel) = (self.how, &Cancel::new());
-        let begin = |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, cancel };
+        let (how, cancel, deadline) = (self.how, &Cancel::new(), &Deadline::default());
+        let begin = |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, cancel, deadline };
         let mut sink = sink::open(self.to);
         sink.begin(&begin(&tables))?;
         if let Some(beside) = &beside {

@@ -1,24 +1,24 @@
 //! A thread that writes batches to one destination, so that what makes them need not wait for a disk or a network.
 //!
 //! Batches come through a bounded queue: when the destination is the slower, the maker waits for it, and memory stays
-//! small. An error ends the thread; it comes out of the next call to the writer.
+//! small. The destination's deadline ends each of its calls, so the thread always comes back. An error ends the thread; it comes out of
+//! the next call to the writer.
 
 use crate::cancel::Cancel;
+use crate::deadline::Deadline;
 use crate::destination::Destination;
 use crate::error::LogError;
 use crate::meter::Meter;
 use crate::policy::Policy;
-use crate::run_info::RunInfo;
-use crate::sink::{Begin, How, Sink, Watermark};
-use crate::table::{Batch, Table};
+use crate::sink::{Beginning, Sink, Watermark};
+use crate::table::Batch;
 use crate::waiting::Waiting;
-use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, TrySendError, sync_channel};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Rows of one batch. This and the numbers below are ours.
 pub(crate) const BATCH: usize = 4096;
@@ -29,14 +29,8 @@ pub(crate) const BATCH_WAITS: Duration = Duration::from_millis(100);
 /// How long rows are unsure where nothing comes any more, not even word to make sure of them.
 const IDLE: Duration = Duration::from_secs(1);
 
-/// How often a full queue or a thread that ends is looked at.
+/// How often a thread that makes sure of rows is looked at.
 const LOOK: Duration = Duration::from_micros(200);
-
-/// How often one that begins is looked at.
-const BEGINNING_LOOK: Duration = Duration::from_millis(10);
-
-/// How long a destination that is away may take to notice that the run was stopped.
-const NOTICES_WITHIN: Duration = Duration::from_millis(800);
 
 /// A destination in a thread of its own.
 pub(crate) struct Writer {
@@ -47,10 +41,6 @@ pub(crate) struct Writer {
     thread: Option<JoinHandle<Result<(), LogError>>>,
     shared: Arc<Shared>,
     meter: Arc<Meter>,
-    /// Ends the wait for it while it is away.
-    cancel: Cancel,
-    /// Whether it was waited for in vain: nobody does so twice.
-    hangs: bool,
     /// How often it was asked to make sure of its rows.
     asked: u64,
 }
@@ -58,12 +48,12 @@ pub(crate) struct Writer {
 /// What the thread tells while it works.
 #[derive(Default)]
 struct Shared {
-    /// Counts up whenever the destination has answered.
-    answers: AtomicU64,
     /// How often it has made sure of its rows because it was asked to.
     settled: AtomicU64,
     /// How many of the rows to come the destination has already.
     there: AtomicU64,
+    /// Whether the run was given up.
+    is_given_up: AtomicBool,
     durable: Mutex<Watermark>,
 }
 
@@ -73,55 +63,37 @@ enum Message {
     Finish(Micros),
 }
 
-/// What a writer is begun with.
-#[derive(Clone)]
-pub(crate) struct Beginning {
-    pub run: Arc<RunInfo>,
-    pub tables: Arc<Vec<Table>>,
-    pub time: TimeFormat,
-    pub run_column: String,
-    pub spreadsheet_safe: bool,
-    pub how: How,
-}
-
 impl Writer {
-    /// Begins the sink in a thread of its own. Waits until it has begun, as long as its policy says, so that its error is
-    /// told at once.
+    /// Begins the sink in a thread of its own, and waits until it has begun: an error then comes from this call.
     pub fn spawn(destination: Destination, beginning: &Beginning) -> Result<Writer, LogError> {
-        let Destination { place, sink, policy, meter, cancel } = destination;
+        let (place, policy) = (destination.place.clone(), destination.policy.clone());
+        let (meter, cancel) = (destination.meter.clone(), destination.cancel.clone());
+        let deadline = Deadline::new(policy.answers_within);
+        let beginning = Beginning { cancel: cancel.clone(), deadline, ..beginning.clone() };
         let (messages, incoming) = sync_channel(policy.batches_waiting);
         let (begun, begins) = sync_channel(1);
         let shared = Arc::new(Shared::default());
         let work = Work {
             place: place.clone(),
-            sink,
+            sink: destination.into_sink(),
             policy: policy.clone(),
             shared: shared.clone(),
             meter: meter.clone(),
-            cancel: cancel.clone(),
+            cancel,
             there: Vec::new(),
         };
-        let beginning = beginning.clone();
         let thread = thread::Builder::new().spawn(move || work.live(&beginning, &begun, incoming));
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
         let (messages, thread) = (Some(messages), Some(thread));
-        let mut writer = Writer { place, policy, messages, thread, shared, meter, cancel, hangs: false, asked: 0 };
-        let mut patience = Patience::new(&writer);
-        loop {
-            match begins.recv_timeout(BEGINNING_LOOK) {
-                Ok(()) => return Ok(writer),
-                Err(RecvTimeoutError::Timeout) => patience.is_left(&mut writer)?,
-                // The thread has ended.
-                Err(RecvTimeoutError::Disconnected) => {
-                    writer.join()?;
-                    return Err(LogError::Stopped { place: writer.place.clone() });
-                }
+        let mut writer = Writer { place, policy, messages, thread, shared, meter, asked: 0 };
+        match begins.recv() {
+            Ok(()) => Ok(writer),
+            // The thread has ended.
+            Err(_) => {
+                writer.join()?;
+                Err(LogError::Stopped { place: writer.place.clone() })
             }
         }
-    }
-
-    fn hangs_error(&self) -> LogError {
-        LogError::Hangs { place: self.place.clone(), seconds: self.policy.answers_within.as_secs() }
     }
 
     /// What errors call the destination.
@@ -163,7 +135,11 @@ impl Writer {
     /// Waits until it has made sure of its rows as often as it was asked to.
     pub fn wait_settled(&mut self) -> Result<(), LogError> {
         let asked = self.asked;
-        self.wait(|writer| writer.shared.settled.load(Ordering::Acquire) >= asked)?;
+        while self.shared.settled.load(Ordering::Acquire) < asked
+            && self.thread.as_ref().is_some_and(|thread| !thread.is_finished())
+        {
+            thread::sleep(LOOK);
+        }
         self.check()
     }
 
@@ -175,41 +151,17 @@ impl Writer {
         }
     }
 
-    /// Waits until all rows are safe and the run is marked as ended, as long as the destination goes on answering.
+    /// Waits until all rows are safe and the run is marked as ended.
     pub fn finish(mut self, end: Micros) -> Result<(), LogError> {
         self.pass(Message::Finish(end))?;
-        self.messages = None;
-        self.wait(|_| false)?;
         self.join()
     }
 
     fn pass(&mut self, message: Message) -> Result<(), LogError> {
-        let Some(messages) = self.messages.clone() else { return self.join() };
-        let mut message = match messages.try_send(message) {
-            Ok(()) => return Ok(()),
-            Err(TrySendError::Full(message)) => message,
-            Err(TrySendError::Disconnected(_)) => return self.join(),
-        };
-        let mut patience = Patience::new(self);
-        loop {
-            thread::sleep(LOOK);
-            message = match messages.try_send(message) {
-                Ok(()) => return Ok(()),
-                Err(TrySendError::Full(message)) => message,
-                Err(TrySendError::Disconnected(_)) => return self.join(),
-            };
-            patience.is_left(self)?;
+        match self.messages.as_ref().map(|messages| messages.send(message)) {
+            Some(Ok(())) => Ok(()),
+            Some(Err(_)) | None => self.join(),
         }
-    }
-
-    /// Waits until it is so, or for the thread's end.
-    fn wait(&mut self, is_so: impl Fn(&Writer) -> bool) -> Result<(), LogError> {
-        let mut patience = Patience::new(self);
-        while !is_so(self) && self.thread.as_ref().is_some_and(|thread| !thread.is_finished()) {
-            thread::sleep(LOOK);
-            patience.is_left(self)?;
-        }
-        Ok(())
     }
 
     fn join(&mut self) -> Result<(), LogError> {
@@ -222,50 +174,13 @@ impl Writer {
 }
 
 impl Drop for Writer {
-    /// Waits for the thread, so that nothing writes on after the run has been given up; but not for one that hangs.
+    /// Waits for the thread, so that nothing writes on after the run has been given up. It does not wait long for a destination that hangs.
     fn drop(&mut self) {
         self.messages = None;
-        if !self.hangs
-            && self.wait(|_| false).is_ok()
-            && let Some(thread) = self.thread.take()
-        {
+        self.shared.is_given_up.store(true, Ordering::Relaxed);
+        if let Some(thread) = self.thread.take() {
             let _ = thread.join();
         }
-    }
-}
-
-/// How long a destination may still go without an answer.
-struct Patience {
-    answers: u64,
-    since: Instant,
-    /// When it was seen that the run was stopped.
-    stopped: Option<Instant>,
-}
-
-impl Patience {
-    fn new(writer: &Writer) -> Patience {
-        let answers = writer.shared.answers.load(Ordering::Relaxed);
-        Patience { answers, since: Instant::now(), stopped: None }
-    }
-
-    /// An error where none is left: then nobody waits for the destination any more.
-    fn is_left(&mut self, writer: &mut Writer) -> Result<(), LogError> {
-        let answers = writer.shared.answers.load(Ordering::Relaxed);
-        if answers != self.answers {
-            (self.answers, self.since) = (answers, Instant::now());
-        }
-        if writer.cancel.is_cancelled() {
-            let stopped = self.stopped.get_or_insert_with(Instant::now).elapsed();
-            if let Some(why) = writer.meter.why_away().filter(|_| stopped > NOTICES_WITHIN) {
-                writer.hangs = true;
-                return Err(LogError::StoppedAway { place: writer.place.clone(), why });
-            }
-        }
-        if self.since.elapsed() > writer.policy.answers_within {
-            writer.hangs = true;
-            return Err(writer.hangs_error());
-        }
-        Ok(())
     }
 }
 
@@ -290,17 +205,8 @@ impl Work {
         begun: &SyncSender<()>,
         incoming: Receiver<Message>,
     ) -> Result<(), LogError> {
-        let begin = Begin {
-            run: &beginning.run,
-            tables: &beginning.tables,
-            time: beginning.time,
-            run_column: &beginning.run_column,
-            spreadsheet_safe: beginning.spreadsheet_safe,
-            how: beginning.how,
-            cancel: &self.cancel.clone(),
-        };
         let retry_for = if self.policy.retries_beginning { self.policy.retry_for } else { Duration::ZERO };
-        let there = self.call_for(retry_for, |sink| sink.begin(&begin))?;
+        let there = self.call_for(retry_for, |sink| sink.begin(&beginning.begin()))?;
         let Work { shared, .. } = &mut self;
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = there.clone();
         shared.there.store(there.0.iter().sum(), Ordering::Release);
@@ -353,9 +259,9 @@ impl Work {
         retry_for: Duration,
         mut ask: impl FnMut(&mut dyn Sink) -> Result<T, LogError>,
     ) -> Result<T, LogError> {
-        let Work { place, sink, policy, meter, cancel, .. } = self;
+        let Work { place, sink, policy, meter, cancel, shared, .. } = self;
         let waiting = Waiting { retry_for, ..policy.waiting(place, meter, cancel) };
-        waiting.call(|| false, || ask(&mut **sink))
+        waiting.call(|| shared.is_given_up.load(Ordering::Relaxed), || ask(&mut **sink))
     }
 
     /// An error where the destination has rows behind the last of the run: most look themselves and have refused to end, but those of which
@@ -381,9 +287,7 @@ impl Work {
         } else {
             self.call(|sink| sink.write(batch))?;
         }
-        let Work { shared, meter, .. } = self;
-        meter.took(batch);
-        shared.answers.fetch_add(1, Ordering::Relaxed);
+        self.meter.took(batch);
         Ok(())
     }
 
@@ -392,7 +296,6 @@ impl Work {
         let Work { shared, meter, .. } = self;
         meter.made_sure(durable.0.iter().sum());
         *shared.durable.lock().unwrap_or_else(PoisonError::into_inner) = durable;
-        shared.answers.fetch_add(1, Ordering::Relaxed);
         Ok(())
     }
 }

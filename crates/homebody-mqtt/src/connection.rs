@@ -167,6 +167,7 @@ impl Connection {
                 Err(_) => hear.await,
             },
             heard = &mut hear => heard,
+            silent = flight.silence() => Err(silent),
         }
     }
 

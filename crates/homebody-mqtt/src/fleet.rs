@@ -15,7 +15,7 @@ use crate::speech::{Message, Speech};
 use crate::trouble::Trouble;
 use homebody_core::event::Value as Said;
 use homebody_log::fleet::{Fleet, FleetRow, FleetSink, Told};
-use homebody_log::{How, LogError, Url};
+use homebody_log::{Cancel, Deadline, How, LogError, Url};
 use rumqttc::Publish;
 use serde_json::{Map, Value, json};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -75,7 +75,7 @@ impl FleetSink for MqttFleet {
         if is_fast { address.may_go_fast() } else { Ok(()) }
     }
 
-    fn begin(&mut self, fleet: &Arc<Fleet>, _: How) -> Result<Vec<u64>, LogError> {
+    fn begin(&mut self, fleet: &Arc<Fleet>, _: How, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
         let address = Address::of(&self.url)?;
         not_public(&address)?;
         let (told, instance, name) = (address.place(), instance(), own_name(fleet));
@@ -84,7 +84,7 @@ impl FleetSink for MqttFleet {
         let id = id_of_home(&address.prefix, &name);
         let options = options(&address, (status.clone(), "offline"), &id, &instance);
         let options = options.map_err(|trouble| trouble.error(&told))?;
-        let flight = Arc::new(Flight::default());
+        let flight = Arc::new(Flight::new(&Cancel::new(), deadline));
         flight.lock().forgets = true;
         let there = There::new(Mutex::new(vec![false; fleet.homes.len()]));
         let speaker = FleetSpeaker {

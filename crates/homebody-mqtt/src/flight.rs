@@ -5,7 +5,7 @@
 
 use crate::speech::Message;
 use crate::trouble::Trouble;
-use homebody_log::Cancel;
+use homebody_log::{Cancel, Deadline};
 use serde_json::json;
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -21,6 +21,9 @@ const HANDFUL: usize = 64;
 /// How long a broker that acknowledges nothing is waited for once the run was stopped (ours).
 const AFTER_STOP: Duration = Duration::from_millis(700);
 
+/// How often it is looked whether a broker is silent.
+const SILENCE_LOOK: Duration = Duration::from_millis(250);
+
 /// So many answers wait to be sent, at most (ours).
 const MOST_ASIDES: usize = 1000;
 
@@ -34,6 +37,8 @@ pub(crate) struct Flight {
     pub wake: Notify,
     /// Ends waits early.
     cancel: Cancel,
+    /// How long a broker may take to acknowledge.
+    deadline: Deadline,
 }
 
 /// Which message was sent.
@@ -107,9 +112,9 @@ struct Told {
 }
 
 impl Flight {
-    /// One in which nobody waits for long once this handle says so.
-    pub fn new(cancel: &Cancel) -> Flight {
-        Flight { cancel: cancel.clone(), ..Flight::default() }
+    /// A flight with a handle that ends waits, and a deadline for acknowledgements.
+    pub fn new(cancel: &Cancel, deadline: &Deadline) -> Flight {
+        Flight { cancel: cancel.clone(), deadline: deadline.clone(), ..Flight::default() }
     }
 
     pub fn lock(&self) -> MutexGuard<'_, State> {
@@ -130,6 +135,7 @@ impl Flight {
         let (is_worth_it, is_ending) = {
             let mut state = self.lock();
             state.acknowledge(sent);
+            self.deadline.asks();
             let left = state.waiting.len();
             (sent == Sent::Greeting || left == usize::from(MOST_IN_FLIGHT / 2) || left == 0, state.wish != Wish::Live)
         };
@@ -141,8 +147,25 @@ impl Flight {
         }
     }
 
-    /// Waits until it is so. Gives up when the connection is over, and when nothing is acknowledged for this long while there is none,
-    /// or for ten times as long in any case; once the run is stopped, at once and after a second.
+    /// Returns once a broker that was sent something has not acknowledged anything for as long as it may take: its connection is half
+    /// open, or it stands still.
+    pub async fn silence(&self) -> Trouble {
+        let within = self.deadline.within();
+        let mut since = (0, Instant::now());
+        loop {
+            tokio::time::sleep(SILENCE_LOOK.min(within / 4)).await;
+            let state = self.lock();
+            if state.answers != since.0 || !state.waits_for_broker() {
+                since = (state.answers, Instant::now());
+            }
+            if since.1.elapsed() >= within {
+                return Trouble::silent(since.1.elapsed());
+            }
+        }
+    }
+
+    /// Waits until it is so. Gives up when the connection is over, and when no acknowledgement comes for this long without a connection,
+    /// or within the deadline with one. Once the run is stopped, it gives up at once without a connection, and after a second with one.
     pub fn wait(&self, patience: Duration, is_so: impl Fn(&State) -> bool) -> Result<MutexGuard<'_, State>, Trouble> {
         let mut state = self.lock();
         let mut since = (state.answers, Instant::now());
@@ -158,7 +181,7 @@ impl Flight {
             }
             let (without_link, with_link) = match self.cancel.is_cancelled() {
                 true => (Duration::ZERO, AFTER_STOP),
-                false => (patience, 10 * patience),
+                false => (patience.min(self.deadline.within()), self.deadline.within() + SILENCE_LOOK),
             };
             match &state.link {
                 Link::Down(why) if since.1.elapsed() >= without_link => return Err(why.clone()),
@@ -209,6 +232,11 @@ impl State {
     /// How many were acknowledged, without gaps.
     pub fn acknowledged(&self) -> u64 {
         self.first
+    }
+
+    /// Whether something was sent on this connection that is not acknowledged.
+    fn waits_for_broker(&self) -> bool {
+        self.next > self.first || self.greeting_left > 0
     }
 
     /// Begins a connection: all that is not acknowledged goes again, after the greeting and what is kept.

@@ -22,13 +22,7 @@ const AWAY_FOR: Duration = Duration::from_secs(600);
 
 /// A broker as a destination: required, and waited for ten minutes if it goes away on the way; there at the beginning.
 pub fn policy() -> Policy {
-    Policy {
-        retry_for: AWAY_FOR,
-        retries_beginning: false,
-        retry_after: Duration::from_secs(1),
-        answers_within: AWAY_FOR + Duration::from_secs(120),
-        ..Policy::default()
-    }
+    Policy { retry_for: AWAY_FOR, retries_beginning: false, retry_after: Duration::from_secs(1), ..Policy::of_server() }
 }
 
 /// A broker as a destination.
@@ -92,7 +86,7 @@ impl Sink for MqttSink {
         let (topic, [_, offline]) = place.status();
         let options = options(&address, (topic, offline), &place.id, &instance);
         let options = options.map_err(|trouble| trouble.error(&place_told))?;
-        let flight = Arc::new(Flight::new(begin.cancel));
+        let flight = Arc::new(Flight::new(begin.cancel, begin.deadline));
         flight.change(|shared| at_rest(&place).iter().for_each(|message| shared.keep_in_mind(message)));
         let speaker = HomeSpeaker {
             address,

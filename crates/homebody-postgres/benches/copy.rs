@@ -159,6 +159,7 @@ fn sink(server: &Server, batches: &[Batch]) -> f64 {
         spreadsheet_safe: false,
         how: How::New,
         cancel: &Cancel::new(),
+        deadline: &homebody_log::Deadline::default(),
     };
     sink.begin(&begin).expect("a destination");
     for batch in batches {

@@ -4,25 +4,41 @@ use crate::password;
 use crate::server::{Host, Server};
 use crate::tls;
 use crate::trouble::{away, silent, told};
-use homebody_log::LogError;
+use homebody_log::{Deadline, LogError};
 use std::future::Future;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use tokio::runtime::{Builder, Runtime};
 use tokio::task::JoinHandle;
-use tokio_postgres::{Client, Config, Error};
+use tokio_postgres::{Client, Config, Error, SimpleQueryMessage};
 
-/// How long a server may take for one thing that it is asked (ours): less than a run waits for a destination.
+/// How long a server may take to answer a reader of a log, and a request that grows with the size of a table.
 const ANSWERS_WITHIN: Duration = Duration::from_secs(100);
 
-/// What holds in each connection (ours). Who is cut off in the middle holds nobody up for long, and what is said to be committed is
-/// on the server's disk.
-const SETTINGS: &str = "SET lock_timeout = '30s'; SET idle_in_transaction_session_timeout = '90s'; SET statement_timeout = 0; \
-     SET tcp_keepalives_idle = 10; SET tcp_keepalives_interval = 10; SET tcp_keepalives_count = 3; \
-     SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') = 'off'";
+/// How long a server waits for a lock at most.
+const LONGEST_LOCK: Duration = Duration::from_secs(30);
 
-/// How long an unanswered packet is sent again (ours).
-const UNANSWERED: Duration = Duration::from_secs(30);
+/// How long a server keeps the transaction of a silent program open, at most.
+const LONGEST_IDLE: Duration = Duration::from_secs(90);
+
+/// How many packets ask a silent server whether it is there.
+const KEEPALIVES: u32 = 3;
+
+/// The settings of each connection. A program that is cut off holds up no other for long, and committed rows are on the server's disk.
+/// The server reports a lock that it does not get before the deadline, and tells its own name of this connection.
+fn settings(within: Duration) -> String {
+    let lock_ms = within.mul_f64(0.8).min(LONGEST_LOCK).as_millis().max(1);
+    let idle_ms = (3 * within).min(LONGEST_IDLE).as_millis().max(1);
+    format!(
+        "SET lock_timeout = {lock_ms}; SET idle_in_transaction_session_timeout = {idle_ms}; SET statement_timeout = 0; \
+         SET tcp_keepalives_idle = 10; SET tcp_keepalives_interval = 10; SET tcp_keepalives_count = 3; \
+         SELECT set_config('synchronous_commit', 'on', false) WHERE current_setting('synchronous_commit') = 'off'; \
+         SELECT {BACKEND} FROM pg_stat_activity WHERE pid = pg_backend_pid()"
+    )
+}
+
+/// A name of the server's end of a connection that no other end gets.
+const BACKEND: &str = "pid || ' ' || backend_start";
 
 /// A connection. After an error that passes it is of no more use.
 pub(crate) struct Connection {
@@ -33,11 +49,21 @@ pub(crate) struct Connection {
     carrier: JoinHandle<()>,
     /// Why the connection is lost, once it is.
     ended_by: Arc<Mutex<Option<Error>>>,
+    /// How long the server may take for one thing that it is asked.
+    deadline: Deadline,
+    /// The server's name of its end, if it tells it.
+    pub backend: Option<String>,
 }
 
 impl Connection {
-    /// Connects, within the time that the server's URL says.
-    pub fn open(server: &Server) -> Result<Connection, LogError> {
+    /// Connects for one who reads, within the time that the server's URL says.
+    pub fn to_read(server: &Server) -> Result<Connection, LogError> {
+        Connection::open(server, &Deadline::new(ANSWERS_WITHIN))
+    }
+
+    /// Connects, within the time that the server's URL says and the deadline allows; each answer has the deadline's time.
+    pub fn open(server: &Server, deadline: &Deadline) -> Result<Connection, LogError> {
+        let connect_within = server.connect_within.min(deadline.within());
         let runtime = Builder::new_current_thread().enable_io().enable_time().build();
         let runtime = runtime.map_err(|error| away(server, format!("the system gives no connection: {error}")))?;
         let found = password::find(server);
@@ -48,8 +74,11 @@ impl Connection {
             .port(server.port)
             .ssl_mode(tls::mode(server.tls))
             .application_name(&server.application)
-            .connect_timeout(server.connect_within)
-            .tcp_user_timeout(UNANSWERED);
+            .connect_timeout(connect_within)
+            .tcp_user_timeout(deadline.within())
+            .keepalives_idle(deadline.within())
+            .keepalives_interval((deadline.within() / KEEPALIVES).max(Duration::from_secs(1)))
+            .keepalives_retries(KEEPALIVES);
         match &server.host {
             Host::Name(name) => config.host(name),
             #[cfg(unix)]
@@ -65,6 +94,7 @@ impl Connection {
         }
         let connector = tls::connector(server)?;
         let ended_by = Arc::<Mutex<Option<Error>>>::default();
+        deadline.asks_for(connect_within);
         let connected = runtime.block_on(async {
             let connecting = async {
                 let (client, line) = config.connect(connector).await?;
@@ -72,25 +102,38 @@ impl Connection {
                 let carrier = tokio::spawn(async move {
                     *ended.lock().unwrap_or_else(PoisonError::into_inner) = line.await.err();
                 });
-                client.batch_execute(SETTINGS).await?;
-                Ok((client, carrier))
+                let said = client.simple_query(&settings(deadline.within())).await?;
+                Ok((client, carrier, said))
             };
-            tokio::time::timeout(server.connect_within, connecting).await
+            tokio::time::timeout(connect_within, connecting).await
         });
         match connected {
-            Ok(Ok((client, carrier))) => Ok(Connection { server: server.clone(), runtime, client, carrier, ended_by }),
+            Ok(Ok((client, carrier, said))) => {
+                let backend = said.iter().rev().find_map(|said| match said {
+                    SimpleQueryMessage::Row(row) => row.get(0).map(str::to_owned),
+                    _ => None,
+                });
+                let (server, deadline) = (server.clone(), deadline.clone());
+                Ok(Connection { server, runtime, client, carrier, ended_by, deadline, backend })
+            }
             Ok(Err(error)) => Err(told(server, &error, found.ignored.as_deref())),
-            Err(_) => Err(silent(server, server.connect_within)),
+            Err(_) => Err(silent(server, connect_within)),
         }
     }
 
     /// Waits for what the server says.
     pub fn wait<T>(&self, asked: impl Future<Output = Result<T, Error>>) -> Result<T, LogError> {
-        self.wait_for(ANSWERS_WITHIN, asked)
+        self.wait_for(self.deadline.within(), asked)
+    }
+
+    /// The same for what takes long where there is much of it.
+    pub fn wait_long<T>(&self, asked: impl Future<Output = Result<T, Error>>) -> Result<T, LogError> {
+        self.wait_for(ANSWERS_WITHIN.max(self.deadline.within()), asked)
     }
 
     /// The same, not longer than so.
     pub fn wait_for<T>(&self, longest: Duration, asked: impl Future<Output = Result<T, Error>>) -> Result<T, LogError> {
+        self.deadline.asks_for(longest);
         let answer = self.runtime.block_on(async { tokio::time::timeout(longest, asked).await });
         match answer {
             Ok(Ok(answer)) => Ok(answer),
@@ -98,6 +141,13 @@ impl Connection {
             Ok(Err(error)) => Err(told(&self.server, &error, None)),
             Err(_) => Err(silent(&self.server, longest)),
         }
+    }
+
+    /// Ends what the server still does for a connection that this program has given up: it would keep its locks.
+    pub fn end(&self, backend: &str) {
+        let sql = format!("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE {BACKEND} = $1");
+        // A server that does not allow it ends the connection by itself a little later.
+        let _ = self.wait(self.client.execute(&sql, &[&backend]));
     }
 
     /// Why the connection is lost, as far as the server has said so.

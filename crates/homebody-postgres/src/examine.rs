@@ -17,7 +17,7 @@ const OLDEST: i32 = 120_000;
 pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> {
     let server = Server::parse(&url.to_string())?;
     let (log, run_column) = log_table(asked.mapping)?;
-    let connection = match Connection::open(&server) {
+    let connection = match Connection::to_read(&server) {
         Ok(connection) => connection,
         Err(error) => return Ok(vec![Check::of_error("server", &error)]),
     };

@@ -14,7 +14,7 @@ use futures_util::SinkExt;
 use homebody_core::event::Value;
 use homebody_log::fleet::{Fleet, FleetRow, FleetSink, Told};
 use homebody_log::table::{Batch, Cell, Texts};
-use homebody_log::{Begin, Cancel, How, LogError, Url};
+use homebody_log::{Begin, Cancel, Deadline, How, LogError, Url};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -29,6 +29,7 @@ pub struct PostgresFleet {
 
 struct Open {
     server: Server,
+    deadline: Deadline,
     /// None after it was lost, until the next transaction.
     connection: Option<Connection>,
     fleet: Arc<Fleet>,
@@ -79,9 +80,9 @@ impl FleetSink for PostgresFleet {
         }
     }
 
-    fn begin(&mut self, fleet: &Arc<Fleet>, how: How) -> Result<Vec<u64>, LogError> {
+    fn begin(&mut self, fleet: &Arc<Fleet>, how: How, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
         let server = Server::parse(&self.url)?;
-        let connection = Connection::open(&server)?;
+        let connection = Connection::open(&server, deadline)?;
         let (mut kinds, mut all) = (Vec::new(), None);
         for layout in &fleet.layouts {
             // Rows of runs that are there already are gone on with: their ids are those of the very same lives.
@@ -93,6 +94,7 @@ impl FleetSink for PostgresFleet {
                 spreadsheet_safe: false,
                 how: How::GoOn,
                 cancel: &Cancel::new(),
+                deadline,
             };
             let schema = Schema::make(&connection, &server, &begin)?;
             let start = runs::start_of(&layout.run);
@@ -109,7 +111,16 @@ impl FleetSink for PostgresFleet {
         let homes = found(&connection, &server, &schema, fleet)?;
         let there = homes.iter().map(|home| home.rows as u64).collect();
         let (fleet, connection) = (fleet.clone(), Some(connection));
-        self.open = Some(Open { server, connection, fleet, schema, kinds, homes, is_in_doubt: false });
+        self.open = Some(Open {
+            server,
+            deadline: deadline.clone(),
+            connection,
+            fleet,
+            schema,
+            kinds,
+            homes,
+            is_in_doubt: false,
+        });
         Ok(there)
     }
 
@@ -122,7 +133,7 @@ impl FleetSink for PostgresFleet {
         }
         match open.transact(&rows) {
             // A connection may have been lost long ago, without anybody noticing: a new one is tried once.
-            Err(error) if error.passes() => {
+            Err(error) if error.passes() && !matches!(error, LogError::Hangs { .. }) => {
                 open.connection = None;
                 open.transact(&rows)
             }
@@ -136,7 +147,7 @@ impl FleetSink for PostgresFleet {
         let ids: Vec<i64> = open.fleet.homes.iter().map(|home| home.run).collect();
         let sql = format!("UPDATE {} SET ended_at = $2 WHERE run_id = ANY($1)", open.schema.runs());
         let connection = open.connected()?;
-        match connection.wait(connection.client.execute(&sql, &[&ids, &At(end)])) {
+        match connection.wait_long(connection.client.execute(&sql, &[&ids, &At(end)])) {
             Ok(_) => self.open = None,
             Err(error) => {
                 open.connection = None;
@@ -184,7 +195,7 @@ fn found(connection: &Connection, server: &Server, schema: &Schema, fleet: &Flee
 impl Open {
     fn connected(&mut self) -> Result<&Connection, LogError> {
         if self.connection.is_none() {
-            self.connection = Some(Connection::open(&self.server)?);
+            self.connection = Some(Connection::open(&self.server, &self.deadline)?);
         }
         self.connection.as_ref().ok_or_else(|| LogError::Stopped { place: self.server.place.clone() })
     }
@@ -195,7 +206,7 @@ impl Open {
         // By the number of the home: up to which row these go.
         let then: BTreeMap<u32, i64> = rows.iter().map(|row| (row.home, row.seq as i64 + 1)).collect();
         let encoded = self.encode(rows)?;
-        let Open { server, connection: Some(connection), fleet, schema, kinds, homes, is_in_doubt } = self else {
+        let Open { server, connection: Some(connection), fleet, schema, kinds, homes, is_in_doubt, .. } = self else {
             return Ok(());
         };
         connection.wait(connection.client.batch_execute("BEGIN"))?;

@@ -34,7 +34,7 @@ pub(crate) fn add(connection: &Connection, schema: &Schema, fleet: &Fleet) -> Re
         let (zone, start) = (zone(run), At(start_of(run)));
         let values: [&(dyn ToSql + Sync); 9] =
             [&ids, &names, &holds(false), &run.scenario, &run.version, &zone, &start, &layout.table.name, &seeds];
-        connection.wait(connection.client.execute(&sql, &values))?;
+        connection.wait_long(connection.client.execute(&sql, &values))?;
     }
     Ok(())
 }
@@ -44,9 +44,9 @@ pub(crate) fn forget(connection: &Connection, schema: &Schema, of: &[(InTable, V
     connection.wait(connection.client.batch_execute("BEGIN"))?;
     for (table, ids) in of {
         let sql = format!("DELETE FROM {} WHERE {} = ANY($1)", table.quoted, table.run_column);
-        connection.wait(connection.client.execute(&sql, &[ids]))?;
+        connection.wait_long(connection.client.execute(&sql, &[ids]))?;
         let sql = format!("DELETE FROM {} WHERE run_id = ANY($1)", schema.runs());
-        connection.wait(connection.client.execute(&sql, &[ids]))?;
+        connection.wait_long(connection.client.execute(&sql, &[ids]))?;
     }
     connection.wait(connection.client.batch_execute("COMMIT"))
 }
@@ -55,7 +55,7 @@ pub(crate) fn forget(connection: &Connection, schema: &Schema, of: &[(InTable, V
 pub(crate) fn find(connection: &Connection, schema: &Schema, fleet: &Fleet) -> Result<HashMap<i64, Known>, LogError> {
     let ids: Vec<i64> = fleet.homes.iter().map(|home| home.run).collect();
     let sql = format!("SELECT run_id, holds, version, rows[1], commits FROM {} WHERE run_id = ANY($1)", schema.runs());
-    let rows = connection.wait(connection.client.query(&sql, &[&ids]))?;
+    let rows = connection.wait_long(connection.client.query(&sql, &[&ids]))?;
     let known = |row: &tokio_postgres::Row| Known {
         holds: row.get(1),
         version: row.get(2),

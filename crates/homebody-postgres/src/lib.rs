@@ -49,7 +49,7 @@ pub const POSTGRESQL: Elsewhere = Elsewhere {
     schemes: &[Scheme::Postgresql],
     open: |url| Box::new(Postgres::new(url)),
     fleet: Some(|url| Box::new(PostgresFleet::new(url))),
-    policy: Policy::default,
+    policy: Policy::of_server,
     forms: &[FORM],
     tables: Some(tables::read),
     truth_of: Some(tables::truth_of),

@@ -16,7 +16,7 @@ use futures_util::SinkExt;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
 use homebody_log::table::{Batch, ColumnKind};
-use homebody_log::{Begin, How, LogError, RunInfo, Sink, Url, Watermark};
+use homebody_log::{Begin, Deadline, How, LogError, RunInfo, Sink, Url, Watermark};
 use std::pin::Pin;
 use tokio_postgres::CopyInSink;
 use tokio_postgres::types::ToSql;
@@ -36,8 +36,11 @@ pub struct Postgres {
 /// A run in a database.
 struct Open {
     server: Server,
+    deadline: Deadline,
     /// None after it was lost, until the next transaction.
     connection: Option<Connection>,
+    /// The server's name of the last connection, if that was given up.
+    left_behind: Option<String>,
     schema: Schema,
     run: RunInfo,
     encoder: Encoder,
@@ -94,7 +97,7 @@ impl Sink for Postgres {
             let no_number = || wrong(&server, format!("run={id} is no whole number"), "write run=7, or leave it out");
             run.id = id.parse().map_err(|_| no_number())?;
         }
-        let connection = Connection::open(&server)?;
+        let connection = Connection::open(&server, begin.deadline)?;
         let schema = Schema::make(&connection, &server, begin)?;
         if runs::has_others(&connection, &schema)? {
             let (what, hint) = match schema.is_truth {
@@ -136,7 +139,9 @@ impl Sink for Postgres {
         let (sealed, ahead) = (None, None);
         let open = Open {
             server,
+            deadline: begin.deadline.clone(),
             connection,
+            left_behind: None,
             schema,
             run,
             encoder,
@@ -161,7 +166,7 @@ impl Sink for Postgres {
         {
             open.commit(None)?;
         }
-        open.send_ahead();
+        open.send_ahead()?;
         open.encoder.learn(batch).map_err(|text| unheld(&open.server, &text))?;
         for row in batch.rows() {
             open.encoder.row(row.cells, &mut open.waiting[row.table]);
@@ -217,7 +222,7 @@ impl Open {
         };
         let (table, run_column) = (&schema.tables[0].quoted, &schema.tables[0].run_column);
         let sql = format!("SELECT EXISTS (SELECT FROM {table} WHERE {run_column} = $1 AND {column} > $2)");
-        match connection.wait(connection.client.query_one(&sql, &[&run.id, end]))?.get(0) {
+        match connection.wait_long(connection.client.query_one(&sql, &[&run.id, end]))?.get(0) {
             true => Err(changed(server, "it has rows from after the end of this one")),
             false => Ok(()),
         }
@@ -235,7 +240,7 @@ impl Open {
             let is_last = end.is_some() && sealed.end == end;
             match self.transact() {
                 // A connection may have been lost long ago, without anybody noticing: a new one is tried once.
-                Err(error) if error.passes() => {
+                Err(error) if error.passes() && !matches!(error, LogError::Hangs { .. }) => {
                     self.disconnect();
                     if let Err(error) = self.transact() {
                         self.disconnect();
@@ -261,16 +266,21 @@ impl Open {
     }
 
     fn disconnect(&mut self) {
-        (self.ahead, self.connection) = (None, None);
+        self.ahead = None;
+        if let Some(lost) = self.connection.take() {
+            self.left_behind = lost.backend.clone();
+        }
     }
 
     /// Sends what has come so far of a log's rows, so that the server works while others are made. Where that fails, the
-    /// transaction is made anew when it is to end, and says why.
-    fn send_ahead(&mut self) {
+    /// transaction is made anew when it is to end, and says why. A server that does not answer is an error at once.
+    fn send_ahead(&mut self) -> Result<(), LogError> {
         let is_due = self.waiting.len() == 1 && self.sealed.is_none() && self.waiting[0].whole_from(1).next().is_some();
-        if is_due && self.try_ahead().is_err() {
+        let tried = if is_due { self.try_ahead() } else { Ok(()) };
+        if tried.is_err() {
             self.disconnect();
         }
+        tried.or_else(|error| if matches!(error, LogError::Hangs { .. }) { Err(error) } else { Ok(()) })
     }
 
     fn try_ahead(&mut self) -> Result<(), LogError> {
@@ -306,7 +316,7 @@ impl Open {
         }
         for table in schema.tables.iter().filter(|_| self.replaces) {
             let sql = format!("DELETE FROM {} WHERE {} = $1", table.quoted, table.run_column);
-            connection.wait(connection.client.execute(&sql, &[&run.id]))?;
+            connection.wait_long(connection.client.execute(&sql, &[&run.id]))?;
         }
         Ok(true)
     }
@@ -314,7 +324,11 @@ impl Open {
     /// One transaction of the sealed rows, unless an earlier one has taken them.
     fn transact(&mut self) -> Result<(), LogError> {
         if self.connection.is_none() {
-            self.connection = Some(Connection::open(&self.server)?);
+            let connection = Connection::open(&self.server, &self.deadline)?;
+            if let Some(backend) = self.left_behind.take() {
+                connection.end(&backend);
+            }
+            self.connection = Some(connection);
         }
         let mut ahead = self.ahead.take();
         if ahead.is_none() && !self.begin()? {
@@ -325,16 +339,14 @@ impl Open {
         };
         for (table, rows) in schema.tables.iter().zip(&sealed.rows).filter(|(_, rows)| rows.count > 0) {
             let sql = copy_into(table);
-            let copied = connection.wait(async {
-                let Ahead { mut copy, sent } = match ahead.take() {
-                    Some(ahead) => ahead,
-                    None => Ahead { copy: Box::pin(connection.client.copy_in(&sql).await?), sent: 0 },
-                };
-                for chunk in rows.copy().skip(sent).filter(|chunk| !chunk.is_empty()) {
-                    copy.feed(chunk).await?;
-                }
-                copy.as_mut().finish().await
-            })?;
+            let Ahead { mut copy, sent } = match ahead.take() {
+                Some(ahead) => ahead,
+                None => Ahead { copy: Box::pin(connection.wait(connection.client.copy_in(&sql))?), sent: 0 },
+            };
+            for chunk in rows.copy().skip(sent).filter(|chunk| !chunk.is_empty()) {
+                connection.wait(copy.feed(chunk))?;
+            }
+            let copied = connection.wait(copy.as_mut().finish())?;
             if copied != rows.count {
                 return Err(changed(server, "the server has taken another number of rows"));
             }

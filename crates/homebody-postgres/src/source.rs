@@ -34,7 +34,7 @@ const MOST_NAMED: usize = 20;
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let server = Server::parse(&path.to_string_lossy())?;
-    let connection = Connection::open(&server)?;
+    let connection = Connection::to_read(&server)?;
     let table = Found::find(&connection, &server, file)?;
     let run = table.run(&connection, &server)?;
     connection.wait(connection.client.batch_execute(BEGIN))?;

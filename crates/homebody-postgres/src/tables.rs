@@ -15,7 +15,7 @@ use tokio_postgres::types::ToSql;
 /// Reads tables of a truth.
 pub(crate) fn read(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) -> Result<(), LogError> {
     let server = Server::parse(&url.to_string())?;
-    let connection = Connection::open(&server)?;
+    let connection = Connection::to_read(&server)?;
     let schema = server.schema.clone().unwrap_or_else(|| TRUTH_SCHEMA.into());
     let mut found = Vec::new();
     let mut missing = Vec::new();
@@ -38,7 +38,7 @@ pub(crate) fn read(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) -> Resu
 /// The truth of the run whose log is in a database: in the usual schema beside it, if there is one of that run.
 pub(crate) fn truth_of(log: &Url) -> Option<Url> {
     let server = Server::parse(&log.to_string()).ok()?;
-    let connection = Connection::open(&server).ok()?;
+    let connection = Connection::to_read(&server).ok()?;
     let truths = runs(&connection, TRUTH_SCHEMA).ok()?;
     let run = match (&server.run, &truths[..]) {
         (Some(run), truths) => truths.iter().find(|truth| truth.to_string() == *run).copied()?,

@@ -37,7 +37,7 @@ pub(crate) fn away(server: &Server, what: String) -> LogError {
 
 /// A server that does not answer.
 pub(crate) fn silent(server: &Server, waited: Duration) -> LogError {
-    away(server, format!("the server has not answered for {} s", waited.as_secs()))
+    LogError::hangs(&server.place, waited)
 }
 
 /// What an error of the client means; `ignored` says why a file of passwords was not read.
@@ -72,7 +72,8 @@ pub(crate) fn told(server: &Server, error: &tokio_postgres::Error, ignored: Opti
             server,
             what,
             "the server takes no changes: it stands by for another, or is set so; name one that does",
-        ),
+        )
+        .passing(),
         "23505" => {
             wrong(server, what, "another program has written rows of this run: let it come to its end, or use --force")
         }

@@ -39,7 +39,7 @@ fn rows(numbers: std::ops::Range<u64>) -> Vec<Told> {
 fn begun(url: &str, how: How) -> Result<(PostgresFleet, Vec<u64>), LogError> {
     let mut sink = PostgresFleet::new(&url.parse::<Url>().unwrap());
     sink.check(true)?;
-    let there = sink.begin(&fleet(), how)?;
+    let there = sink.begin(&fleet(), how, &homebody_log::Deadline::default())?;
     Ok((sink, there))
 }
 

@@ -78,6 +78,7 @@ fn a_wrong_user_password_or_database_is_told_and_no_password_is_shown() {
         spreadsheet_safe: false,
         how: How::New,
         cancel: &homebody_log::Cancel::new(),
+        deadline: &homebody_log::Deadline::default(),
     };
     let error = Postgres::new(&own).begin(&begin).unwrap_err();
     assert!(error.to_string().contains("password in the URL") && !format!("{error} {error:?}").contains(CANARY));

@@ -3,9 +3,9 @@
 //! A page that does not read holds up nobody: the next picture is made when the one before has gone out.
 
 use crate::guard::Guard;
-use crate::stage::{Seen, Stage};
+use crate::stage::{Seen, Stage, Voice};
 use crate::visit::Visit;
-use crate::wire::Say;
+use crate::wire::{Say, Tell};
 use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade};
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::{IntoResponse, Response};
@@ -68,11 +68,11 @@ pub fn upgraded<F: Future<Output = ()> + Send>(
 pub async fn serve(socket: WebSocket, visit: Visit, pages: &Semaphore, stage: &Stage, mut gone: watch::Receiver<bool>) {
     let Ok(_place) = pages.try_acquire() else { return close_for_now(socket).await };
     visit.mark_page();
-    let held = Held { stage, keys: false };
+    let held = Held { voice: Some(stage.voice()), keys: false };
     let (mut out, mut heard) = socket.split();
     // The page is gone when either side of it is.
     let is_home_gone = tokio::select! {
-        _ = talk(&mut out, &mut heard, held) => false,
+        _ = talk(&mut out, &mut heard, stage, held) => false,
         // Who tells lives as long as this.
         _ = gone.wait_for(|gone| *gone) => true,
     };
@@ -113,26 +113,45 @@ async fn close(mut socket: WebSocket, code: u16, reason: &'static str) {
     let _ = socket.send(Message::Close(Some(CloseFrame { code, reason: reason.into() }))).await;
 }
 
-/// The keys that a page holds, which are let go when it goes.
-struct Held<'a> {
-    stage: &'a Stage,
+/// The voice of a page, and the keys that it holds, which are let go when it goes.
+struct Held {
+    voice: Option<Voice>,
     keys: bool,
 }
 
-impl Drop for Held<'_> {
+impl Held {
+    /// False where so much of what the page has said waits that this is not heard.
+    fn say(&mut self, say: Say) -> bool {
+        let holds = if let Say::Hold { keys } = &say { Some(!keys.is_empty()) } else { None };
+        let is_heard = self.voice.as_ref().is_some_and(|voice| voice.say(say));
+        // A page that could not let go of a key holds it.
+        self.keys = holds.filter(|&holds| is_heard || holds).unwrap_or(self.keys);
+        is_heard
+    }
+}
+
+impl Drop for Held {
     fn drop(&mut self) {
-        if self.keys {
-            self.stage.say(Say::Hold { keys: Vec::new() });
+        if let (true, Some(voice)) = (self.keys, self.voice.take()) {
+            voice.let_go();
         }
     }
+}
+
+/// The answer to a page that says more than the run can do.
+fn busy() -> Tell {
+    let text =
+        "The run has not done yet what it was told before, and has not heard the rest: say it again a little later.";
+    Tell::Note { text: text.into(), bad: true }
 }
 
 async fn talk(
     out: &mut SplitSink<WebSocket, Message>,
     heard: &mut SplitStream<WebSocket>,
-    mut held: Held<'_>,
+    stage: &Stage,
+    mut held: Held,
 ) -> Option<()> {
-    let stage = held.stage;
+    let mut is_refused = false;
     let mut changed = stage.changed();
     let mut seen = Seen::default();
     let mut next = Instant::now();
@@ -146,12 +165,7 @@ async fn talk(
         tokio::select! {
             message = heard.next() => match message?.ok()? {
                 Message::Text(text) => match serde_json::from_str(&text) {
-                    Ok(say) => {
-                        if let Say::Hold { keys } = &say {
-                            held.keys = !keys.is_empty();
-                        }
-                        stage.say(say);
-                    }
+                    Ok(say) => is_refused |= !held.say(say),
                     Err(_) => return None,
                 },
                 Message::Close(_) => return None,
@@ -160,7 +174,10 @@ async fn talk(
             change = fresh => {
                 change.ok()?;
                 next = Instant::now() + FRAME;
-                let news = stage.news(&mut seen, MOST_ROWS);
+                let mut news = stage.news(&mut seen, MOST_ROWS);
+                if std::mem::take(&mut is_refused) {
+                    news.tells.push(busy());
+                }
                 let sending = async {
                     for tell in news.tells {
                         feed(out, Message::Text(serde_json::to_string(&tell).ok()?.into())).await?;

@@ -16,14 +16,19 @@ use homebody_log::error::no_thread;
 use std::any::Any;
 use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tokio::sync::watch;
+pub(crate) use wishes::Voice;
+use wishes::{Heard, Next, Speakers, Wish, wishes};
 
 /// How often the run is advanced, and looked at.
 const FRAME: Duration = Duration::from_micros(16_667);
+
+/// How long wishes are done before the next picture.
+const LONGEST_TURN: Duration = Duration::from_millis(100);
 
 /// How often a paused run looks after its log.
 const IDLE: Duration = Duration::from_millis(250);
@@ -37,16 +42,9 @@ const MOST_NOTES: usize = 20;
 /// The run that everybody looks at. A clone is another view of the same.
 #[derive(Clone)]
 pub struct Stage {
-    wishes: Sender<Wish>,
+    speakers: Speakers,
     board: Arc<Mutex<Board>>,
     changed: watch::Receiver<u64>,
-}
-
-/// What the stage is asked for.
-enum Wish {
-    Say(Say),
-    /// To complete all files, and then to say so.
-    Close(Sender<()>),
 }
 
 /// What there is to be seen.
@@ -124,27 +122,26 @@ impl Stage {
             unbegun,
         };
         let board = Arc::new(Mutex::new(board));
-        let (wishes, heard) = channel();
+        let (speakers, heard) = wishes();
         let (change, changed) = watch::channel(0);
         let pace = Pace::paused(Speed::Times(1.0));
         let director = Director { shelf, act, is_broken: false, pace, heard, board: board.clone(), change };
         let thread = thread::Builder::new().name("stage".into()).spawn(move || director.direct());
         thread.map_err(|error| no_thread("to live a run on", error))?;
-        Ok(Stage { wishes, board, changed })
+        Ok(Stage { speakers, board, changed })
     }
 
-    /// Asks for something. What comes of it is on the board.
-    pub fn say(&self, say: Say) {
-        // The thread only ends with the program.
-        let _ = self.wishes.send(Wish::Say(say));
+    /// A voice for one more page. The board shows the answer.
+    pub fn voice(&self) -> Voice {
+        self.speakers.voice()
     }
 
     /// Ends the run, and comes back when its files are complete.
     pub fn close(&self) {
         let (done, is_done) = channel();
-        if self.wishes.send(Wish::Close(done)).is_ok() {
-            let _ = is_done.recv();
-        }
+        self.speakers.close(done);
+        // The thread only ends with the program.
+        let _ = is_done.recv();
     }
 
     /// What the log of the run has got so far.
@@ -241,7 +238,7 @@ struct Director {
     /// The run panicked: it is neither advanced nor looked at any more.
     is_broken: bool,
     pace: Pace,
-    heard: Receiver<Wish>,
+    heard: Heard,
     board: Arc<Mutex<Board>>,
     change: watch::Sender<u64>,
 }
@@ -249,10 +246,10 @@ struct Director {
 impl Director {
     fn direct(mut self) {
         loop {
-            let wish = match self.heard.recv_timeout(self.wait()) {
-                Ok(wish) => Some(wish),
-                Err(RecvTimeoutError::Timeout) => None,
-                Err(RecvTimeoutError::Disconnected) => return,
+            let wish = match self.heard.next(self.wait()) {
+                Next::Wish(wish) => Some(wish),
+                Next::Nothing => None,
+                Next::Over => return,
             };
             if let Err(broken) = catch_unwind(AssertUnwindSafe(|| self.take_turn(wish))) {
                 self.give_up(&said(&*broken));
@@ -261,10 +258,15 @@ impl Director {
     }
 
     fn take_turn(&mut self, mut wish: Option<Wish>) {
-        // What else was said meanwhile is done before the next picture.
-        while let Some(next) = wish {
+        // All other wishes are done before the next picture, unless that takes long.
+        let begun = Instant::now();
+        while let Some(next) = wish.take() {
             self.fulfil(next);
-            wish = self.heard.try_recv().ok();
+            if begun.elapsed() < LONGEST_TURN
+                && let Next::Wish(next) = self.heard.next(Duration::ZERO)
+            {
+                wish = Some(next);
+            }
         }
         self.go_on();
         if let Some(Err(why)) = self.act.as_mut().map(StagedRun::keep_input) {
@@ -535,6 +537,8 @@ impl Director {
         }
     }
 }
+
+mod wishes;
 
 #[cfg(test)]
 mod tests;

@@ -4,6 +4,7 @@ mod lateness;
 mod open;
 mod teller;
 
+use crate::deadline::Deadline;
 use crate::error::LogError;
 use crate::mapping::{Columns, Shown};
 use crate::messages::Messages;
@@ -166,14 +167,20 @@ pub trait FleetSink: Send {
         Ok(())
     }
 
-    /// Begins. Returns up to which row the place holds each home already: those before are not given again.
-    fn begin(&mut self, fleet: &Arc<Fleet>, how: How) -> Result<Vec<u64>, LogError>;
+    /// Begins. Returns for each home the number of its rows that the place holds already; it does not get these again. Each request, now and
+    /// later, has the time of the deadline.
+    fn begin(&mut self, fleet: &Arc<Fleet>, how: How, deadline: &Deadline) -> Result<Vec<u64>, LogError>;
 
     /// Takes what is told, in order, and returns once it has arrived, as far as a place of this kind can say so.
     fn tell(&mut self, told: &[Told]) -> Result<(), LogError>;
 
     /// Makes sure of everything; the fleet has ended at this instant, in microseconds since 1970.
     fn finish(&mut self, end: i64) -> Result<(), LogError>;
+
+    /// Whether it is a file of this machine: then it has more time than a server.
+    fn is_file(&self) -> bool {
+        false
+    }
 
     /// How much it is told at once, at most.
     fn most_at_once(&self) -> usize {

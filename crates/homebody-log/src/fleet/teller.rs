@@ -2,9 +2,11 @@
 
 use super::{Fleet, FleetSink, Lateness, Told};
 use crate::cancel::Cancel;
+use crate::deadline::Deadline;
 use crate::error::LogError;
 use crate::meter::{Meter, Tell};
 use crate::sink::How;
+use crate::timed::{Call, Job, STOPS_WITHIN, Timed};
 use crate::waiting::Waiting;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
@@ -33,6 +35,8 @@ pub struct Teller {
 pub struct Patience {
     /// For how long.
     pub retry_for: Duration,
+    /// How long a server, or the reader of standard output, may take to answer; None for ten seconds.
+    pub answers_within: Option<Duration>,
     /// What ends it early.
     pub cancel: Cancel,
     /// Who hears of it.
@@ -84,7 +88,7 @@ impl Teller {
     /// The place cannot be begun.
     pub fn begin(
         place: String,
-        mut sink: Box<dyn FleetSink>,
+        sink: Box<dyn FleetSink>,
         (fleet, how): (&Arc<Fleet>, How),
         patience: &Patience,
         now: &Now,
@@ -95,8 +99,19 @@ impl Teller {
         }
         let calls =
             Calls { place: place.clone(), shared: shared.clone(), meter: meter.clone(), patience: patience.clone() };
-        let there = calls.call(|| sink.begin(fleet, how))?;
-        let work = Work { sink, calls, there, now: now.clone() };
+        let (within, stops_within) = match sink.is_file() {
+            true => (Deadline::OF_FILES, Deadline::OF_FILES),
+            false => (patience.answers_within.unwrap_or(Deadline::OF_SERVERS), STOPS_WITHIN),
+        };
+        let (deadline, most_at_once) = (Deadline::new(within), sink.most_at_once().max(1));
+        let mut sink: Place = Timed::new(place.clone(), sink, stops_within, meter.clone());
+        sink.keep_to(&deadline, &patience.cancel);
+        let begins = || -> Job<dyn FleetSink, Vec<u64>> {
+            let (fleet, deadline) = (fleet.clone(), deadline.clone());
+            Box::new(move |sink| sink.begin(&fleet, how, &deadline))
+        };
+        let there = calls.call(|| sink.ask(Call::Begin, begins))?;
+        let work = Work { sink, most_at_once, calls, there, now: now.clone() };
         let thread = thread::Builder::new().spawn(move || work.live());
         let thread = thread.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
         Ok(Teller { place, shared, thread: Some(thread), meter })
@@ -156,7 +171,7 @@ impl Teller {
     ///
     /// # Errors
     ///
-    /// The place could not be told, or not within a minute.
+    /// The place failed, or was away for a minute, or did not answer a fleet that was stopped.
     pub fn finish(&mut self, end: i64) -> Result<(), LogError> {
         self.shared.lock().ended = Some((end, Instant::now()));
         self.shared.changed.notify_all();
@@ -181,8 +196,12 @@ impl Drop for Teller {
     }
 }
 
+/// A place with a deadline. Its answer counts the rows that it holds, by home.
+type Place = Timed<dyn FleetSink, Vec<u64>>;
+
 struct Work {
-    sink: Box<dyn FleetSink>,
+    sink: Place,
+    most_at_once: usize,
     calls: Calls,
     /// By home: up to which row the place holds it already.
     there: Vec<u64>,
@@ -205,18 +224,19 @@ impl Work {
                 state.in_hand = told.len();
                 (told, state.ended)
             };
-            for told in told.chunks(self.sink.most_at_once().max(1)) {
+            for told in told.chunks(self.most_at_once) {
                 self.tell(told)?;
             }
             if let (true, Some((end, _))) = (told.is_empty(), ended) {
                 let Work { sink, calls, .. } = &mut self;
-                return calls.call(|| sink.finish(end));
+                let finishes = || -> Job<dyn FleetSink, Vec<u64>> { Box::new(move |sink| done(sink.finish(end))) };
+                return calls.call(|| sink.ask(Call::Finish, finishes)).map(drop);
             }
         }
     }
 
     fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {
-        let Work { sink, calls, there, now } = self;
+        let Work { sink, calls, there, now, .. } = self;
         let Calls { shared, meter, .. } = &*calls;
         shared.lock().oldest_in_hand = first_due(told);
         let is_new = |told: &&Told| match told {
@@ -225,7 +245,11 @@ impl Work {
         };
         let new: Vec<Told> = told.iter().filter(is_new).copied().collect();
         if !new.is_empty() {
-            calls.call(|| sink.tell(&new))?;
+            let tells = || -> Job<dyn FleetSink, Vec<u64>> {
+                let new = new.clone();
+                Box::new(move |sink| done(sink.tell(&new)))
+            };
+            calls.call(|| sink.ask(Call::Write, tells))?;
         }
         let now = now();
         let mut state = shared.lock();
@@ -243,6 +267,11 @@ impl Work {
         meter.took_rows(rows);
         Ok(())
     }
+}
+
+/// The answer of a call that has none but that it is done.
+fn done(done: Result<(), LogError>) -> Result<Vec<u64>, LogError> {
+    done.map(|()| Vec::new())
 }
 
 fn first_due(told: &[Told]) -> Option<i64> {
@@ -288,7 +317,7 @@ mod tests {
     }
 
     impl FleetSink for Slow {
-        fn begin(&mut self, _: &Arc<Fleet>, _: How) -> Result<Vec<u64>, LogError> {
+        fn begin(&mut self, _: &Arc<Fleet>, _: How, _: &Deadline) -> Result<Vec<u64>, LogError> {
             Ok(vec![2, 0])
         }
 

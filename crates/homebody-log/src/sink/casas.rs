@@ -58,7 +58,7 @@ impl Sink for Casas {
         let change = table.column(CHANGE);
         let columns = PARTS.into_iter().chain(table.column(LABEL)).chain(change).collect();
         self.open = Some(Open {
-            file: Text::begin(&self.at, begin.how, self.is_followed)?,
+            file: Text::begin(&self.at, begin.how, self.is_followed, begin.deadline)?,
             clock: Clock::new(&begin.run.calendar, TimeFormat::Local),
             texts: Vec::new(),
             columns,

@@ -40,7 +40,7 @@ impl Sink for Csv {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let mut files = Vec::new();
         for (table, at) in begin.tables.iter().zip(self.at.of_tables(Scheme::Csv, begin.tables)?) {
-            let mut file = Text::begin(&at, begin.how, self.is_followed)?;
+            let mut file = Text::begin(&at, begin.how, self.is_followed, begin.deadline)?;
             let header: Vec<String> = table.columns.iter().map(|column| quoted(&column.name)).collect();
             file.line(format!("{}\n", header.join(",")).as_bytes())?;
             files.push(file);

@@ -4,6 +4,7 @@ use super::How;
 use super::jsonl::in_json;
 use super::text::{At, Text};
 use crate::clock::{Clock, Stamp};
+use crate::deadline::Deadline;
 use crate::error::LogError;
 use crate::fleet::{Fleet, FleetRow, FleetSink, Told};
 use crate::table::thousandths;
@@ -45,7 +46,7 @@ impl FleetJsonl {
 }
 
 impl FleetSink for FleetJsonl {
-    fn begin(&mut self, fleet: &Arc<Fleet>, how: How) -> Result<Vec<u64>, LogError> {
+    fn begin(&mut self, fleet: &Arc<Fleet>, how: How, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
         let kinds = fleet.layouts.iter().map(|layout| {
             let names = || layout.table.columns.iter().map(|column| column.name.as_str());
             let home = if names().any(|name| name == HOME) { "home_name" } else { HOME };
@@ -58,9 +59,13 @@ impl FleetSink for FleetJsonl {
             }
         });
         let kinds = kinds.collect();
-        let text = Text::begin(&self.at, how, true)?;
+        let text = Text::begin(&self.at, how, true, deadline)?;
         self.open = Some(Open { fleet: fleet.clone(), text, kinds, line: Vec::new(), buffer: String::new() });
         Ok(vec![0; fleet.homes.len()])
+    }
+
+    fn is_file(&self) -> bool {
+        matches!(self.at, At::File(_))
     }
 
     fn tell(&mut self, told: &[Told]) -> Result<(), LogError> {

@@ -48,7 +48,11 @@ impl Sink for Jsonl {
         for (table, at) in begin.tables.iter().zip(places) {
             let names = table.columns.iter().map(|column| in_json(&column.name));
             let keys = names.enumerate().map(|(index, name)| format!("{}{name}:", if index == 0 { '{' } else { ',' }));
-            tables.push(InTable { keys: keys.collect(), text: Text::begin(&at, begin.how, true)?, rows: 0 });
+            tables.push(InTable {
+                keys: keys.collect(),
+                text: Text::begin(&at, begin.how, true, begin.deadline)?,
+                rows: 0,
+            });
         }
         let (texts, line, number) = (Vec::new(), Vec::new(), String::new());
         self.open = Some(Open { tables, clock: begin.clock(), texts, line, number });

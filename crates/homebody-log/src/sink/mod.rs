@@ -11,6 +11,7 @@ mod text;
 
 use crate::cancel::Cancel;
 use crate::clock::Clock;
+use crate::deadline::Deadline;
 use crate::error::LogError;
 use crate::run_info::RunInfo;
 use crate::table::{Batch, Table};
@@ -19,13 +20,14 @@ pub use database::log_beside;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
 pub use open::{open, open_as};
+use std::sync::Arc;
 
 /// A destination of rows: a file, a database, a broker, or whatever a caller brings.
 ///
 /// Its life: [`begin`](Sink::begin) once, then any number of [`write`](Sink::write) and [`settle`](Sink::settle), then
 /// [`finish`](Sink::finish), or drop where the run is given up. All calls come from one thread, which is the destination's own:
-/// a slow one makes the run wait, or lets it go on, as its [`Policy`](crate::Policy) says. A run waits for `begin` in any case,
-/// for at most as long as the policy has it answer within.
+/// a slow one makes the run wait, or lets it go on, as its [`Policy`](crate::Policy) says. One that takes longer than `begin.deadline`
+/// for one request hangs. For the run that is an error that passes, and the same call, made again, gets the answer of the first.
 ///
 /// Rows come in the order in which they were made, without gaps. After an error that [`passes`](LogError::passes) the same
 /// call is made again, if the policy says so: what a destination has kept of it must not be kept twice. After any other
@@ -69,6 +71,49 @@ pub struct Begin<'a> {
     pub how: How,
     /// Once it says so, a destination that is away is not to be waited for any more, in this call and in later ones.
     pub cancel: &'a Cancel,
+    /// How long one request may take. A sink that makes several in a call says so there.
+    pub deadline: &'a Deadline,
+}
+
+/// The same, kept.
+#[derive(Clone, Debug)]
+pub(crate) struct Beginning {
+    pub run: Arc<RunInfo>,
+    pub tables: Arc<Vec<Table>>,
+    pub time: TimeFormat,
+    pub run_column: String,
+    pub spreadsheet_safe: bool,
+    pub how: How,
+    pub cancel: Cancel,
+    pub deadline: Deadline,
+}
+
+impl Beginning {
+    pub fn of(begin: &Begin) -> Beginning {
+        Beginning {
+            run: Arc::new(begin.run.clone()),
+            tables: Arc::new(begin.tables.to_vec()),
+            time: begin.time,
+            run_column: begin.run_column.to_owned(),
+            spreadsheet_safe: begin.spreadsheet_safe,
+            how: begin.how,
+            cancel: begin.cancel.clone(),
+            deadline: begin.deadline.clone(),
+        }
+    }
+
+    pub fn begin(&self) -> Begin<'_> {
+        Begin {
+            run: &self.run,
+            tables: &self.tables,
+            time: self.time,
+            run_column: &self.run_column,
+            spreadsheet_safe: self.spreadsheet_safe,
+            how: self.how,
+            cancel: &self.cancel,
+            deadline: &self.deadline,
+        }
+    }
 }
 
 /// What becomes of what is there already.

@@ -2,6 +2,7 @@
 //! is written, or standard output.
 
 use super::How;
+use crate::deadline::Deadline;
 use crate::error::{LogError, place_of};
 use crate::fresh::{FreshFile, remove_parts};
 use crate::lock::FileLock;
@@ -50,14 +51,18 @@ impl At {
 pub(super) enum Text {
     File(Box<TextFile>),
     Packed(Box<PackedFile>),
-    Output(BufWriter<Stdout>),
+    Output(BufWriter<Pieces<Stdout>>),
 }
 
 impl Text {
-    /// Begins a text. One `is_followed` that has its name from its first line on, so that it can be read while it grows.
-    pub fn begin(at: &At, how: How, is_followed: bool) -> Result<Text, LogError> {
+    /// Begins a text. One `is_followed` that has its name from its first line on, so that it can be read while it grows. The reader of
+    /// standard output has the time of the deadline for each piece.
+    pub fn begin(at: &At, how: How, is_followed: bool, deadline: &Deadline) -> Result<Text, LogError> {
         Ok(match at {
-            At::Output => Text::Output(BufWriter::with_capacity(1 << 16, io::stdout())),
+            At::Output => {
+                let pieces = Pieces { out: io::stdout(), deadline: deadline.clone() };
+                Text::Output(BufWriter::with_capacity(1 << 16, pieces))
+            }
             At::File(path) => match Packing::of(path)? {
                 Some(packing) => Text::Packed(Box::new(PackedFile::begin(path, packing, how)?)),
                 None => Text::File(Box::new(TextFile::begin(path, how, is_followed)?)),
@@ -100,6 +105,29 @@ impl Text {
             Text::Packed(file) => file.finish(),
             Text::Output(mut output) => output.flush().map_err(no_output),
         }
+    }
+}
+
+/// A pipe takes no more than this at once where its reader is slow.
+const PIECE_BYTES: usize = 4096;
+
+/// Writes piece by piece, each with the whole time of the deadline: a reader that is slow is not one that stands still.
+pub(super) struct Pieces<W> {
+    out: W,
+    deadline: Deadline,
+}
+
+impl<W: Write> Write for Pieces<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.out.write(&bytes[..bytes.len().min(PIECE_BYTES)])?;
+        // Bytes in a buffer of this program have not reached the reader.
+        self.out.flush()?;
+        self.deadline.asks();
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
     }
 }
 

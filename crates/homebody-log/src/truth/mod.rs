@@ -9,17 +9,19 @@
 mod names;
 mod tables;
 
-use crate::destination::Destination;
+use crate::cancel::Cancel;
+use crate::deadline::Deadline;
+use crate::destination::{Destination, Treatment};
 use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file};
 use crate::logger::RowsOfFirings;
 use crate::mapping::Shown;
 use crate::meter::Meter;
 use crate::run_info::RunInfo;
-use crate::sink::{How, Watermark};
+use crate::sink::{Beginning, How, Watermark};
 use crate::table::{Batch, Cell, TextId, Texts};
 use crate::url::Url;
-use crate::writer::{BATCH, BATCH_WAITS, Beginning, Writer};
+use crate::writer::{BATCH, BATCH_WAITS, Writer};
 use homebody_core::deed::Deed;
 use homebody_core::drivers::MotionSegment;
 use homebody_core::event::{Events, Fact, MotionState, Provenance, Trigger};
@@ -67,27 +69,29 @@ impl TruthLog {
         run: &Arc<RunInfo>,
         how: How,
     ) -> Result<TruthLog, LogError> {
-        TruthLog::open_keeping(TruthKept::All, url, places, file, run, how)
+        let logs: Vec<&Path> = places.iter().filter_map(Url::file).collect();
+        TruthLog::open_keeping(TruthKept::All, url, (&logs, &Treatment::default()), file, run, how)
     }
 
-    /// The same, of a truth of which so much is kept.
-    pub fn open_keeping(
+    /// Opens the place of a truth that keeps so much. These files of logs may not be its place, and a server gets its treatment.
+    pub(crate) fn open_keeping(
         kept: TruthKept,
         url: &Url,
-        places: &[Url],
+        (logs, as_said): (&[&Path], &Treatment),
         file: &LoggerFile,
         run: &Arc<RunInfo>,
         how: How,
     ) -> Result<TruthLog, LogError> {
         let files = url.files(&kept.tables());
-        let logs: Vec<&Path> = places.iter().filter_map(Url::file).collect();
         if let Some(file) = files.iter().find(|file| logs.iter().any(|log| same_file(log, file))) {
             return Err(LogError::SameFile { place: place_of(file) });
         }
         if how != How::GoOn {
             all_can_be_written(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>(), how == How::Replace)?;
         }
-        TruthLog::keeping(kept, Destination::of(url), file, run, how)
+        let destination = Destination::of(url);
+        let destination = if url.server().is_some() { destination.treated(as_said) } else { destination };
+        TruthLog::keeping(kept, destination, file, run, how)
     }
 
     /// Stores the truth in a destination.
@@ -115,6 +119,8 @@ impl TruthLog {
             run_column: RUN_COLUMN.into(),
             spreadsheet_safe: file.spreadsheet_safe,
             how,
+            cancel: Cancel::new(),
+            deadline: Deadline::default(),
         };
         let writer = Writer::spawn(destination, &beginning)?;
         let mut texts = Texts::default();

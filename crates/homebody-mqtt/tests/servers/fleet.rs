@@ -42,7 +42,7 @@ fn comes(fleet: &Fleet) -> Vec<Told> {
 fn begun(url: &Url, fleet: &Arc<Fleet>) -> MqttFleet {
     let mut sink = MqttFleet::new(url);
     sink.check(false).unwrap();
-    assert_eq!(sink.begin(fleet, How::New).unwrap(), vec![0; fleet.homes.len()]);
+    assert_eq!(sink.begin(fleet, How::New, &homebody_log::Deadline::default()).unwrap(), vec![0; fleet.homes.len()]);
     sink.tell(&comes(fleet)).unwrap();
     sink
 }

@@ -98,8 +98,8 @@ fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
         let act = act.driven_by(&AllDoomed { household: &household, panics });
         let stage = Stage::of(shelf.clone(), Ok(act)).unwrap();
         let mut seen = Seen::default();
-        stage.say(Say::Speed { times: None });
-        stage.say(Say::Play);
+        stage.voice().say(Say::Speed { times: None });
+        stage.voice().say(Say::Play);
         let news = look(&stage, &mut seen, |news| told(news).is_some());
         let why = told(&news).unwrap().to_owned();
         assert!(why.contains(if panics { "nobody has thought of this" } else { "margaret" }), "{why}");
@@ -123,9 +123,9 @@ fn a_run_that_dies_is_told_of_and_kept_and_another_begins() {
         let rows: i64 = log.query_row("SELECT count(*) FROM event", [], |row| row.get(0)).unwrap();
         assert_eq!(rows as u64, recording.firings);
 
-        stage.say(Say::Start { driven: None, without: Vec::new(), seed: None });
-        stage.say(Say::Speed { times: None });
-        stage.say(Say::Play);
+        stage.voice().say(Say::Start { driven: None, without: Vec::new(), seed: None });
+        stage.voice().say(Say::Speed { times: None });
+        stage.voice().say(Say::Play);
         look(&stage, &mut seen, |news| frame(news).state == State::Playing && frame(news).now_us > WELL + SECOND);
         assert_eq!(told(&stage.news(&mut Seen::default(), 10)), None, "what was, is over");
         stage.close();
@@ -151,16 +151,16 @@ fn a_scenario_with_problems_has_no_run_until_they_are_mended() {
     assert!(unbegun(&news) && news.frame.is_none());
     let start = Say::Start { driven: None, without: Vec::new(), seed: None };
     for say in [Say::Play, Say::Jump { to_us: 5 }, Say::Stop, start.clone()] {
-        stage.say(say);
+        stage.voice().say(say);
     }
     look(&stage, &mut seen, unbegun);
     std::fs::write(&logger, &whole).unwrap();
-    stage.say(start.clone());
+    stage.voice().say(start.clone());
     look(&stage, &mut seen, |news| news.tells.iter().any(|tell| matches!(tell, Tell::Run { .. })));
-    stage.say(Say::Play);
+    stage.voice().say(Say::Play);
     look(&stage, &mut seen, |news| frame(news).state == State::Playing && frame(news).now_us > 0);
     std::fs::write(&logger, "{").unwrap();
-    stage.say(start);
+    stage.voice().say(start);
     let news = look(&stage, &mut seen, unbegun);
     assert_eq!(frame(&news).state, State::Playing, "the run that goes on is left alone");
     stage.close();
@@ -172,11 +172,29 @@ fn taking_the_keys_sets_the_speed_to_once() {
     let folder = tempfile::tempdir().unwrap();
     let stage = Stage::open(shelf(&folder)).unwrap();
     let mut seen = Seen::default();
-    stage.say(Say::Speed { times: None });
+    stage.voice().say(Say::Speed { times: None });
     let start = |driven| Say::Start { driven, without: Vec::new(), seed: None };
-    stage.say(start(None));
+    stage.voice().say(start(None));
     look(&stage, &mut seen, |news| frame(news).speed.is_none());
-    stage.say(start(Some(0)));
+    stage.voice().say(start(Some(0)));
     look(&stage, &mut seen, |news| frame(news).speed == Some(1.0));
     stage.close();
+}
+
+/// The control of a queue without an end is 20,000 starts, which take minutes.
+#[test]
+fn a_page_that_says_much_keeps_no_other_from_being_heard_nor_the_stage_from_its_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let stage = Stage::open(shelf(&folder)).unwrap();
+    let loud = stage.voice();
+    let start = || Say::Start { driven: None, without: Vec::new(), seed: Some(1) };
+    let taken = (0..20_000).filter(|_| loud.say(start())).count();
+    assert!(taken < 20_000, "it is refused");
+    assert!(stage.voice().say(Say::Play));
+    look(&stage, &mut Seen::default(), |news| frame(news).state == State::Playing);
+    while loud.say(start()) {}
+    let begun = Instant::now();
+    stage.close();
+    println!("closed after {:?}", begun.elapsed());
+    assert!(begun.elapsed() < Duration::from_secs(30), "{:?}", begun.elapsed());
 }

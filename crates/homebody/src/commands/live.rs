@@ -68,7 +68,7 @@ impl Arguments {
         let folder = self.folder.clone().unwrap_or_else(|| Path::new(LIVE).join(opened.name()));
         let elsewhere: Vec<Url> = self.out.iter().filter(|url| !url.is_output()).cloned().collect();
         all_are_elsewhere(&elsewhere)?;
-        let when = self.away.when()?;
+        let servers = self.away.treatment()?;
         let home = match LiveHome::is_there(&folder) {
             true => LiveHome::go_on(&folder)?,
             false => {
@@ -90,7 +90,7 @@ impl Arguments {
         }
         let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name(), self.quiet)?);
         let mut watch = Watch::new(self.quiet, &meters);
-        let lived = home.live(&self.out, &when, &meters, signals.cancel(), |progress| watch.look(progress));
+        let lived = home.live(&self.out, &servers, &meters, signals.cancel(), |progress| watch.look(progress));
         watch.bar.finish_and_clear();
         let lived = match lived {
             Err(error) if is_not_yet(&error) => {

@@ -7,7 +7,7 @@ use crate::signals::Signals;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::scheme::{NoPlace, Scheme, SchemeRow};
 use homebody_core::time::{Micros, SECOND, seconds};
-use homebody_kit::{Destinations, Difference, Error, LiveRun, Lived, Progress, Url, VERSION, WhenDown};
+use homebody_kit::{Destinations, Difference, Error, LiveRun, Lived, Progress, Treatment, Url, VERSION, WhenDown};
 use homebody_log::LogError;
 use homebody_log::sink::log_beside;
 use indicatif::ProgressBar;
@@ -47,8 +47,9 @@ impl Output {
 /// What becomes of a run while a server that it writes to is away.
 #[derive(clap::Args)]
 pub struct Away {
-    /// What becomes of the run while a server of --out is away: it ends with an error, waits for the server, or goes on and puts
-    /// rows aside on disk until the server is back
+    /// Say what the run does while a server is away or does not answer: it ends with an error, waits, or puts rows aside on disk
+    ///
+    /// The reader of standard output counts as a server.
     #[arg(long, value_name = "WHAT", value_enum, default_value_t)]
     on_sink_down: OnSinkDown,
     /// Where rows are put aside
@@ -57,6 +58,36 @@ pub struct Away {
     /// How much may be put aside for each server, in MB; beyond that the run ends, and can be gone on with
     #[arg(long, value_name = "MB", default_value_t = 1024)]
     spool_mb: u64,
+    #[command(flatten)]
+    deadline: DestinationTimeout,
+}
+
+/// How long destinations may take.
+#[derive(clap::Args)]
+pub struct DestinationTimeout {
+    /// Count a server as away that takes longer than this for one request: 500ms, 10s or 2m
+    ///
+    /// The reader of standard output counts as a server.
+    #[arg(long, value_name = "SPAN", value_parser = timeout, default_value = "10s")]
+    destination_timeout: Duration,
+}
+
+impl DestinationTimeout {
+    /// That time.
+    pub fn within(&self) -> Duration {
+        self.destination_timeout
+    }
+}
+
+/// A time that an answer may take.
+fn timeout(text: &str) -> Result<Duration, String> {
+    const UNITS: [(&str, f64); 4] = [("ms", 0.001), ("s", 1.0), ("m", 60.0), ("h", 3600.0)];
+    let hint = || "write a time from 100ms to 1h, such as 10s".to_owned();
+    let unit = UNITS.iter().find_map(|(unit, seconds)| Some((text.strip_suffix(unit)?, seconds)));
+    let (number, seconds) = unit.ok_or_else(hint)?;
+    let number = number.trim().parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(hint)?;
+    let span = number * seconds;
+    if (0.1..=3600.0).contains(&span) { Ok(Duration::from_secs_f64(span)) } else { Err(hint()) }
 }
 
 #[derive(Clone, Copy, Default, PartialEq, clap::ValueEnum)]
@@ -72,8 +103,8 @@ const RETRY_FOR: Duration = Duration::from_secs(86_400);
 
 impl Away {
     /// The same for the library. The folder for what is put aside is made.
-    pub fn when(&self) -> Result<WhenDown, Failure> {
-        Ok(match self.on_sink_down {
+    pub fn treatment(&self) -> Result<Treatment, Failure> {
+        let when_down = match self.on_sink_down {
             OnSinkDown::Error => WhenDown::Error,
             OnSinkDown::Retry => WhenDown::Retry(RETRY_FOR),
             OnSinkDown::Spool => {
@@ -81,7 +112,8 @@ impl Away {
                 std::fs::create_dir_all(&self.spool).map_err(failed)?;
                 WhenDown::Spool(self.spool.clone(), self.spool_mb.saturating_mul(1 << 20))
             }
-        })
+        };
+        Ok(Treatment { when_down, answers_within: Some(self.deadline.within()), ..Treatment::default() })
     }
 }
 
@@ -101,7 +133,7 @@ pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Si
         truth: truth.clone(),
         recording: record,
         replace: *force,
-        when_down: away.when()?,
+        servers: away.treatment()?,
         ..Destinations::default()
     };
     if output.json && out.iter().any(Url::is_output) {

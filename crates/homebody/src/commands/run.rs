@@ -96,7 +96,7 @@ pub struct Arguments {
     /// It is lived again from its beginning: what is there is compared, what is missing is written. In the end log and truth have
     /// the bytes of a run that nothing has disturbed. Of a cohort, those who were lived to the end stay, all others are gone on with.
     #[arg(long, value_name = "FOLDER",
-          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "start", "residents", "profiles", "truth", "truth_tables", "record", "force"])]
+          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "start", "residents", "profiles", "truth_tables", "record", "force"])]
     resume: Option<PathBuf>,
     /// Live the members of this list side by side: a CSV file with a row for each
     ///
@@ -269,6 +269,10 @@ impl Arguments {
                 let what = "the members of a cohort are lived as fast as they can";
                 return Err(Failure::usage(format!("{what}\n  hint: leave out --speed, --paused and --control")));
             }
+            if self.output.truth.is_some() {
+                let what = "the truth of each member of a cohort lies where the cohort does";
+                return Err(Failure::usage(format!("{what}\n  hint: leave --truth out")));
+            }
             let cohort = UnfinishedCohort::open(folder).map_err(not_gone_on_with)?.cancel(signals.cancel());
             let before = cohort.progress().lived;
             let progress = self.output.progress(cohort.progress().length);
@@ -284,16 +288,31 @@ impl Arguments {
         }
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         all_are_elsewhere(&self.output.out)?;
-        let when = self.output.away.when()?;
+        let run = self.with_truth(run)?;
+        let servers = self.output.away.treatment()?;
         let meters = self.watched.begin(&run.scenario().file.name, self.output.quiet)?;
         let run = run.metered(&meters);
         let name = run.scenario().file.name.clone();
         let progress = self.output.progress(run.progress().length);
-        let lived = run.go_on_beside(&self.output.out, &when, |lived| show(&progress, 0, lived));
+        let lived = run.go_on_beside(&self.output.out, &servers, |lived| show(&progress, 0, lived));
         let lived = lived.or_else(|error| self.not_yet(error, folder, &progress, signals))?;
         progress.finish_and_clear();
         report(&name, &lived, &self.output)?;
         signals.ended(lived.is_stopped())
+    }
+
+    /// A truth on a server continues there. A truth in the folder needs no option.
+    fn with_truth(&self, run: Unfinished) -> Result<Unfinished, Failure> {
+        match &self.output.truth {
+            None => Ok(run),
+            Some(truth) if truth.server().is_some() => Ok(run.with_truth(truth)),
+            Some(truth) => {
+                let what = format!("{truth} cannot be begun in the middle of a run");
+                let hint =
+                    "leave --truth out: the truth in the folder is gone on with; only one on a server has to be named";
+                Err(Failure::usage(format!("{what}\n  hint: {hint}")))
+            }
+        }
     }
 
     /// Who is asked by a signal to end before all that is there has been lived again has changed nothing, and says how to go on.

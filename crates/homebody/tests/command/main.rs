@@ -37,10 +37,13 @@ mod fleets;
 mod postgres;
 #[cfg(feature = "postgresql")]
 mod put_back;
+#[cfg(feature = "postgresql")]
+mod server_truths;
 #[cfg(feature = "mqtt")]
 mod commanded;
 #[cfg(feature = "mqtt")]
 mod away;
+mod stalled;
 mod truths;
 mod walked_back;
 mod calibrated;

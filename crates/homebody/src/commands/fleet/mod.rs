@@ -2,7 +2,7 @@
 
 pub mod told;
 
-use super::lived::{failure, go_on_by};
+use super::lived::{DestinationTimeout, failure, go_on_by};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::length::span;
@@ -78,6 +78,8 @@ pub struct Arguments {
     /// What becomes of the fleet while a place is away: it ends with an error, or waits for the place, for a day at most
     #[arg(long, value_name = "WHAT", value_enum, default_value_t)]
     on_sink_down: WhenAway,
+    #[command(flatten)]
+    deadline: DestinationTimeout,
     /// How often it says how it goes
     #[arg(long, value_name = "TIME", default_value = "5s", value_parser = span)]
     every: Micros,
@@ -173,6 +175,7 @@ impl Arguments {
         let mut telling = Telling::begin(self.quiet, self.json, report, look);
         run.patience = Patience {
             retry_for: if self.on_sink_down == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO },
+            answers_within: Some(self.deadline.within()),
             cancel: signals.cancel().clone(),
             tell: (!self.quiet).then(|| Arc::new(|news: &News| tell(news)) as _),
         };

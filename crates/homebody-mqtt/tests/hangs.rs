@@ -1,0 +1,63 @@
+//! A broker that stops answering, as by a half-open connection. The run notices it, all rows are heard once the broker answers again, and
+//! the run ends when it is stopped.
+
+#[path = "servers/broker.rs"]
+#[allow(dead_code, reason = "this test uses a part of it")]
+mod broker;
+#[path = "../../../tests/hangs.rs"]
+mod hangs;
+#[path = "../../../tests/stalling.rs"]
+mod stalling;
+
+use broker::{Broker, Listener, REMEMBERS, firings, run, wait_for};
+use hangs::{SOON, ended, outlived, stopped};
+use homebody_log::{Destination, Policy};
+use homebody_mqtt::{MqttSink, policy};
+use stalling::Stalling;
+use std::collections::BTreeSet;
+use std::net::TcpStream;
+use std::time::Duration;
+
+const ROWS: u64 = 60_000;
+
+/// A proxy before a broker, and a destination there.
+fn behind(broker: &Broker) -> (Stalling, Destination) {
+    let port = broker.port;
+    let proxy = Stalling::before(move || TcpStream::connect(("127.0.0.1", port)));
+    let url = format!("mqtt://127.0.0.1:{}/homebody", proxy.port).parse().unwrap();
+    (proxy, Destination::own("mqtt", MqttSink::live(&url), policy()))
+}
+
+#[test]
+fn rows_of_a_broker_that_does_not_answer_are_put_aside_and_heard() {
+    let Some(broker) = Broker::with(REMEMBERS) else { return };
+    let listener = Listener::lasting(&broker, "homebody/#");
+    let (proxy, to) = behind(&broker);
+    let rows = outlived(to, run(), &firings(ROWS), |is_stalled| proxy.stall(is_stalled));
+    wait_for("the last row", || (listener.rows() == rows).then_some(()));
+    let heard: Vec<u64> = listener.heard().iter().filter_map(|heard| Some(heard.row()?.1)).collect();
+    let known: BTreeSet<u64> = heard.iter().copied().collect();
+    println!("{} heard again", heard.len() - known.len());
+    assert!(known.into_iter().eq(0..rows), "none is lost");
+    assert!(heard.len() as u64 - rows <= 2000, "what was on its way comes again, and nothing else");
+}
+
+#[test]
+fn a_broker_that_does_not_answer_ends_a_run_that_does_not_wait() {
+    let Some(broker) = Broker::start() else { return };
+    let (proxy, to) = behind(&broker);
+    let to = Destination { policy: Policy { retry_for: Duration::ZERO, ..policy() }, ..to };
+    let (error, took) = ended(to, run(), &firings(ROWS), |is_stalled| proxy.stall(is_stalled));
+    assert!(
+        error.to_string().contains("acknowledged nothing") || error.to_string().contains("does not answer"),
+        "{error}"
+    );
+    assert!(took < SOON / 2, "{took:?}");
+}
+
+#[test]
+fn a_run_that_is_stopped_does_not_wait_for_a_broker_that_does_not_answer() {
+    let Some(broker) = Broker::start() else { return };
+    let (proxy, to) = behind(&broker);
+    stopped(to, run(), &firings(ROWS), |is_stalled| proxy.stall(is_stalled));
+}
