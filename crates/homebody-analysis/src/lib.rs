@@ -15,6 +15,9 @@ pub mod dates;
 /// Which rows of a log are signs of somebody, and of which sensors.
 pub mod signs;
 
+/// Rows of a log as they come, of which nothing is kept but what goes on.
+pub mod rows;
+
 /// What a log holds.
 pub mod look;
 

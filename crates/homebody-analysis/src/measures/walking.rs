@@ -10,9 +10,11 @@ use super::ways::Ways;
 use homebody_core::time::{Micros, SECOND, seconds};
 use std::collections::BTreeMap;
 
-/// A way from one sensor to another takes no longer, and is known by so many (ours).
+/// A way from one sensor to another takes no longer, and what it usually takes is known by the first so many times (ours).
 const PASSES_WITHIN: Micros = 15 * SECOND;
 const PASSES_KNOWN: usize = 20;
+/// No home has more pairs of sensors between which anybody goes often (ours).
+const MOST_PAIRS: usize = 100_000;
 /// A sensor that has said nothing for so long speaks as somebody comes into its view (ours).
 const COMES_AFTER: Micros = 15 * SECOND;
 /// Who goes on is seen again within so long (ours), on one way by so many signs at most.
@@ -23,29 +25,63 @@ const LEAST_WALK_M: f64 = 3.0;
 /// Nobody walks at home faster or slower (ours).
 const SPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=2.0;
 
-/// How fast somebody went from sensor to sensor, of those pairs in different rooms that are passed often enough.
-pub fn passages(signs: &[Sign]) -> Option<Vec<Passage>> {
-    let mut by_pair: BTreeMap<(usize, usize), Vec<(Micros, f64)>> = BTreeMap::new();
-    for pair in signs.windows(2) {
-        let took = pair[1].at - pair[0].at;
-        if pair[0].room != pair[1].room && took > 0 && took <= PASSES_WITHIN {
-            let of = (pair[0].sensor, pair[1].sensor);
-            by_pair.entry(of).or_default().push((pair[1].at, seconds(took)));
+/// How fast somebody goes from sensor to sensor in different rooms, beside the first times that they went there.
+#[derive(Default)]
+pub struct Paces {
+    before: Option<Sign>,
+    pairs: BTreeMap<(usize, usize), Pair>,
+}
+
+/// What is known of the way between two sensors.
+enum Pair {
+    /// It has been gone too seldom: how many seconds each time took.
+    Learnt(Vec<f64>),
+    /// How many seconds it usually takes.
+    Known(f64),
+}
+
+impl Paces {
+    /// Takes the signs of a day, in order: the passages among them of which it was known before how long they usually take.
+    pub fn of_day(&mut self, signs: &[Sign]) -> Vec<Passage> {
+        let mut passages = Vec::new();
+        for sign in signs {
+            let Some(before) = self.before.replace(*sign) else { continue };
+            let took = sign.at - before.at;
+            if before.room == sign.room || took <= 0 || took > PASSES_WITHIN {
+                continue;
+            }
+            let (of, took) = ((before.sensor, sign.sensor), seconds(took));
+            if self.pairs.len() >= MOST_PAIRS && !self.pairs.contains_key(&of) {
+                continue;
+            }
+            let pair = self.pairs.entry(of).or_insert_with(|| Pair::Learnt(Vec::new()));
+            match pair {
+                Pair::Known(usual) => passages.push(Passage { at: sign.at, of_usual: *usual / took }),
+                Pair::Learnt(times) => {
+                    times.push(took);
+                    if times.len() == PASSES_KNOWN {
+                        times.sort_by(f64::total_cmp);
+                        *pair = Pair::Known(times[PASSES_KNOWN / 2]);
+                    }
+                }
+            }
         }
+        passages
     }
-    let mut passages = Vec::new();
-    for passed in by_pair.into_values().filter(|passed| passed.len() >= PASSES_KNOWN) {
-        let mut took: Vec<f64> = passed.iter().map(|(_, took)| *took).collect();
-        took.sort_by(f64::total_cmp);
-        let usual = took[took.len() / 2];
-        passages.extend(passed.into_iter().map(|(at, took)| Passage { at, of_usual: usual / took }));
+
+    /// Forgets who was seen last.
+    pub fn forget(&mut self) {
+        self.before = None;
     }
-    passages.sort_by_key(|passage| passage.at);
-    (!passages.is_empty()).then_some(passages)
+
+    /// Whether it is known of any way how long it usually takes.
+    pub fn is_known(&self) -> bool {
+        self.pairs.values().any(|pair| matches!(pair, Pair::Known(_)))
+    }
 }
 
 /// How fast somebody walked, by the ways of their home.
-pub fn walks(signs: &[Sign], sensors: &[String], ways: &Ways) -> Option<Vec<Walk>> {
+pub fn walks(signs: &[Sign], sensors: &[String], ways: &Ways) -> Vec<Walk> {
     let numbers: Vec<Option<usize>> = sensors.iter().map(|sensor| ways.number(sensor)).collect();
     let mut before: Vec<Option<Micros>> = vec![None; sensors.len()];
     // Each sign with its sensor's number in the home, and whether somebody has just come into its view.
@@ -68,7 +104,7 @@ pub fn walks(signs: &[Sign], sensors: &[String], ways: &Ways) -> Option<Vec<Walk
             }
         }
     }
-    (!walks.is_empty()).then_some(walks)
+    walks
 }
 
 /// The longest walk along one way that begins with the first of some signs: the number of the sign with which it ends.
@@ -86,4 +122,33 @@ fn longest(signs: &[(Micros, Option<usize>, bool)], ways: &Ways) -> Option<(usiz
         Some((last, SPEEDS_M_S.contains(&speed_m_s).then_some(Walk { at: ended, speed_m_s })))
     };
     (2..signs.len().min(MOST_SIGNS)).rev().find_map(on_the_way)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pace_is_held_against_the_first_times_that_a_way_was_gone() {
+        let mut paces = Paces::default();
+        // A day of ways from one room to another, each of so many seconds, ten minutes apart.
+        let day = |count: i64, took: i64| -> Vec<Sign> {
+            let way = |number: i64| {
+                [(0, 0), (took, 1)].map(|(off, sensor)| Sign {
+                    at: (number * 600 + off) * SECOND,
+                    room: sensor,
+                    sensor,
+                    is_seen: true,
+                })
+            };
+            (0..count).flat_map(way).collect()
+        };
+        assert!(paces.of_day(&day(19, 4)).is_empty() && !paces.is_known());
+        assert!(paces.of_day(&day(1, 4)).is_empty() && paces.is_known());
+        let slower: Vec<f64> = paces.of_day(&day(3, 8)).iter().map(|passage| passage.of_usual).collect();
+        assert_eq!(slower, [0.5; 3]);
+        // What comes later changes nothing of what is usual.
+        paces.of_day(&day(1000, 8));
+        assert!(paces.of_day(&day(2, 4)).iter().all(|passage| passage.of_usual == 1.0));
+    }
 }

@@ -35,7 +35,15 @@ impl Mapped {
 
 /// Reads a log on the clock on the wall of its home, and tells what is left out of it.
 pub fn read_log(text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
-    let read = LogWithRun::read(text, zone)?;
+    Ok(remarked(text, LogWithRun::read(text, zone)?))
+}
+
+/// The same of a log of any length: the rows of a long one are not in memory.
+pub fn read_any_length(text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
+    Ok(remarked(text, LogWithRun::of_any_length(NamedLog::find(text)?, zone)?))
+}
+
+fn remarked(text: &str, read: LogWithRun) -> LogWithRun {
     tell_remarks(text, &read.log);
     if read.log.skipped > 0 {
         tell(format_args!("{text}: {} lines were left out; homebody look says which", read.log.skipped));
@@ -44,7 +52,7 @@ pub fn read_log(text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
     if read.log.clock == Clock::Utc {
         tell(format_args!("{text}: its hours are those of UTC; --time-zone tells the home's own"));
     }
-    Ok(read)
+    read
 }
 
 /// Warns of a run that was not lived to its end, so that its log is a part of what it is going to be.
