@@ -1,7 +1,7 @@
 //! Sensors that have fallen silent, and the measures that cannot be taken without them.
 //!
 //! A day is told by what had been said when it ended: of a sensor that died, days before that could be said keep their values. Only a
-//! measure that needs a room, or the entrance, is not known already on the first day on which a sensor there that speaks daily says nothing.
+//! measure that needs a room, or the entrance, is not known already on the first day on which all sensors there are quiet of which one speaks daily.
 
 use super::held::Silent;
 use super::kinds::Measure;
@@ -109,7 +109,8 @@ impl Listening {
                 doubted.extend(of.quiet(end, away).filter(|(quiet, _)| *quiet >= least).map(|_| sensor));
             }
         }
-        Lacking { silent, doubted }
+        let spoke = self.sensors.iter().map(|of| of.before.is_some_and(|before| before >= begin)).collect();
+        Lacking { silent, doubted, spoke }
     }
 
     /// All silences, those that last by `now` too.
@@ -129,6 +130,8 @@ impl Listening {
 pub struct Lacking {
     silent: Vec<usize>,
     doubted: Vec<usize>,
+    /// By sensor, whether it spoke on the day.
+    spoke: Vec<bool>,
 }
 
 impl Lacking {
@@ -137,8 +140,10 @@ impl Lacking {
         let needs = |sensor: usize| {
             needs(measure, rooms.of_sensors[sensor].map(|room| rooms.purpose(room)), at_entrance(sensor))
         };
+        // Where another sensor that the measure needs speaks, it is known as far as that tells.
+        let is_told = || (0..self.spoke.len()).any(|sensor| self.spoke[sensor] && needs(sensor) == Some(true));
         self.silent.iter().any(|&sensor| needs(sensor).unwrap_or(true))
-            || self.doubted.iter().any(|&sensor| needs(sensor).unwrap_or(false))
+            || self.doubted.iter().any(|&sensor| needs(sensor) == Some(true)) && !is_told()
     }
 }
 
