@@ -1,4 +1,4 @@
-//! Rows of a log as they come: what each says, and what goes on meanwhile. Nothing here keeps them all.
+//! Rows of a log, taken one by one: the meaning of each, and the spans that they open and close. Nothing here keeps all rows.
 
 use crate::signs::{Kind, Says, Tally, is_number, kinds_of, says};
 use homebody_core::time::Micros;
@@ -11,11 +11,11 @@ pub struct Row {
     pub at: Micros,
     /// The sensor, by its number in the log.
     pub sensor: u32,
-    /// What it says.
+    /// Its meaning.
     pub says: Says,
 }
 
-/// What the values of a log say, each looked up once.
+/// The meanings of the values of a log, each looked up once.
 struct Words(Vec<(Says, bool)>);
 
 impl Words {
@@ -23,20 +23,20 @@ impl Words {
         Words(log.values.iter().map(|value| (says(value), is_number(value))).collect())
     }
 
-    /// What a row says, and whether that is a number; `None` of a row that has come since the log was read.
+    /// The meaning of a row, and whether its value is a number; `None` for a row that was added after the log was read.
     fn said(&self, event: &Event) -> Option<(Says, bool)> {
         self.0.get(event.value as usize).copied()
     }
 }
 
-/// What the rows of each sensor of a log look like so far.
+/// Counts of the rows of each sensor so far, by their look.
 pub struct Tallies {
     words: Words,
     tallies: Vec<Tally>,
 }
 
 impl Tallies {
-    /// Of a log of which no row has come.
+    /// For a log before its first row.
     pub fn new(log: &Log) -> Tallies {
         Tallies { words: Words::of(log), tallies: vec![Tally::default(); log.sensors.len()] }
     }
@@ -48,7 +48,7 @@ impl Tallies {
         (says != Says::Else).then_some(Row { at: event.at, sensor: event.sensor, says })
     }
 
-    /// What the sensors are taken for, by what they are called and by the rows that have come.
+    /// The kinds of the sensors, by their names and by the rows so far.
     pub fn kinds(&self, called: &[String]) -> Vec<Kind> {
         kinds_of(&called.iter().map(String::as_str).zip(&self.tallies).collect::<Vec<_>>())
     }
@@ -57,7 +57,7 @@ impl Tallies {
 /// From when to when.
 pub type Span = (Micros, Micros);
 
-/// What goes on at the sensors of a log, and what did; rows come in the order of time.
+/// The spans over which the sensors of a log report that something is on. Rows come in the order of time.
 #[derive(Clone, Debug, Default)]
 pub struct Ongoing {
     sensors: Vec<OfSensor>,
@@ -68,13 +68,13 @@ pub struct Ongoing {
 #[derive(Clone, Debug, Default)]
 struct OfSensor {
     since: Option<Micros>,
-    /// Whether it has ever said that something ends.
+    /// Whether it has ever reported an end.
     ends: bool,
     spans: Vec<Span>,
 }
 
 impl Ongoing {
-    /// Of so many sensors, at which nothing goes on yet. Spans shorter than `least` are not kept.
+    /// For so many sensors, all off. Spans shorter than `least` are not kept.
     pub fn new(sensors: usize, least: Micros) -> Ongoing {
         Ongoing { sensors: vec![OfSensor::default(); sensors], least }
     }
@@ -98,7 +98,7 @@ impl Ongoing {
         }
     }
 
-    /// Ends what goes on at an instant after which nothing is known.
+    /// Ends all open spans where a gap begins.
     pub fn end_all(&mut self, at: Micros) {
         for of in &mut self.sensors {
             if let Some(since) = of.since.take().filter(|&since| of.ends && since <= at) {
@@ -107,18 +107,18 @@ impl Ongoing {
         }
     }
 
-    /// Keeps of each sensor only the spans for which this holds.
+    /// Keeps only certain spans.
     pub fn retain(&mut self, keeps: impl Fn(&Span) -> bool) {
         self.sensors.iter_mut().for_each(|of| of.spans.retain(&keeps));
     }
 
-    /// The spans of a sensor, in order. What goes on still ends at an instant, where one is given.
+    /// The spans of a sensor, in order. An open span ends at an instant, if one is given.
     pub fn spans(&self, sensor: usize, until: Option<Micros>) -> Vec<Span> {
         let OfSensor { since, ends, spans } = &self.sensors[sensor];
         let open = since.filter(|_| *ends).zip(until).filter(|(since, until)| since < until);
         let mut all = spans.clone();
         all.extend(open);
-        // An instant that was told before the sensor first said that something ends lies within a span.
+        // An instant from before the first end lies within a span.
         all.sort_unstable();
         all
     }
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn what_goes_on_ends_as_it_says_or_as_nothing_is_known() {
+    fn a_span_ends_with_its_row_or_where_nothing_is_known() {
         use Says::{Begins, Ends};
         assert_eq!(taken(&[(1, Begins), (5, Begins)]).spans(0, Some(9)), [(1, 1), (5, 5)]);
         let mut open = taken(&[(1, Begins), (3, Ends), (5, Begins)]);

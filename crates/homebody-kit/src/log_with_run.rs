@@ -50,7 +50,7 @@ pub struct LogWithRun {
     pub sources: Vec<PathBuf>,
     /// The scenario with its home, where that is known: its run's, or the one that its sensors were placed in.
     home: Option<Scenario>,
-    /// Where its rows are, if they are too many for memory: `log` has none then.
+    /// The place of its rows, if they are too many for memory: `log` has none then.
     long: Option<LongLog>,
     /// Its truth, and the zone on whose wall what that tells is put, where it is told in UTC.
     truth: Option<(Url, Option<TimeZone>)>,
@@ -209,7 +209,7 @@ impl LogWithRun {
         Asked { recorded: self.recorded.clone(), zone: self.zone.clone(), ..Asked::default() }
     }
 
-    /// Gives its rows in the order of time, from memory or from where they are.
+    /// Passes on its rows in the order of time, from memory or from their place.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! A log that is too long to be kept in memory: it is read again as often as somebody asks for its rows.
+//! A log that is too long for memory: each pass over its rows reads it again.
 
 use homebody_analysis::dates::on_wall;
 use homebody_analysis::density::NoMap;
@@ -9,10 +9,10 @@ use jiff::tz::TimeZone;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A log with more rows is not kept in memory (ours): so many take 32 MB.
+/// A log with more rows is not kept in memory: so many take 32 MB.
 pub const MOST_ROWS: usize = 2_000_000;
 
-/// So many rows wait at most until no earlier one can come (ours).
+/// So many rows wait at most for earlier ones.
 const MOST_WAITING: usize = 1 << 17;
 
 /// No clock is set back by more.
@@ -21,17 +21,17 @@ const SET_BACK: Micros = 3 * 3600 * SECOND;
 /// Takes rows one by one.
 pub type TakeRow<'t> = &'t mut dyn FnMut(&Event) -> Result<(), NoMap>;
 
-/// Where a long log is, and what is known of its rows.
+/// A long log in its place.
 pub(crate) struct LongLog {
     place: Source,
     mapping: LoggerFile,
-    /// The zone on whose wall its rows are put, where it is told in UTC.
+    /// The zone of the home, if the log is in UTC.
     zone: Option<TimeZone>,
-    /// Its first row and its last, by the clock that it is told by.
+    /// The instants of its first row and its last, on its own clock.
     span: (Micros, Micros),
 }
 
-/// What of a log's rows is in memory once it has been read.
+/// The rows of a log in memory, unless they are too many.
 #[derive(Default)]
 pub(crate) struct Kept {
     events: Vec<Event>,
@@ -52,7 +52,7 @@ impl Kept {
         }
     }
 
-    /// Gives a log its rows, or where they are read again if they are too many.
+    /// Gives a log its rows; if they are too many, returns the long log instead.
     pub fn give(self, log: &mut Log, place: &Source, mapping: &LoggerFile) -> Option<LongLog> {
         log.events = self.events;
         let span = self.span.filter(|_| self.is_long)?;
@@ -88,7 +88,7 @@ impl LongLog {
         let mut give = |at: Micros, sensor: u32, value: u32| {
             let before = given;
             given = given.max(at);
-            // As clocks are set back, an hour comes again on the wall.
+            // When clocks are set back, an hour repeats.
             let is_order = at >= before || self.zone.is_some() && before - at <= SET_BACK;
             if is_order { take(&Event { at, sensor, value }) } else { Err(NoMap::Disorder(at, before)) }
         };
@@ -101,7 +101,7 @@ impl LongLog {
                     && let Err(why) = give(self.on_wall(at), sensor, value)
                 {
                     failed = Some(why);
-                    // Nobody sees this: it ends the reading.
+                    // This error only ends the reading.
                     return Err(LogError::TooLong { place: String::new(), what: String::new() });
                 }
             }

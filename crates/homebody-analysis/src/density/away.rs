@@ -18,7 +18,7 @@
 //! An absence is a guess unless a contact tells that a door was opened as it began and as it ended.
 //!
 //! Left out: more residents than one, of whom one leaves; visitors; whoever leaves through a door without a sensor; absences
-//! that go on when the log begins. One that goes on when a log ends is in no map; a day's measures count it until the day ends.
+//! that go on when the log begins. No map has an absence that lasts when the log ends; a day's measures count it until the day ends.
 
 use homebody_core::time::{Micros, SECOND, seconds};
 use serde::{Serialize, Serializer};
@@ -73,19 +73,19 @@ pub fn absences(signs: &[Sign], taken: &[(Micros, Micros)], least: Micros) -> Ve
     found
 }
 
-/// Looks for absences while signs come, in the order of time. A bed or a chair that is taken meanwhile is no matter of it.
+/// Looks for absences while signs come, in the order of time. It does not know of beds and chairs.
 #[derive(Clone, Debug)]
 pub struct Leaving {
     least: Micros,
-    /// The last bout of somebody that has ended.
+    /// The last bout that ended and was not stray.
     before: Option<Bout>,
     /// The firings of stray bouts since then.
     stray: usize,
-    /// The bout that goes on.
+    /// The current bout.
     bout: Option<Bout>,
 }
 
-/// What a bout of signs says of somebody who leaves after it, or comes with it.
+/// A bout of signs: whether the resident leaves after it, or comes with it.
 #[derive(Clone, Copy, Debug)]
 struct Bout {
     begin: Micros,
@@ -167,7 +167,7 @@ impl Leaving {
         absence
     }
 
-    /// The absence that ended with the bout that came last, if nothing more comes.
+    /// The absence that ended with the last bout, if no further sign comes.
     pub fn last(&self) -> Option<Absence> {
         let (before, bout) = self.before.zip(self.bout.filter(Bout::is_somebodys))?;
         let (begin, end) = (before.end, bout.begin);
@@ -176,8 +176,8 @@ impl Leaving {
         is_one.then_some(Absence { begin, end, stray: self.stray, is_guess })
     }
 
-    /// The absence that has not ended by `now`: somebody left, and whatever came since is stray. Where a door tells who leaves
-    /// (`has_door`), somebody opened it.
+    /// The absence that has not ended by `now`: the resident left, and all later bouts are stray. If the entrance has a contact
+    /// (`has_door`), it was opened.
     pub fn open(&self, now: Micros, has_door: bool) -> Option<Absence> {
         let is_somebodys = self.bout.is_some_and(|bout| bout.is_somebodys());
         let stray = if is_somebodys { 0 } else { self.stray + self.bout.map_or(0, |bout| bout.firings) };
@@ -186,7 +186,7 @@ impl Leaving {
         leaves.then_some(Absence { begin: last.end, end: now, stray, is_guess: true })
     }
 
-    /// Forgets who was there before an instant after which nothing is known.
+    /// Begins anew after a gap.
     pub fn forget(&mut self) {
         *self = Leaving::new(self.least);
     }

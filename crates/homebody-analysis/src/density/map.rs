@@ -175,7 +175,7 @@ impl Map {
     }
 }
 
-/// Which rows are signs of somebody, by what their sensors are taken for.
+/// Which rows are signs of the resident, by the kinds of their sensors.
 pub struct Signs {
     kinds: Vec<Kind>,
     at_entrance: Vec<bool>,
@@ -214,7 +214,7 @@ impl Signs {
     }
 }
 
-/// A map that is made while the rows of its log come, in the order of time. It keeps none of them.
+/// A map under construction. It takes the rows of its log in the order of time, and keeps none of them.
 pub struct Mapping<'a> {
     log: &'a Log,
     asked: &'a Asked,
@@ -282,7 +282,7 @@ impl<'a> Mapping<'a> {
             self.absences.extend(self.leaving.take(&sign));
         }
         if self.signs.is_motion(&row) {
-            // What is beyond the longest map is in none.
+            // No map is longer.
             let from = self.asked.from.map_or(first, midnight).div_euclid(HOUR);
             let hour = row.at.div_euclid(HOUR);
             if (from - 24..from + MOST_DAYS as i64 * 24).contains(&hour) {
@@ -291,7 +291,7 @@ impl<'a> Mapping<'a> {
         }
     }
 
-    /// The map of what has come.
+    /// The map of the rows so far.
     ///
     /// # Errors
     ///

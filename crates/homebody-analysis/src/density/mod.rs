@@ -80,7 +80,7 @@ pub fn density(log: (&str, &Log, &Asked), against: Option<(&str, &Log, &Asked)>)
     Ok(density_of(map, other))
 }
 
-/// What a map comes to, and how far it is from another where one is given.
+/// The figures of a map, and its distance from another if there is one.
 pub fn density_of(map: Map, other: Option<Map>) -> Density {
     let step_per_h = step_per_h([Some(&map), other.as_ref()].into_iter().flatten());
     let of = measured(map, step_per_h);

@@ -19,7 +19,7 @@ use std::collections::{BTreeSet, VecDeque};
 
 /// With fewer days nothing is known of how lively it usually is (ours).
 const LEAST_DAYS: usize = 7;
-/// What is usual is that of so many days at most, up to the day itself (ours).
+/// The usual is by so many days at most, up to the day itself.
 const MOST_DAYS: usize = 28;
 const HOUR: Micros = 3600 * SECOND;
 /// Messages of the door no farther apart are of one use of it (ours).
@@ -43,7 +43,7 @@ pub fn company(signs: &[Sign], door: &[Micros], usual: &Usual, now: Micros) -> O
     let between: Vec<Span> = uses.windows(2).map(|pair| (pair[0].1, pair[1].0)).collect();
     let after = uses.last().map(|last| (last.1, now)).filter(|(last, now)| now - last >= SHORTEST);
     let is_lived_in: Vec<bool> = between.iter().chain(&after).map(|span| is_lived_in(signs, span)).collect();
-    // Before the first use, and soon after the last, nobody knows better.
+    // Before the first use, and soon after the last, it is taken to be so.
     let is_lived_in = |number: Option<usize>| number.and_then(|number| is_lived_in.get(number)).is_none_or(|is| *is);
     let mut lively: Vec<(f64, usize)> = Vec::new();
     for (number, span) in between.iter().enumerate() {

@@ -1,7 +1,7 @@
-//! Measures of a log, day by day: what a day comes to is told by the rows up to its end, and never changes by what comes later.
+//! Measures of a log, day by day: the values of a day follow from the rows up to its end, and later rows never change them.
 //!
-//! Of the rows only those of the last days are kept, and of all before them what carries over: what sensors are taken for, how
-//! fast ways are usually gone, how lively hours usually are, how high a level of density is, who is away, and what goes on.
+//! Only rows of the last days are kept. Of earlier rows these things carry over: the kinds of sensors, how long ways usually take,
+//! how lively hours usually are, the height of a level of density, absences, and spans that are open.
 
 use super::company::{Usual, company};
 use super::heard::{Heard, Named};
@@ -26,17 +26,17 @@ use homebody_log::{Event, Log};
 use std::collections::VecDeque;
 use std::ops::Range;
 
-/// So many days before a day are looked at with it, for what began before midnight.
+/// Rows of so many days before are read again with a day, as much begins before midnight.
 const DAYS_BEFORE: Micros = 2;
-/// What is told of weeks is told of so many days; of the first so many that are whole is how high a level of density is.
+/// Two weeks: so many days are compared, and the first so many whole days give the height of a level of density.
 const WEEKS: usize = 14;
-/// No home says more on a day (ours): the rest is not looked at, and nothing is measured of the day.
+/// No home has more rows on a day: further rows are passed over, and the day is not known.
 const MOST_ROWS: usize = 250_000;
-/// Absences are kept for so long, to tell who is silent from who has nobody to see.
+/// Absences are kept for so long: in an empty home no sensor is silent.
 const ABSENCES_KEPT: Micros = 70 * DAY;
 const HOUR: Micros = 3600 * SECOND;
 
-/// The measures of a log while its rows come, in the order of time.
+/// Measures a log row by row, in the order of time.
 pub struct Measuring<'a> {
     pub(super) log: &'a Log,
     pub(super) known: Known<'a>,
@@ -45,37 +45,37 @@ pub struct Measuring<'a> {
     named: Named,
     all_rooms: Rooms,
     rows: Tallies,
-    /// The day that goes on, from its midnight; `None` before the first row.
+    /// The midnight at which the current day began; `None` before the first row.
     day: Option<Micros>,
-    /// The rows of the last days that say something, and how many of them are of the days before.
+    /// The rows of the last days, without numbers.
     window: Vec<Row>,
     /// Whether more rows came on the day than are kept.
     is_full: bool,
-    /// By sensor, when it told the first and the last of the day's numbers and other words.
+    /// By sensor, the first and the last of the day's numbers and other words.
     other: Vec<Option<Span>>,
     so_far: SoFar,
     days: Vec<Day>,
 }
 
-/// What a log comes to once it has ended.
+/// The measures of a whole log.
 pub struct Measured {
-    /// What each day comes to.
+    /// The days.
     pub days: Vec<Day>,
     /// The sensors that fell silent.
     pub silent: Vec<Silent>,
-    /// The sensors by which somebody leaves and comes home.
+    /// The sensors at the way out.
     pub entrance: Entrance,
-    /// Whether some absences are told by silence alone.
+    /// Whether silence alone shows some absences.
     pub guesses_absences: bool,
-    /// The rooms of all sensors, also of those that tell of nobody.
+    /// The rooms of all sensors, of thermometers too.
     pub all_rooms: Rooms,
     /// On how many days there were more rows than are looked at.
     pub crowded: usize,
-    /// What the last day was told by.
+    /// The timeline of the last day.
     pub timeline: Timeline,
 }
 
-/// What carries over from day to day.
+/// Knowledge that carries over from day to day.
 struct SoFar {
     time: KnownTime,
     kinds: Vec<Kind>,
@@ -103,9 +103,9 @@ struct SoFar {
     /// The cells of the first days that are whole, until they are enough.
     first_cells: Vec<[Cell; 24]>,
     step_per_h: Option<f64>,
-    /// What the last day was told by.
+    /// The timeline of the last day.
     last: Timeline,
-    /// Whether any sensor looks for movement, and whether there ever was a sign of somebody.
+    /// Whether any sensor looks for movement, and whether there was any sign of the resident.
     has_motion: bool,
     has_signs: bool,
     /// On how many days there were more rows than are looked at.
@@ -113,7 +113,7 @@ struct SoFar {
 }
 
 impl<'a> Measuring<'a> {
-    /// Of a log, whose own rows it does not look at. `known` is what a home tells.
+    /// For a log, whose rows come by `take`. `known` describes its home.
     pub fn new(log: &'a Log, known: Known<'a>, asked: &Asked) -> Measuring<'a> {
         let called = log.called();
         let count = log.sensors.len();
@@ -160,7 +160,7 @@ impl<'a> Measuring<'a> {
         }
     }
 
-    /// Takes the next row. One that is of a day before that of another row is left out.
+    /// Takes the next row. A row of an earlier day than the last row is left out.
     ///
     /// # Errors
     ///
@@ -192,20 +192,20 @@ impl<'a> Measuring<'a> {
         Ok(())
     }
 
-    /// From when to when the rows that have come were recorded, if there are any.
+    /// The span of the recording so far, if there is any.
     pub(super) fn recorded(&self) -> Option<Range<Micros>> {
         let time = &self.so_far.time;
         self.asked.recorded.clone().or_else(|| Some(time.first()?..time.last()? + 1))
     }
 
-    /// How many of the rows that are kept are of days before.
+    /// The number of rows that are kept of earlier days.
     fn of_days_before(&self) -> usize {
         let day = self.day.unwrap_or(Micros::MIN);
         // The rows of a day are in order once it has ended.
         self.window.partition_point(|row| row.at < day)
     }
 
-    /// Ends the log; what its days come to, and what the last of them was told by.
+    /// Ends the log, and returns its days.
     ///
     /// # Errors
     ///
@@ -238,7 +238,7 @@ impl<'a> Measuring<'a> {
         })
     }
 
-    /// Tells what a day comes to whose rows have all come; `next` is when something is said again.
+    /// Ends a day and measures it; `next` is the instant of the next row.
     fn end_day(&mut self, next: Option<Micros>) {
         let Some(begin) = self.day else { return };
         let (end, from) = (begin + DAY, self.of_days_before());
@@ -278,7 +278,7 @@ impl<'a> Measuring<'a> {
         self.day = Some(end);
     }
 
-    /// Learns from the rows of a day what sensors are, and which of them speak.
+    /// Learns the kinds of sensors from the rows of a day, and which of them give signs.
     fn know_sensors(&mut self, from: usize) {
         let so_far = &mut self.so_far;
         let sensors = LogSensors { kinds: self.rows.kinds(&self.called), called: std::mem::take(&mut self.called) };
@@ -296,7 +296,7 @@ impl<'a> Measuring<'a> {
         so_far.kinds = sensors.kinds;
     }
 
-    /// Takes the rows of a day for what goes on, and for who leaves and comes.
+    /// Takes the rows of a day for open spans and for absences.
     fn go_through(&mut self, from: usize, (begin, end): Span) {
         let so_far = &mut self.so_far;
         let signs = Signs::new(&self.log.sensors, &so_far.kinds, &so_far.entrance);
@@ -323,7 +323,7 @@ impl<'a> Measuring<'a> {
         so_far.has_bed |= (0..so_far.kinds.len()).any(|sensor| is_bed(sensor) && lies(sensor));
     }
 
-    /// Takes which sensors spoke on a day, and when.
+    /// Takes the times at which sensors reported on a day.
     fn listen(&mut self, from: usize, away: &[Span]) {
         let mut spoken: Vec<(Micros, usize)> =
             self.window[from..].iter().map(|row| (row.at, row.sensor as usize)).collect();
@@ -336,7 +336,7 @@ impl<'a> Measuring<'a> {
         }
     }
 
-    /// All that is known of the last days when one of them ends.
+    /// The timeline of the last days, when one of them ends.
     fn timeline(&mut self, begin: Micros, away: &[Span], known: &KnownDay) -> Timeline {
         let so_far = &mut self.so_far;
         let signs = signs(&self.window, &so_far.kinds, &so_far.rooms);
@@ -388,7 +388,7 @@ impl<'a> Measuring<'a> {
 }
 
 impl SoFar {
-    /// When nobody was at home, as far as that is known at an instant.
+    /// The absences, as known at an instant.
     fn away(&self, now: Micros) -> Vec<Span> {
         let last = self.leaving.last().into_iter().chain(self.leaving.open(now, self.has_door));
         let taken = self.taken_until(now);
@@ -407,7 +407,7 @@ impl SoFar {
         }
     }
 
-    /// Ends what goes on at an instant after which nothing is known; who left before a gap may have come meanwhile.
+    /// Ends open spans where an unknown time begins. A resident who left before a gap may have come back in it.
     fn break_off(&mut self, at: Micros, is_gap: bool) {
         self.ongoing.end_all(at);
         self.taken.end_all(at);
@@ -420,7 +420,7 @@ impl SoFar {
         }
     }
 
-    /// Keeps the hours of a day with those of the last weeks; the first that are whole say how high a level of density is.
+    /// Keeps the hours of a day with those of the last two weeks. The first whole days give the height of a level of density.
     fn keep_cells(&mut self, hours: [f64; 24], cells: [Cell; 24]) {
         self.history.push_back((hours, cells));
         if self.history.len() > WEEKS {
@@ -434,7 +434,7 @@ impl SoFar {
         }
     }
 
-    /// Keeps of a day that has ended what days after it ask for.
+    /// Keeps what later days need of a day, and drops the rest.
     fn remember(&mut self, timeline: Timeline, begin: Micros) {
         self.last = timeline;
         self.ongoing.retain(|span| span.1 >= begin - (DAYS_BEFORE - 1) * DAY);

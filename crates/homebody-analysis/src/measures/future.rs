@@ -1,4 +1,4 @@
-//! No measure sees the future: what a day comes to is the same in a log that ends with it and in one that goes on.
+//! No measure sees the future: a day has the same values in a log that ends with it and in a longer one.
 
 use super::*;
 use homebody_core::scenario::home::HomeFile;
@@ -36,13 +36,13 @@ impl Writing {
         self.log.events.push(Event { at, sensor: sensor as u32, value });
     }
 
-    /// Somebody is seen, or something is used, for some seconds.
+    /// A sensor is on for some seconds.
     fn on(&mut self, at: Micros, sensor: usize, seconds: i64) {
         self.say(at, sensor, 0);
         self.say(at + seconds * SECOND, sensor, 1);
     }
 
-    /// Somebody goes through the sensors of these numbers, each some seconds after the other, the slower the later it is.
+    /// The resident walks past these sensors, one after the other.
     fn walk(&mut self, mut at: Micros, sensors: &[usize], pace: i64) -> Micros {
         for &sensor in sensors {
             self.on(at, sensor, 2);
@@ -51,7 +51,7 @@ impl Writing {
         at
     }
 
-    /// Somebody is in the view of a sensor for some minutes.
+    /// The resident is in the view of a sensor for some minutes.
     fn stay(&mut self, from: Micros, sensor: usize, minutes: i64, every_s: i64) {
         let mut at = from;
         while at < from + minutes * MINUTE {
@@ -78,7 +78,7 @@ const MOTION: [&str; 9] = [
     "kitchen hall end",
 ];
 
-/// Days of somebody who gets slower, has guests, is out for a night, and wanders later; a room is first entered on day 20.
+/// Days of a resident who gets slower, has guests, spends a night elsewhere, and wanders. The study is in use from day 20 on.
 fn of_motion(seed: u64) -> Log {
     let mut writing = Writing::new(&MOTION, seed);
     for day in 0..DAYS as i64 {
@@ -169,7 +169,7 @@ fn of_contacts(seed: u64) -> Log {
     writing.ended()
 }
 
-/// A home in which the sensors of [`MOTION`] stand in a row.
+/// A home with the sensors of [`MOTION`] in a row.
 fn ways() -> Ways {
     let order = [0, 7, 1, 2, 8, 3, 4, 6];
     let sensors = order.iter().enumerate().map(|(place, &sensor)| {
@@ -198,7 +198,7 @@ fn of_first(log: &Log, days: usize, ways: Option<&Ways>) -> Measures {
     Measures::heard("log", &part, &Known { rooms: &BTreeMap::new(), ways }, &asked).unwrap()
 }
 
-/// Where the days of a shorter log differ from the same days of a longer one.
+/// The differences between the days of a shorter log and the same days of a longer one.
 fn differences(short: &Measures, long: &Measures) -> Vec<String> {
     let mut differences = Vec::new();
     for (day, later) in short.days.iter().zip(&long.days) {
@@ -222,7 +222,7 @@ fn a_day_is_the_same_whatever_comes_after_it() {
         for day in &all.days {
             day.values.iter().zip(&mut known).for_each(|(value, known)| *known += usize::from(value.is_some()));
         }
-        // What somebody is told who follows the log, at the end of each day.
+        // A program that follows the log sees these values at the end of each day.
         for days in 1..DAYS {
             let differences = differences(&of_first(log, days, *ways), &all);
             assert!(differences.is_empty(), "in a log of {days} days: {differences:#?}");
@@ -252,7 +252,7 @@ fn a_measure_that_is_scaled_by_the_whole_run_is_caught() {
 fn lives_that_part_are_alike_until_they_do() {
     let (well, mut ill) = (of_motion(5), of_motion(5));
     let parts = 25 * DAY;
-    // From the day on which they part, half of what is said is not.
+    // From that day on half of the rows are missing.
     let mut number = 0;
     ill.events.retain(|event| {
         number += 1;

@@ -38,22 +38,22 @@ const BATHROOM_LIVELY: Micros = MINUTE;
 /// Times in the kitchen no farther apart belong to one meal; for a meal somebody is there for so long (ours).
 const MEAL_APART: Micros = 15 * MINUTE;
 const MEAL_LASTS: Micros = 15 * MINUTE;
-/// Nobody leaves a room unseen while nothing is recorded for so short (ours).
+/// A shorter gap of the recording ends no stay.
 const BRIDGED: Micros = 10 * MINUTE;
 
-/// What a log tells of some days, up to the end of the last of them.
+/// A log of some days, up to the end of the last of them.
 pub struct Heard<'a> {
     /// The ids of the sensors.
     pub ids: &'a [String],
-    /// What they are taken for.
+    /// Their kinds.
     pub kinds: &'a [Kind],
-    /// Over which spans each says that something goes on.
+    /// The spans over which each reports that something is on.
     pub spans: &'a dyn Fn(usize) -> Vec<Span>,
-    /// How far it is from sensor to sensor, where that is known.
+    /// The lengths of the ways between sensors, if they are known.
     pub ways: Option<&'a Ways>,
-    /// Which of them are beds and showers by what they are called.
+    /// Which of them are beds and showers, by their names.
     pub named: &'a Named,
-    /// Whether a bed's sensor has told of anybody yet.
+    /// Whether a bed's sensor has been on so far.
     pub has_bed: bool,
     /// The sensors that have given a sign yet.
     pub has_spoken: &'a [bool],
@@ -61,27 +61,27 @@ pub struct Heard<'a> {
     pub until: Micros,
 }
 
-/// Which sensors are beds and showers by what they are called.
+/// Which sensors are beds and showers, by their names.
 pub struct Named {
     bed: Vec<bool>,
     shower: Vec<bool>,
 }
 
 impl Named {
-    /// Of sensors that are called so.
+    /// Of sensors with these names.
     pub fn of(called: &[String]) -> Named {
         let all = |words: &[&str]| called.iter().map(|name| is_named(name, words)).collect();
         Named { bed: all(&BEDS), shower: all(&SHOWERS) }
     }
 
-    /// Whether a sensor of this kind tells of a bed.
+    /// Whether a sensor of this kind is in a bed.
     pub fn is_bed(&self, sensor: usize, kind: Kind) -> bool {
         self.bed[sensor] && kind == Kind::Used
     }
 }
 
 impl Timeline {
-    /// Adds what a log tells of rooms, bed, showers and meals. What is known of days, rooms and absences is there already.
+    /// Adds stays in rooms, times in bed, showers and meals by a log. Days, rooms and absences are there already.
     pub(super) fn hear(&mut self, heard: &Heard, signs: &[Sign]) {
         let seen: Vec<Sign> = signs.iter().filter(|sign| sign.is_seen).copied().collect();
         self.walks = heard.ways.map(|ways| walks(&seen, heard.ids, ways));
@@ -223,7 +223,7 @@ fn stays(signs: &[Sign], away: &[Span], last: Micros) -> Vec<Stay> {
     parts.collect()
 }
 
-/// Stays as far as they are known: one that lasts into a time of which nothing is known ends there, unless that is short.
+/// Known stays: each ends where a gap begins, unless the gap is short.
 fn known_stays(stays: Vec<Stay>, unknown: &[Span]) -> Vec<Stay> {
     let known = |stay: Stay| {
         let first = unknown.partition_point(|gap| gap.0 < stay.begin);

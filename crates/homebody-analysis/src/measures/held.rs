@@ -21,13 +21,13 @@ pub struct Measures {
     pub guesses: Vec<&'static str>,
     /// Sensors that fell silent: what needs them has no value meanwhile.
     pub silent: Vec<Silent>,
-    /// How far measures by the sensors are from the same by the log's notes of activities, where it has any.
+    /// Differences between measures by the sensors and by the log's notes of activities, if it has any.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub noted: Vec<Noted>,
-    /// The names of measures that are taken from the log's notes on days before any sensor told of them.
+    /// The names of measures that are taken from the log's notes until a sensor gives them.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub from_notes: Vec<&'static str>,
-    /// The rooms of sensors by id, where only the words of the ids tell them.
+    /// The rooms of sensors by id, if only the words of the ids name them.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub guessed_rooms: BTreeMap<String, String>,
     /// Day by day.

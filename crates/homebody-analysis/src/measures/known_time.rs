@@ -1,7 +1,7 @@
-//! Of which times of a log anything is known.
+//! The known times of a log.
 //!
-//! A run says from when to when it was recorded. Another log is known from its first row to its last, but for gaps that its source
-//! tells of, and for silences of a day and more that no absence explains.
+//! A run knows the span of its recording. Another log is known from its first row to its last, except for gaps that its source
+//! reports, and for silences of a day and more that no absence explains.
 
 use super::timeline::{joined, within_h};
 use crate::density::{Cell, SILENCE};
@@ -10,10 +10,10 @@ use homebody_core::time::{DAY, Micros, SECOND};
 use std::ops::Range;
 
 const HOUR: Micros = 3600 * SECOND;
-/// Times of which nothing is known are kept for so many days.
+/// Unknown times are kept for so many days.
 const KEPT: Micros = 16 * DAY;
 
-/// What is known of a log up to the day that goes on.
+/// The times of a log that are known, up to the current day.
 pub struct KnownTime {
     recorded: Option<Range<Micros>>,
     gaps: Vec<Span>,
@@ -24,25 +24,25 @@ pub struct KnownTime {
     unknown: Vec<Span>,
 }
 
-/// What is known of a day.
+/// The known part of a day.
 pub struct KnownDay {
     /// For how long anything is known of each hour, in hours.
     pub hours: [f64; 24],
-    /// From when to when nothing is known, on the last days, too.
+    /// The unknown times, also of the days before.
     pub unknown: Vec<Span>,
     /// Until when the day is known.
     pub until: Micros,
 }
 
 impl KnownDay {
-    /// Its hours, in which nothing has been counted.
+    /// Its hours, with no event counted yet.
     pub fn cells(&self) -> [Cell; 24] {
         self.hours.map(|recorded_h| Cell { recorded_h, ..Cell::default() })
     }
 }
 
 impl KnownTime {
-    /// Of a log that was recorded from when to when, if that is known, with gaps.
+    /// For a log with the span of its recording, if that is known, and with its gaps.
     pub fn new(recorded: Option<Range<Micros>>, gaps: &[Span]) -> KnownTime {
         KnownTime { recorded, gaps: gaps.to_vec(), first: None, last: None, broken: None, unknown: Vec::new() }
     }
@@ -67,13 +67,13 @@ impl KnownTime {
         self.last
     }
 
-    /// Adds a time of which nothing is known.
+    /// Adds an unknown time.
     pub fn forget(&mut self, span: Span) {
         self.gaps.push(span);
         self.gaps.sort_unstable();
     }
 
-    /// The instants up to the end of a day at which whatever goes on ends, as nothing is known thereafter.
+    /// The instants of a day at which unknown times begin.
     pub fn breaks(&self, (begin, end): Span) -> Vec<Micros> {
         let gaps = self.gaps.iter().map(|gap| gap.0).filter(|at| (begin..end).contains(at));
         let mut breaks: Vec<Micros> = gaps.chain(self.broken.map(|silence| silence.0)).collect();
@@ -81,12 +81,12 @@ impl KnownTime {
         breaks
     }
 
-    /// Whether the log's source tells of a gap that begins at an instant.
+    /// Whether the log's source reports a gap that begins at an instant.
     pub fn is_gap(&self, at: Micros) -> bool {
         self.gaps.iter().any(|gap| gap.0 == at)
     }
 
-    /// Ends a day: what is known of it. `next` is when there is a row again, `away` when nobody was at home.
+    /// Ends a day, and returns its known part. `next` is the instant of the next row, `away` has the absences.
     pub fn end_day(&mut self, begin: Micros, next: Option<Micros>, away: &[Span]) -> KnownDay {
         let end = begin + DAY;
         let mut unknown: Vec<Span> = self.gaps.clone();
@@ -147,12 +147,12 @@ mod tests {
     #[test]
     fn nothing_is_known_of_gaps_and_of_long_silences() {
         assert_eq!(known_h(&[2, 20, 30, 40], &[], &[], 2), [22.0, 16.0]);
-        // From six in the morning for three days nothing is said.
+        // No row comes for three days, from six in the morning on.
         let silent = [1, 6, 78, 90];
         assert_eq!(known_h(&silent, &[], &[], 4), [5.0, 0.0, 0.0, 12.0]);
         let away = [(6 * HOUR, 78 * HOUR)];
         assert_eq!(known_h(&silent, &[], &away, 4), [23.0, 24.0, 24.0, 18.0]);
-        // A gap that the source tells of is no silence, however short.
+        // A gap that the source reports counts, however short it is.
         assert_eq!(known_h(&[0, 8, 20, 24], &[(8 * HOUR, 20 * HOUR)], &[], 1), [12.0]);
     }
 }

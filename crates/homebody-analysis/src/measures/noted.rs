@@ -1,4 +1,4 @@
-//! What people noted of their days beside what sensors tell of them: how far the two differ, and what only notes tell.
+//! Measures by the notes of activities in a log, compared with measures by its sensors.
 
 use super::held::{Measures, Noted};
 use super::kinds::MEASURES;
@@ -8,7 +8,7 @@ use homebody_log::Activity;
 use std::ops::Range;
 
 impl Measures {
-    /// Holds what sensors tell beside the notes of a log. A measure of which no sensor has told yet is taken from the notes.
+    /// Compares measures by sensors with measures by the notes of a log. A measure that no sensor has given yet is taken from the notes.
     pub(super) fn hold_beside(&mut self, notes: &[Activity], recorded: Range<Micros>) {
         let Some(told) = Measures::told(&self.name, notes, recorded) else { return };
         for (number, measure) in MEASURES.iter().enumerate() {
@@ -33,7 +33,7 @@ impl Measures {
         }
         if !self.from_notes.is_empty() {
             self.remarks.push(format!(
-                "By the log's notes alone, as long as no sensor had told of it: {}",
+                "By the log's notes alone, until the first value by a sensor: {}",
                 self.from_notes.join(", ")
             ));
         }

@@ -11,7 +11,7 @@ use homebody_core::time::{DAY, Micros, SECOND, seconds};
 const VISIT: Micros = 20 * SECOND;
 /// Who comes back so soon has not left (ours).
 const VISITS_APART: Micros = 60 * SECOND;
-/// Somebody who is away for so long is out.
+/// An outing lasts for so long at least.
 const LEAST_OUTING: Micros = 30 * 60 * SECOND;
 /// Who stays in a room for so long sits there.
 const SITS: Micros = 30 * 60 * SECOND;
@@ -172,7 +172,7 @@ impl<'a> OfDay<'a> {
 
     pub(super) fn outings(&self) -> Option<f64> {
         let away = self.common.timeline.away.as_ref()?;
-        // Of the day on which they have lasted for so long, as before nobody can tell.
+        // An absence counts on the day on which it has lasted for so long: before that it is not known.
         let long = away.iter().filter(|span| span.1 - span.0 >= LEAST_OUTING);
         self.count(Some(&long.map(|span| span.0 + LEAST_OUTING).collect::<Vec<_>>()))
     }

@@ -1,4 +1,4 @@
-//! What a log cannot tell of days, or only roughly, in sentences.
+//! Sentences on the limits of a log: unknown measures, and guesses.
 
 use super::day_by_day::Measured;
 use super::known::Known;
@@ -59,7 +59,7 @@ impl Remarks {
         self.guesses.extend(measures);
     }
 
-    /// Which sensors are in rooms, and what is not known as none is in a room for it.
+    /// Remarks on rooms, and on measures that need a room without a sensor.
     fn rooms(&mut self, log: &Log, known: &Known, measured: &Measured) {
         let (rooms, telling) = (&measured.all_rooms, &measured.timeline.rooms);
         // A door out is in no room.
@@ -85,7 +85,7 @@ impl Remarks {
             if !rooms.has(purpose) {
                 self.remark(&format!("No sensor is in a {room}, so nothing is known of {lacking}"));
             } else if !telling.has(purpose) {
-                self.remark(&format!("No sensor in the {room} tells of anybody, so nothing is known of {lacking}"));
+                self.remark(&format!("No sensor in the {room} detects the resident, so nothing is known of {lacking}"));
             }
         }
     }

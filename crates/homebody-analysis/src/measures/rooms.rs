@@ -94,7 +94,7 @@ impl Rooms {
         rooms
     }
 
-    /// The same of some of the sensors alone: the others are in no room, and a room without a sensor is none.
+    /// The rooms of some of the sensors. The other sensors are in no room.
     pub fn among(&self, takes: &dyn Fn(usize) -> bool) -> Rooms {
         let mut rooms = Rooms::default();
         for (sensor, room) in self.of_sensors.iter().enumerate() {

@@ -23,8 +23,8 @@ pub struct Sign {
     pub is_seen: bool,
 }
 
-/// What sensors say of somebody who is in a room that is known, by rows in order of time: movements that are seen, as they begin, and
-/// whatever is used, opened and closed, when that begins and when it ends.
+/// The signs of the resident in known rooms, by rows in order of time. A movement is one sign. Things in use give one as they begin, and
+/// one as they end.
 pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
     let sign = |row: &Row| {
         let sensor = row.sensor as usize;
@@ -39,7 +39,7 @@ pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
     rows.iter().filter_map(sign).collect()
 }
 
-/// Whether a sensor of this kind that says this gives a sign of somebody.
+/// Whether such a row of a sensor of this kind is a sign of the resident.
 pub fn gives_signs(kind: Kind, says: Says) -> bool {
     match kind {
         Kind::Motion => says == Says::Begins,

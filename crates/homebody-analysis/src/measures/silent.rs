@@ -1,7 +1,7 @@
 //! Sensors that have fallen silent, and the measures that cannot be taken without them.
 //!
-//! A day is told by what had been said when it ended: of a sensor that died, days before that could be said keep their values. Only a
-//! measure that needs a room, or the entrance, is not known already on the first day on which all sensors there are quiet of which one speaks daily.
+//! A day follows from the rows up to its end: if a sensor dies, earlier days keep their values. A measure that needs a room, or the
+//! entrance, is not known already on the first day on which all sensors there are quiet, though one reports on most days.
 
 use super::held::Silent;
 use super::kinds::Measure;
@@ -16,7 +16,7 @@ use homebody_core::time::{DAY, Micros};
 /// (ours), as of `look`.
 const SILENT: Micros = 2 * DAY;
 const SILENT_TIMES: Micros = 3;
-/// Of one that speaks on most days it is doubted already after so long, and so many times as long as ever before (ours).
+/// A sensor that reports on most days is doubted after so long, and so many times as long as ever before.
 const DOUBTED: Micros = DAY;
 const DOUBTED_TIMES: Micros = 2;
 /// Only of a sensor of what is used or opened that has spoken on so many days before, and on three of four, silence says anything (ours): a drawer may stay
@@ -24,7 +24,7 @@ const DOUBTED_TIMES: Micros = 2;
 const LEAST_DAYS: i64 = 4;
 const OF_DAYS: (i64, i64) = (3, 4);
 
-/// What sensors have said so far, and who of them is silent.
+/// The reports of sensors so far, and their silences.
 pub struct Listening {
     sensors: Vec<OfSensor>,
     /// Those that are over.
@@ -41,7 +41,7 @@ struct OfSensor {
     days: i64,
 }
 
-/// A silence: whose, from when, until when, and when that can be said.
+/// A silence of a sensor, and the instant from which it is known.
 struct Silence {
     sensor: usize,
     span: Span,
@@ -49,7 +49,7 @@ struct Silence {
 }
 
 impl OfSensor {
-    /// For how long it has said nothing while somebody was at home, if that is longer than ever, and how long nobody was.
+    /// The time without a report, less absences, if it is longer than ever; and the time of absences.
     fn quiet(&self, at: Micros, away: &[Span]) -> Option<(Micros, Micros)> {
         let since = self.before.filter(|since| at - since > self.longest)?;
         let away = (within_h(away, (since, at)) * DAY as f64 / 24.0) as Micros;
@@ -72,12 +72,12 @@ impl OfSensor {
 }
 
 impl Listening {
-    /// To so many sensors that have said nothing yet.
+    /// For so many sensors without a report.
     pub fn new(sensors: usize) -> Listening {
         Listening { sensors: vec![OfSensor::default(); sensors], over: Vec::new() }
     }
 
-    /// Takes that a sensor says anything; `away` is when nobody was at home.
+    /// Takes a report of a sensor; `away` has the absences.
     pub fn take(&mut self, at: Micros, sensor: usize, kind: Kind, away: &[Span]) {
         let of = &mut self.sensors[sensor];
         match of.silence(sensor, kind, at, away) {
@@ -94,7 +94,7 @@ impl Listening {
         }
     }
 
-    /// What cannot be measured of a day, as far as that is known when it ends.
+    /// The sensors that lack on a day, as known when it ends.
     pub fn on_day(&self, (begin, end): Span, kinds: &[Kind], away: &[Span]) -> Lacking {
         let over = self.over.iter().rev().take_while(|silence| silence.span.1 >= begin);
         let mut silent: Vec<usize> = over.map(|silence| silence.sensor).collect();
@@ -140,7 +140,7 @@ impl Lacking {
         let needs = |sensor: usize| {
             needs(measure, rooms.of_sensors[sensor].map(|room| rooms.purpose(room)), at_entrance(sensor))
         };
-        // Where another sensor that the measure needs speaks, it is known as far as that tells.
+        // Another sensor that the measure needs may report.
         let is_told = || (0..self.spoke.len()).any(|sensor| self.spoke[sensor] && needs(sensor) == Some(true));
         self.silent.iter().any(|&sensor| needs(sensor).unwrap_or(true))
             || self.doubted.iter().any(|&sensor| needs(sensor) == Some(true)) && !is_told()
@@ -165,7 +165,7 @@ mod tests {
 
     const H: Micros = 3600 * SECOND;
 
-    /// Ten days in which one sensor speaks each hour, and the other each second hour but for a time.
+    /// Ten days. One sensor reports each hour, the other each second hour, except for a time.
     fn listened(quiet: std::ops::Range<Micros>, kind: Kind, away: &[Span]) -> Listening {
         let mut listening = Listening::new(2);
         for hour in 0..240 {

@@ -56,7 +56,7 @@ pub struct Timeline {
     pub rooms: Rooms,
     /// Whether most signs are of what is used, so that nobody knows where somebody is meanwhile, and how often they move.
     pub is_unwatched: bool,
-    /// From when to when nothing is known, in order of time.
+    /// The unknown times, in order.
     pub unknown: Vec<Span>,
     /// Who was where, in order of time.
     pub stays: Vec<Stay>,
@@ -121,26 +121,26 @@ impl Timeline {
         joined(stays.map(|stay| (stay.begin, stay.end)), apart)
     }
 
-    /// The night in bed that ends on a day: from lying down to getting up, with the times out of bed in between. Of who is in bed for
-    /// longer than a day, it is the time from noon to noon.
+    /// The night in bed that ends on a day: from lying down to getting up, with the times out of bed in between. If the resident is in bed for
+    /// longer than a day, the night lasts from noon to noon.
     pub fn night(&self, day: usize) -> Option<Span> {
         let (midnight, end) = self.day(day);
         let (from, to) = (midnight - DAY / 2, midnight + DAY / 2);
-        // What ends before midnight is of the day before.
+        // A night that ends before midnight belongs to the day before.
         let of_day = self.lain((from, to), end).into_iter().filter(|(_, night)| night.1 > midnight);
         let (lain, night) = of_day.max_by_key(|(lain, _)| *lain)?;
         let night = if night.1 - night.0 > DAY { (night.0.max(from), night.1.min(to)) } else { night };
         (lain >= LEAST_NIGHT).then_some(night)
     }
 
-    /// The evening in bed with which a day ends, as far as the day itself tells it.
+    /// The last time in bed of a day, if it lasts until midnight; by that day alone.
     pub fn evening(&self, day: usize) -> Option<Span> {
         let (midnight, end) = self.day(day);
         let (_, (begin, until)) = self.lain((midnight + DAY / 2, end), end).pop()?;
         (until >= end - OUT_OF_BED).then_some((begin, end))
     }
 
-    /// The times in bed that touch a span, as far as they are known by `end`: how long somebody lies in each, and from when to when.
+    /// The times in bed that touch a span, as known at `end`: the time lain in each, and its span.
     fn lain(&self, (from, to): Span, end: Micros) -> Vec<(Micros, Span)> {
         let in_bed = self.in_bed.iter().flatten().filter(|span| span.1 > from && span.0 < to);
         let mut nights: Vec<(Micros, Span)> = Vec::new();
@@ -199,9 +199,9 @@ mod tests {
         // What ends at eleven in the evening is no night that ends on the next day.
         let by_day = Timeline { in_bed: Some(vec![(14 * H, 23 * H)]), ..timeline.clone() };
         assert_eq!((by_day.night(0), by_day.night(1)), (None, None));
-        // By the end of the first day somebody is in bed since ten.
+        // By the end of the first day the resident is in bed since ten.
         assert_eq!((timeline.evening(0), timeline.evening(1)), (Some((22 * H, 24 * H)), None));
-        // Who is in bed for days is in bed for no more than a day a day.
+        // Nobody is in bed for more than 24 hours a day.
         let ill = Timeline { in_bed: Some(vec![(-80 * H, 90 * H)]), ..timeline.clone() };
         assert_eq!(ill.night(1), Some((12 * H, 36 * H)));
         assert!((timeline.known_h((12 * H, 36 * H)) - 24.0).abs() < 1e-9);

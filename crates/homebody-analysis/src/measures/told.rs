@@ -102,7 +102,7 @@ impl Measures {
         let mut measures = Measures::of(name, &Timeline::lived(&life, recorded), Vec::new());
         let first = |tells: Tells| told.iter().find(|(other, _)| *other == tells).map(|(_, one)| date_of(one.begin));
         for (number, measure) in MEASURES.iter().enumerate() {
-            // Who has not begun to note it has not noted that it was not so.
+            // Before the first note of a kind, its count is not known.
             let since = MEASURED.iter().find(|(name, _)| *name == measure.name).and_then(|(_, tells)| first(*tells));
             for day in measures.days.iter_mut().filter(|day| since.is_none_or(|since| day.date < since)) {
                 day.values[number] = None;

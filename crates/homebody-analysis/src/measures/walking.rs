@@ -10,10 +10,10 @@ use super::ways::Ways;
 use homebody_core::time::{Micros, SECOND, seconds};
 use std::collections::BTreeMap;
 
-/// A way from one sensor to another takes no longer, and what it usually takes is known by the first so many times (ours).
+/// A way from one sensor to another takes no longer. Its first so many times give the usual time.
 const PASSES_WITHIN: Micros = 15 * SECOND;
 const PASSES_KNOWN: usize = 20;
-/// No home has more pairs of sensors between which anybody goes often (ours).
+/// No home has more pairs of sensors with a way between them.
 const MOST_PAIRS: usize = 100_000;
 /// A sensor that has said nothing for so long speaks as somebody comes into its view (ours).
 const COMES_AFTER: Micros = 15 * SECOND;
@@ -25,23 +25,23 @@ const LEAST_WALK_M: f64 = 3.0;
 /// Nobody walks at home faster or slower (ours).
 const SPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=2.0;
 
-/// How fast somebody goes from sensor to sensor in different rooms, beside the first times that they went there.
+/// The pace of ways between sensors in different rooms, beside their first times.
 #[derive(Default)]
 pub struct Paces {
     before: Option<Sign>,
     pairs: BTreeMap<(usize, usize), Pair>,
 }
 
-/// What is known of the way between two sensors.
+/// The way between two sensors.
 enum Pair {
-    /// It has been gone too seldom: how many seconds each time took.
+    /// Gone too seldom so far: the seconds of each time.
     Learnt(Vec<f64>),
-    /// How many seconds it usually takes.
+    /// The seconds that it usually takes.
     Known(f64),
 }
 
 impl Paces {
-    /// Takes the signs of a day, in order: the passages among them of which it was known before how long they usually take.
+    /// Takes the signs of a day, in order, and returns the passages of ways whose usual time was known before.
     pub fn of_day(&mut self, signs: &[Sign]) -> Vec<Passage> {
         let mut passages = Vec::new();
         for sign in signs {
@@ -74,7 +74,7 @@ impl Paces {
         self.before = None;
     }
 
-    /// Whether it is known of any way how long it usually takes.
+    /// Whether the usual time of any way is known.
     pub fn is_known(&self) -> bool {
         self.pairs.values().any(|pair| matches!(pair, Pair::Known(_)))
     }
@@ -147,7 +147,7 @@ mod tests {
         assert!(paces.of_day(&day(1, 4)).is_empty() && paces.is_known());
         let slower: Vec<f64> = paces.of_day(&day(3, 8)).iter().map(|passage| passage.of_usual).collect();
         assert_eq!(slower, [0.5; 3]);
-        // What comes later changes nothing of what is usual.
+        // Later times do not change the usual time.
         paces.of_day(&day(1000, 8));
         assert!(paces.of_day(&day(2, 4)).iter().all(|passage| passage.of_usual == 1.0));
     }

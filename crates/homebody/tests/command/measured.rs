@@ -243,7 +243,11 @@ fn nothing_is_known_of_what_no_sensor_tells() {
         |name: &str| told["days"].as_array().unwrap().iter().filter(|day| day["values"][name].is_number()).count();
     assert_eq!((of_days("meals"), of_days("bathroom_day")), (0, 0));
     assert!(of_days("room_changes") >= 7, "{told}");
-    assert!(told["remarks"].to_string().contains("No sensor in the kitchen tells of anybody"), "{}", told["remarks"]);
+    assert!(
+        told["remarks"].to_string().contains("No sensor in the kitchen detects the resident"),
+        "{}",
+        told["remarks"]
+    );
     // Its rooms are those of names.
     assert_eq!(told["guessed_rooms"]["living room motion"], "living room");
 }
@@ -251,7 +255,7 @@ fn nothing_is_known_of_what_no_sensor_tells() {
 #[test]
 fn notes_of_a_log_stand_beside_what_its_sensors_tell() {
     let folder = Folder::new();
-    // The bed is left an hour before it is noted; nobody but the notes tells of meals.
+    // The resident leaves the bed an hour before the note. Only notes have meals.
     let log = noted("Leaving_home").replace("07:00:00 bed_pressure OFF Sleep end", "07:00:00 bed_pressure OFF")
         + &(1..=5).map(|day| format!("2024-03-0{day} 08:00:00 FrontDoor CLOSE Sleep end\n2024-03-0{day} 18:00:00 FrontDoor CLOSE Eating begin\n2024-03-0{day} 18:30:00 FrontDoor CLOSE Eating end\n")).collect::<String>();
     let mut rows: Vec<&str> = log.lines().collect();

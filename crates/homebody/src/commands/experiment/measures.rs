@@ -92,7 +92,7 @@ impl Arguments {
         let sources: Vec<PathBuf> = read.iter().flat_map(|read| read.sources.clone()).collect();
         let answer = self.figures.check(&sources)?;
         let of_log = |(log, read): (&String, &mut LogWithRun)| {
-            // What only notes tell is nothing to hold beside them.
+            // A measure by the notes alone cannot be compared with the notes.
             let notes = std::mem::take(&mut read.log.activities);
             let heard = read.measures().map_err(|why| Failure::usage(format!("{log}: {why}")))?;
             let end = read.log.events.iter().map(|event| event.at).max().map_or(0, |last| last + 1);
