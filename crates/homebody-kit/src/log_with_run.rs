@@ -2,7 +2,7 @@
 //! sensors' own names, the time zone, and from when to when the run was.
 
 use crate::error::Error;
-use crate::long_log::{Kept, LongLog, TakeRow};
+use crate::long_log::{Kept, LongLog, MOST_ROWS, TakeRow};
 use homebody_analysis::dates::{date_of, on_wall, put_on_wall};
 use homebody_analysis::density::{Asked, Map, Mapping, NoMap};
 use homebody_analysis::look::HomeSensor;
@@ -109,7 +109,12 @@ impl LogWithRun {
     ///
     /// Those of [`LogWithRun::read`].
     pub fn of_any_length(named: NamedLog, zone: Option<&str>) -> Result<LogWithRun, Error> {
-        let mut kept = Kept::default();
+        LogWithRun::of_length(named, zone, MOST_ROWS)
+    }
+
+    /// The same, with so many rows in memory at most.
+    pub(crate) fn of_length(named: NamedLog, zone: Option<&str>, most: usize) -> Result<LogWithRun, Error> {
+        let mut kept = Kept::new(most);
         let mut log = named.stream(&mut |part| kept.take(part))?;
         let long = kept.give(&mut log, &named.place, &named.mapping);
         let truth = named.truth();
