@@ -69,10 +69,10 @@ measures! {
     room_changes ("times", "Room changes")
         "How often somebody went from one room to another on the day", "Petersen et al. 2014, room transitions";
     pace ("of usual", "Walking pace")
-        "The median over the day's ways from sensor to sensor of how fast each was gone, beside the median of the first 20 times that it was gone",
+        "The median over the day's ways from sensor to sensor of how fast each was gone, beside the median of the times before, of the first 100 at most",
         "Hagler et al. 2010, walking speed by sensors in a line; relative times are ours";
     pace_slow ("of usual", "Slowest walks")
-        "How fast the slowest tenth of the day's ways from sensor to sensor was gone at most, beside the median of the first 20 times that it was gone", "Hagler et al. 2010, the distribution of walking speeds";
+        "How fast the slowest tenth of the day's ways from sensor to sensor was gone at most, beside the median of the times before, of the first 100 at most", "Hagler et al. 2010, the distribution of walking speeds";
     walking_speed ("m/s", "Walking speed")
         "The median speed of the day's walks from sensor to sensor, by how far it is between them on the ways of the home; without a home it is not known",
         "Hagler et al. 2010, walking speed by sensors in a line; ways of a home instead of a line are ours";

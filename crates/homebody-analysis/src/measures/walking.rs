@@ -10,11 +10,13 @@ use super::ways::Ways;
 use homebody_core::time::{Micros, SECOND, seconds};
 use std::collections::BTreeMap;
 
-/// A way from one sensor to another takes no longer. Its first so many times give the usual time.
+/// A way from one sensor to another takes no longer.
 const PASSES_WITHIN: Micros = 15 * SECOND;
+/// The usual time of a way is known after so many times, and by so many of the first times at most.
 const PASSES_KNOWN: usize = 20;
+const PASSES_KEPT: usize = 100;
 /// No home has more pairs of sensors with a way between them.
-const MOST_PAIRS: usize = 100_000;
+const MOST_PAIRS: usize = 20_000;
 /// A sensor that has said nothing for so long speaks as somebody comes into its view (ours).
 const COMES_AFTER: Micros = 15 * SECOND;
 /// Who goes on is seen again within so long (ours), on one way by so many signs at most.
@@ -32,12 +34,22 @@ pub struct Paces {
     pairs: BTreeMap<(usize, usize), Pair>,
 }
 
-/// The way between two sensors.
-enum Pair {
-    /// Gone too seldom so far: the seconds of each time.
-    Learnt(Vec<f64>),
-    /// The seconds that it usually takes.
-    Known(f64),
+/// The way between two sensors: the seconds of the first times that it was gone, the shortest first.
+#[derive(Default)]
+struct Pair(Vec<f64>);
+
+impl Pair {
+    /// The seconds that the way usually takes, once it has been gone often enough.
+    fn usual(&self) -> Option<f64> {
+        (self.0.len() >= PASSES_KNOWN).then(|| self.0[self.0.len() / 2])
+    }
+
+    fn add(&mut self, took: f64) {
+        if self.0.len() < PASSES_KEPT {
+            let place = self.0.partition_point(|other| *other < took);
+            self.0.insert(place, took);
+        }
+    }
 }
 
 impl Paces {
@@ -54,17 +66,9 @@ impl Paces {
             if self.pairs.len() >= MOST_PAIRS && !self.pairs.contains_key(&of) {
                 continue;
             }
-            let pair = self.pairs.entry(of).or_insert_with(|| Pair::Learnt(Vec::new()));
-            match pair {
-                Pair::Known(usual) => passages.push(Passage { at: sign.at, of_usual: *usual / took }),
-                Pair::Learnt(times) => {
-                    times.push(took);
-                    if times.len() == PASSES_KNOWN {
-                        times.sort_by(f64::total_cmp);
-                        *pair = Pair::Known(times[PASSES_KNOWN / 2]);
-                    }
-                }
-            }
+            let pair = self.pairs.entry(of).or_default();
+            passages.extend(pair.usual().map(|usual| Passage { at: sign.at, of_usual: usual / took }));
+            pair.add(took);
         }
         passages
     }
@@ -76,7 +80,7 @@ impl Paces {
 
     /// Whether the usual time of any way is known.
     pub fn is_known(&self) -> bool {
-        self.pairs.values().any(|pair| matches!(pair, Pair::Known(_)))
+        self.pairs.values().any(|pair| pair.usual().is_some())
     }
 }
 
@@ -145,6 +149,7 @@ mod tests {
         };
         assert!(paces.of_day(&day(19, 4)).is_empty() && !paces.is_known());
         assert!(paces.of_day(&day(1, 4)).is_empty() && paces.is_known());
+        paces.of_day(&day(80, 4));
         let slower: Vec<f64> = paces.of_day(&day(3, 8)).iter().map(|passage| passage.of_usual).collect();
         assert_eq!(slower, [0.5; 3]);
         // Later times do not change the usual time.
