@@ -262,7 +262,7 @@ impl<'a> Measuring<'a> {
         let number = timeline.days() - 1;
         let common = Common::of(&timeline, self.so_far.step_per_h);
         let day = OfDay::new(&common, number, is_over);
-        let lacking = self.so_far.listening.on_day((begin, end), &self.so_far.kinds, &away);
+        let lacking = self.so_far.listening.on_day((begin, now), &self.so_far.kinds, &away);
         let sensors = &self.so_far.entrance.sensors;
         let at_entrance = |sensor: usize| sensors.contains(&self.log.sensors[sensor]);
         let value = |measure: &Measure| {

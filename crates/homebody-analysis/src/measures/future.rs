@@ -1,9 +1,12 @@
 //! No measure sees the future: a day has the same values in a log that ends with it and in a longer one.
 
 use super::*;
+use crate::alerts::{Rules, SENSOR, USUAL, alerts};
+use crate::dates::date_of;
 use homebody_core::scenario::home::HomeFile;
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::Event;
+use jiff::civil::Date;
 use std::collections::BTreeMap;
 
 const MINUTE: Micros = 60 * SECOND;
@@ -231,6 +234,25 @@ fn a_day_is_the_same_whatever_comes_after_it() {
     let never: Vec<&str> =
         MEASURES.iter().zip(&known).filter(|(_, known)| **known == 0).map(|(measure, _)| measure.name).collect();
     assert!(never.is_empty(), "never known in these logs, so nothing is shown of it: {never:?}");
+}
+
+#[test]
+fn an_alert_comes_on_its_day_whatever_comes_after_it() {
+    // The sensor of the kitchen dies on day 25, and the resident goes to bed ever later.
+    let mut log = of_motion(4);
+    log.events.retain(|event| event.at < 25 * DAY || ![3, 8].contains(&event.sensor));
+    let rules = Rules::read(USUAL).unwrap();
+    let told = |days: usize| -> Vec<(Date, String)> {
+        let alerts = alerts(&of_first(&log, days, None), &rules).alerts;
+        alerts.into_iter().map(|alert| (alert.date, alert.rule)).collect()
+    };
+    let all = told(DAYS);
+    assert!(all.iter().any(|(_, rule)| rule == SENSOR) && all.len() > 1, "{all:?}");
+    for days in 1..DAYS {
+        let end = date_of(days as Micros * DAY);
+        let until: Vec<_> = all.iter().filter(|(date, _)| *date < end).cloned().collect();
+        assert_eq!(told(days), until, "after {days} days");
+    }
 }
 
 #[test]

@@ -39,6 +39,8 @@ struct OfSensor {
     /// The first day on which it spoke, and on how many it has.
     first_day: i64,
     days: i64,
+    /// The day at whose end it was first known to be silent, while it is.
+    told: Option<Micros>,
 }
 
 /// A silence of a sensor, and the instant from which it is known.
@@ -49,11 +51,11 @@ struct Silence {
 }
 
 impl OfSensor {
-    /// The time without a report, less absences, if it is longer than ever; and the time of absences.
-    fn quiet(&self, at: Micros, away: &[Span]) -> Option<(Micros, Micros)> {
+    /// The time without a report, less absences, if it is longer than ever.
+    fn quiet(&self, at: Micros, away: &[Span]) -> Option<Micros> {
         let since = self.before.filter(|since| at - since > self.longest)?;
         let away = (within_h(away, (since, at)) * DAY as f64 / 24.0) as Micros;
-        Some((at - since - away, away))
+        Some(at - since - away)
     }
 
     fn speaks_on_most_days(&self) -> bool {
@@ -63,11 +65,11 @@ impl OfSensor {
 
     /// The silence that lasts at an instant, if it is one.
     fn silence(&self, sensor: usize, kind: Kind, at: Micros, away: &[Span]) -> Option<Silence> {
-        let (quiet, away) = self.quiet(at, away)?;
+        let quiet = self.quiet(at, away)?;
         let least = SILENT.max(self.longest * SILENT_TIMES);
         let is_regular = kind == Kind::Motion && self.longest > 0 || self.speaks_on_most_days();
         let since = self.before.filter(|_| quiet >= least && is_regular && kind != Kind::Reading)?;
-        Some(Silence { sensor, span: (since, at), told: since + least + away })
+        Some(Silence { sensor, span: (since, at), told: self.told.unwrap_or(at) })
     }
 }
 
@@ -83,10 +85,11 @@ impl Listening {
         match of.silence(sensor, kind, at, away) {
             Some(silence) => self.over.push(silence),
             None => {
-                let quiet = of.quiet(at, away).map_or(0, |(quiet, _)| quiet);
+                let quiet = of.quiet(at, away).unwrap_or(0);
                 of.longest = of.longest.max(quiet);
             }
         }
+        of.told = None;
         let day = at.div_euclid(DAY);
         match of.before.replace(at) {
             None => (of.first_day, of.days) = (day, 1),
@@ -95,18 +98,17 @@ impl Listening {
     }
 
     /// The sensors that lack on a day, as known when it ends.
-    pub fn on_day(&self, (begin, end): Span, kinds: &[Kind], away: &[Span]) -> Lacking {
+    pub fn on_day(&mut self, (begin, end): Span, kinds: &[Kind], away: &[Span]) -> Lacking {
         let over = self.over.iter().rev().take_while(|silence| silence.span.1 >= begin);
         let mut silent: Vec<usize> = over.map(|silence| silence.sensor).collect();
         let mut doubted = Vec::new();
-        for (sensor, (of, kind)) in
-            self.sensors.iter().zip(kinds).enumerate().filter(|(_, (_, kind))| **kind != Kind::Reading)
-        {
+        for (sensor, (of, kind)) in self.sensors.iter_mut().zip(kinds).enumerate() {
             if of.silence(sensor, *kind, end, away).is_some() {
+                of.told = of.told.or(Some(begin));
                 silent.push(sensor);
-            } else if of.speaks_on_most_days() {
+            } else if *kind != Kind::Reading && of.speaks_on_most_days() {
                 let least = DOUBTED.max(of.longest * DOUBTED_TIMES);
-                doubted.extend(of.quiet(end, away).filter(|(quiet, _)| *quiet >= least).map(|_| sensor));
+                doubted.extend(of.quiet(end, away).filter(|quiet| *quiet >= least).map(|_| sensor));
             }
         }
         let spoke = self.sensors.iter().map(|of| of.before.is_some_and(|before| before >= begin)).collect();
@@ -119,7 +121,7 @@ impl Listening {
             let [since, until, told] = [silence.span.0, silence.span.1, silence.told].map(date_of);
             Silent { sensor: ids[silence.sensor].clone(), since, told, until: speaks_again.then_some(until) }
         };
-        let lasting = self.sensors.iter().zip(kinds).enumerate();
+        let lasting = self.sensors.iter().zip(kinds).enumerate().filter(|(_, (of, _))| of.told.is_some());
         let lasting = lasting.filter_map(|(sensor, (of, kind))| of.silence(sensor, *kind, now, away));
         let over = self.over.iter().filter(|silence| kinds[silence.sensor] != Kind::Reading);
         over.map(|silence| told(silence, true)).chain(lasting.map(|silence| told(&silence, false))).collect()
@@ -210,7 +212,7 @@ mod tests {
     fn a_day_is_doubted_on_which_a_sensor_that_speaks_daily_says_nothing() {
         let mut listening = Listening::new(1);
         (0..110).for_each(|hour| listening.take(hour * H, 0, Kind::Motion, &[]));
-        let lacks = |until: Micros| {
+        let mut lacks = |until: Micros| {
             let lacking = listening.on_day((until - DAY, until), &[Kind::Motion], &[]);
             (lacking.silent, lacking.doubted)
         };
