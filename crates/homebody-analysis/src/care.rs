@@ -291,7 +291,7 @@ mod tests {
         };
         let days = sleep.iter().enumerate().map(day).collect();
         let (remarks, guesses, silent) = (Vec::new(), Vec::new(), Vec::new());
-        Measures { name: "log".into(), measures: MEASURES, remarks, guesses, silent, days }
+        Measures { name: "log".into(), measures: MEASURES, remarks, guesses, silent, days, ..Measures::default() }
     }
 
     #[test]

@@ -15,6 +15,9 @@ pub mod dates;
 /// Which rows of a log are signs of somebody, and of which sensors.
 pub mod signs;
 
+/// Rows of a log, taken one by one, and the spans that they open and close.
+pub mod rows;
+
 /// What a log holds.
 pub mod look;
 

@@ -78,14 +78,12 @@ pub struct LogSensors {
     pub called: Vec<String>,
     /// What they are taken for.
     pub kinds: Vec<Kind>,
-    /// Over which spans each says that something goes on.
-    pub spans: Vec<Spans>,
 }
 
 impl LogSensors {
     /// Those of a log.
     pub fn of(log: &Log) -> LogSensors {
-        LogSensors { called: log.called(), kinds: kinds(log), spans: spans(log) }
+        LogSensors { called: log.called(), kinds: kinds(log) }
     }
 }
 

@@ -326,7 +326,7 @@ mod tests {
     const OF_NONE: Person = Person { condition: None, ..OF_GRIEF };
 
     fn no_days() -> Measures {
-        Measures { name: String::new(), measures: &[], remarks: vec![], guesses: vec![], silent: vec![], days: vec![] }
+        Measures::default()
     }
 
     #[test]

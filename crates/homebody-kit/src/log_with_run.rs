@@ -2,11 +2,13 @@
 //! sensors' own names, the time zone, and from when to when the run was.
 
 use crate::error::Error;
-use homebody_analysis::dates::{date_of, dates, on_wall, put_on_wall};
-use homebody_analysis::density::{Asked, NoMap};
+use crate::long_log::{Kept, LongLog, MOST_ROWS, TakeRow};
+use homebody_analysis::dates::{date_of, on_wall, put_on_wall};
+use homebody_analysis::density::{Asked, Map, Mapping, NoMap};
 use homebody_analysis::look::HomeSensor;
-use homebody_analysis::measures::{Known, Measures, Ways};
-use homebody_analysis::signs::{Kind, Says, says};
+use homebody_analysis::measures::{Known, Measures, Measuring, Ways};
+use homebody_analysis::rows::Tallies;
+use homebody_analysis::signs::{Kind, LogSensors, Says, says};
 use homebody_core::names::capitalised;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
@@ -48,6 +50,8 @@ pub struct LogWithRun {
     pub sources: Vec<PathBuf>,
     /// The scenario with its home, where that is known: its run's, or the one that its sensors were placed in.
     home: Option<Scenario>,
+    /// The place of its rows, if they are too many for memory: `log` has none then.
+    long: Option<LongLog>,
     /// Its truth, and the zone on whose wall what that tells is put, where it is told in UTC.
     truth: Option<(Url, Option<TimeZone>)>,
     /// The folder of its run, if that was not lived to its end: see [`NamedLog::unfinished`].
@@ -95,7 +99,26 @@ impl LogWithRun {
     /// Those of [`LogWithRun::read`].
     pub fn of(named: NamedLog, zone: Option<&str>) -> Result<LogWithRun, Error> {
         let (log, truth) = (named.read()?, named.truth());
-        LogWithRun::with(named, log, truth, zone)
+        LogWithRun::with(named, log, None, truth, zone)
+    }
+
+    /// The same of a log of any length. Of one with more than two million rows no rows are in memory: [`LogWithRun::rows`] reads them
+    /// again each time.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`LogWithRun::read`].
+    pub fn of_any_length(named: NamedLog, zone: Option<&str>) -> Result<LogWithRun, Error> {
+        LogWithRun::of_length(named, zone, MOST_ROWS)
+    }
+
+    /// The same, with so many rows in memory at most.
+    pub(crate) fn of_length(named: NamedLog, zone: Option<&str>, most: usize) -> Result<LogWithRun, Error> {
+        let mut kept = Kept::new(most);
+        let mut log = named.stream(&mut |part| kept.take(part))?;
+        let long = kept.give(&mut log, &named.place, &named.mapping);
+        let truth = named.truth();
+        LogWithRun::with(named, log, long, truth, zone)
     }
 
     /// The log alone, without the truth beside it. Of one that has more rows only the first `most` are in memory, and `log.rows`
@@ -111,10 +134,16 @@ impl LogWithRun {
             events.extend(part.events.iter().take(left));
         })?;
         log.events = events;
-        LogWithRun::with(named, log, None, zone)
+        LogWithRun::with(named, log, None, None, zone)
     }
 
-    fn with(named: NamedLog, mut log: Log, truth: Option<Url>, zone: Option<&str>) -> Result<LogWithRun, Error> {
+    fn with(
+        named: NamedLog,
+        mut log: Log,
+        mut long: Option<LongLog>,
+        truth: Option<Url>,
+        zone: Option<&str>,
+    ) -> Result<LogWithRun, Error> {
         let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
         // Days are drawn on the wall, so these are the instants as the truth tells them.
         let mut lives = truth.as_ref().map(|truth| lives(truth, &RunClock::as_told())).transpose()?.unwrap_or_default();
@@ -139,9 +168,12 @@ impl LogWithRun {
                 (part.begin, part.end) = (on_wall(part.begin, zone), on_wall(part.end, zone));
             }
             put_on_wall(&mut log, zone);
+            long.iter_mut().for_each(|long| long.put_on_wall(zone));
         }
         // A recording that lies there by chance is of another time.
-        let recorded = span.filter(|span| log.events.iter().all(|event| span.contains(&event.at)));
+        let rows = rows_span(&log, long.as_ref());
+        let recorded =
+            span.filter(|span| rows.is_none_or(|(first, last)| span.contains(&first) && span.contains(&last)));
         let beside = Some(place.path().with_file_name(RECORDING)).filter(|path| path.is_file());
         let truth = truth.map(|truth| truth.files(&tables())).unwrap_or_default();
         let files = place.files();
@@ -149,7 +181,7 @@ impl LogWithRun {
         let without = run.map(|run| run.without).filter(|without| !without.is_empty());
         let name = name + without.map_or_else(String::new, |names| format!(", without {}", names.join(", "))).as_str();
         let home = scenario;
-        Ok(LogWithRun { name, log, lives, rooms, recorded, zone, files, sources, home, truth: told, unfinished })
+        Ok(LogWithRun { name, log, lives, rooms, recorded, zone, files, sources, home, long, truth: told, unfinished })
     }
 
     /// Gives its sensors the names and rooms that they have in the home of a scenario. Says how many of them are in it.
@@ -182,6 +214,44 @@ impl LogWithRun {
         Asked { recorded: self.recorded.clone(), zone: self.zone.clone(), ..Asked::default() }
     }
 
+    /// Passes on its rows in the order of time, from memory or from their place.
+    ///
+    /// # Errors
+    ///
+    /// [`NoMap::Unread`] and [`NoMap::Disorder`] of a long log that cannot be read again, or is out of order, and those of `take`.
+    pub fn rows(&self, take: TakeRow) -> Result<(), NoMap> {
+        match &self.long {
+            Some(long) => long.rows(take),
+            None => self.log.in_order().into_iter().try_for_each(take),
+        }
+    }
+
+    /// The first and the last instant of its rows.
+    pub fn rows_span(&self) -> Option<(Micros, Micros)> {
+        rows_span(&self.log, self.long.as_ref())
+    }
+
+    /// The map of its density.
+    ///
+    /// # Errors
+    ///
+    /// If no sensor tells of motion, or the days are too many, and those of [`LogWithRun::rows`].
+    pub fn density(&self, asked: &Asked) -> Result<Map, NoMap> {
+        let mut tallies = Tallies::new(&self.log);
+        self.rows(&mut |row| {
+            tallies.take(row);
+            Ok(())
+        })?;
+        let called = self.log.called();
+        let kinds = tallies.kinds(&called);
+        let mut mapping = Mapping::new(&self.log, LogSensors { called, kinds }, asked);
+        self.rows(&mut |row| {
+            mapping.take(row);
+            Ok(())
+        })?;
+        mapping.end(&self.name)
+    }
+
     /// Measures of its days, with all that its home tells.
     ///
     /// # Errors
@@ -191,7 +261,9 @@ impl LogWithRun {
         let asked = Asked { recorded: self.recorded.clone(), ..Asked::default() };
         let ways = self.ways();
         let known = Known { rooms: &self.rooms, ways: ways.as_ref() };
-        let mut measures = Measures::heard(&self.name, &self.log, &known, &asked)?;
+        let mut measuring = Measuring::new(&self.log, known, &asked);
+        self.rows(&mut |row| measuring.take(row))?;
+        let mut measures = Measures::of_rows(&self.name, measuring)?;
         let residents = self.residents();
         if residents.len() > 1 {
             measures.remarks.push(format!(
@@ -262,8 +334,13 @@ impl LogWithRun {
     /// The first and the last of its dates: those of its run, on which nothing may have been said, else those of its rows.
     pub fn dates(&self) -> Option<(Date, Date)> {
         let of_run = self.recorded.as_ref().map(|run| (date_of(run.start), date_of(run.end - 1)));
-        of_run.or_else(|| dates(&self.log))
+        of_run.or_else(|| self.rows_span().map(|(first, last)| (date_of(first), date_of(last))))
     }
+}
+
+fn rows_span(log: &Log, long: Option<&LongLog>) -> Option<(Micros, Micros)> {
+    let times = || log.events.iter().map(|event| event.at);
+    long.map(LongLog::span).or_else(|| times().min().zip(times().max()))
 }
 
 /// The sensors of a home, as its logs show them.

@@ -19,10 +19,8 @@ fn days_of(name: &str, values: &[Option<f64>]) -> Measures {
     Measures {
         name: "log".into(),
         measures: MEASURES,
-        remarks: Vec::new(),
-        guesses: Vec::new(),
-        silent: Vec::new(),
         days: values.iter().enumerate().map(day).collect(),
+        ..Measures::default()
     }
 }
 

@@ -18,7 +18,7 @@
 //! An absence is a guess unless a contact tells that a door was opened as it began and as it ended.
 //!
 //! Left out: more residents than one, of whom one leaves; visitors; whoever leaves through a door without a sensor; absences
-//! that go on when the log begins or ends.
+//! that go on when the log begins. No map has an absence that lasts when the log ends; a day's measures count it until the day ends.
 
 use homebody_core::time::{Micros, SECOND, seconds};
 use serde::{Serialize, Serializer};
@@ -26,7 +26,7 @@ use serde::{Serialize, Serializer};
 /// Firings farther apart than this belong to different bouts.
 const BOUT: Micros = 120 * SECOND;
 /// A bed or a chair that is taken for longer has somebody in it; a motion sensor of that name only blinks.
-const SEATED: Micros = 300 * SECOND;
+pub const SEATED: Micros = 300 * SECOND;
 /// A bout of fewer firings is stray, if they are of motion sensors alone.
 const LEAST_FIRINGS: usize = 3;
 /// How near to a bout's end the entrance has to fire.
@@ -66,51 +66,138 @@ pub struct Sign {
 
 /// The absences longer than `least`; signs in order, and the spans over which a bed or a chair is taken, in any order.
 pub fn absences(signs: &[Sign], taken: &[(Micros, Micros)], least: Micros) -> Vec<Absence> {
-    let bouts: Vec<&[Sign]> = signs.chunk_by(|a, b| b.at - a.at <= BOUT).collect();
-    let mut absences = Vec::new();
-    let mut before: Option<&[Sign]> = None;
-    let mut stray = 0;
-    for bout in bouts {
-        if bout.len() < LEAST_FIRINGS && !bout.iter().any(|sign| sign.is_use) {
-            stray += bout.len();
-            continue;
+    let mut leaving = Leaving::new(least);
+    let mut found: Vec<Absence> = signs.iter().filter_map(|sign| leaving.take(sign)).collect();
+    found.extend(leaving.last());
+    found.retain(|absence| !absence.is_taken(taken));
+    found
+}
+
+/// Looks for absences while signs come, in the order of time. It does not know of beds and chairs.
+#[derive(Clone, Debug)]
+pub struct Leaving {
+    least: Micros,
+    /// The last bout that ended and was not stray.
+    before: Option<Bout>,
+    /// The firings of stray bouts since then.
+    stray: usize,
+    /// The current bout.
+    bout: Option<Bout>,
+}
+
+/// A bout of signs: whether the resident leaves after it, or comes with it.
+#[derive(Clone, Copy, Debug)]
+struct Bout {
+    begin: Micros,
+    end: Micros,
+    firings: usize,
+    is_use: bool,
+    /// Whether the entrance speaks, and a door there is opened, near its beginning.
+    comes: bool,
+    comes_by_door: bool,
+    /// When the entrance spoke last, and when a door there was opened last.
+    entrance: Option<Micros>,
+    door: Option<Micros>,
+}
+
+impl Bout {
+    fn new(at: Micros) -> Bout {
+        Bout {
+            begin: at,
+            end: at,
+            firings: 0,
+            is_use: false,
+            comes: false,
+            comes_by_door: false,
+            entrance: None,
+            door: None,
         }
-        if let Some((begin, end)) = before.and_then(|before| leaves(before).zip(comes(bout))) {
-            let in_between = |&(from, to): &(Micros, Micros)| to.min(end) - from.max(begin) > SEATED;
-            if end - begin > least && !taken.iter().any(in_between) {
-                let is_guess = !before.is_some_and(|before| has_door(before.iter().rev(), end_of(before)))
-                    || !has_door(bout.iter(), end);
-                absences.push(Absence { begin, end, stray, is_guess });
+    }
+
+    fn add(&mut self, sign: &Sign) {
+        self.end = sign.at;
+        self.firings += 1;
+        self.is_use |= sign.is_use;
+        let is_near = sign.at - self.begin <= EDGE;
+        if sign.at_entrance {
+            self.comes |= is_near;
+            self.entrance = Some(sign.at);
+        }
+        if sign.opens_door {
+            self.comes_by_door |= is_near;
+            self.door = Some(sign.at);
+        }
+    }
+
+    fn is_somebodys(&self) -> bool {
+        self.firings >= LEAST_FIRINGS || self.is_use
+    }
+
+    fn leaves(&self) -> bool {
+        self.entrance.is_some_and(|at| self.end - at <= EDGE)
+    }
+
+    fn leaves_by_door(&self) -> bool {
+        self.door.is_some_and(|at| self.end - at <= EDGE)
+    }
+}
+
+impl Leaving {
+    /// Before the first sign.
+    pub fn new(least: Micros) -> Leaving {
+        Leaving { least, before: None, stray: 0, bout: None }
+    }
+
+    /// Takes a sign; the absence that ended with the bout before it, if there is one.
+    pub fn take(&mut self, sign: &Sign) -> Option<Absence> {
+        if let Some(bout) = self.bout.as_mut().filter(|bout| sign.at - bout.end <= BOUT) {
+            bout.add(sign);
+            return None;
+        }
+        let absence = self.last();
+        if let Some(bout) = self.bout.take() {
+            match bout.is_somebodys() {
+                true => (self.before, self.stray) = (Some(bout), 0),
+                false => self.stray += bout.firings,
             }
         }
-        (before, stray) = (Some(bout), 0);
+        let mut bout = Bout::new(sign.at);
+        bout.add(sign);
+        self.bout = Some(bout);
+        absence
     }
-    absences
-}
 
-fn end_of(bout: &[Sign]) -> Micros {
-    bout.last().map_or(0, |sign| sign.at)
-}
+    /// The absence that ended with the last bout, if no further sign comes.
+    pub fn last(&self) -> Option<Absence> {
+        let (before, bout) = self.before.zip(self.bout.filter(Bout::is_somebodys))?;
+        let (begin, end) = (before.end, bout.begin);
+        let is_guess = !before.leaves_by_door() || !bout.comes_by_door;
+        let is_one = before.leaves() && bout.comes && end - begin > self.least;
+        is_one.then_some(Absence { begin, end, stray: self.stray, is_guess })
+    }
 
-/// Whether a door is opened near an instant, by the signs from there on.
-fn has_door<'a>(mut signs: impl Iterator<Item = &'a Sign>, at: Micros) -> bool {
-    signs.by_ref().take_while(|sign| (sign.at - at).abs() <= EDGE).any(|sign| sign.opens_door)
-}
+    /// The absence that has not ended by `now`: the resident left, and all later bouts are stray. If the entrance has a contact
+    /// (`has_door`), it was opened.
+    pub fn open(&self, now: Micros, has_door: bool) -> Option<Absence> {
+        let is_somebodys = self.bout.is_some_and(|bout| bout.is_somebodys());
+        let stray = if is_somebodys { 0 } else { self.stray + self.bout.map_or(0, |bout| bout.firings) };
+        let last = if is_somebodys { self.bout } else { self.before }?;
+        let leaves = last.leaves() && (last.leaves_by_door() || !has_door) && now - last.end > self.least;
+        leaves.then_some(Absence { begin: last.end, end: now, stray, is_guess: true })
+    }
 
-/// The end of a bout, if that is somebody who leaves.
-fn leaves(bout: &[Sign]) -> Option<Micros> {
-    let end = bout.last()?.at;
-    let last = bout.iter().rev().take_while(|sign| end - sign.at <= EDGE);
-    last.into_iter().any(|sign| sign.at_entrance).then_some(end)
-}
-
-/// The beginning of a bout, if that is somebody who comes home.
-fn comes(bout: &[Sign]) -> Option<Micros> {
-    let begin = bout.first()?.at;
-    bout.iter().take_while(|sign| sign.at - begin <= EDGE).any(|sign| sign.at_entrance).then_some(begin)
+    /// Begins anew after a gap.
+    pub fn forget(&mut self) {
+        *self = Leaving::new(self.least);
+    }
 }
 
 impl Absence {
+    /// Whether a bed or a chair is taken meanwhile, by the spans over which one is.
+    pub fn is_taken(&self, taken: &[(Micros, Micros)]) -> bool {
+        taken.iter().any(|&(from, to)| to.min(self.end) - from.max(self.begin) > SEATED)
+    }
+
     /// How long it is, in hours.
     pub fn hours(&self) -> f64 {
         seconds(self.end - self.begin) / 3600.0
@@ -183,6 +270,22 @@ mod tests {
         assert!(absences(&day, &[], LEAST)[0].is_guess, "nobody was seen to come");
         day[3].opens_door = true;
         assert!(!absences(&day, &[], LEAST)[0].is_guess);
+    }
+
+    #[test]
+    fn who_left_and_has_not_come_is_away_until_now() {
+        let open = |at_s: &[Micros], now_s: Micros, has_door: bool| {
+            let mut leaving = Leaving::new(LEAST);
+            for sign in signs(at_s) {
+                leaving.take(&sign);
+            }
+            leaving.open(now_s * SECOND, has_door).map(|absence| (absence.begin / SECOND, absence.stray))
+        };
+        assert_eq!(open(&[10, 20, -30], 4000, false), Some((30, 0)));
+        assert_eq!(open(&[10, 20, -30, 3000], 4000, false), Some((30, 1)), "a stray firing ends nothing");
+        assert_eq!(open(&[10, 20, -30], 1000, false), None, "it is too soon to tell");
+        assert_eq!(open(&[-10, 100, 130], 30_000, false), None, "who goes to bed has not left");
+        assert_eq!(open(&[10, 20, -30], 4000, true), None, "nobody opened the door");
     }
 
     #[test]

@@ -40,7 +40,7 @@ impl Entrance {
         if !asked.is_empty() {
             return with(Chosen::Asked, &|sensor| asked.contains(&ids[sensor])).unwrap_or(none);
         }
-        let LogSensors { called, kinds, .. } = sensors;
+        let LogSensors { called, kinds } = sensors;
         let leads_out =
             |sensor: usize| matches!(kinds[sensor], Kind::Motion | Kind::Contact) && !is_inner(&called[sensor]);
         let is_known = |sensor: usize| kinds[sensor] == Kind::Contact || speaks(&called[sensor], &ENTRANCES);
@@ -107,7 +107,7 @@ mod tests {
         let asked: Vec<String> = asked.iter().map(|name| (*name).into()).collect();
         let (called, kinds): (Vec<String>, Vec<Kind>) =
             sensors.iter().map(|&(called, kind)| (called.to_owned(), kind)).unzip();
-        let entrance = Entrance::find(&called.clone(), &LogSensors { called, kinds, spans: Vec::new() }, &asked);
+        let entrance = Entrance::find(&called.clone(), &LogSensors { called, kinds }, &asked);
         (entrance.sensors, entrance.chosen)
     }
 

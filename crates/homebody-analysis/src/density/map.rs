@@ -1,19 +1,21 @@
 //! A log as a map: its hours, day by day.
 
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
-use homebody_log::Log;
+use homebody_log::{Event, Log};
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::{Absence, Cell, Entrance, LEAST, Sign, State, Sum, absences, is_seat};
-use crate::dates::{ClockSet, MOST_DAYS, clocks_set, date_of, midnight};
-use crate::signs::{Kind, LogSensors, Says, says};
+use super::{Absence, Cell, Entrance, LEAST, Leaving, SEATED, Sign, State, Sum, is_seat};
+use crate::dates::{ClockSet, MOST_DAYS, clocks_set, date_of, midnight, written};
+use crate::rows::{Ongoing, Row, Span, Tallies, without};
+use crate::signs::{Kind, LogSensors, Says};
 
 const HOUR: Micros = 3600 * SECOND;
 /// A longer silence of all sensors is no recording.
-const SILENCE: Micros = DAY;
+pub const SILENCE: Micros = DAY;
 
 /// What somebody wants to know of a log.
 #[derive(Clone, Debug)]
@@ -53,6 +55,16 @@ pub enum NoMap {
     /// The date that was asked for, and the first and the last that the log has.
     #[error("{0} is no day of it\n  hint: it goes from {1} to {2}")]
     NoDay(Date, Date, Date),
+    /// The log is too long for memory, and could not be read a second time.
+    #[error("its rows could not be read again: {0}")]
+    Unread(String),
+    /// The log is too long for memory, and a row comes much later than one of a later instant: both instants.
+    #[error(
+        "it has more rows than are kept in memory, and they are out of order: {} comes after {}\n  hint: sort its rows by time first",
+        written(*.0),
+        written(*.1)
+    )]
+    Disorder(Micros, Micros),
 }
 
 /// The hours of some days.
@@ -112,47 +124,9 @@ pub struct Hour {
 impl Map {
     /// The map of the days that are asked for.
     pub fn of(name: &str, log: &Log, asked: &Asked) -> Result<Map, NoMap> {
-        let map = Map::of_any(name, log, &LogSensors::of(log), asked)?;
-        if map.motion_sensors > 0 { Ok(map) } else { Err(NoMap::NoMotion) }
-    }
-
-    /// The same where no sensor may look for movement: when the log was recorded, and when nobody was at home.
-    pub fn of_any(name: &str, log: &Log, sensors: &LogSensors, asked: &Asked) -> Result<Map, NoMap> {
-        let LogSensors { called, kinds, spans } = sensors;
-        let entrance = Entrance::find(&log.sensors, sensors, &asked.doors);
-        let Heard { rows, events, signs } = Heard::of(log, kinds, &entrance);
-        let (&[first, ..], &[.., last]) = (&rows[..], &rows[..]) else { return Err(NoMap::Empty) };
-        if signs.is_empty() {
-            return Err(NoMap::NoMotion);
-        }
-        let seats = spans.iter().zip(called).filter(|(_, name)| is_seat(name));
-        let taken: Vec<(Micros, Micros)> = seats.flat_map(|(spans, _)| spans).copied().collect();
-        let absences = absences(&signs, &taken, asked.away_after);
-        let recorded: Vec<Range<Micros>> = match &asked.recorded {
-            Some(span) => std::iter::once(span.start.min(first)..span.end.max(last + 1)).collect(),
-            None => without_silences(&rows, &absences),
-        };
-        let days = days(asked, first.min(recorded[0].start), recorded[recorded.len() - 1].end)?;
-
-        let mut cells = vec![[Cell::default(); 24]; days.count];
-        for &at in &events {
-            if let Some(cell) = days.cell(&mut cells, at) {
-                cell.events += 1;
-            }
-        }
-        let set = asked.zone.as_ref().map_or_else(Vec::new, |zone| clocks_set(&days.span(), zone));
-        for span in &recorded {
-            days.add_lived(&mut cells, span, &set, |cell, hours| cell.recorded_h += hours);
-        }
-        for absence in &absences {
-            days.add_lived(&mut cells, &(absence.begin..absence.end), &set, |cell, hours| cell.away_h += hours);
-        }
-        let shown = |absence: &&Absence| absence.begin < days.span().end && absence.end > days.span().start;
-        let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();
-        let left_out = log.sensors.iter().zip(kinds).filter(|(_, kind)| **kind != Kind::Motion);
-        let left_out = left_out.map(|(name, _)| name.clone()).collect();
-        let absences = absences.iter().filter(shown).copied().collect();
-        Ok(Map::sum(name, days.first, cells, Found { motion_sensors, left_out, entrance, absences }))
+        let mut mapping = Mapping::new(log, LogSensors::of(log), asked);
+        log.in_order().into_iter().for_each(|event| mapping.take(event));
+        mapping.end(name)
     }
 
     /// Sums the cells up.
@@ -199,35 +173,163 @@ impl Map {
     }
 }
 
-/// The rows of a log, in order: when there were any, events of motion, and signs of somebody.
-struct Heard {
-    rows: Vec<Micros>,
-    events: Vec<Micros>,
-    signs: Vec<Sign>,
+/// Which rows are signs of the resident, by the kinds of their sensors.
+pub struct Signs {
+    kinds: Vec<Kind>,
+    at_entrance: Vec<bool>,
 }
 
-impl Heard {
-    fn of(log: &Log, kinds: &[Kind], entrance: &Entrance) -> Heard {
-        let values: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
-        let is_entrance: Vec<bool> = log.sensors.iter().map(|name| entrance.sensors.contains(name)).collect();
-        let mut heard = Heard { rows: Vec::with_capacity(log.events.len()), events: Vec::new(), signs: Vec::new() };
-        for event in &log.events {
-            let (at, sensor, says) = (event.at, event.sensor as usize, values[event.value as usize]);
-            let is_motion = kinds[sensor] == Kind::Motion && says == Says::Begins;
-            let is_use =
-                matches!(kinds[sensor], Kind::Contact | Kind::Used) && matches!(says, Says::Begins | Says::Opens);
-            if is_motion || is_use {
-                let at_entrance = is_entrance[sensor];
-                let opens_door = kinds[sensor] == Kind::Contact && at_entrance;
-                heard.signs.push(Sign { at, at_entrance, opens_door, is_use });
-            }
-            heard.events.extend(is_motion.then_some(at));
-            heard.rows.push(at);
+impl Signs {
+    /// Of sensors of these ids.
+    pub fn new(ids: &[String], kinds: &[Kind], entrance: &Entrance) -> Signs {
+        let at_entrance = ids.iter().map(|name| entrance.sensors.contains(name)).collect();
+        Signs { kinds: kinds.to_vec(), at_entrance }
+    }
+
+    /// The sign that a row is, if it is one.
+    pub fn of(&self, row: &Row) -> Option<Sign> {
+        let sensor = row.sensor as usize;
+        let (kind, at_entrance) = (self.kinds[sensor], self.at_entrance[sensor]);
+        let is_use = matches!(kind, Kind::Contact | Kind::Used) && matches!(row.says, Says::Begins | Says::Opens);
+        let opens_door = self.is_door(row);
+        (is_use || self.is_motion(row)).then_some(Sign { at: row.at, at_entrance, opens_door, is_use })
+    }
+
+    /// Whether a movement is seen.
+    pub fn is_motion(&self, row: &Row) -> bool {
+        self.kinds[row.sensor as usize] == Kind::Motion && row.says == Says::Begins
+    }
+
+    /// Whether a door at the entrance is opened or closed.
+    pub fn is_door(&self, row: &Row) -> bool {
+        let sensor = row.sensor as usize;
+        self.kinds[sensor] == Kind::Contact && self.at_entrance[sensor]
+    }
+
+    /// Whether a contact at the entrance tells who leaves and comes.
+    pub fn has_door(&self) -> bool {
+        self.kinds.iter().zip(&self.at_entrance).any(|(kind, at)| *at && *kind == Kind::Contact)
+    }
+}
+
+/// A map under construction. It takes the rows of its log in the order of time, and keeps none of them.
+pub struct Mapping<'a> {
+    log: &'a Log,
+    asked: &'a Asked,
+    sensors: LogSensors,
+    entrance: Entrance,
+    signs: Signs,
+    rows: Tallies,
+    is_seat: Vec<bool>,
+    /// The spans over which a bed or a chair is taken for long.
+    taken: Ongoing,
+    leaving: Leaving,
+    absences: Vec<Absence>,
+    /// Events of motion by their hour since 1970, of the days that may be in the map.
+    events: BTreeMap<i64, u64>,
+    has_signs: bool,
+    /// The first row and the last, and between which two rows all sensors were silent for long.
+    span: Option<(Micros, Micros)>,
+    silences: Vec<Span>,
+    /// How many gaps of the log have begun.
+    gaps: usize,
+}
+
+impl<'a> Mapping<'a> {
+    /// Of a log, whose own rows it does not look at.
+    pub fn new(log: &'a Log, sensors: LogSensors, asked: &'a Asked) -> Mapping<'a> {
+        let entrance = Entrance::find(&log.sensors, &sensors, &asked.doors);
+        Mapping {
+            log,
+            asked,
+            signs: Signs::new(&log.sensors, &sensors.kinds, &entrance),
+            rows: Tallies::new(log),
+            is_seat: sensors.called.iter().map(|name| is_seat(name)).collect(),
+            taken: Ongoing::new(log.sensors.len(), SEATED),
+            leaving: Leaving::new(asked.away_after),
+            absences: Vec::new(),
+            events: BTreeMap::new(),
+            has_signs: false,
+            span: None,
+            silences: Vec::new(),
+            gaps: 0,
+            sensors,
+            entrance,
         }
-        heard.rows.sort_unstable();
-        heard.events.sort_unstable();
-        heard.signs.sort_by_key(|sign| sign.at);
-        heard
+    }
+
+    /// Takes the next row.
+    pub fn take(&mut self, event: &Event) {
+        while let Some(&(begin, _)) = self.log.gaps.get(self.gaps).filter(|gap| gap.0 <= event.at) {
+            self.taken.end_all(begin);
+            self.absences.extend(self.leaving.last());
+            self.leaving.forget();
+            self.gaps += 1;
+        }
+        let (first, last) = self.span.unwrap_or((event.at, event.at));
+        if event.at - last > SILENCE {
+            self.silences.push((last, event.at));
+        }
+        self.span = Some((first, event.at));
+        let Some(row) = self.rows.take(event) else { return };
+        if self.is_seat[row.sensor as usize] {
+            self.taken.take(&row);
+        }
+        if let Some(sign) = self.signs.of(&row) {
+            self.has_signs = true;
+            self.absences.extend(self.leaving.take(&sign));
+        }
+        if self.signs.is_motion(&row) {
+            // No map is longer.
+            let from = self.asked.from.map_or(first, midnight).div_euclid(HOUR);
+            let hour = row.at.div_euclid(HOUR);
+            if (from - 24..from + MOST_DAYS as i64 * 24).contains(&hour) {
+                *self.events.entry(hour).or_default() += 1;
+            }
+        }
+    }
+
+    /// The map of the rows so far.
+    ///
+    /// # Errors
+    ///
+    /// Those that [`NoMap`] lists.
+    pub fn end(mut self, name: &str) -> Result<Map, NoMap> {
+        let (first, last) = self.span.ok_or(NoMap::Empty)?;
+        let kinds = &self.sensors.kinds;
+        let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();
+        if !self.has_signs || motion_sensors == 0 {
+            return Err(NoMap::NoMotion);
+        }
+        self.absences.extend(self.leaving.last());
+        let taken: Vec<Span> = (0..kinds.len()).flat_map(|sensor| self.taken.spans(sensor, None)).collect();
+        let absences: Vec<Absence> =
+            self.absences.iter().filter(|absence| !absence.is_taken(&taken)).copied().collect();
+        let recorded: Vec<Range<Micros>> = match &self.asked.recorded {
+            Some(span) => std::iter::once(span.start.min(first)..span.end.max(last + 1)).collect(),
+            None => without_silences((first, last), &self.silences, &absences),
+        };
+        let days = days(self.asked, first.min(recorded[0].start), recorded[recorded.len() - 1].end)?;
+        let mut cells = vec![[Cell::default(); 24]; days.count];
+        for (&hour, &events) in &self.events {
+            if let Some(cell) = days.cell(&mut cells, hour * HOUR) {
+                cell.events += events;
+            }
+        }
+        let set = self.asked.zone.as_ref().map_or_else(Vec::new, |zone| clocks_set(&days.span(), zone));
+        let recorded: Vec<Span> = recorded.into_iter().map(|span| (span.start, span.end)).collect();
+        for (begin, end) in without(&recorded, &self.log.gaps) {
+            days.add_lived(&mut cells, &(begin..end), &set, |cell, hours| cell.recorded_h += hours);
+        }
+        for absence in &absences {
+            days.add_lived(&mut cells, &(absence.begin..absence.end), &set, |cell, hours| cell.away_h += hours);
+        }
+        let shown = |absence: &&Absence| absence.begin < days.span().end && absence.end > days.span().start;
+        let left_out = self.log.sensors.iter().zip(kinds).filter(|(_, kind)| **kind != Kind::Motion);
+        let left_out = left_out.map(|(name, _)| name.clone()).collect();
+        let absences = absences.iter().filter(shown).copied().collect();
+        let found = Found { motion_sensors, left_out, entrance: self.entrance, absences };
+        Ok(Map::sum(name, days.first, cells, found))
     }
 }
 
@@ -299,16 +401,16 @@ impl Days {
 }
 
 /// From the first row to the last, but for silences that no absence explains.
-fn without_silences(rows: &[Micros], absences: &[Absence]) -> Vec<Range<Micros>> {
+fn without_silences((first, last): Span, silences: &[Span], absences: &[Absence]) -> Vec<Range<Micros>> {
     let mut recorded = Vec::new();
-    let mut begin = rows[0];
-    for pair in rows.windows(2) {
-        let is_away = || absences.iter().any(|absence| absence.begin <= pair[0] && pair[1] <= absence.end);
-        if pair[1] - pair[0] > SILENCE && !is_away() {
-            recorded.push(begin..pair[0] + 1);
-            begin = pair[1];
+    let mut begin = first;
+    for &(from, to) in silences {
+        let is_away = absences.iter().any(|absence| absence.begin <= from && to <= absence.end);
+        if !is_away {
+            recorded.push(begin..from + 1);
+            begin = to;
         }
     }
-    recorded.push(begin..rows[rows.len() - 1] + 1);
+    recorded.push(begin..last + 1);
     recorded
 }

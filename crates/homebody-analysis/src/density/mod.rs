@@ -32,10 +32,10 @@ mod texture;
 use homebody_log::Log;
 use serde::Serialize;
 
-pub use away::{Absence, LEAST, Sign, absences};
+pub use away::{Absence, LEAST, Leaving, SEATED, Sign, absences};
 pub use cell::{Cell, State, Sum};
 pub use entrance::{Chosen, Entrance, is_seat};
-pub use map::{Asked, Day, Hour, Map, NoMap};
+pub use map::{Asked, Day, Hour, Map, Mapping, NoMap, SILENCE, Signs};
 pub use texture::{LEVELS, Texture, level};
 
 /// An answer to people and scripts: a map, and how far it is from another.
@@ -77,6 +77,11 @@ pub struct Against {
 pub fn density(log: (&str, &Log, &Asked), against: Option<(&str, &Log, &Asked)>) -> Result<Density, NoMap> {
     let map = Map::of(log.0, log.1, log.2)?;
     let other = against.map(|(name, log, asked)| Map::of(name, log, asked)).transpose()?;
+    Ok(density_of(map, other))
+}
+
+/// The figures of a map, and its distance from another if there is one.
+pub fn density_of(map: Map, other: Option<Map>) -> Density {
     let step_per_h = step_per_h([Some(&map), other.as_ref()].into_iter().flatten());
     let of = measured(map, step_per_h);
     let against = other.map(|other| {
@@ -85,7 +90,7 @@ pub fn density(log: (&str, &Log, &Asked), against: Option<(&str, &Log, &Asked)>)
         let distance = features(&of).zip(features(&other)).map(|(a, b)| distance(&a, &b));
         Against { distance, weeks_apart: weeks_apart(&other.map.cells, step_per_h), of: other }
     });
-    Ok(Density { step_per_h, of, against })
+    Density { step_per_h, of, against }
 }
 
 /// A round height of eight levels, such that one cell in a hundred is above the top.

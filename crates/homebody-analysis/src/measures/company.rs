@@ -13,12 +13,14 @@
 //! Left out: guests whom the resident fetches or sees home, guests who come or go as the resident does, and how many guests there are.
 
 use super::signs::Sign;
-use super::timeline::Span;
+use crate::rows::Span;
 use homebody_core::time::{DAY, Micros, SECOND};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, VecDeque};
 
 /// With fewer days nothing is known of how lively it usually is (ours).
 const LEAST_DAYS: usize = 7;
+/// The usual is by so many days at most, up to the day itself.
+const MOST_DAYS: usize = 28;
 const HOUR: Micros = 3600 * SECOND;
 /// Messages of the door no farther apart are of one use of it (ours).
 const ONE_USE: Micros = 120 * SECOND;
@@ -32,22 +34,23 @@ const LONGEST: Micros = 5 * HOUR;
 /// In a visit there are so many times the usual signs at least (ours).
 const LIVELY: f64 = 1.3;
 
-/// When there was company; `None` where no door tells it, or the log is too short to tell what is usual. `door` are the instants
-/// at which a door out was opened or closed, in order.
-pub fn company(signs: &[Sign], door: &[Micros]) -> Option<Vec<Span>> {
-    let usual = Usual::of(signs).filter(|_| !door.is_empty())?;
+/// When there was company up to `now`; `None` where no door tells it, or there were too few days to tell what is usual. `door` are
+/// the instants at which a door out was opened or closed, in order.
+pub fn company(signs: &[Sign], door: &[Micros], usual: &Usual, now: Micros) -> Option<Vec<Span>> {
+    let usual = usual.hours().filter(|_| usual.has_door)?;
     let uses: Vec<Span> =
         door.chunk_by(|a, b| b - a <= ONE_USE).map(|of_use| (of_use[0], of_use[of_use.len() - 1])).collect();
     let between: Vec<Span> = uses.windows(2).map(|pair| (pair[0].1, pair[1].0)).collect();
-    let is_lived_in: Vec<bool> = between.iter().map(|span| is_lived_in(signs, span)).collect();
-    // Before the first use, and after the last, nobody knows better.
+    let after = uses.last().map(|last| (last.1, now)).filter(|(last, now)| now - last >= SHORTEST);
+    let is_lived_in: Vec<bool> = between.iter().chain(&after).map(|span| is_lived_in(signs, span)).collect();
+    // Before the first use, and soon after the last, it is taken to be so.
     let is_lived_in = |number: Option<usize>| number.and_then(|number| is_lived_in.get(number)).is_none_or(|is| *is);
     let mut lively: Vec<(f64, usize)> = Vec::new();
     for (number, span) in between.iter().enumerate() {
         let neighbours = [number.checked_sub(1), Some(number), Some(number + 1)];
         let lasts = span.1 - span.0;
         if (SHORTEST..=LONGEST).contains(&lasts) && neighbours.into_iter().all(is_lived_in) {
-            let times = count(signs, span.0, span.1) as f64 / usual.signs(span);
+            let times = count(signs, span.0, span.1) as f64 / usual_signs(&usual, span);
             lively.extend((times >= LIVELY).then_some((times, number)));
         }
     }
@@ -71,34 +74,52 @@ fn count(signs: &[Sign], begin: Micros, end: Micros) -> usize {
     before(end).saturating_sub(before(begin))
 }
 
-/// How many signs there are in each hour of the day: the median over the days that have any.
-struct Usual([f64; 24]);
+/// How many signs there were in each hour of the last days that had any.
+#[derive(Default)]
+pub struct Usual {
+    days: VecDeque<[u32; 24]>,
+    /// Whether a door out has been used.
+    has_door: bool,
+}
 
 impl Usual {
-    fn of(signs: &[Sign]) -> Option<Usual> {
-        let days: BTreeSet<Micros> = signs.iter().map(|sign| sign.at.div_euclid(DAY)).collect();
-        if days.len() < LEAST_DAYS {
+    /// Takes a day: its signs, and whether a door out was used on it.
+    pub fn add(&mut self, signs: &[Sign], has_door: bool) {
+        self.has_door |= has_door;
+        if signs.is_empty() {
+            return;
+        }
+        let mut hours = [0; 24];
+        signs.iter().for_each(|sign| hours[(sign.at.rem_euclid(DAY) / HOUR) as usize] += 1);
+        self.days.push_back(hours);
+        if self.days.len() > MOST_DAYS {
+            self.days.pop_front();
+        }
+    }
+
+    /// By hour of the day, the median over the days that have any sign in it; `None` of too few days.
+    fn hours(&self) -> Option<[f64; 24]> {
+        if self.days.len() < LEAST_DAYS {
             return None;
         }
         let mut usual = [0.0; 24];
-        for (hour, usual) in (0..).zip(&mut usual) {
-            let of_day = |day: &Micros| count(signs, day * DAY + hour * HOUR, day * DAY + (hour + 1) * HOUR);
-            let mut counts: Vec<usize> = days.iter().map(of_day).filter(|count| *count > 0).collect();
+        for (hour, usual) in usual.iter_mut().enumerate() {
+            let mut counts: Vec<u32> = self.days.iter().map(|day| day[hour]).filter(|count| *count > 0).collect();
             counts.sort_unstable();
-            *usual = counts.get(counts.len() / 2).map_or(0.0, |count| *count as f64);
+            *usual = counts.get(counts.len() / 2).map_or(0.0, |count| f64::from(*count));
         }
-        Some(Usual(usual))
+        Some(usual)
     }
+}
 
-    /// How many are usual in a span; one at least.
-    fn signs(&self, span: &Span) -> f64 {
-        let (first, last) = (span.0.div_euclid(HOUR), span.1.div_euclid(HOUR));
-        let in_hour = |hour: Micros| {
-            let lasts = (span.1.min((hour + 1) * HOUR) - span.0.max(hour * HOUR)) as f64 / HOUR as f64;
-            lasts * self.0[hour.rem_euclid(24) as usize]
-        };
-        (first..=last).map(in_hour).sum::<f64>().max(1.0)
-    }
+/// How many signs are usual in a span; one at least.
+fn usual_signs(usual: &[f64; 24], span: &Span) -> f64 {
+    let (first, last) = (span.0.div_euclid(HOUR), span.1.div_euclid(HOUR));
+    let in_hour = |hour: Micros| {
+        let lasts = (span.1.min((hour + 1) * HOUR) - span.0.max(hour * HOUR)) as f64 / HOUR as f64;
+        lasts * usual[hour.rem_euclid(24) as usize]
+    };
+    (first..=last).map(in_hour).sum::<f64>().max(1.0)
 }
 
 #[cfg(test)]
@@ -122,9 +143,15 @@ mod tests {
         day * DAY + minute * 60 * SECOND
     }
 
+    fn told(signs: &[Sign], door: &[Micros]) -> Option<Vec<Span>> {
+        let mut usual = Usual::default();
+        signs.chunk_by(|a, b| a.at / DAY == b.at / DAY).for_each(|day| usual.add(day, !door.is_empty()));
+        company(signs, door, &usual, 10 * DAY)
+    }
+
     fn found(out: &[(i64, i64)], lively: &[(i64, i64)], door: &[i64]) -> Vec<Span> {
         let door: Vec<Micros> = door.iter().map(|minute| at(8, *minute)).collect();
-        company(&signs(out, lively), &door).unwrap()
+        told(&signs(out, lively), &door).unwrap()
     }
 
     #[test]
@@ -144,8 +171,8 @@ mod tests {
 
     #[test]
     fn a_few_days_or_a_door_without_a_contact_tell_of_nobody() {
-        assert_eq!(company(&signs(&[], &[(900, 1000)]), &[]), None);
+        assert_eq!(told(&signs(&[], &[(900, 1000)]), &[]), None);
         let few: Vec<Sign> = signs(&[], &[]).into_iter().filter(|sign| sign.at < 5 * DAY).collect();
-        assert_eq!(company(&few, &[at(3, 900), at(3, 1000)]), None);
+        assert_eq!(told(&few, &[at(3, 900), at(3, 1000)]), None);
     }
 }

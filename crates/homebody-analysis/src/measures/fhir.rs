@@ -88,10 +88,9 @@ mod tests {
         let measures = Measures {
             name: "log".into(),
             measures: MEASURES,
-            remarks: Vec::new(),
             guesses: vec!["showers"],
-            silent: Vec::new(),
             days: vec![day],
+            ..Measures::default()
         };
         let bundle = measures.fhir("Ada");
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../checks/fhir/observations.json");

@@ -1,17 +1,14 @@
 //! What measures are taken from, as a log tells it.
 
-use super::company::company;
-use super::known::Known;
-use super::rooms::{Purpose, Rooms};
-use super::signs::{Sign, agreed, signs};
-use super::timeline::{Span, Stay, Timeline, joined, without};
-use super::walking::{passages, walks};
-use crate::dates::midnight;
-use crate::density::{Absence, Asked, Map, NoMap};
-use crate::signs::{Kind, LogSensors, Says, says};
+use super::rooms::Purpose;
+use super::signs::{Sign, agreed};
+use super::timeline::{Stay, Timeline, joined};
+use super::walking::walks;
+use super::ways::Ways;
+use crate::rows::{Span, without};
+use crate::signs::Kind;
 use homebody_core::names::words;
-use homebody_core::time::{DAY, Micros, SECOND};
-use homebody_log::Log;
+use homebody_core::time::{Micros, SECOND};
 
 const MINUTE: Micros = 60 * SECOND;
 
@@ -41,69 +38,81 @@ const BATHROOM_LIVELY: Micros = MINUTE;
 /// Times in the kitchen no farther apart belong to one meal; for a meal somebody is there for so long (ours).
 const MEAL_APART: Micros = 15 * MINUTE;
 const MEAL_LASTS: Micros = 15 * MINUTE;
+/// A shorter gap of the recording ends no stay.
+const BRIDGED: Micros = 10 * MINUTE;
+
+/// A log of some days, up to the end of the last of them.
+pub struct Heard<'a> {
+    /// The ids of the sensors.
+    pub ids: &'a [String],
+    /// Their kinds.
+    pub kinds: &'a [Kind],
+    /// The spans over which each reports that something is on.
+    pub spans: &'a dyn Fn(usize) -> Vec<Span>,
+    /// The lengths of the ways between sensors, if they are known.
+    pub ways: Option<&'a Ways>,
+    /// Which of them are beds and showers, by their names.
+    pub named: &'a Named,
+    /// Whether a bed's sensor has been on so far.
+    pub has_bed: bool,
+    /// The sensors that have given a sign yet.
+    pub has_spoken: &'a [bool],
+    /// Until when the last day is known.
+    pub until: Micros,
+}
+
+/// Which sensors are beds and showers, by their names.
+pub struct Named {
+    bed: Vec<bool>,
+    shower: Vec<bool>,
+}
+
+impl Named {
+    /// Of sensors with these names.
+    pub fn of(called: &[String]) -> Named {
+        let all = |words: &[&str]| called.iter().map(|name| is_named(name, words)).collect();
+        Named { bed: all(&BEDS), shower: all(&SHOWERS) }
+    }
+
+    /// Whether a sensor of this kind is in a bed.
+    pub fn is_bed(&self, sensor: usize, kind: Kind) -> bool {
+        self.bed[sensor] && kind == Kind::Used
+    }
+}
+
 impl Timeline {
-    /// As a log tells it. `known` is what a home tells; `asked` from when to when.
-    ///
-    /// # Errors
-    ///
-    /// Those of the log's density map.
-    pub(super) fn heard(
-        log: &Log,
-        sensors: &LogSensors,
-        known: &Known,
-        asked: &Asked,
-    ) -> Result<(Timeline, Map), NoMap> {
-        let rooms = Rooms::of(&log.sensors, known.rooms);
-        let told = || {
-            let signs = signs(log, &sensors.kinds, &rooms);
-            let seen: Vec<Sign> = signs.iter().filter(|sign| sign.is_seen).copied().collect();
-            let walks = known.ways.and_then(|ways| walks(&seen, &log.sensors, ways));
-            (agreed(&signs), passages(&seen), walks, 2 * seen.len() < signs.len(), signs)
-        };
-        // They know nothing of each other, and take as long.
-        let (map, (agreed, passages, walks, is_unwatched, signs)) =
-            rayon::join(|| Map::of_any("", log, sensors, asked), told);
-        let map = map?;
-        let begin = midnight(map.from);
-        let end = begin + map.cells.len() as Micros * DAY;
-        let away: Vec<Span> = map.absences.iter().map(|Absence { begin, end, .. }| (*begin, *end)).collect();
-        let last = signs.last().map_or(end, |sign| sign.at).min(end);
-        let stays = stays(&agreed, &away, last);
-        let door = used_door(log, &sensors.kinds, &map.entrance.sensors);
-        let mut timeline = Timeline {
-            first: map.from,
-            begin,
-            recorded_h: map.cells.iter().map(|day| day.map(|cell| cell.recorded_h)).collect(),
-            away: (!map.entrance.sensors.is_empty()).then_some(away),
-            is_unwatched,
-            passages,
-            walks,
-            company: company(&signs, &door),
-            cells: (map.motion_sensors > 0).then(|| map.cells.clone()),
-            stays,
-            rooms,
-            ..Timeline::default()
-        };
-        timeline.lie_down(sensors, &signs);
-        timeline.wash_and_eat(sensors, &signs);
-        Ok((timeline, map))
+    /// Adds stays in rooms, times in bed, showers and meals by a log. Days, rooms and absences are there already.
+    pub(super) fn hear(&mut self, heard: &Heard, signs: &[Sign]) {
+        let seen: Vec<Sign> = signs.iter().filter(|sign| sign.is_seen).copied().collect();
+        self.walks = heard.ways.map(|ways| walks(&seen, heard.ids, ways));
+        let away = self.away.as_deref().unwrap_or_default();
+        self.stays = known_stays(stays(&agreed(signs), away, heard.until), &self.unknown);
+        self.lie_down(heard, signs);
+        self.wash_and_eat(heard, signs);
+    }
+
+    /// Whether a sensor that looks for movement has seen any in a room for this.
+    fn is_seen(&self, heard: &Heard, purpose: Purpose) -> bool {
+        let rooms = self.rooms.of_sensors.iter().enumerate();
+        let mut of_purpose = rooms.filter(|(_, room)| room.is_some_and(|room| self.rooms.purpose(room) == purpose));
+        of_purpose.any(|(sensor, _)| heard.kinds[sensor] == Kind::Motion && heard.has_spoken[sensor])
     }
 
     /// Finds the times in bed: by what is in the bed, or else by silence in the bedroom.
-    fn lie_down(&mut self, LogSensors { called, kinds, spans }: &LogSensors, signs: &[Sign]) {
-        let is_bed = |sensor: usize| kinds[sensor] == Kind::Used && is_named(&called[sensor], &BEDS);
-        let mut lain: Vec<Span> = Vec::new();
-        for (_, spans) in spans.iter().enumerate().filter(|(sensor, _)| is_bed(*sensor)) {
-            lain.extend(spans.iter().filter(|span| span.1 > span.0));
-        }
-        lain.sort();
-        let in_bedroom: Vec<&Sign> =
-            signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bedroom).collect();
-        if lain.is_empty() && !self.rooms.has(Purpose::Bedroom) {
+    fn lie_down(&mut self, heard: &Heard, signs: &[Sign]) {
+        if !heard.has_bed && !self.rooms.has(Purpose::Bedroom) {
             return;
         }
-        let sees_bedroom = in_bedroom.iter().any(|sign| sign.is_seen);
-        if lain.is_empty() {
+        let in_bedroom: Vec<&Sign> =
+            signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bedroom).collect();
+        let sees_bedroom = self.is_seen(heard, Purpose::Bedroom);
+        let mut lain: Vec<Span> = Vec::new();
+        if heard.has_bed {
+            for sensor in (0..heard.ids.len()).filter(|&sensor| heard.named.is_bed(sensor, heard.kinds[sensor])) {
+                lain.extend((heard.spans)(sensor).into_iter().filter(|span| span.1 > span.0));
+            }
+            lain.sort();
+        } else {
             self.guesses_nights = !sees_bedroom;
             let of_bedroom = self.stays.iter().filter(|stay| self.rooms.purpose(stay.room) == Purpose::Bedroom);
             lain = nights(&of_bedroom.copied().collect::<Vec<Stay>>(), &in_bedroom);
@@ -131,25 +140,24 @@ impl Timeline {
     }
 
     /// Finds showers and meals.
-    fn wash_and_eat(&mut self, LogSensors { called, kinds, spans }: &LogSensors, signs: &[Sign]) {
-        let shower = |(name, kind): (&String, &Kind)| *kind != Kind::Reading && is_named(name, &SHOWERS);
-        let is_shower: Vec<bool> = called.iter().zip(kinds).map(shower).collect();
+    fn wash_and_eat(&mut self, heard: &Heard, signs: &[Sign]) {
+        let is_shower = |sensor: &usize| heard.named.shower[*sensor] && heard.kinds[*sensor] != Kind::Reading;
+        let showers: Vec<usize> = (0..heard.ids.len()).filter(is_shower).collect();
         let begins = |spans: Vec<Span>, least: Micros| {
             let long = spans.into_iter().filter(|span| span.1 - span.0 >= least);
             Some(long.map(|span| span.0).collect())
         };
-        let in_bathroom: Vec<&Sign> =
-            signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bathroom).collect();
-        let is_watched = in_bathroom.iter().any(|sign| sign.is_seen);
-        if is_shower.contains(&true) {
+        if !showers.is_empty() {
             // Water flows from its beginning to its end, and some motion sensors say when they see nothing more.
-            let of_shower = spans.iter().zip(&is_shower).filter(|(_, is_shower)| **is_shower);
             let ended =
                 |&(begin, end): &Span| if end - begin <= SHOWER_LONGEST { (begin, end) } else { (begin, begin) };
-            let mut seen: Vec<Span> = of_shower.flat_map(|(spans, _)| spans).map(ended).collect();
+            let mut seen: Vec<Span> =
+                showers.iter().flat_map(|&sensor| (heard.spans)(sensor)).map(|span| ended(&span)).collect();
             seen.sort_unstable();
             self.showers = begins(joined(seen.into_iter(), SHOWER_APART), SHOWER_LASTS);
-        } else if is_watched {
+        } else if self.is_seen(heard, Purpose::Bathroom) {
+            let in_bathroom: Vec<&Sign> =
+                signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bathroom).collect();
             let in_bed = self.in_bed.as_deref().unwrap_or_default();
             let mut by_day = without(&self.visits(Purpose::Bathroom, MINUTE), in_bed);
             by_day.retain(|&(begin, end)| {
@@ -172,18 +180,6 @@ impl Timeline {
             self.meals = Some(meals);
         }
     }
-}
-
-/// When contacts among the sensors of the entrance say that a door is opened or closed, in order of time.
-fn used_door(log: &Log, kinds: &[Kind], entrance: &[String]) -> Vec<Micros> {
-    let is_door: Vec<bool> = (log.sensors.iter().zip(kinds))
-        .map(|(sensor, kind)| *kind == Kind::Contact && entrance.contains(sensor))
-        .collect();
-    let is_used: Vec<bool> = log.values.iter().map(|value| says(value) != Says::Else).collect();
-    let told = log.events.iter().filter(|event| is_door[event.sensor as usize] && is_used[event.value as usize]);
-    let mut used: Vec<Micros> = told.map(|event| event.at).collect();
-    used.sort_unstable();
-    used
 }
 
 /// Words that tell of beds and showers.
@@ -225,6 +221,16 @@ fn stays(signs: &[Sign], away: &[Span], last: Micros) -> Vec<Stay> {
         parts.into_iter().map(|(begin, end)| Stay { room: stay.room, begin, end })
     });
     parts.collect()
+}
+
+/// Known stays: each ends where a gap begins, unless the gap is short.
+fn known_stays(stays: Vec<Stay>, unknown: &[Span]) -> Vec<Stay> {
+    let known = |stay: Stay| {
+        let first = unknown.partition_point(|gap| gap.0 < stay.begin);
+        let gap = unknown[first..].iter().take_while(|gap| gap.0 < stay.end).find(|gap| gap.1 - gap.0 > BRIDGED);
+        Stay { end: gap.map_or(stay.end, |gap| gap.0), ..stay }
+    };
+    stays.into_iter().map(known).collect()
 }
 
 /// The signs within a span.

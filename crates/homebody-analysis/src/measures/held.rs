@@ -1,12 +1,15 @@
 //! What measures come to: plain data.
 
 use super::kinds::{MEASURES, Measure};
+use homebody_core::problem::counted;
 use jiff::civil::Date;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
+use std::collections::BTreeMap;
+use std::fmt;
 
 /// The measures of all days of a log.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Measures {
     /// What the log is called.
     pub name: String,
@@ -18,6 +21,15 @@ pub struct Measures {
     pub guesses: Vec<&'static str>,
     /// Sensors that fell silent: what needs them has no value meanwhile.
     pub silent: Vec<Silent>,
+    /// Differences between measures by the sensors and by the log's notes of activities, if it has any.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub noted: Vec<Noted>,
+    /// The names of measures that are taken from the log's notes until a sensor gives them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub from_notes: Vec<&'static str>,
+    /// The rooms of sensors by id, if only the words of the ids name them.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub guessed_rooms: BTreeMap<String, String>,
     /// Day by day.
     pub days: Vec<Day>,
 }
@@ -49,6 +61,35 @@ fn by_name<S: Serializer>(values: &[Option<f64>], serializer: S) -> Result<S::Ok
         }
     }
     map.end()
+}
+
+/// How far a measure by the sensors is from the same by the notes of a log, over the days on which both are known.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Noted {
+    /// Which measure.
+    pub measure: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// On how many days both are known.
+    pub days: usize,
+    /// Its mean by the notes.
+    pub by_notes: f64,
+    /// Its mean by the sensors.
+    pub by_sensors: f64,
+    /// How far the two are apart on a day, on average.
+    pub apart: f64,
+}
+
+impl fmt::Display for Noted {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Noted { measure, unit, days, by_notes, by_sensors, apart } = self;
+        let days = counted(*days, "day", "days");
+        write!(
+            f,
+            "{measure}: by the log's notes {by_notes:.2} {unit}, by the sensors {by_sensors:.2} {unit}; \
+             a day differs by {apart:.2} on average ({days})"
+        )
+    }
 }
 
 /// A sensor that has fallen silent.

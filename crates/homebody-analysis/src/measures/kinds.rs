@@ -63,16 +63,16 @@ measures! {
     meals ("times", "Meals")
         "Times around the kitchen with 15 min and more in it, with gaps of 15 min at most", "ours";
     time_out ("h", "Out")
-        "Hours of the day with nobody at home", "Wang and Skubic 2008, time away from home";
+        "Hours of the day with nobody at home, as far as that is known when the day ends", "Wang and Skubic 2008, time away from home";
     outings ("times", "Outings")
-        "How often somebody left home for half an hour and more on the day", "Wang and Skubic 2008, time away from home";
+        "How often somebody was out for half an hour, each time on the day on which the half hour was over", "Wang and Skubic 2008, time away from home";
     room_changes ("times", "Room changes")
         "How often somebody went from one room to another on the day", "Petersen et al. 2014, room transitions";
     pace ("of usual", "Walking pace")
-        "The median over the day's ways from sensor to sensor of how fast each was gone, beside the median between the two over the whole log",
+        "The median over the day's ways from sensor to sensor of how fast each was gone, beside the median of the times before, of the first 100 at most",
         "Hagler et al. 2010, walking speed by sensors in a line; relative times are ours";
     pace_slow ("of usual", "Slowest walks")
-        "How fast the slowest tenth of the day's ways from sensor to sensor was gone at most, beside the median between the two over the whole log", "Hagler et al. 2010, the distribution of walking speeds";
+        "How fast the slowest tenth of the day's ways from sensor to sensor was gone at most, beside the median of the times before, of the first 100 at most", "Hagler et al. 2010, the distribution of walking speeds";
     walking_speed ("m/s", "Walking speed")
         "The median speed of the day's walks from sensor to sensor, by how far it is between them on the ways of the home; without a home it is not known",
         "Hagler et al. 2010, walking speed by sensors in a line; ways of a home instead of a line are ours";
@@ -81,7 +81,7 @@ measures! {
     walking_speed_fast ("m/s", "Fast walks")
         "The speed that a tenth of the day's walks from sensor to sensor exceed, by the ways of the home", "Hagler et al. 2010, the distribution of walking speeds";
     company ("h", "Company")
-        "Hours of the day with somebody besides the resident, as a guess: from use to use of the front door's contact, of 10 min to 5 h, with somebody at home before and after, and 1.3 times the usual signs or more between",
+        "Hours of the day with somebody besides the resident, as a guess: from use to use of the front door's contact, of 10 min to 5 h, with somebody at home before and after, and 1.3 times the signs or more between that are usual of the 28 days up to the day",
         "Petersen et al. 2012, visitors by sensors; the rule is ours";
     visits ("times", "Visitors")
         "How often somebody besides the resident came on the day, as a guess: see company", "Petersen et al. 2012, visitors by sensors; the rule is ours";
@@ -103,7 +103,7 @@ measures! {
     density_evening ("firings/h", "Density 18-24")
         "Firings of motion sensors an hour at home, from 18:00 to midnight", "Wang and Skubic 2008";
     density_distance ("0-2.24", "Density distance")
-        "How far the density map of the seven days that end with the day is from that of the seven before", "Wang and Skubic 2008, dissimilarity of density maps";
+        "How far the density map of the seven days that end with the day is from that of the seven before, in levels as high as the first 14 whole days of the log make them", "Wang and Skubic 2008, dissimilarity of density maps";
     interdaily_stability ("0-1", "Evenness of days")
         "The variance of the mean firings by hour of day beside that of all hours, over the seven days that end with the day",
         "Witting et al. 1990, interdaily stability";

@@ -1,8 +1,9 @@
 //! What measures are taken from, as a truth tells it.
 
 use super::rooms::{Rooms, purpose};
-use super::timeline::{Span, Stay, Timeline, Walk, joined};
+use super::timeline::{Stay, Timeline, Walk, joined};
 use crate::dates::{date_of, midnight};
+use crate::rows::Span;
 use homebody_core::activity::{
     AWAY, EATING_BREAKFAST, EATING_DINNER, EATING_LUNCH, GOING_TO_BED, LYING_AWAKE, SHOWERING, SLEEPING,
 };

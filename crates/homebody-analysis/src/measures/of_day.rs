@@ -1,21 +1,22 @@
 //! A day of a timeline, and what each measure comes to on it.
 
 use super::rooms::Purpose;
-use super::timeline::{Span, Timeline, within_h, without};
+use super::timeline::{Timeline, within_h};
 use super::wandering::Wandering;
 use crate::density::{Cell, Sum, apart};
+use crate::rows::{Span, without};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
-
-const HOUR: Micros = 3600 * SECOND;
 
 /// Who is in the bathroom for less passes through it (ours).
 const VISIT: Micros = 20 * SECOND;
 /// Who comes back so soon has not left (ours).
 const VISITS_APART: Micros = 60 * SECOND;
+/// An outing lasts for so long at least.
+const LEAST_OUTING: Micros = 30 * 60 * SECOND;
 /// Who stays in a room for so long sits there.
 const SITS: Micros = 30 * 60 * SECOND;
 /// A day of which more is unknown has no measures of days, and a night none of nights (ours).
-const UNKNOWN_H: f64 = 1.0;
+pub const UNKNOWN_H: f64 = 1.0;
 /// Fewer ways, or walks of a known length, have no distribution (ours).
 const LEAST_WAYS: usize = 10;
 const LEAST_WALKS: usize = 5;
@@ -32,20 +33,20 @@ pub struct Common<'a> {
     pub sitting: Vec<Span>,
     /// Aimless ways.
     pub wandering: Wandering,
-    /// The height of a level of density, in firings an hour.
-    pub step_per_h: f64,
+    /// The height of a level of density, in firings an hour, once enough days tell it.
+    pub step_per_h: Option<f64>,
 }
 
 impl<'a> Common<'a> {
     /// Of a timeline.
-    pub fn of(timeline: &'a Timeline) -> Common<'a> {
+    pub fn of(timeline: &'a Timeline, step_per_h: Option<f64>) -> Common<'a> {
         let long = timeline.stays.iter().filter(|stay| stay.lasts() >= SITS);
         Common {
             timeline,
             bathroom: visits_to(&timeline.visits(Purpose::Bathroom, 0)),
             sitting: long.map(|stay| (stay.begin, stay.end)).collect(),
             wandering: super::wandering::wandering(&timeline.stays),
-            step_per_h: timeline.cells.as_deref().map_or(1.0, apart::step_per_h),
+            step_per_h,
         }
     }
 }
@@ -62,15 +63,16 @@ pub struct OfDay<'a> {
     common: &'a Common<'a>,
     number: usize,
     day: Span,
-    /// From lying down to getting up.
+    /// From lying down to getting up, and from lying down again until the day ends.
     night: Option<Span>,
+    evening: Option<Span>,
     is_known: bool,
     is_night_known: bool,
 }
 
 impl<'a> OfDay<'a> {
-    /// The day of a number.
-    pub fn new(common: &'a Common<'a>, number: usize) -> OfDay<'a> {
+    /// The day of a number. One that is not over is not known yet, though the night that ended on it may be.
+    pub fn new(common: &'a Common<'a>, number: usize, is_over: bool) -> OfDay<'a> {
         let timeline = common.timeline;
         let day = timeline.day(number);
         let known = |span: Span| timeline.known_h(span) > seconds(span.1 - span.0) / 3600.0 - UNKNOWN_H;
@@ -79,7 +81,8 @@ impl<'a> OfDay<'a> {
             number,
             day,
             night: timeline.night(number),
-            is_known: known(day),
+            evening: timeline.evening(number),
+            is_known: is_over && known(day),
             is_night_known: known((day.0 - DAY / 4, day.0 + DAY * 3 / 8)),
         }
     }
@@ -89,8 +92,18 @@ impl<'a> OfDay<'a> {
         self.is_known
     }
 
+    /// The night, if it is known, and how it begins and ends.
     fn by_night(&self) -> Option<Span> {
-        self.night.filter(|_| self.is_night_known)
+        let is_cut = |night: &Span| {
+            let cuts = |gap: &Span| (gap.0 - night.1).abs() <= VISITS_APART || (night.0 - gap.1).abs() <= VISITS_APART;
+            self.common.timeline.unknown.iter().any(cuts)
+        };
+        self.night.filter(|night| self.is_night_known && !is_cut(night))
+    }
+
+    /// The parts of the day in bed by night.
+    fn nights(&self) -> impl Iterator<Item = Span> {
+        self.night.into_iter().chain(self.evening)
     }
 
     /// How many instants lie within the day.
@@ -138,8 +151,7 @@ impl<'a> OfDay<'a> {
 
     pub(super) fn bathroom_day(&self) -> Option<f64> {
         self.has_bathroom()?;
-        let nights = [self.night, self.common.timeline.night(self.number + 1)];
-        let is_by_night = |at: Micros| nights.iter().flatten().any(|night| (night.0..night.1).contains(&at));
+        let is_by_night = |at: Micros| self.nights().any(|night| (night.0..night.1).contains(&at));
         let by_day: Vec<Micros> =
             self.common.bathroom.iter().map(|visit| visit.0).filter(|&at| !is_by_night(at)).collect();
         self.count(Some(&by_day))
@@ -160,8 +172,9 @@ impl<'a> OfDay<'a> {
 
     pub(super) fn outings(&self) -> Option<f64> {
         let away = self.common.timeline.away.as_ref()?;
-        let long = away.iter().filter(|span| span.1 - span.0 >= HOUR / 2);
-        self.count(Some(&long.map(|span| span.0).collect::<Vec<_>>()))
+        // An absence counts on the day on which it has lasted for so long: before that it is not known.
+        let long = away.iter().filter(|span| span.1 - span.0 >= LEAST_OUTING);
+        self.count(Some(&long.map(|span| span.0 + LEAST_OUTING).collect::<Vec<_>>()))
     }
 
     pub(super) fn room_changes(&self) -> Option<f64> {
@@ -237,9 +250,10 @@ impl<'a> OfDay<'a> {
 
     pub(super) fn sedentary(&self) -> Option<f64> {
         self.watched()?.in_bed.as_ref().filter(|_| self.is_known)?;
-        let nights: Vec<Span> =
-            [self.night, self.common.timeline.night(self.number + 1)].into_iter().flatten().collect();
-        let by_day = without(&self.common.sitting, &nights);
+        let nights: Vec<Span> = self.nights().collect();
+        let has_lasted = |span: &&Span| span.1.min(self.day.1) - span.0 >= SITS;
+        let sitting: Vec<Span> = self.common.sitting.iter().filter(has_lasted).copied().collect();
+        let by_day = without(&sitting, &nights);
         Some(within_h(&by_day, self.day))
     }
 
@@ -274,7 +288,7 @@ impl<'a> OfDay<'a> {
     }
 
     pub(super) fn density_distance(&self) -> Option<f64> {
-        apart::distance(self.week(0)?, self.week(WEEK)?, self.common.step_per_h)
+        apart::distance(self.week(0)?, self.week(WEEK)?, self.common.step_per_h?)
     }
 
     /// Firings by hour of a week, with the sum of their squared differences from their mean.

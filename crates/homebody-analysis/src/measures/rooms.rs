@@ -94,6 +94,17 @@ impl Rooms {
         rooms
     }
 
+    /// The rooms of some of the sensors. The other sensors are in no room.
+    pub fn among(&self, takes: &dyn Fn(usize) -> bool) -> Rooms {
+        let mut rooms = Rooms::default();
+        for (sensor, room) in self.of_sensors.iter().enumerate() {
+            let room = room.filter(|_| takes(sensor)).map(|room| self.rooms[room].clone());
+            let number = room.map(|room| rooms.number(room));
+            rooms.of_sensors.push(number);
+        }
+        rooms
+    }
+
     /// The number of a room, which is a new one where it is not known.
     pub fn number(&mut self, room: (String, Purpose)) -> usize {
         self.rooms.iter().position(|known| known.0 == room.0).unwrap_or_else(|| {
@@ -132,5 +143,7 @@ mod tests {
         let rooms = Rooms::of(&sensors, &known);
         assert_eq!((of(&rooms, 0), of(&rooms, 2)), (None, Some("guest bedroom".to_owned())));
         assert!(rooms.has(Purpose::Bedroom) && !rooms.has(Purpose::Kitchen));
+        let none = rooms.among(&|sensor| sensor != 2);
+        assert!(none.rooms.is_empty() && none.of_sensors == [None; 5], "{none:?}");
     }
 }

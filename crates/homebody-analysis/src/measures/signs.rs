@@ -3,9 +3,9 @@
 //! Whatever is used, opened and closed is a sign as much as a movement that is seen: many real homes have hardly a motion sensor.
 
 use super::rooms::Rooms;
-use crate::signs::{Kind, Says, says};
+use crate::rows::Row;
+use crate::signs::{Kind, Says};
 use homebody_core::time::{Micros, SECOND};
-use homebody_log::Log;
 
 /// Sensors that speak within so long see the same movement (ours).
 const TOGETHER: Micros = 2 * SECOND;
@@ -23,24 +23,29 @@ pub struct Sign {
     pub is_seen: bool,
 }
 
-/// What sensors say of somebody who is in a room that is known, in order of time: movements that are seen, as they begin, and whatever
-/// is used, opened and closed, when that begins and when it ends.
-pub fn signs(log: &Log, kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
-    let says: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
-    let told = log.events.iter().filter_map(|event| {
-        let (sensor, says) = (event.sensor as usize, says[event.value as usize]);
+/// The signs of the resident in known rooms, by rows in order of time. A movement is one sign. Things in use give one as they begin, and
+/// one as they end.
+pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
+    let sign = |row: &Row| {
+        let sensor = row.sensor as usize;
         let room = rooms.of_sensors[sensor]?;
-        let is_seen = kinds[sensor] == Kind::Motion;
-        let is_sign = match kinds[sensor] {
-            Kind::Motion => says == Says::Begins,
-            Kind::Contact | Kind::Used => says != Says::Else,
-            Kind::Reading => false,
-        };
-        is_sign.then_some(Sign { at: event.at, room, sensor, is_seen })
-    });
-    let mut signs: Vec<Sign> = told.collect();
-    signs.sort_by_key(|sign| sign.at);
-    signs
+        gives_signs(kinds[sensor], row.says).then_some(Sign {
+            at: row.at,
+            room,
+            sensor,
+            is_seen: kinds[sensor] == Kind::Motion,
+        })
+    };
+    rows.iter().filter_map(sign).collect()
+}
+
+/// Whether such a row of a sensor of this kind is a sign of the resident.
+pub fn gives_signs(kind: Kind, says: Says) -> bool {
+    match kind {
+        Kind::Motion => says == Says::Begins,
+        Kind::Contact | Kind::Used => says != Says::Else,
+        Kind::Reading => false,
+    }
 }
 
 /// The signs, each in the room where most of the sensors are that speak with it: a sensor that sees through an open door into

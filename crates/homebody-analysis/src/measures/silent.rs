@@ -1,102 +1,162 @@
 //! Sensors that have fallen silent, and the measures that cannot be taken without them.
+//!
+//! A day follows from the rows up to its end: if a sensor dies, earlier days keep their values. A measure that needs a room, or the
+//! entrance, is not known already on the first day on which all sensors there are quiet, though one reports on most days.
 
-use super::held::{Day, Measures, Silent};
+use super::held::Silent;
 use super::kinds::Measure;
 use super::rooms::{Purpose, Rooms};
-use super::timeline::{Span, within_h};
+use super::timeline::within_h;
 use crate::dates::date_of;
-use crate::density::Entrance;
+use crate::rows::Span;
 use crate::signs::Kind;
 use homebody_core::time::{DAY, Micros};
-use homebody_log::Log;
 
 /// A sensor is silent that says nothing for so long while somebody is at home, and for so many times as long as ever before
 /// (ours), as of `look`.
 const SILENT: Micros = 2 * DAY;
 const SILENT_TIMES: Micros = 3;
+/// A sensor that reports on most days is doubted after so long, and so many times as long as ever before.
+const DOUBTED: Micros = DAY;
+const DOUBTED_TIMES: Micros = 2;
 /// Only of a sensor of what is used or opened that has spoken on so many days before, and on three of four, silence says anything (ours): a drawer may stay
 /// closed for a week.
 const LEAST_DAYS: i64 = 4;
 const OF_DAYS: (i64, i64) = (3, 4);
 
-/// A silence: whose, from when, and until when.
-pub(super) struct Silence {
+/// The reports of sensors so far, and their silences.
+pub struct Listening {
+    sensors: Vec<OfSensor>,
+    /// Those that are over.
+    over: Vec<Silence>,
+}
+
+#[derive(Clone, Default)]
+struct OfSensor {
+    before: Option<Micros>,
+    /// The longest time without a word that was no silence.
+    longest: Micros,
+    /// The first day on which it spoke, and on how many it has.
+    first_day: i64,
+    days: i64,
+    /// The day at whose end it was first known to be silent, while it is.
+    told: Option<Micros>,
+}
+
+/// A silence of a sensor, and the instant from which it is known.
+struct Silence {
     sensor: usize,
     span: Span,
     told: Micros,
-    speaks_again: bool,
 }
 
-/// The silences of sensors of movements and of what is used, up to `last`.
-pub(super) fn silences(log: &Log, kinds: &[Kind], away: &[Span], last: Micros) -> Vec<Silence> {
-    let mut before: Vec<Option<Micros>> = vec![None; log.sensors.len()];
-    let mut longest: Vec<Micros> = vec![0; log.sensors.len()];
-    // By sensor: the first day on which it spoke, and on how many it has.
-    let mut spoken: Vec<(i64, i64)> = vec![(0, 0); log.sensors.len()];
-    let mut found = Vec::new();
-    let mut ends = |sensor: usize, at: Micros, before: Option<Micros>, speaks_again: bool| {
-        let day = |at: Micros| at.div_euclid(DAY);
-        let (first, days) = spoken[sensor];
-        let is_regular = before.is_some_and(|since| {
-            let so_far = day(since) - first + 1;
-            kinds[sensor] == Kind::Motion && longest[sensor] > 0
-                || days >= LEAST_DAYS && days * OF_DAYS.1 >= so_far * OF_DAYS.0
-        });
-        match before {
-            None => spoken[sensor] = (day(at), 1),
-            Some(since) => spoken[sensor].1 += i64::from(day(since) < day(at)),
-        }
-        // What is no longer than another silence before it changes nothing.
-        let Some(since) = before.filter(|since| at - since > longest[sensor]) else { return };
+impl OfSensor {
+    /// The time without a report, less absences, if it is longer than ever.
+    fn quiet(&self, at: Micros, away: &[Span]) -> Option<Micros> {
+        let since = self.before.filter(|since| at - since > self.longest)?;
         let away = (within_h(away, (since, at)) * DAY as f64 / 24.0) as Micros;
-        let quiet = at - since - away;
-        let least = SILENT.max(longest[sensor] * SILENT_TIMES);
-        if quiet >= least && is_regular {
-            found.push(Silence { sensor, span: (since, at), told: since + least + away, speaks_again });
-        } else {
-            longest[sensor] = longest[sensor].max(quiet);
-        }
-    };
-    for event in log.in_order() {
-        let sensor = event.sensor as usize;
-        ends(sensor, event.at, before[sensor].replace(event.at), true);
+        Some(at - since - away)
     }
-    for (sensor, at) in before.into_iter().enumerate() {
-        ends(sensor, last, at, false);
-    }
-    found.retain(|silence| kinds[silence.sensor] != Kind::Reading);
-    found
-}
 
-/// Whether a measure needs a sensor.
-fn needs(measure: &Measure, sensor: &str, room: Option<Purpose>, entrance: &Entrance) -> bool {
-    match measure.name {
-        "time_in_bed" | "bedtime" | "rising" | "sleep" | "restlessness" => room == Some(Purpose::Bedroom),
-        "bathroom_night" | "bathroom_day" | "showers" => room == Some(Purpose::Bathroom),
-        "meals" => room == Some(Purpose::Kitchen),
-        "time_out" | "outings" => entrance.sensors.iter().any(|known| known == sensor),
-        _ => true,
+    fn speaks_on_most_days(&self) -> bool {
+        let so_far = self.before.map_or(0, |before| before.div_euclid(DAY)) - self.first_day + 1;
+        self.days >= LEAST_DAYS && self.days * OF_DAYS.1 >= so_far * OF_DAYS.0
+    }
+
+    /// The silence that lasts at an instant, if it is one.
+    fn silence(&self, sensor: usize, kind: Kind, at: Micros, away: &[Span]) -> Option<Silence> {
+        let quiet = self.quiet(at, away)?;
+        let least = SILENT.max(self.longest * SILENT_TIMES);
+        let is_regular = kind == Kind::Motion && self.longest > 0 || self.speaks_on_most_days();
+        let since = self.before.filter(|_| quiet >= least && is_regular && kind != Kind::Reading)?;
+        Some(Silence { sensor, span: (since, at), told: self.told.unwrap_or(at) })
     }
 }
 
-impl Measures {
-    /// Takes out what cannot be measured while sensors are silent.
-    pub(super) fn leave_out(&mut self, silences: &[Silence], log: &Log, rooms: &Rooms, entrance: &Entrance) {
-        for silence in silences {
-            let name = &log.sensors[silence.sensor];
-            let room = rooms.of_sensors[silence.sensor].map(|room| rooms.purpose(room));
-            let [since, until, told] = [silence.span.0, silence.span.1, silence.told].map(date_of);
-            let silent = |day: &&mut Day| (since..=until).contains(&day.date);
-            for day in self.days.iter_mut().filter(silent) {
-                for (measure, value) in self.measures.iter().zip(&mut day.values) {
-                    if needs(measure, name, room, entrance) {
-                        *value = None;
-                    }
-                }
+impl Listening {
+    /// For so many sensors without a report.
+    pub fn new(sensors: usize) -> Listening {
+        Listening { sensors: vec![OfSensor::default(); sensors], over: Vec::new() }
+    }
+
+    /// Takes a report of a sensor; `away` has the absences.
+    pub fn take(&mut self, at: Micros, sensor: usize, kind: Kind, away: &[Span]) {
+        let of = &mut self.sensors[sensor];
+        match of.silence(sensor, kind, at, away) {
+            Some(silence) => self.over.push(silence),
+            None => {
+                let quiet = of.quiet(at, away).unwrap_or(0);
+                of.longest = of.longest.max(quiet);
             }
-            let until = silence.speaks_again.then_some(until);
-            self.silent.push(Silent { sensor: name.clone(), since, told, until });
         }
+        of.told = None;
+        let day = at.div_euclid(DAY);
+        match of.before.replace(at) {
+            None => (of.first_day, of.days) = (day, 1),
+            Some(before) => of.days += i64::from(before.div_euclid(DAY) < day),
+        }
+    }
+
+    /// The sensors that lack on a day, as known when it ends.
+    pub fn on_day(&mut self, (begin, end): Span, kinds: &[Kind], away: &[Span]) -> Lacking {
+        let over = self.over.iter().rev().take_while(|silence| silence.span.1 >= begin);
+        let mut silent: Vec<usize> = over.map(|silence| silence.sensor).collect();
+        let mut doubted = Vec::new();
+        for (sensor, (of, kind)) in self.sensors.iter_mut().zip(kinds).enumerate() {
+            if of.silence(sensor, *kind, end, away).is_some() {
+                of.told = of.told.or(Some(begin));
+                silent.push(sensor);
+            } else if *kind != Kind::Reading && of.speaks_on_most_days() {
+                let least = DOUBTED.max(of.longest * DOUBTED_TIMES);
+                doubted.extend(of.quiet(end, away).filter(|quiet| *quiet >= least).map(|_| sensor));
+            }
+        }
+        let spoke = self.sensors.iter().map(|of| of.before.is_some_and(|before| before >= begin)).collect();
+        Lacking { silent, doubted, spoke }
+    }
+
+    /// All silences, those that last by `now` too.
+    pub fn told(&self, ids: &[String], kinds: &[Kind], away: &[Span], now: Micros) -> Vec<Silent> {
+        let told = |silence: &Silence, speaks_again: bool| {
+            let [since, until, told] = [silence.span.0, silence.span.1, silence.told].map(date_of);
+            Silent { sensor: ids[silence.sensor].clone(), since, told, until: speaks_again.then_some(until) }
+        };
+        let lasting = self.sensors.iter().zip(kinds).enumerate().filter(|(_, (of, _))| of.told.is_some());
+        let lasting = lasting.filter_map(|(sensor, (of, kind))| of.silence(sensor, *kind, now, away));
+        let over = self.over.iter().filter(|silence| kinds[silence.sensor] != Kind::Reading);
+        over.map(|silence| told(silence, true)).chain(lasting.map(|silence| told(&silence, false))).collect()
+    }
+}
+
+/// The sensors that lack on a day.
+pub struct Lacking {
+    silent: Vec<usize>,
+    doubted: Vec<usize>,
+    /// By sensor, whether it spoke on the day.
+    spoke: Vec<bool>,
+}
+
+impl Lacking {
+    /// Whether a measure cannot be taken without them.
+    pub fn hinders(&self, measure: &Measure, rooms: &Rooms, at_entrance: &dyn Fn(usize) -> bool) -> bool {
+        let needs = |sensor: usize| {
+            needs(measure, rooms.of_sensors[sensor].map(|room| rooms.purpose(room)), at_entrance(sensor))
+        };
+        // Another sensor that the measure needs may report.
+        let is_told = || (0..self.spoke.len()).any(|sensor| self.spoke[sensor] && needs(sensor) == Some(true));
+        self.silent.iter().any(|&sensor| needs(sensor).unwrap_or(true))
+            || self.doubted.iter().any(|&sensor| needs(sensor) == Some(true)) && !is_told()
+    }
+}
+
+/// Whether a measure needs a sensor, by the room that this is in; `None` of a measure that needs all of them.
+fn needs(measure: &Measure, room: Option<Purpose>, is_at_entrance: bool) -> Option<bool> {
+    match measure.name {
+        "time_in_bed" | "bedtime" | "rising" | "sleep" | "restlessness" => Some(room == Some(Purpose::Bedroom)),
+        "bathroom_night" | "bathroom_day" | "showers" => Some(room == Some(Purpose::Bathroom)),
+        "meals" => Some(room == Some(Purpose::Kitchen)),
+        "time_out" | "outings" => Some(is_at_entrance),
+        _ => None,
     }
 }
 
@@ -104,45 +164,60 @@ impl Measures {
 mod tests {
     use super::*;
     use homebody_core::time::SECOND;
-    use homebody_log::Event;
 
     const H: Micros = 3600 * SECOND;
 
-    /// A log in which one sensor speaks each hour, and the other each second hour but for a time.
-    fn log(quiet: std::ops::Range<Micros>) -> Log {
-        let mut log = Log {
-            sensors: vec!["hall motion".into(), "kitchen motion".into()],
-            values: vec!["ON".into()],
-            ..Log::default()
-        };
+    /// Ten days. One sensor reports each hour, the other each second hour, except for a time.
+    fn listened(quiet: std::ops::Range<Micros>, kind: Kind, away: &[Span]) -> Listening {
+        let mut listening = Listening::new(2);
         for hour in 0..240 {
-            log.events.push(Event { at: hour * H, sensor: 0, value: 0 });
+            listening.take(hour * H, 0, kind, away);
             if hour % 2 == 0 && !quiet.contains(&hour) {
-                log.events.push(Event { at: hour * H, sensor: 1, value: 0 });
+                listening.take(hour * H, 1, kind, away);
             }
         }
-        log
+        listening
     }
 
-    fn found(log: &Log, away: &[Span]) -> Vec<(usize, Micros, Micros)> {
-        found_of(log, Kind::Motion, away)
+    fn found(quiet: std::ops::Range<Micros>, away: &[Span]) -> Vec<(usize, Micros, Micros)> {
+        found_of(quiet, Kind::Motion, away)
     }
 
-    fn found_of(log: &Log, kind: Kind, away: &[Span]) -> Vec<(usize, Micros, Micros)> {
-        let found = silences(log, &[kind; 2], away, 240 * H);
-        found.iter().map(|silence| (silence.sensor, silence.span.0 / H, silence.span.1 / H)).collect()
+    fn found_of(quiet: std::ops::Range<Micros>, kind: Kind, away: &[Span]) -> Vec<(usize, Micros, Micros)> {
+        let listening = listened(quiet, kind, away);
+        let lasting =
+            listening.sensors.iter().enumerate().filter_map(|(sensor, of)| of.silence(sensor, kind, 240 * H, away));
+        let all = listening
+            .over
+            .iter()
+            .map(|silence| (silence.sensor, silence.span))
+            .chain(lasting.map(|silence| (silence.sensor, silence.span)));
+        all.map(|(sensor, span)| (sensor, span.0 / H, span.1 / H)).collect()
     }
 
     #[test]
     fn a_sensor_that_says_nothing_for_days_is_silent() {
-        assert_eq!(found(&log(100..240), &[]), [(1, 98, 240)]);
-        assert_eq!(found(&log(100..160), &[]), [(1, 98, 160)]);
-        assert_eq!(found(&log(100..130), &[]), []);
+        assert_eq!(found(100..240, &[]), [(1, 98, 240)]);
+        assert_eq!(found(100..160, &[]), [(1, 98, 160)]);
+        assert_eq!(found(100..130, &[]), []);
         // A contact, if it has spoken on days enough.
-        assert_eq!(found_of(&log(100..240), Kind::Contact, &[]), [(1, 98, 240)]);
-        assert_eq!(found_of(&log(70..240), Kind::Contact, &[]), []);
-        assert_eq!(found(&log(70..240), &[]), [(1, 68, 240)]);
+        assert_eq!(found_of(100..240, Kind::Contact, &[]), [(1, 98, 240)]);
+        assert_eq!(found_of(70..240, Kind::Contact, &[]), []);
+        assert_eq!(found(70..240, &[]), [(1, 68, 240)]);
         // With nobody at home it has nothing to say.
-        assert_eq!(found(&log(100..160), &[(101 * H, 150 * H)]), []);
+        assert_eq!(found(100..160, &[(101 * H, 150 * H)]), []);
+    }
+
+    #[test]
+    fn a_day_is_doubted_on_which_a_sensor_that_speaks_daily_says_nothing() {
+        let mut listening = Listening::new(1);
+        (0..110).for_each(|hour| listening.take(hour * H, 0, Kind::Motion, &[]));
+        let mut lacks = |until: Micros| {
+            let lacking = listening.on_day((until - DAY, until), &[Kind::Motion], &[]);
+            (lacking.silent, lacking.doubted)
+        };
+        assert_eq!(lacks(120 * H), (vec![], vec![]));
+        assert_eq!(lacks(144 * H), (vec![], vec![0]), "nothing was said for a day");
+        assert_eq!(lacks(168 * H), (vec![0], vec![]), "nor for two");
     }
 }

@@ -60,6 +60,12 @@ impl fmt::Display for Measures {
         for (_, words) in Silent::told(&self.silent) {
             writeln!(f, "\n{words}; what needs it has no value meanwhile.")?;
         }
+        for (number, noted) in self.noted.iter().enumerate() {
+            if number == 0 {
+                writeln!(f)?;
+            }
+            writeln!(f, "{noted}")?;
+        }
         for (number, remark) in self.remarks.iter().enumerate() {
             if number == 0 {
                 writeln!(f)?;

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::alerts::{Alerts, Rules, SENSOR, USUAL, alerts};
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::{Event, Log};
 use std::collections::BTreeMap;
 
@@ -221,4 +221,57 @@ fn a_home_of_contacts_is_measured_as_far_as_they_tell() {
     let door = indoors.sensors.iter().position(|name| name == "Frontdoor").unwrap();
     indoors.events.retain(|event| event.sensor as usize != door);
     assert_eq!(values(&measured(&indoors).0, "outings")[5], None);
+}
+
+/// A log of five days with half a minute each: the bed is taken all the time, and a lamp is on and off.
+fn of_half_minutes(has_gaps: bool) -> Log {
+    let sensors = ["bed pressure", "kitchen lamp", "bathroom motion"].map(String::from).into();
+    let mut log = Log { sensors, values: vec!["ON".into(), "OFF".into()], ..Log::default() };
+    let first = [(470, 0), (475, 1)];
+    log.events.extend(first.map(|(minute, value)| Event { at: minute * MINUTE, sensor: 0, value }));
+    for day in 0..5 {
+        let at = day * DAY + 480 * MINUTE;
+        let rows = [(0, 0, 0), (0, 1, 0), (10, 1, 1), (20, 2, 0), (30, 2, 1)];
+        log.events.extend(rows.map(|(second, sensor, value)| Event { at: at + second * SECOND, sensor, value }));
+        if has_gaps && day < 4 {
+            log.gaps.push((at + 31 * SECOND, at + DAY));
+        }
+    }
+    let last = [(481, 0), (600, 1)];
+    log.events.extend(last.map(|(minute, sensor)| Event { at: 4 * DAY + minute * MINUTE, sensor, value: 1 }));
+    log
+}
+
+#[test]
+fn nothing_is_known_in_gaps_of_a_recording() {
+    let (measures, told) = measured(&of_half_minutes(true));
+    let known: Vec<_> = measures.days.iter().flat_map(|day| day.values.iter().flatten()).collect();
+    assert!(known.is_empty(), "{known:?}");
+    assert!(measures.days.iter().all(|day| !day.is_whole) && told.alerts.is_empty(), "{told}");
+}
+
+#[test]
+fn a_bed_that_stays_taken_gives_no_impossible_hours() {
+    let (measures, _) = measured(&of_half_minutes(false));
+    let in_bed: Vec<f64> = values(&measures, "time_in_bed").into_iter().flatten().collect();
+    assert!(!in_bed.is_empty() && in_bed.iter().all(|hours| (0.0..=24.0).contains(hours)), "{in_bed:?}");
+    for measure in MEASURES.iter().filter(|measure| measure.is_clock()) {
+        let clocks: Vec<f64> = values(&measures, measure.name).into_iter().flatten().collect();
+        assert!(clocks.iter().all(|hours| (0.0..=36.0).contains(hours)), "{}: {clocks:?}", measure.name);
+    }
+}
+
+#[test]
+fn a_gap_by_night_ends_the_time_in_bed() {
+    // From two in the morning to five nothing is recorded on day 20; for five minutes on day 25.
+    let silent = |day: Micros, minute: Micros, _: u32| !(day == 20 && (120..300).contains(&minute));
+    let mut log = log_of(30, &silent);
+    log.gaps = [(20, 120, 300), (25, 120, 125)]
+        .map(|(day, from, to)| ((day * 1440 + from) * MINUTE, (day * 1440 + to) * MINUTE))
+        .into();
+    let (measures, _) = measured(&log);
+    let in_bed = values(&measures, "time_in_bed");
+    assert_eq!((in_bed[20], values(&measures, "sleep")[20], values(&measures, "meals")[20]), (None, None, None));
+    assert!(in_bed[19].is_some() && in_bed[21].is_some(), "{in_bed:?}");
+    assert!(in_bed[25].is_some_and(|hours| (hours - in_bed[24].unwrap()).abs() < 0.2), "{in_bed:?}");
 }

@@ -3,11 +3,9 @@
 
 use super::rooms::{Purpose, Rooms};
 use crate::density::Cell;
+use crate::rows::Span;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use jiff::civil::Date;
-
-/// From when to when.
-pub type Span = (Micros, Micros);
 
 /// A time in one room.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +56,8 @@ pub struct Timeline {
     pub rooms: Rooms,
     /// Whether most signs are of what is used, so that nobody knows where somebody is meanwhile, and how often they move.
     pub is_unwatched: bool,
+    /// The unknown times, in order.
+    pub unknown: Vec<Span>,
     /// Who was where, in order of time.
     pub stays: Vec<Stay>,
     /// When nobody was at home.
@@ -121,13 +121,30 @@ impl Timeline {
         joined(stays.map(|stay| (stay.begin, stay.end)), apart)
     }
 
-    /// The night in bed that ends on a day: from lying down to getting up, with the times out of bed in between.
+    /// The night in bed that ends on a day: from lying down to getting up, with the times out of bed in between. If the resident is in bed for
+    /// longer than a day, the night lasts from noon to noon.
     pub fn night(&self, day: usize) -> Option<Span> {
-        let (midnight, _) = self.day(day);
+        let (midnight, end) = self.day(day);
         let (from, to) = (midnight - DAY / 2, midnight + DAY / 2);
-        let in_bed = self.in_bed.as_ref()?.iter().filter(|span| span.1 > from && span.0 < to);
+        // A night that ends before midnight belongs to the day before.
+        let of_day = self.lain((from, to), end).into_iter().filter(|(_, night)| night.1 > midnight);
+        let (lain, night) = of_day.max_by_key(|(lain, _)| *lain)?;
+        let night = if night.1 - night.0 > DAY { (night.0.max(from), night.1.min(to)) } else { night };
+        (lain >= LEAST_NIGHT).then_some(night)
+    }
+
+    /// The last time in bed of a day, if it lasts until midnight; by that day alone.
+    pub fn evening(&self, day: usize) -> Option<Span> {
+        let (midnight, end) = self.day(day);
+        let (_, (begin, until)) = self.lain((midnight + DAY / 2, end), end).pop()?;
+        (until >= end - OUT_OF_BED).then_some((begin, end))
+    }
+
+    /// The times in bed that touch a span, as known at `end`: the time lain in each, and its span.
+    fn lain(&self, (from, to): Span, end: Micros) -> Vec<(Micros, Span)> {
+        let in_bed = self.in_bed.iter().flatten().filter(|span| span.1 > from && span.0 < to);
         let mut nights: Vec<(Micros, Span)> = Vec::new();
-        for &(begin, end) in in_bed {
+        for (begin, end) in in_bed.map(|span| (span.0, span.1.min(end))) {
             match nights.last_mut().filter(|(_, night)| begin - night.1 <= OUT_OF_BED) {
                 Some((lain, night)) => {
                     *lain += end - begin;
@@ -136,10 +153,7 @@ impl Timeline {
                 None => nights.push((end - begin, (begin, end))),
             }
         }
-        // What ends before midnight is of the day before.
-        let of_day = nights.into_iter().filter(|(_, night)| night.1 > midnight);
-        let (lain, night) = of_day.max_by_key(|(lain, _)| *lain)?;
-        (lain >= LEAST_NIGHT).then_some(night)
+        nights
     }
 }
 
@@ -161,31 +175,10 @@ pub fn within_h(spans: &[Span], within: Span) -> f64 {
     seconds(spans.iter().map(part).sum()) / 3600.0
 }
 
-/// The parts of spans that lie outside others; both in order of time.
-pub fn without(spans: &[Span], others: &[Span]) -> Vec<Span> {
-    let mut left = Vec::new();
-    let mut first = 0;
-    for &(begin, end) in spans {
-        while others.get(first).is_some_and(|other| other.1 <= begin) {
-            first += 1;
-        }
-        let mut from = begin;
-        for other in others[first..].iter().take_while(|other| other.0 < end) {
-            if other.0 > from {
-                left.push((from, other.0));
-            }
-            from = from.max(other.1);
-        }
-        if from < end {
-            left.push((from, end));
-        }
-    }
-    left
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rows::without;
 
     const H: Micros = 3600 * SECOND;
 
@@ -206,6 +199,11 @@ mod tests {
         // What ends at eleven in the evening is no night that ends on the next day.
         let by_day = Timeline { in_bed: Some(vec![(14 * H, 23 * H)]), ..timeline.clone() };
         assert_eq!((by_day.night(0), by_day.night(1)), (None, None));
+        // By the end of the first day the resident is in bed since ten.
+        assert_eq!((timeline.evening(0), timeline.evening(1)), (Some((22 * H, 24 * H)), None));
+        // Nobody is in bed for more than 24 hours a day.
+        let ill = Timeline { in_bed: Some(vec![(-80 * H, 90 * H)]), ..timeline.clone() };
+        assert_eq!(ill.night(1), Some((12 * H, 36 * H)));
         assert!((timeline.known_h((12 * H, 36 * H)) - 24.0).abs() < 1e-9);
         assert!((timeline.known_h((-12 * H, 12 * H)) - 12.0).abs() < 1e-9);
     }

@@ -5,6 +5,7 @@
 use super::held::Measures;
 use super::kinds::MEASURES;
 use super::timeline::Timeline;
+use crate::dates::date_of;
 use homebody_core::activity::{AWAY, EATING_LUNCH, SHOWERING, SLEEPING};
 use homebody_core::names::words;
 use homebody_core::time::{Micros, SECOND};
@@ -99,10 +100,12 @@ impl Measures {
             }
         }
         let mut measures = Measures::of(name, &Timeline::lived(&life, recorded), Vec::new());
+        let first = |tells: Tells| told.iter().find(|(other, _)| *other == tells).map(|(_, one)| date_of(one.begin));
         for (number, measure) in MEASURES.iter().enumerate() {
-            let is_told = MEASURED.iter().any(|(name, tells)| *name == measure.name && has(*tells));
-            if !is_told {
-                measures.days.iter_mut().for_each(|day| day.values[number] = None);
+            // Before the first note of a kind, its count is not known.
+            let since = MEASURED.iter().find(|(name, _)| *name == measure.name).and_then(|(_, tells)| first(*tells));
+            for day in measures.days.iter_mut().filter(|day| since.is_none_or(|since| day.date < since)) {
+                day.values[number] = None;
             }
         }
         Some(measures)

@@ -10,9 +10,13 @@ use super::ways::Ways;
 use homebody_core::time::{Micros, SECOND, seconds};
 use std::collections::BTreeMap;
 
-/// A way from one sensor to another takes no longer, and is known by so many (ours).
+/// A way from one sensor to another takes no longer.
 const PASSES_WITHIN: Micros = 15 * SECOND;
+/// The usual time of a way is known after so many times, and by so many of the first times at most.
 const PASSES_KNOWN: usize = 20;
+const PASSES_KEPT: usize = 100;
+/// No home has more pairs of sensors with a way between them.
+const MOST_PAIRS: usize = 20_000;
 /// A sensor that has said nothing for so long speaks as somebody comes into its view (ours).
 const COMES_AFTER: Micros = 15 * SECOND;
 /// Who goes on is seen again within so long (ours), on one way by so many signs at most.
@@ -23,29 +27,65 @@ const LEAST_WALK_M: f64 = 3.0;
 /// Nobody walks at home faster or slower (ours).
 const SPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=2.0;
 
-/// How fast somebody went from sensor to sensor, of those pairs in different rooms that are passed often enough.
-pub fn passages(signs: &[Sign]) -> Option<Vec<Passage>> {
-    let mut by_pair: BTreeMap<(usize, usize), Vec<(Micros, f64)>> = BTreeMap::new();
-    for pair in signs.windows(2) {
-        let took = pair[1].at - pair[0].at;
-        if pair[0].room != pair[1].room && took > 0 && took <= PASSES_WITHIN {
-            let of = (pair[0].sensor, pair[1].sensor);
-            by_pair.entry(of).or_default().push((pair[1].at, seconds(took)));
+/// The pace of ways between sensors in different rooms, beside their first times.
+#[derive(Default)]
+pub struct Paces {
+    before: Option<Sign>,
+    pairs: BTreeMap<(usize, usize), Pair>,
+}
+
+/// The way between two sensors: the seconds of the first times that it was gone, the shortest first.
+#[derive(Default)]
+struct Pair(Vec<f64>);
+
+impl Pair {
+    /// The seconds that the way usually takes, once it has been gone often enough.
+    fn usual(&self) -> Option<f64> {
+        (self.0.len() >= PASSES_KNOWN).then(|| self.0[self.0.len() / 2])
+    }
+
+    fn add(&mut self, took: f64) {
+        if self.0.len() < PASSES_KEPT {
+            let place = self.0.partition_point(|other| *other < took);
+            self.0.insert(place, took);
         }
     }
-    let mut passages = Vec::new();
-    for passed in by_pair.into_values().filter(|passed| passed.len() >= PASSES_KNOWN) {
-        let mut took: Vec<f64> = passed.iter().map(|(_, took)| *took).collect();
-        took.sort_by(f64::total_cmp);
-        let usual = took[took.len() / 2];
-        passages.extend(passed.into_iter().map(|(at, took)| Passage { at, of_usual: usual / took }));
+}
+
+impl Paces {
+    /// Takes the signs of a day, in order, and returns the passages of ways whose usual time was known before.
+    pub fn of_day(&mut self, signs: &[Sign]) -> Vec<Passage> {
+        let mut passages = Vec::new();
+        for sign in signs {
+            let Some(before) = self.before.replace(*sign) else { continue };
+            let took = sign.at - before.at;
+            if before.room == sign.room || took <= 0 || took > PASSES_WITHIN {
+                continue;
+            }
+            let (of, took) = ((before.sensor, sign.sensor), seconds(took));
+            if self.pairs.len() >= MOST_PAIRS && !self.pairs.contains_key(&of) {
+                continue;
+            }
+            let pair = self.pairs.entry(of).or_default();
+            passages.extend(pair.usual().map(|usual| Passage { at: sign.at, of_usual: usual / took }));
+            pair.add(took);
+        }
+        passages
     }
-    passages.sort_by_key(|passage| passage.at);
-    (!passages.is_empty()).then_some(passages)
+
+    /// Forgets who was seen last.
+    pub fn forget(&mut self) {
+        self.before = None;
+    }
+
+    /// Whether the usual time of any way is known.
+    pub fn is_known(&self) -> bool {
+        self.pairs.values().any(|pair| pair.usual().is_some())
+    }
 }
 
 /// How fast somebody walked, by the ways of their home.
-pub fn walks(signs: &[Sign], sensors: &[String], ways: &Ways) -> Option<Vec<Walk>> {
+pub fn walks(signs: &[Sign], sensors: &[String], ways: &Ways) -> Vec<Walk> {
     let numbers: Vec<Option<usize>> = sensors.iter().map(|sensor| ways.number(sensor)).collect();
     let mut before: Vec<Option<Micros>> = vec![None; sensors.len()];
     // Each sign with its sensor's number in the home, and whether somebody has just come into its view.
@@ -68,7 +108,7 @@ pub fn walks(signs: &[Sign], sensors: &[String], ways: &Ways) -> Option<Vec<Walk
             }
         }
     }
-    (!walks.is_empty()).then_some(walks)
+    walks
 }
 
 /// The longest walk along one way that begins with the first of some signs: the number of the sign with which it ends.
@@ -86,4 +126,34 @@ fn longest(signs: &[(Micros, Option<usize>, bool)], ways: &Ways) -> Option<(usiz
         Some((last, SPEEDS_M_S.contains(&speed_m_s).then_some(Walk { at: ended, speed_m_s })))
     };
     (2..signs.len().min(MOST_SIGNS)).rev().find_map(on_the_way)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pace_is_held_against_the_first_times_that_a_way_was_gone() {
+        let mut paces = Paces::default();
+        // A day of ways from one room to another, each of so many seconds, ten minutes apart.
+        let day = |count: i64, took: i64| -> Vec<Sign> {
+            let way = |number: i64| {
+                [(0, 0), (took, 1)].map(|(off, sensor)| Sign {
+                    at: (number * 600 + off) * SECOND,
+                    room: sensor,
+                    sensor,
+                    is_seen: true,
+                })
+            };
+            (0..count).flat_map(way).collect()
+        };
+        assert!(paces.of_day(&day(19, 4)).is_empty() && !paces.is_known());
+        assert!(paces.of_day(&day(1, 4)).is_empty() && paces.is_known());
+        paces.of_day(&day(80, 4));
+        let slower: Vec<f64> = paces.of_day(&day(3, 8)).iter().map(|passage| passage.of_usual).collect();
+        assert_eq!(slower, [0.5; 3]);
+        // Later times do not change the usual time.
+        paces.of_day(&day(1000, 8));
+        assert!(paces.of_day(&day(2, 4)).iter().all(|passage| passage.of_usual == 1.0));
+    }
 }

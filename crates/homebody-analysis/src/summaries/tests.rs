@@ -12,7 +12,7 @@ fn days(visits: &[f64], bedtimes: &[f64]) -> Measures {
         Day { date: date(2024, 1, 1).saturating_add(jiff::Span::new().days(index as i64)), is_whole: true, values }
     };
     let days = visits.iter().zip(bedtimes).enumerate().map(day).collect();
-    Measures { name: "log".into(), measures: MEASURES, remarks: vec![], guesses: vec![], silent: vec![], days }
+    Measures { name: "log".into(), measures: MEASURES, days, ..Measures::default() }
 }
 
 const ADA: About = About { subject: "Ada", last: 14 };

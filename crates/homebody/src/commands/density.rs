@@ -1,12 +1,12 @@
 //! `homebody density`: how much somebody moves in each hour of each day.
 
 use super::answer::Answer;
-use super::read_log::read_log;
+use super::read_log::read_any_length;
 use crate::failure::Failure;
 use crate::length::span;
 use crate::print::tell;
 use homebody_analysis::dates;
-use homebody_analysis::density::{Asked, Chosen, Measured, NoMap, density};
+use homebody_analysis::density::{Asked, Chosen, Measured, NoMap, density_of};
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
 use homebody_kit::LogWithRun;
@@ -55,8 +55,8 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let zone = self.time_zone.as_deref();
-        let log = read_log(&self.log, zone)?;
-        let other = self.against.as_deref().map(|other| read_log(other, zone)).transpose()?;
+        let log = read_any_length(&self.log, zone)?;
+        let other = self.against.as_deref().map(|other| read_any_length(other, zone)).transpose()?;
         let sources: Vec<PathBuf> =
             [Some(&log), other.as_ref()].into_iter().flatten().flat_map(|log| log.sources.clone()).collect();
         let csv = self.csv.as_deref();
@@ -74,9 +74,10 @@ impl Arguments {
         // The days of the other log are its own.
         let asked_of =
             |other: &LogWithRun| Asked { doors: self.doors(other), away_after, days, ..other.density_asked() };
-        let against = other.as_ref().map(|other| (other, asked_of(other)));
-        let against = against.as_ref().map(|(other, asked)| (other.name.as_str(), &other.log, asked));
-        let density = density((&log.name, &log.log, &asked), against).map_err(|why| self.no_map(&why))?;
+        let map = log.density(&asked).map_err(|why| no_map(&self.log, &why))?;
+        let against = other.as_ref().zip(self.against.as_ref());
+        let against = against.map(|(other, name)| other.density(&asked_of(other)).map_err(|why| no_map(name, &why)));
+        let density = density_of(map, against.transpose()?);
         if [Some(&density.of), density.against.as_ref().map(|other| &other.of)].into_iter().flatten().any(is_by_name) {
             tell("The entrance is told by names; --door SENSOR names others");
         }
@@ -87,14 +88,6 @@ impl Arguments {
             }
         }
         answer.give_beside(&density, [&|| density_map(&density)], &|| density.of.map.csv())
-    }
-
-    fn no_map(&self, why: &NoMap) -> Failure {
-        let hint = match why {
-            NoMap::TooLong(_) => "\n  hint: choose a part with --from and --days",
-            NoMap::Empty | NoMap::NoMotion | NoMap::NoDay(..) => "",
-        };
-        Failure::usage(format!("{}: {why}{hint}", self.log))
     }
 
     /// Of the doors that are asked for those that a log has.
@@ -126,6 +119,15 @@ impl Arguments {
         };
         asked.within(there).is_none().then(problem)
     }
+}
+
+/// Why a log has no map, with what would help.
+fn no_map(log: &str, why: &NoMap) -> Failure {
+    let hint = match why {
+        NoMap::TooLong(_) => "\n  hint: choose a part with --from and --days",
+        _ => "",
+    };
+    Failure::usage(format!("{log}: {why}{hint}"))
 }
 
 /// Whether nobody has said which sensors are at the entrance.

@@ -2,7 +2,7 @@
 
 use super::answer::Answer;
 use super::for_programs::{ForPrograms, row};
-use super::read_log::read_log;
+use super::read_log::read_any_length;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_analysis::measures::{Beside, Day, Measures};
@@ -109,7 +109,7 @@ impl Measured {
 
     /// Reads the log, with its sensors in their rooms.
     pub fn read(&self) -> Result<LogWithRun, Failure> {
-        let mut read = read_log(&self.log, self.time_zone.as_deref())?;
+        let mut read = read_any_length(&self.log, self.time_zone.as_deref())?;
         let Some(home) = &self.home else { return Ok(read) };
         let placed = read.place_in(&homebody_kit::Source::at(home)?.scenario()?);
         let (log, home, sensors) = (&self.log, home.display(), read.log.sensors.len());
@@ -144,8 +144,7 @@ fn lived(read: &LogWithRun, resident: &str) -> Result<Measures, Failure> {
         };
         return Err(Failure::usage(format!("--resident {resident:?}: the truth has no such resident\n  hint: {hint}")));
     };
-    let times = || read.log.events.iter().map(|event| event.at);
-    let of_log = times().min().zip(times().max()).map(|(first, last)| first..last + 1);
+    let of_log = read.rows_span().map(|(first, last)| first..last + 1);
     let recorded = read.recorded.clone().or(of_log).unwrap_or(0..0);
     let beside = Beside { company: read.company(), ..Beside::default() };
     Ok(Measures::lived_beside(&format!("{}, {resident}", read.name), life, &beside, recorded))

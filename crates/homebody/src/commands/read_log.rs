@@ -39,6 +39,18 @@ pub fn read_log(text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
     let reading = Working::on(format!("reading {text}"));
     let read = LogWithRun::read(text, zone)?;
     drop(reading);
+    Ok(remarked(text, read))
+}
+
+/// The same of a log of any length: the rows of a long one are not in memory.
+pub fn read_any_length(text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
+    let reading = Working::on(format!("reading {text}"));
+    let read = LogWithRun::of_any_length(NamedLog::find(text)?, zone)?;
+    drop(reading);
+    Ok(remarked(text, read))
+}
+
+fn remarked(text: &str, read: LogWithRun) -> LogWithRun {
     tell_remarks(text, &read.log);
     if read.log.skipped > 0 {
         tell(format_args!("{text}: {} lines were left out; homebody look says which", read.log.skipped));
@@ -47,7 +59,7 @@ pub fn read_log(text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
     if read.log.clock == Clock::Utc {
         tell(format_args!("{text}: its hours are those of UTC; --time-zone tells the home's own"));
     }
-    Ok(read)
+    read
 }
 
 /// Warns of a run that was not lived to its end, so that its log is a part of what it is going to be.

@@ -178,3 +178,96 @@ fn logs_of_real_homes_are_held_beside_what_people_noted() {
     folder.run("experiment measures --data noted.txt").fails(2, "it notes no activity that any measure is about");
     folder.run("experiment measures --data noted.txt --homes 3").fails(2, "cannot be used with");
 }
+
+/// The values of each day of a run, and of the run itself what it is called.
+fn days_of(folder: &Folder, run: &str) -> Vec<Value> {
+    let told = folder.run(&format!("measure {run} --json")).ok().json();
+    told["days"].as_array().unwrap().clone()
+}
+
+#[test]
+fn a_day_is_measured_alike_in_runs_of_any_length() {
+    for scenario in ["tigerplace", "studio"] {
+        let folder = Folder::new();
+        folder.copy_scenario(scenario);
+        let lengths = [30, 60, 90].map(|days| {
+            folder.run(&format!("run {scenario} --quiet --for {days}d")).ok();
+            days
+        });
+        let [short, middle, long] = lengths.map(|days| {
+            let run = 1 + lengths.iter().position(|length| *length == days).unwrap();
+            days_of(&folder, &format!("runs/{scenario}-{run}"))
+        });
+        assert_eq!([short.len(), middle.len(), long.len()], lengths);
+        for (shorter, longer) in [(&short, &middle), (&middle, &long)] {
+            for (day, later) in shorter.iter().zip(longer) {
+                assert_eq!(day, later, "{scenario}, in runs of {} and {} days", shorter.len(), longer.len());
+            }
+        }
+        for measure in ["pace", "pace_slow", "density_distance"] {
+            assert!(short[29]["values"][measure].is_number(), "{scenario}: {measure} of {}", short[29]);
+        }
+    }
+}
+
+#[test]
+fn twins_are_measured_alike_until_the_condition_begins() {
+    const ONSET: usize = 35;
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace-depression");
+    folder.run("run tigerplace-depression --quiet --for 60d").ok();
+    folder.run("run tigerplace-depression --quiet --for 60d --without depression").ok();
+    let [ill, well] = [1, 2].map(|run| days_of(&folder, &format!("runs/tigerplace-depression-{run}")));
+    for (ill, well) in ill.iter().zip(&well).take(ONSET) {
+        assert_eq!(ill, well);
+    }
+    let differ = ill.iter().zip(&well).skip(ONSET).filter(|(ill, well)| ill != well).count();
+    assert!(differ > 20, "{differ} days differ after the condition has begun");
+}
+
+#[test]
+fn nothing_is_known_of_what_no_sensor_tells() {
+    let folder = Folder::new();
+    // A thermometer is all that the kitchen has.
+    let mut log = String::from("time,sensor,value\n");
+    for day in 1..=9 {
+        for hour in 0..24 {
+            log += &format!("2024-03-0{day} {hour:02}:10:00,bedroom motion,ON\n");
+            log += &format!("2024-03-0{day} {hour:02}:20:00,living room motion,ON\n");
+            log += &format!("2024-03-0{day} {hour:02}:30:00,kitchen temperature,2{}.5\n", hour % 3);
+        }
+    }
+    folder.write("log.csv", log);
+    let told = folder.run("measure log.csv --json").ok().json();
+    let of_days =
+        |name: &str| told["days"].as_array().unwrap().iter().filter(|day| day["values"][name].is_number()).count();
+    assert_eq!((of_days("meals"), of_days("bathroom_day")), (0, 0));
+    assert!(of_days("room_changes") >= 7, "{told}");
+    assert!(
+        told["remarks"].to_string().contains("No sensor in the kitchen detects the resident"),
+        "{}",
+        told["remarks"]
+    );
+    // Its rooms are those of names.
+    assert_eq!(told["guessed_rooms"]["living room motion"], "living room");
+}
+
+#[test]
+fn notes_of_a_log_stand_beside_what_its_sensors_tell() {
+    let folder = Folder::new();
+    // The resident leaves the bed an hour before the note. Only notes have meals.
+    let log = noted("Leaving_home").replace("07:00:00 bed_pressure OFF Sleep end", "07:00:00 bed_pressure OFF")
+        + &(1..=5).map(|day| format!("2024-03-0{day} 08:00:00 FrontDoor CLOSE Sleep end\n2024-03-0{day} 18:00:00 FrontDoor CLOSE Eating begin\n2024-03-0{day} 18:30:00 FrontDoor CLOSE Eating end\n")).collect::<String>();
+    let mut rows: Vec<&str> = log.lines().collect();
+    rows.sort_unstable();
+    folder.write("log.txt", rows.join("\n") + "\n");
+    let done = folder.run("measure log.txt --json=told.json").ok();
+    let told: Value = serde_json::from_str(&folder.read("told.json")).unwrap();
+    let bed = told["noted"].as_array().unwrap().iter().find(|noted| noted["measure"] == "time_in_bed").unwrap();
+    assert!((bed["by_notes"].as_f64().unwrap() - 9.0).abs() < 0.01, "{bed}");
+    assert!((bed["by_sensors"].as_f64().unwrap() - 8.0).abs() < 0.01, "{bed}");
+    assert!(done.out.contains("time_in_bed: by the log's notes 9.00 h, by the sensors 8.00 h"), "{}", done.out);
+    assert_eq!(told["days"][2]["values"]["meals"], 1.0);
+    assert!(told["from_notes"].to_string().contains("meals"), "{}", told["from_notes"]);
+    assert!(done.out.contains("By the log's notes alone"), "{}", done.out);
+}
