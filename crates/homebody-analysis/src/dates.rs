@@ -108,6 +108,9 @@ pub fn put_on_wall(log: &mut Log, zone: &TimeZone) {
     for Activity { begin, end, .. } in &mut log.activities {
         (*begin, *end) = (on_wall(*begin, zone), on_wall(*end, zone));
     }
+    for (begin, end) in &mut log.gaps {
+        (*begin, *end) = (on_wall(*begin, zone), on_wall(*end, zone));
+    }
 }
 
 /// A day as somebody asks for it: `2009-03-02`, `first`, `last`.

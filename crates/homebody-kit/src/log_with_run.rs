@@ -6,7 +6,7 @@ use homebody_analysis::dates::{date_of, dates, on_wall, put_on_wall};
 use homebody_analysis::density::{Asked, NoMap};
 use homebody_analysis::look::HomeSensor;
 use homebody_analysis::measures::{Known, Measures, Ways};
-use homebody_analysis::signs::{Kind, Says, says};
+use homebody_analysis::signs::kind_in_home;
 use homebody_core::names::capitalised;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
@@ -18,7 +18,7 @@ use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
 use homebody_log::source::{Clock, Value, truth_rows};
 use homebody_log::truth::{Truth, tables};
 use homebody_log::word::one_word;
-use homebody_log::{Life, Log, LogError, Places, RunClock, Source, Url, lives, read, stream, survey, truth_of};
+use homebody_log::{Life, Log, LogError, Places, RunClock, SensorInfo, Source, Url, lives, read, stream, survey, truth_of};
 use homebody_walk::Mesh;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
@@ -269,16 +269,9 @@ impl LogWithRun {
 /// The sensors of a home, as its logs show them.
 pub fn home_sensors(scenario: &Scenario) -> Vec<HomeSensor> {
     let one = |sensor: &Sensor| {
-        let info = sensor.info(scenario.home.plan());
-        let id = scenario.logger.ids.get(&info.name).unwrap_or(&info.name);
-        let begins = info.values.first().map(|value| says(&value.to_string()));
-        let kind = match begins {
-            _ if sensor.senses_motion() => Kind::Motion,
-            _ if info.unit.is_some() => Kind::Reading,
-            Some(Says::Opens) => Kind::Contact,
-            _ => Kind::Used,
-        };
-        HomeSensor { ids: vec![id.clone(), one_word(id)], name: info.name, kind }
+        let SensorInfo { id, name, kind, unit, .. } = SensorInfo::in_home(sensor, scenario);
+        let kind = kind_in_home(&kind, unit.is_some());
+        HomeSensor { ids: vec![id.clone(), one_word(&id)], name, kind }
     };
     scenario.home.placed_sensors().iter().map(one).collect()
 }
@@ -303,11 +296,21 @@ fn rooms_told(log: &Log) -> BTreeMap<String, String> {
     told.collect()
 }
 
-/// Gives the sensors their names in the home for the ids that they have in the log.
+/// Gives the sensors their names in the home for the ids that they have in the log, and what the home has of them besides.
 fn name_sensors(log: &mut Log, scenario: &Scenario) {
-    for sensor in &mut log.sensors {
+    for sensor in log.sensors.iter_mut().chain(log.known.iter_mut().map(|known| &mut known.id)) {
         if let Some((name, _)) = scenario.logger.ids.iter().find(|(_, id)| *id == sensor) {
             sensor.clone_from(name);
+        }
+    }
+    for sensor in scenario.home.placed_sensors() {
+        let info = SensorInfo::in_home(sensor, scenario);
+        let is_it = |id: &&String| **id == info.name || **id == info.id || **id == one_word(&info.id);
+        let Some(id) = log.sensors.iter().find(is_it) else { continue };
+        let info = SensorInfo { id: id.clone(), ..info };
+        match log.known.iter_mut().find(|known| known.id == *id) {
+            Some(known) => known.fill(info),
+            None => log.known.push(info),
         }
     }
 }

@@ -7,13 +7,15 @@ use jiff::tz::TimeZone;
 use serde::Serialize;
 use std::ops::Range;
 
-use super::{Absence, Cell, Entrance, LEAST, Sign, State, Sum, absences, is_seat};
+use super::{Absence, Cell, Entrance, LEAST, Sign, State, Sum, absences};
 use crate::dates::{ClockSet, clocks_set, date_of, midnight};
-use crate::signs::{Kind, LogSensors, Says, says};
+use crate::signs::{Kind, LogSensors, Says, is_seat, said, unknown_of_all, without};
 
 const HOUR: Micros = 3600 * SECOND;
 /// A longer silence of all sensors is no recording.
 const SILENCE: Micros = DAY;
+/// Over a longer stretch in which nothing is known somebody may have come home and left again.
+const UNSEEN: Micros = 10 * 60 * SECOND;
 /// The longest map: ten years.
 const MOST_DAYS: usize = 3660;
 
@@ -49,6 +51,9 @@ pub enum NoMap {
     /// The log has no sensor that is taken for a motion sensor.
     #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
     NoMotion,
+    /// The state of no sensor that tells of somebody is ever known.
+    #[error("the state of its sensors is never known")]
+    Unknown,
     /// So many days were asked for.
     #[error("a map of {0} days is longer than ten years")]
     TooLong(usize),
@@ -129,12 +134,29 @@ impl Map {
         }
         let seats = spans.iter().zip(called).filter(|(_, name)| is_seat(name));
         let taken: Vec<(Micros, Micros)> = seats.flat_map(|(spans, _)| spans).copied().collect();
-        let absences = absences(&signs, &taken, asked.away_after);
-        let recorded: Vec<Range<Micros>> = match &asked.recorded {
-            Some(span) => std::iter::once(span.start.min(first)..span.end.max(last + 1)).collect(),
+        // Where no sensor that would see somebody is known, nobody knows of an hour.
+        let has_motion = kinds.contains(&Kind::Motion);
+        let tells = |sensor: usize| match kinds[sensor] {
+            Kind::Motion => true,
+            Kind::Contact | Kind::Used => !has_motion,
+            Kind::Reading | Kind::Other => false,
+        };
+        let unknown = unknown_of_all(log, &tells);
+        let mut absences = absences(&signs, &taken, asked.away_after);
+        absences.retain(|absence| {
+            let within = |&(begin, end): &(Micros, Micros)| end.min(absence.end) - begin.max(absence.begin) > UNSEEN;
+            !unknown.iter().any(within)
+        });
+        let recorded: Vec<(Micros, Micros)> = match &asked.recorded {
+            Some(span) => vec![(span.start.min(first), span.end.max(last + 1))],
             None => without_silences(&rows, &absences),
         };
-        let days = days(asked, first.min(recorded[0].start), recorded[recorded.len() - 1].end)?;
+        let recorded: Vec<Range<Micros>> =
+            without(&recorded, &unknown).into_iter().map(|(begin, end)| begin..end).collect();
+        let (&[Range { start, .. }, ..], &[.., Range { end, .. }]) = (&recorded[..], &recorded[..]) else {
+            return Err(NoMap::Unknown);
+        };
+        let days = days(asked, first.min(start), end.max(last + 1))?;
 
         let mut cells = vec![[Cell::default(); 24]; days.count];
         for &at in &events {
@@ -210,14 +232,12 @@ struct Heard {
 
 impl Heard {
     fn of(log: &Log, kinds: &[Kind], entrance: &Entrance) -> Heard {
-        let values: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
         let is_entrance: Vec<bool> = log.sensors.iter().map(|name| entrance.sensors.contains(name)).collect();
         let mut heard = Heard { rows: Vec::with_capacity(log.events.len()), events: Vec::new(), signs: Vec::new() };
-        for event in &log.events {
-            let (at, sensor, says) = (event.at, event.sensor as usize, values[event.value as usize]);
-            let is_motion = kinds[sensor] == Kind::Motion && says == Says::Begins;
-            let is_use =
-                matches!(kinds[sensor], Kind::Contact | Kind::Used) && matches!(says, Says::Begins | Says::Opens);
+        for (event, said) in log.events.iter().zip(said(log)) {
+            let (at, sensor) = (event.at, event.sensor as usize);
+            let is_motion = kinds[sensor] == Kind::Motion && said.begins() && said.says == Says::Begins;
+            let is_use = matches!(kinds[sensor], Kind::Contact | Kind::Used) && said.begins();
             if is_motion || is_use {
                 let at_entrance = is_entrance[sensor];
                 let opens_door = kinds[sensor] == Kind::Contact && at_entrance;
@@ -301,16 +321,16 @@ impl Days {
 }
 
 /// From the first row to the last, but for silences that no absence explains.
-fn without_silences(rows: &[Micros], absences: &[Absence]) -> Vec<Range<Micros>> {
+fn without_silences(rows: &[Micros], absences: &[Absence]) -> Vec<(Micros, Micros)> {
     let mut recorded = Vec::new();
     let mut begin = rows[0];
     for pair in rows.windows(2) {
         let is_away = || absences.iter().any(|absence| absence.begin <= pair[0] && pair[1] <= absence.end);
         if pair[1] - pair[0] > SILENCE && !is_away() {
-            recorded.push(begin..pair[0] + 1);
+            recorded.push((begin, pair[0] + 1));
             begin = pair[1];
         }
     }
-    recorded.push(begin..rows[rows.len() - 1] + 1);
+    recorded.push((begin, rows[rows.len() - 1] + 1));
     recorded
 }

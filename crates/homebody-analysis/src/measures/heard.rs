@@ -8,7 +8,7 @@ use super::timeline::{Span, Stay, Timeline, joined, without};
 use super::walking::{passages, walks};
 use crate::dates::midnight;
 use crate::density::{Absence, Asked, Map, NoMap};
-use crate::signs::{Kind, LogSensors, Says, says};
+use crate::signs::{Kind, LogSensors, says};
 use homebody_core::names::words;
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::Log;
@@ -179,7 +179,7 @@ fn used_door(log: &Log, kinds: &[Kind], entrance: &[String]) -> Vec<Micros> {
     let is_door: Vec<bool> = (log.sensors.iter().zip(kinds))
         .map(|(sensor, kind)| *kind == Kind::Contact && entrance.contains(sensor))
         .collect();
-    let is_used: Vec<bool> = log.values.iter().map(|value| says(value) != Says::Else).collect();
+    let is_used: Vec<bool> = log.values.iter().map(|value| says(value).is_sign()).collect();
     let told = log.events.iter().filter(|event| is_door[event.sensor as usize] && is_used[event.value as usize]);
     let mut used: Vec<Micros> = told.map(|event| event.at).collect();
     used.sort_unstable();

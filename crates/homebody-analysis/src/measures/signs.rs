@@ -33,8 +33,8 @@ pub fn signs(log: &Log, kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
         let is_seen = kinds[sensor] == Kind::Motion;
         let is_sign = match kinds[sensor] {
             Kind::Motion => says == Says::Begins,
-            Kind::Contact | Kind::Used => says != Says::Else,
-            Kind::Reading => false,
+            Kind::Contact | Kind::Used => says.is_sign(),
+            Kind::Reading | Kind::Other => false,
         };
         is_sign.then_some(Sign { at: event.at, room, sensor, is_seen })
     });

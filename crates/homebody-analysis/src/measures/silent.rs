@@ -64,7 +64,7 @@ pub(super) fn silences(log: &Log, kinds: &[Kind], away: &[Span], last: Micros) -
     for (sensor, at) in before.into_iter().enumerate() {
         ends(sensor, last, at, false);
     }
-    found.retain(|silence| kinds[silence.sensor] != Kind::Reading);
+    found.retain(|silence| !matches!(kinds[silence.sensor], Kind::Reading | Kind::Other));
     found
 }
 

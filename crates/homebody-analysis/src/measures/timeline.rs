@@ -3,6 +3,7 @@
 
 use super::rooms::{Purpose, Rooms};
 use crate::density::Cell;
+pub use crate::signs::without;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use jiff::civil::Date;
 
@@ -159,28 +160,6 @@ pub fn joined(spans: impl Iterator<Item = Span>, apart: Micros) -> Vec<Span> {
 pub fn within_h(spans: &[Span], within: Span) -> f64 {
     let part = |span: &Span| (span.1.min(within.1) - span.0.max(within.0)).max(0);
     seconds(spans.iter().map(part).sum()) / 3600.0
-}
-
-/// The parts of spans that lie outside others; both in order of time.
-pub fn without(spans: &[Span], others: &[Span]) -> Vec<Span> {
-    let mut left = Vec::new();
-    let mut first = 0;
-    for &(begin, end) in spans {
-        while others.get(first).is_some_and(|other| other.1 <= begin) {
-            first += 1;
-        }
-        let mut from = begin;
-        for other in others[first..].iter().take_while(|other| other.0 < end) {
-            if other.0 > from {
-                left.push((from, other.0));
-            }
-            from = from.max(other.1);
-        }
-        if from < end {
-            left.push((from, end));
-        }
-    }
-    left
 }
 
 #[cfg(test)]

@@ -92,7 +92,7 @@ impl Arguments {
     fn no_map(&self, why: &NoMap) -> Failure {
         let hint = match why {
             NoMap::TooLong(_) => "\n  hint: choose a part with --from and --days",
-            NoMap::Empty | NoMap::NoMotion | NoMap::NoDay(..) => "",
+            NoMap::Empty | NoMap::NoMotion | NoMap::Unknown | NoMap::NoDay(..) => "",
         };
         Failure::usage(format!("{}: {why}{hint}", self.log))
     }

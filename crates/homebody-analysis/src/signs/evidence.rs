@@ -1,0 +1,40 @@
+//! What a sensor is taken for, and why.
+
+use homebody_core::sensed::Kind;
+use serde::Serialize;
+
+/// By which evidence a sensor is taken for what it is, the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Evidence {
+    /// The table of sensors beside the log.
+    Table,
+    /// The log's source.
+    Source,
+    /// The home that the log is of.
+    Home,
+    /// Values that no other kind says.
+    Values,
+    /// Its name or its id.
+    Name,
+    /// A guess by how long it is on.
+    Guess,
+}
+
+/// What a sensor is taken for, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Taken {
+    /// What it is.
+    pub kind: Kind,
+    /// By which evidence.
+    pub by: Evidence,
+    /// What the evidence is, in words.
+    pub because: String,
+}
+
+impl Taken {
+    /// A kind, by evidence.
+    pub(super) fn new(kind: Kind, by: Evidence, because: impl Into<String>) -> Taken {
+        Taken { kind, by, because: because.into() }
+    }
+}
