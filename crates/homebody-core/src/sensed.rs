@@ -79,7 +79,10 @@ const WORDS: [(Meaning, &str); 8] = [
         lock vibration experimenter_switch switch lamp outlet socket relay dimmer doorbell kettle toaster coffee_maker camera \
         moving pill_box cupboard cabinet",
     ),
-    (Meaning::Measured, "light power pressure flow water electric electricity stove_temperature use usage state current"),
+    (
+        Meaning::Measured,
+        "light power pressure flow water electric electricity stove_temperature use usage state current",
+    ),
     (Meaning::Readings, "sensor"),
     (
         READING,
@@ -134,7 +137,9 @@ pub fn meaning(kind: &str, id: &str) -> Option<Meaning> {
     let words = words(kind);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     match (domain_of(id), &words[..]) {
-        (Some("binary_sensor"), ["binary", "sensor", class @ ..]) | (None, ["binary", "sensor", class @ ..]) => binary(class),
+        (Some("binary_sensor"), ["binary", "sensor", class @ ..]) | (None, ["binary", "sensor", class @ ..]) => {
+            binary(class)
+        }
         (Some("binary_sensor"), class) => binary(class),
         (Some("sensor"), class) => Some(match whole(&WORDS, &class.concat()) {
             Some(said @ (MOTION | CONTACT | Meaning::Somebody)) => said,

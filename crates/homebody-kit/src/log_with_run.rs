@@ -18,7 +18,9 @@ use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
 use homebody_log::source::{Clock, Value, truth_rows};
 use homebody_log::truth::{Truth, tables};
 use homebody_log::word::one_word;
-use homebody_log::{Life, Log, LogError, Places, RunClock, SensorInfo, Source, Url, lives, read, stream, survey, truth_of};
+use homebody_log::{
+    Life, Log, LogError, Places, RunClock, SensorInfo, Source, Url, lives, read, stream, survey, truth_of,
+};
 use homebody_walk::Mesh;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;

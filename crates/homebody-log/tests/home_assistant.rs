@@ -136,11 +136,8 @@ fn each_year_of_the_recorder_says_what_its_entities_are() {
         let path = folder.path().join(format!("{year:?}.db"));
         drop(database(&path, year, &ENTITIES, &STATES));
         let log = log_at(&path);
-        let rows: Vec<(i64, &str, &str)> = log
-            .events
-            .iter()
-            .map(|event| (event.at / SECOND - SEVEN, log.sensor(event), log.value(event)))
-            .collect();
+        let rows: Vec<(i64, &str, &str)> =
+            log.events.iter().map(|event| (event.at / SECOND - SEVEN, log.sensor(event), log.value(event))).collect();
         assert_eq!((rows, log.clock, log.skipped), (STATES.to_vec(), Clock::Utc, 0), "{year:?}");
         let hall = known(&log, "binary_sensor.hall");
         assert_eq!((&*hall.kind, &*hall.name), ("motion", "Flur Bewegung"), "{year:?}");

@@ -131,7 +131,8 @@ mod tests {
     fn entrances_are_found_in_other_languages() {
         use Kind::{Contact, Motion};
         let names = |names: &[&str]| names.iter().map(|name| String::from(*name)).collect::<Vec<_>>();
-        let home = [("haustuer", Contact), ("Kühlschrank", Contact), ("Schlafzimmer Fenster", Contact), ("Flur", Motion)];
+        let home =
+            [("haustuer", Contact), ("Kühlschrank", Contact), ("Schlafzimmer Fenster", Contact), ("Flur", Motion)];
         assert_eq!(found(&home, &[]), (names(&["haustuer"]), Chosen::Known));
         let home = [("Eingang", Motion), ("Küche Tür", Motion)];
         assert_eq!(found(&home, &[]), (names(&["Eingang"]), Chosen::Known));

@@ -145,7 +145,13 @@ fn what_is_not_known_is_neither_stuck_nor_missing() {
 
 #[test]
 fn gaps_of_the_recorder_are_listed_and_are_no_silences() {
-    let rows = [(0, "M1", "on"), (30, "M1", "off"), (20 * H, "M1", "off"), (20 * H + 5, "M1", "on"), (20 * H + 9, "M1", "off")];
+    let rows = [
+        (0, "M1", "on"),
+        (30, "M1", "off"),
+        (20 * H, "M1", "off"),
+        (20 * H + 5, "M1", "on"),
+        (20 * H + 9, "M1", "off"),
+    ];
     let mut log = log(&rows);
     log.rows = log.events.len() as u64;
     let look = |log: &homebody_log::Log| {
@@ -170,6 +176,6 @@ fn the_evidence_for_each_kind_is_shown() {
     for part in ["\"pir\" in its name", "a guess: it says that something begins", "it says numbers"] {
         assert!(words.contains(part), "{words}");
     }
-    let json = serde_json::to_value(&look.sensors[0]).unwrap();
+    let json = serde_json::to_value(sensor(&look, "hall pir")).unwrap();
     assert_eq!((json["kind"].as_str(), json["by"].as_str()), (Some("motion"), Some("name")));
 }

@@ -54,7 +54,8 @@ pub fn named(name: &str) -> Option<(Named, String)> {
         let rest = name.strip_prefix(letters).filter(|rest| !rest.is_empty());
         rest.is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
     };
-    let letter = |letters: &[&str]| letters.iter().find(|letters| is_numbered(letters)).map(|letters| (*letters).to_owned());
+    let letter =
+        |letters: &[&str]| letters.iter().find(|letters| is_numbered(letters)).map(|letters| (*letters).to_owned());
     let seat = || by(SEATS).or_else(|| by_role(&SEATS_BY_ROLE));
     None.or_else(|| by(DEVICE_WORDS).map(|word| (Named::Device, word)))
         .or_else(|| by(MOTION_WORDS).or_else(|| letter(&["M", "MA"])).map(|word| (Named::Motion, word)))
@@ -75,7 +76,8 @@ pub fn named(name: &str) -> Option<(Named, String)> {
 /// Whether a name is that of a place to lie or sit: where such a sensor goes on, somebody is there.
 pub fn is_seat(name: &str) -> bool {
     let words = words(name);
-    has_any(&words, SEATS) || ROLE_WORDS.iter().any(|(role, known)| SEATS_BY_ROLE.contains(role) && has_any(&words, known))
+    has_any(&words, SEATS)
+        || ROLE_WORDS.iter().any(|(role, known)| SEATS_BY_ROLE.contains(role) && has_any(&words, known))
 }
 
 /// Whether CASAS names motion sensors so: a room, a letter, and where in the room it looks, such as `BedroomADoor`.

@@ -35,13 +35,25 @@ pub fn says(value: &str) -> Says {
         (
             Says::Begins,
             &[
-                "on", "fire", "fired", "true", "1", "present", "detected", "occupied", "motion", "in", "woke", "seen", "playing",
+                "on", "fire", "fired", "true", "1", "present", "detected", "occupied", "motion", "in", "woke", "seen",
+                "playing",
             ],
         ),
         (
             Says::Ends,
             &[
-                "off", "false", "0", "absent", "clear", "cleared", "unoccupied", "vacant", "idle", "out", "slept", "paused",
+                "off",
+                "false",
+                "0",
+                "absent",
+                "clear",
+                "cleared",
+                "unoccupied",
+                "vacant",
+                "idle",
+                "out",
+                "slept",
+                "paused",
                 "standby",
             ],
         ),

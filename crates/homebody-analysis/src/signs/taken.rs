@@ -49,8 +49,11 @@ pub fn taken_by(log: &Log, tallies: &[&Tally]) -> Vec<Taken> {
     let sensors: Vec<Sensor> = log.sensors.iter().zip(tallies).map(|(id, tally)| Sensor::of(log, id, tally)).collect();
     let sure: Vec<Option<Taken>> = sensors.iter().map(Sensor::surely).collect();
     let says_motion = sure.iter().flatten().any(|taken| taken.kind == Kind::Motion);
-    let mut all: Vec<Taken> =
-        sure.into_iter().zip(&sensors).map(|(sure, sensor)| sure.unwrap_or_else(|| sensor.guess(says_motion))).collect();
+    let mut all: Vec<Taken> = sure
+        .into_iter()
+        .zip(&sensors)
+        .map(|(sure, sensor)| sure.unwrap_or_else(|| sensor.guess(says_motion)))
+        .collect();
     // Who looks at a door or a fridge may be its contact; who is surely a motion sensor, or looks elsewhere, looks.
     let may_look = |(sensor, taken): &(&Sensor, &Taken)| {
         taken.kind == Kind::Motion && (taken.by < Evidence::Guess || !sensor.is_at_thing())

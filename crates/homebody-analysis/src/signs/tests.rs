@@ -217,12 +217,18 @@ fn what_was_on_ends_where_its_state_is_not_known() {
 
 #[test]
 fn nothing_goes_on_across_a_gap_of_the_recorder() {
-    let mut log = log(&[(0, "bed", "on"), (30, "hall", "FIRE"), (86_400, "bed", "on"), (86_430, "bed", "off")]);
+    let mut log = log(&[
+        (0, "bed", "off"),
+        (0, "bed", "on"),
+        (30, "hall", "FIRE"),
+        (86_400, "bed", "on"),
+        (86_430, "bed", "off"),
+    ]);
     let whole = spans(&log);
     assert_eq!(whole[0], [(0, 86_430 * SECOND)], "without a word of a gap");
     log.gaps = vec![(30 * SECOND, 24 * H)];
     assert_eq!(spans(&log)[0], [(0, 30 * SECOND), (24 * H, 24 * H + 30 * SECOND)]);
-    assert!(said(&log)[2].is_restored);
+    assert!(said(&log)[3].is_restored);
     // One at the end of the log, too.
     log.gaps.push((86_425 * SECOND, 30 * H));
     log.events.pop();

@@ -98,7 +98,13 @@ pub fn read_table(path: &Path) -> Result<BTreeMap<String, Row>, Error> {
         }
         let at = [number(text(x), &mut wrong), number(text(y), &mut wrong)];
         let at = if let [Some(x), Some(y)] = at { Some([x, y]) } else { None };
-        let row = Row { line, room: text(room), place: text(place), kind: kind.map(|kind| kind_in_home(&kind, false).word().to_owned()), at };
+        let row = Row {
+            line,
+            room: text(room),
+            place: text(place),
+            kind: kind.map(|kind| kind_in_home(&kind, false).word().to_owned()),
+            at,
+        };
         if let Some(first) = rows.insert(id.clone(), row) {
             problems.push(format!("{}:{line}: the sensor {id:?} is in line {}, too", path.display(), first.line));
         }

@@ -106,7 +106,8 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         why: "it has no table of states as Home Assistant makes it".into(),
     };
     let columns = columns(&connection).map_err(database)?.ok_or_else(no_states)?;
-    know_entities(&connection, &columns, &Registry::beside(path, &mut reading.log.remarks), reading).map_err(database)?;
+    know_entities(&connection, &columns, &Registry::beside(path, &mut reading.log.remarks), reading)
+        .map_err(database)?;
     for (begin, end) in gaps(&connection, &columns).map_err(database)? {
         reading.gap(begin, end);
     }
@@ -204,7 +205,8 @@ fn gaps(connection: &Connection, columns: &Columns) -> rusqlite::Result<Vec<(Mic
         return Ok(Vec::new());
     }
     let mut instants = Instants::default();
-    let mut statement = connection.prepare("SELECT start, \"end\", closed_incorrect FROM recorder_runs ORDER BY start")?;
+    let mut statement =
+        connection.prepare("SELECT start, \"end\", closed_incorrect FROM recorder_runs ORDER BY start")?;
     let mut rows = statement.query([])?;
     let mut runs: Vec<(Micros, Option<Micros>)> = Vec::new();
     while let Some(row) = rows.next()? {
@@ -221,7 +223,8 @@ fn gaps(connection: &Connection, columns: &Columns) -> rusqlite::Result<Vec<(Mic
         let end = match run.1 {
             Some(end) => end,
             None => {
-                let before = if updated.ends_with("_ts") { Some(Cell::Real(next.0 as f64 / 1e6)) } else { utc_text(next.0) };
+                let before =
+                    if updated.ends_with("_ts") { Some(Cell::Real(next.0 as f64 / 1e6)) } else { utc_text(next.0) };
                 let last = last_row.query_row([before], |row| micros(row, 0, &mut instants)).optional()?.flatten();
                 last.unwrap_or(run.0).max(run.0)
             }

@@ -105,7 +105,9 @@ fn info(
         false => {
             let kinds = Kind::ALL.map(Kind::word).join(", ");
             let kind = beginning(&kind);
-            faults.push(format!("the kind {kind} is not known: there are {kinds}, and words such as door, bed and light"));
+            faults.push(format!(
+                "the kind {kind} is not known: there are {kinds}, and words such as door, bed and light"
+            ));
             String::new()
         }
     };
