@@ -32,7 +32,7 @@ pub struct Day {
     pub sensors: Vec<Sensor>,
     /// How many sensors tell readings, and are left out.
     pub readings: usize,
-    /// How many of its sensors tell of nobody, such as updates and automations, and are left out.
+    /// How many of its sensors are left out because they tell of no person, such as updates and automations.
     pub others: usize,
 }
 
@@ -91,7 +91,7 @@ impl Day {
         let ended = ended.or_else(|| log.events.iter().map(|event| event.at).max());
         let mut sensors = Vec::new();
         let (mut readings, mut others) = (0, 0);
-        // What is on again once its state is known again has fired before.
+        // A state that the system restores does not count as a firing.
         let mut restored: Vec<Vec<Micros>> = vec![Vec::new(); log.sensors.len()];
         for (event, _) in log.events.iter().zip(said(log)).filter(|(_, said)| said.is_restored) {
             restored[event.sensor as usize].push(event.at);

@@ -1,4 +1,4 @@
-//! Which sensors stand at the entrance: by what somebody says, or by their names.
+//! The sensors at the entrance: as a person lists them, or by their names.
 
 use serde::Serialize;
 
@@ -97,7 +97,7 @@ fn is_inner(name: &str) -> bool {
     speaks(name, &INNER) || has_any(&words, ROOMS) || is_thing()
 }
 
-/// Words in other languages for rooms whose doors lead out of no home, beside those for things.
+/// Words in other languages for rooms inside a home.
 const ROOMS: &str = "-zimmer küche -küche bad büro keller chambre cuisine salon bureau salle dormitorio cocina baño salón camera \
     cucina bagno soggiorno quarto cozinha -kamer keuken kök sovrum badrum vardagsrum kuchnia łazienka sypialnia kuchyně koupelna \
     ložnice кухня ванная спальня 厨房 卧室 浴室 客厅 台所 寝室";

@@ -14,7 +14,7 @@ use crate::signs::{Kind, LogSensors, Says, is_seat, said, unknown_of_all, withou
 const HOUR: Micros = 3600 * SECOND;
 /// A longer silence of all sensors is no recording.
 const SILENCE: Micros = DAY;
-/// Over a longer stretch in which nothing is known somebody may have come home and left again.
+/// In a longer stretch that is not known the resident may have come home and left again.
 const UNSEEN: Micros = 10 * 60 * SECOND;
 /// The longest map: ten years.
 const MOST_DAYS: usize = 3660;
@@ -51,7 +51,7 @@ pub enum NoMap {
     /// The log has no sensor that is taken for a motion sensor.
     #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
     NoMotion,
-    /// The state of no sensor that tells of somebody is ever known.
+    /// Its sensors are never in a state that is known.
     #[error("the state of its sensors is never known")]
     Unknown,
     /// So many days were asked for.
@@ -134,7 +134,7 @@ impl Map {
         }
         let seats = spans.iter().zip(called).filter(|(_, name)| is_seat(name));
         let taken: Vec<(Micros, Micros)> = seats.flat_map(|(spans, _)| spans).copied().collect();
-        // Where no sensor that would see somebody is known, nobody knows of an hour.
+        // An hour is not known while no motion sensor is in a state that is known.
         let has_motion = kinds.contains(&Kind::Motion);
         let tells = |sensor: usize| match kinds[sensor] {
             Kind::Motion => true,

@@ -40,7 +40,7 @@ pub struct Look {
     pub silences: Vec<Silence>,
     /// How many silences there are.
     pub silences_in_all: u64,
-    /// The first of the gaps in which the recorder did not run, in the order of time. They are no silences.
+    /// The first of the gaps in which the recorder did not run, in the order of time. They do not count as silences.
     pub gaps: Vec<Silence>,
     /// How many gaps there are.
     pub gaps_in_all: u64,
@@ -67,7 +67,7 @@ pub struct SensorLook {
     pub kind: Kind,
     /// By which evidence.
     pub by: Evidence,
-    /// What the evidence is, in words.
+    /// The evidence in words.
     pub because: String,
     /// How many rows it has.
     pub rows: u64,

@@ -33,7 +33,7 @@ pub struct Looker {
     before: Option<Micros>,
     set_back: (u64, Micros),
     silences: (Vec<(Micros, Micros)>, u64),
-    /// Those of the recorder, on the clock that instants are told by.
+    /// The gaps of the recorder, on the clock of the instants.
     gaps: Vec<(Micros, Micros)>,
     /// Whether the recorder is one that stores states as it starts.
     restores: bool,

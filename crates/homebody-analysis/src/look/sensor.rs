@@ -18,7 +18,7 @@ const STUCK_FOR: Micros = DAY;
 /// What it says is counted by value for so many values (ours).
 const VALUES: usize = 8;
 
-/// What there is to know of the recorder by now.
+/// The recorder of the log, as far as the log has been taken.
 pub(super) struct Recorder<'a> {
     /// When it did not run.
     pub gaps: &'a [(Micros, Micros)],
@@ -84,7 +84,7 @@ impl Course {
                 self.ends += 1;
                 match self.is_on {
                     true => self.goes_off(at),
-                    // What ended while nothing was known was not missed.
+                    // An end after a stretch that is not known is not missing a beginning.
                     false => self.off_without_on += u64::from(said.unknown_from.is_none() && !is_first),
                 }
             }
@@ -119,7 +119,7 @@ impl Course {
         text: &dyn Fn(Micros) -> String,
     ) -> SensorLook {
         // One that never says that something ends only begins things, and numbers do neither.
-        let is_of_two = self.ends > 0 && self.numbers == 0;
+        let is_of_two = self.ends > 0 && self.numbers == 0 && taken.kind != Kind::Other;
         let of_two = |count: u64| if is_of_two { count } else { 0 };
         let mut said: Vec<(String, u64)> = match self.numbers {
             0 => self.values.iter().map(|&(value, times)| (values[value as usize].clone(), times)).collect(),

@@ -1,13 +1,13 @@
-//! What a sensor says row by row, where what it said before matters: whether its state was known.
+//! The rows of a sensor one after the other: each says what it does after those before it, and after stretches that are not known.
 
 use super::says::{Says, says};
 use homebody_core::time::Micros;
 use homebody_log::Log;
 
-/// What a row says after the rows of its sensor before it.
+/// The meaning of a row after the rows of its sensor before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Said {
-    /// What its value says.
+    /// The meaning of its value.
     pub says: Says,
     /// From when on the state was not known before this row, or is not known now; `None` where it was known all along.
     pub unknown_from: Option<Micros>,
@@ -27,7 +27,7 @@ impl Said {
     }
 }
 
-/// What one sensor has said so far.
+/// The state of one sensor by its rows so far.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Course {
     /// The last state that was known.
@@ -68,7 +68,7 @@ fn gap_between(gaps: &[(Micros, Micros)], before: Micros, at: Micros) -> Option<
     (next.0 < at).then_some(next.0)
 }
 
-/// What each row of a log says, in the order of its rows.
+/// The meaning of each row of a log, in the order of its rows.
 pub fn said(log: &Log) -> Vec<Said> {
     let values: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
     let mut courses = vec![Course::default(); log.sensors.len()];

@@ -1,4 +1,4 @@
-//! What a sensor is taken for, and why.
+//! The kind that a sensor is taken for, and the evidence.
 
 use homebody_core::sensed::Kind;
 use serde::Serialize;
@@ -21,14 +21,14 @@ pub enum Evidence {
     Guess,
 }
 
-/// What a sensor is taken for, and why.
+/// The kind that a sensor is taken for, and the evidence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Taken {
-    /// What it is.
+    /// The kind.
     pub kind: Kind,
     /// By which evidence.
     pub by: Evidence,
-    /// What the evidence is, in words.
+    /// The evidence in words.
     pub because: String,
 }
 

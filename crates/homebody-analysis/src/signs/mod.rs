@@ -1,6 +1,6 @@
-//! Which rows of a log are signs of somebody, and of which sensors.
+//! The rows of a log that are signs of a person, and the sensors that they are of.
 //!
-//! What a sensor is, is decided by the best evidence that there is, and `look` shows which that was:
+//! The best evidence decides what a sensor is, and `look` shows which evidence that was:
 //!
 //! | evidence | what it is |
 //! |---|---|
@@ -15,7 +15,7 @@
 //!
 //! A name with `door` or `bed` may be that of a contact or a mattress, or of a motion sensor that looks there. It is a motion sensor if it
 //! is `ON` for moments and no sensor of the log has a word for motion in its name, or if it is named as CASAS names them, such as
-//! `BedroomADoor`. Where nothing but doors and fridges is `ON` for moments, no sensor looks.
+//! `BedroomADoor`. If nothing but doors and fridges is `ON` for moments, no sensor looks.
 //!
 //! A state that is not known, such as `unavailable`, ends what was on, and so does a gap of the recorder. The first state after it begins
 //! nothing if it is the same as the last before it: a system restores states as it starts.

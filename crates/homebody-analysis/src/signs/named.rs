@@ -1,4 +1,4 @@
-//! What the name of a sensor says that it is.
+//! The kind that a sensor has by its name.
 
 use homebody_core::names::words;
 use homebody_core::role::Role;
@@ -6,7 +6,7 @@ use homebody_core::vocabulary::{
     CONTACT_WORDS, DEVICE_WORDS, DOOR_WORDS, MOTION_WORDS, OCCUPANCY_WORDS, ROLE_WORDS, WINDOW_WORDS, has_any,
 };
 
-/// What the name of a sensor says that it is.
+/// The kind that a sensor has by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Named {
     /// It has a word for motion, or is named as CASAS names its motion sensors: `M001`, `MA015`.
@@ -41,7 +41,7 @@ const SEATS_BY_ROLE: [Role; 4] = [Role::Bed, Role::Sofa, Role::Armchair, Role::D
 const PLACES: &str = "cabinet closet computer";
 const SEATS: &str = "bed chair seat";
 
-/// What a name says, if it says anything, and the word that says so.
+/// The kind that a name says, and the word that says so.
 pub fn named(name: &str) -> Option<(Named, String)> {
     let words = words(name);
     let by = |known: &str| words.iter().find(|word| has_any(std::slice::from_ref(word), known)).cloned();
@@ -73,7 +73,7 @@ pub fn named(name: &str) -> Option<(Named, String)> {
         .or_else(|| by(DOOR_WORDS).or_else(|| by(WINDOW_WORDS)).map(|word| (Named::Door, word)))
 }
 
-/// Whether a name is that of a place to lie or sit: where such a sensor goes on, somebody is there.
+/// Whether a name is that of a place to lie or sit. While such a sensor is on, it is taken.
 pub fn is_seat(name: &str) -> bool {
     let words = words(name);
     has_any(&words, SEATS)

@@ -1,24 +1,24 @@
-//! What the value of a row says.
+//! The meanings of values.
 
-/// What one row says.
+/// The meaning of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Says {
     /// Something began: a movement, a press, a use.
     Begins,
-    /// What began is over.
+    /// Something is over.
     Ends,
     /// A door, a drawer or a window is opened.
     Opens,
     /// It is closed.
     Closes,
-    /// The state is not known: nobody can say whether what was on is still on.
+    /// The state is not known: the sensor may still be on or not.
     Unknown,
     /// A number, or a word that is not known.
     Else,
 }
 
 impl Says {
-    /// Whether it is a word of sensors that tell of somebody: something begins, ends, is opened or closed.
+    /// Whether something begins, ends, is opened or closed.
     pub fn is_sign(self) -> bool {
         !matches!(self, Says::Unknown | Says::Else)
     }
@@ -29,7 +29,7 @@ impl Says {
     }
 }
 
-/// What a value says, whatever the case of its letters.
+/// The meaning of a value, whatever the case of its letters.
 pub fn says(value: &str) -> Says {
     const WORDS: [(Says, &[&str]); 5] = [
         (

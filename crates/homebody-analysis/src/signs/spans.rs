@@ -1,15 +1,15 @@
-//! From when to when sensors say that something goes on, and when their state is not known.
+//! The spans over which sensors are on, and over which their state is not known.
 
 use super::course::Course;
 use super::says::{Says, says};
 use homebody_core::time::Micros;
 use homebody_log::Log;
 
-/// From when to when something goes on, each time.
+/// Beginnings and ends.
 pub type Spans = Vec<(Micros, Micros)>;
 
-/// The spans over which each sensor says that something goes on, in order. Where a sensor never says that it ends, a span
-/// is an instant; what has not ended when the log does ends as it begins. What is on while a state stops being known ends there.
+/// The spans over which each sensor is on, in order. A span is an instant if the
+/// sensor never says that it ends, or if the log ends first. A span ends where the state of its sensor is no longer known.
 pub fn spans(log: &Log) -> Vec<Spans> {
     spans_until(log, None)
 }
@@ -71,13 +71,21 @@ pub fn unknown(log: &Log) -> Vec<Spans> {
     spans
 }
 
-/// When nothing is known of any of some sensors, in order. One without a row says nothing of it.
+/// When nothing is known of any of some sensors, in order. Before its first row a sensor cannot say that anything is known.
 pub fn unknown_of_all(log: &Log, asks: &dyn Fn(usize) -> bool) -> Spans {
-    let mut has_rows = vec![false; log.sensors.len()];
-    log.events.iter().for_each(|event| has_rows[event.sensor as usize] = true);
-    let mut asked = unknown(log).into_iter().enumerate().filter(|(sensor, _)| has_rows[*sensor] && asks(*sensor));
-    let Some((_, first)) = asked.next() else { return log.gaps.clone() };
-    asked.fold(first, |all, (_, spans)| common(&all, &spans))
+    let mut first: Vec<Option<Micros>> = vec![None; log.sensors.len()];
+    for event in &log.events {
+        let first = &mut first[event.sensor as usize];
+        *first = Some(first.map_or(event.at, |at| at.min(event.at)));
+    }
+    let asked = unknown(log).into_iter().zip(first).enumerate().filter(|(sensor, _)| asks(*sensor));
+    let asked: Vec<(Spans, Micros)> = asked.filter_map(|(_, (spans, first))| Some((spans, first?))).collect();
+    let mut said: Spans = asked.iter().flat_map(|(spans, _)| spans).chain(&log.gaps).copied().collect();
+    said.sort_unstable();
+    asked.into_iter().fold(merged(&said), |all, (mut spans, first)| {
+        spans.insert(0, (Micros::MIN, first));
+        common(&all, &merged(&spans))
+    })
 }
 
 /// Spans in order, of which those that touch are one.
@@ -92,7 +100,7 @@ fn merged(spans: &[(Micros, Micros)]) -> Spans {
     merged
 }
 
-/// What lies in both of two lists of spans in order.
+/// The parts that two lists of spans in order have in common.
 fn common(some: &[(Micros, Micros)], others: &[(Micros, Micros)]) -> Spans {
     let outside = without(some, others);
     without(some, &outside)

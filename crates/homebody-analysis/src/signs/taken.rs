@@ -1,4 +1,4 @@
-//! What the sensors of a log are taken for.
+//! The kinds that the sensors of a log are taken for.
 
 use super::evidence::{Evidence, Taken};
 use super::named::{Named, is_room_letter_place, is_seat, named};
@@ -8,16 +8,16 @@ use super::tally::Tally;
 use homebody_core::sensed::{Kind, Meaning, domain_of, meaning};
 use homebody_log::{Log, SaidBy, SensorInfo};
 
-/// Where sensors look for movement, they tell more than one row of so many.
+/// In a home with motion sensors more than one row of so many is theirs.
 const FEWER: u64 = 10;
 
-/// What a log tells of its sensors before anything else is asked of it; all in its order.
+/// The sensors of a log as other files ask for them, in its order.
 pub struct LogSensors {
-    /// What they are called.
+    /// Their names.
     pub called: Vec<String>,
-    /// What they are taken for.
+    /// The kinds that they are taken for.
     pub kinds: Vec<Kind>,
-    /// Over which spans each says that something goes on.
+    /// The spans over which each is on.
     pub spans: Vec<Spans>,
 }
 
@@ -28,7 +28,7 @@ impl LogSensors {
     }
 }
 
-/// What the sensors of a log are taken for, in its order.
+/// The kinds that the sensors of a log are taken for, in its order.
 pub fn kinds(log: &Log) -> Vec<Kind> {
     taken(log).into_iter().map(|taken| taken.kind).collect()
 }
@@ -54,24 +54,22 @@ pub fn taken_by(log: &Log, tallies: &[&Tally]) -> Vec<Taken> {
         .zip(&sensors)
         .map(|(sure, sensor)| sure.unwrap_or_else(|| sensor.guess(says_motion)))
         .collect();
-    // Who looks at a door or a fridge may be its contact; who is surely a motion sensor, or looks elsewhere, looks.
+    // A sensor at a door or a fridge may be its contact.
     let may_look = |(sensor, taken): &(&Sensor, &Taken)| {
         taken.kind == Kind::Motion && (taken.by < Evidence::Guess || !sensor.is_at_thing())
     };
     let looking: u64 = sensors.iter().zip(&all).filter(may_look).map(|(sensor, _)| sensor.tally.signs()).sum();
     if looking * FEWER < tallies.iter().map(|tally| tally.signs()).sum() {
-        let because = "no sensor of the log is ON for moments as motion sensors are, but at doors and things";
         for (sensor, taken) in sensors.iter().zip(&mut all) {
             if taken.kind == Kind::Motion && taken.by == Evidence::Guess {
-                let is_door = matches!(sensor.named, Some((Named::Door, _)));
-                *taken = Taken::new(if is_door { Kind::Contact } else { Kind::Used }, Evidence::Guess, because);
+                *taken = sensor.used();
             }
         }
     }
     all
 }
 
-/// What logs show of a sensor whose kind a home has, and which may give readings.
+/// The kind that logs show of a sensor in a home, which may give readings.
 pub fn kind_in_home(kind: &str, gives_readings: bool) -> Kind {
     match meaning(kind, "") {
         Some(Meaning::Is(kind)) => kind,
@@ -93,13 +91,13 @@ impl<'a> Sensor<'a> {
     fn of(log: &'a Log, id: &'a str, tally: &'a Tally) -> Sensor<'a> {
         let known = log.known.iter().find(|known| known.id == id);
         let name = known.map(|known| known.name.as_str()).filter(|name| *name != id);
-        // Of an id such as `binary_sensor.hall_pir` the domain is no word of its name.
+        // The domain of an id such as `binary_sensor.hall_pir` is not part of its name.
         let own = domain_of(id).map_or(id, |domain| &id[domain.len() + 1..]);
         let named = name.and_then(named).or_else(|| named(own));
         Sensor { id, known, named, tally }
     }
 
-    /// What it is by any evidence but how long it is on.
+    /// Its kind by any evidence but how long it is on.
     fn surely(&self) -> Option<Taken> {
         self.by_its_kind().or_else(|| self.by_values()).or_else(|| self.by_name())
     }
@@ -172,13 +170,13 @@ impl<'a> Sensor<'a> {
         Some(Taken::new(kind, Evidence::Name, format!("{word:?} in its name")))
     }
 
-    /// Whether it is at a door or a thing, and says how long something goes on.
+    /// Whether it is at a door or a thing, and its rows show how long it is on.
     fn is_at_thing(&self) -> bool {
         let is_at = matches!(self.named, Some((Named::Door | Named::Seat | Named::Place, _)));
         is_at && self.tally.has_spans()
     }
 
-    /// What it is where only its name and how long it is on are left; `says_motion` where a sensor of the log is surely one of motion.
+    /// Its kind by its name and by how long it is on; `says_motion` if a sensor of the log is surely one of motion.
     fn guess(&self, says_motion: bool) -> Taken {
         let motion = |because: &str| Taken::new(Kind::Motion, Evidence::Guess, because);
         let Some((named, word)) = &self.named else { return motion("it says that something begins") };
@@ -190,8 +188,18 @@ impl<'a> Sensor<'a> {
         match named {
             Named::Door if !self.tally.has_spans() => motion("it says that something begins, and never that it ends"),
             _ if looks => motion(&format!("{word:?} in its name, and it is ON for moments")),
-            Named::Door => Taken::new(Kind::Contact, Evidence::Name, format!("{word:?} in its name")),
-            _ => Taken::new(Kind::Used, Evidence::Name, format!("{word:?} in its name")),
+            _ => self.used(),
+        }
+    }
+
+    /// Its kind if it is no motion sensor: a contact at a door, or else a thing that is used.
+    fn used(&self) -> Taken {
+        match &self.named {
+            Some((Named::Door, word)) => Taken::new(Kind::Contact, Evidence::Name, format!("{word:?} in its name")),
+            Some((_, word)) => Taken::new(Kind::Used, Evidence::Name, format!("{word:?} in its name")),
+            None => {
+                Taken::new(Kind::Used, Evidence::Guess, "no sensor of the log is ON for moments, as motion sensors are")
+            }
         }
     }
 }

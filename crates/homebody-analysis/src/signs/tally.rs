@@ -1,16 +1,16 @@
-//! What the rows of one sensor look like.
+//! Counts over the rows of one sensor, which show what it may be.
 
 use super::course::{Course, Said};
 use super::says::Says;
 use homebody_core::time::{Micros, SECOND};
 
-/// At least half of the spans of what is brief are shorter: nobody lies, sits or cooks for so short.
+/// At least half of the spans of a sensor that is brief are shorter. A bed or a stove is used for longer.
 const BRIEF: Micros = 20 * SECOND;
 
-/// At least half of the spans of what blinks are shorter: nobody goes through a door and closes it in so short.
+/// At least half of the spans of a sensor that blinks are shorter. A door that people walk through is open for longer.
 const BLINK: Micros = 5 * SECOND;
 
-/// What the rows of one sensor look like, taken one by one in the order of time.
+/// Counts over the rows of one sensor, taken one by one in the order of time.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     motion: u64,
@@ -19,9 +19,9 @@ pub struct Tally {
     /// Those of them that say 1 or 0: where a sensor tells other numbers, too, these are numbers as well.
     ones: u64,
     course: Course,
-    /// Since when something goes on.
+    /// Since when it is on.
     since: Option<Micros>,
-    /// How often something went on for any time, and for how often that was for seconds, or for a moment.
+    /// How often it was on for any time, and how often of these for seconds, and for a moment.
     spans: u64,
     brief: u64,
     blinks: u64,
@@ -34,7 +34,7 @@ impl Tally {
         match says {
             Says::Begins | Says::Ends => self.motion += 1,
             Says::Opens | Says::Closes => self.contact += 1,
-            // Other words are about something that goes on, such as how restless somebody is.
+            // Other words describe a state, such as how restless a sleeper is.
             Says::Else => self.reading += u64::from(is_number),
             Says::Unknown => {}
         }
@@ -76,17 +76,17 @@ impl Tally {
         (self.motion - ones, self.reading + ones)
     }
 
-    /// Whether something goes on for any time before it ends.
+    /// Whether it is on for any time.
     pub(super) fn has_spans(&self) -> bool {
         self.spans > 0
     }
 
-    /// Whether something goes on for seconds at a time, as movements do.
+    /// Whether it is on for seconds at a time, as motion sensors are.
     pub(super) fn is_brief(&self) -> bool {
         self.brief > 0 && 2 * self.brief >= self.spans
     }
 
-    /// Whether something goes on for a moment at a time.
+    /// Whether it is on for a moment at a time.
     pub(super) fn blinks(&self) -> bool {
         self.blinks > 0 && 2 * self.blinks >= self.spans
     }

@@ -43,7 +43,7 @@ fn of_a_home_of_contacts_that_say_on_nothing_sees_movement() {
         ("Cups cupboard", 9, Kind::Used),
         ("ToiletFlush", 3, Kind::Used),
         ("Fridge", 40, Kind::Used),
-        // Where a motion sensor looks at a door or a fridge, it is ON for seconds.
+        // A motion sensor that looks at a door or a fridge is ON for seconds.
         ("BedroomADoor", 4, Kind::Motion),
         ("KitchenARefrigerator", 4, Kind::Motion),
         ("Basin PIR Bathroom", 600, Kind::Motion),
@@ -55,9 +55,9 @@ fn of_a_home_of_contacts_that_say_on_nothing_sees_movement() {
         .flatten()
         .collect();
     assert_eq!(kinds(&log(&rows)), names.map(|(_, _, kind)| kind));
-    // Without an end nobody knows for how long: it is what its values say.
+    // Without an end its length is not known: its values decide.
     assert_eq!(kinds(&log(&[(0, "front door", "FIRE")])), [Kind::Motion]);
-    // Where nothing else is ON for seconds, no sensor looks.
+    // No sensor looks if nothing else is ON for seconds.
     let rows: Vec<(i64, &str, &str)> = (0..10)
         .flat_map(|time| {
             ["Frontdoor", "Fridge"].map(|name| [(1000 * time, name, "ON"), (1000 * time + 4, name, "OFF")])
@@ -163,12 +163,12 @@ fn a_contact_that_is_open_for_seconds_is_a_contact() {
     for (name, others, wanted) in [
         ("binary_sensor.front_door_contact", "binary_sensor.hall_motion", Kind::Contact),
         ("Haustür Kontakt", "Flur", Kind::Contact),
-        // Who says motion of one sensor does not say door of another.
+        // The other has a word for motion in its name: so this one would, too.
         ("binary_sensor.front_door", "binary_sensor.hall_motion", Kind::Contact),
         ("haustuer", "Bewegungsmelder Flur", Kind::Contact),
         ("Fridge", "Kitchen PIR", Kind::Used),
         ("front door", "hall", Kind::Contact),
-        // What looks at a door is no contact.
+        // These look at a door.
         ("front door motion", "hall motion", Kind::Motion),
         ("BedroomADoor", "HallwayA", Kind::Motion),
     ] {
@@ -184,7 +184,7 @@ fn motion_sensors_by_their_names_stay_so_however_often_they_speak() {
     sensors.extend([("Door PIR Bedroom", 3); 30]);
     let log = log(&rows(&sensors));
     assert_eq!(kinds(&log), [Kind::Motion, Kind::Motion, Kind::Contact, Kind::Motion]);
-    // Where no name says so, nothing but doors is ON for moments, and no sensor looks.
+    // Without the word, nothing but doors is ON for moments, and no sensor looks.
     let mut sensors = vec![("Shower", 400), ("Basin", 61)];
     sensors.extend([("Door Bedroom", 3); 30]);
     assert_eq!(kinds(&crate::sample::log(&rows(&sensors))), [Kind::Used, Kind::Used, Kind::Contact]);
@@ -209,7 +209,7 @@ fn what_was_on_ends_where_its_state_is_not_known() {
     assert_eq!(spans(&log), [vec![s(0, 20), s(7200, 7260)], vec![s(7300, 7400), s(7500, 7600)]]);
     assert_eq!(unknown(&log), [vec![s(20, 3600)], vec![s(7400, 7500)]]);
     let said = said(&log);
-    // The bed is as it was before: that is no firing. The OFF of the sensor is new.
+    // The bed is as it was before: it does not fire. The OFF of the sensor is new.
     assert_eq!(said.iter().filter(|said| said.is_restored).count(), 1);
     assert!(said[7].is_restored && !said[7].begins() && said[5].begins() && !said[2].is_restored);
     assert_eq!(said[2].unknown_from, Some(20 * SECOND));
@@ -249,5 +249,8 @@ fn nothing_is_known_where_no_sensor_is() {
     let of = |asks: &dyn Fn(usize) -> bool| unknown_of_all(&log, asks);
     assert_eq!(of(&|sensor| sensor < 2), [(20 * SECOND, 30 * SECOND)]);
     assert_eq!(of(&|sensor| sensor == 0), [(10 * SECOND, 30 * SECOND)]);
-    assert_eq!(of(&|_| true), []);
+    assert_eq!(of(&|_| true), [(20 * SECOND, 30 * SECOND)], "the temperature is not known before its first row");
+    // Without a word that a state is not known, all is known.
+    let plain = crate::sample::log(&[(0, "T1", "21"), (500, "M1", "on"), (510, "M1", "off")]);
+    assert_eq!(unknown_of_all(&plain, &|sensor| sensor == 1), []);
 }

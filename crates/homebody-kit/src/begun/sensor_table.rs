@@ -20,7 +20,7 @@ pub struct Row {
     pub room: Option<String>,
     /// What it looks at.
     pub place: Option<String>,
-    /// What it is, where the table has a word for it: `motion`, `contact`, `used`, `reading` or `other`.
+    /// Its kind, if the table has a word for it: `motion`, `contact`, `used`, `reading` or `other`.
     pub kind: Option<String>,
     /// Where it is: on a picture, or in metres.
     pub at: Option<[f64; 2]>,

@@ -114,7 +114,7 @@ pub struct Listener {
     pub name: String,
     /// The room that it is in, where that is known.
     pub room: Option<String>,
-    /// Whether it is no sensor of somebody, such as an automation: what it says is no sign.
+    /// Whether it tells of no person, as an automation does: its rows do not count.
     pub tells_of_nobody: bool,
 }
 
@@ -324,7 +324,7 @@ fn by_sensors(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Res
     let mut take = |at: Micros, sensor: u32, value: u32| {
         last = at;
         let says = said.get(value as usize).copied().unwrap_or(Says::Else);
-        // A stay does not go on across a gap of the recorder.
+        // A stay ends at a gap of the recorder.
         if let Some(gap) = recorder.take(at, Says::Begins, &ground.gaps).unknown_from {
             spans.extend(since.take().map(|begin| (begin, gap)));
         }
@@ -345,7 +345,7 @@ fn by_sensors(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Res
     Ok(wordless(spans, &name))
 }
 
-/// What is known of a sensor from an instant on.
+/// The state of a sensor from an instant on.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum OnOff {
     On,
