@@ -113,7 +113,7 @@ struct Samples {
 }
 
 impl Samples {
-    /// Takes a row. No length spans a stretch in which the state was not known.
+    /// Takes a row. No length spans a stretch that is not known.
     fn take(&mut self, at: Micros, Said { says: said, unknown_from, is_restored }: Said) {
         if unknown_from.is_some() {
             (self.last, self.last_on, self.is_on) = (None, None, false);

@@ -1,14 +1,14 @@
-//! What sensors are by the words that sources have for their kinds: one table for all readers.
+//! Kinds of sensors by the words that sources have for them: one table for all readers.
 //!
 //! Sources say `device_class: door`, `Control4-Motion`, `occupancy`, `Magnetic`, or begin an id with `light.`; a table that a person
-//! writes beside a log says `contact`. Each of these words stands here once, with what the sensor tells of somebody.
+//! writes beside a log says `contact`. Each of these words stands here once, with the kind of sensor that it means.
 //!
-//! Left out: sensors of which the source says nothing. Who reads the log goes by their names and by what they say.
+//! Left out: sensors without such a word. Their names and their rows are left.
 
 use crate::names::words;
 use serde::Serialize;
 
-/// What a sensor is taken for.
+/// The kinds that a sensor may be taken for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
@@ -20,7 +20,7 @@ pub enum Kind {
     Used,
     /// A temperature, a battery, a brightness.
     Reading,
-    /// No sensor of somebody: an update, an automation, the sun.
+    /// It tells of no person: an update, an automation, the sun.
     Other,
 }
 
@@ -40,12 +40,12 @@ impl Kind {
     }
 }
 
-/// What a word for a kind of sensor means.
+/// The meaning of a word for a kind of sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Meaning {
     /// It is of this kind.
     Is(Kind),
-    /// Somebody is there: they are seen, or they lie or sit on it. The name of a bed or a chair decides.
+    /// A person is seen, or lies or sits on it. The name of a bed or a chair decides.
     Somebody,
     /// It is used; where it tells numbers, it is a reading.
     Measured,
@@ -104,7 +104,7 @@ const WORDS: [(Meaning, &str); 8] = [
     ),
 ];
 
-/// The domains with which ids of Home Assistant begin, and what their entities are where nothing more is said.
+/// The domains of Home Assistant's ids, and the meaning of each without a class.
 const DOMAINS: [(Option<Meaning>, &str); 4] = [
     (None, "binary_sensor"),
     (Some(Meaning::Readings), "sensor"),
@@ -118,7 +118,7 @@ const DOMAINS: [(Option<Meaning>, &str); 4] = [
     ),
 ];
 
-/// What classes of Home Assistant's binary sensors are that the words for kinds have otherwise.
+/// Classes of Home Assistant's binary sensors that mean something else elsewhere.
 const BINARY: [(Meaning, &str); 2] = [
     (USED, "light power lock vibration moving"),
     (
@@ -128,11 +128,10 @@ const BINARY: [(Meaning, &str); 2] = [
     ),
 ];
 
-/// Words that say nothing beside others.
+/// Words that add nothing to others.
 const VAGUE: &str = "sensor state use usage item status system current open area action";
 
-/// What a sensor is by the word that its source has for its kind, and by the domain with which its id begins; `None` where neither
-/// says anything.
+/// The meaning of a source's word for a kind and of the domain of an id. `None`: neither says anything.
 pub fn meaning(kind: &str, id: &str) -> Option<Meaning> {
     let words = words(kind);
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
@@ -152,7 +151,7 @@ pub fn meaning(kind: &str, id: &str) -> Option<Meaning> {
     }
 }
 
-/// The domain with which an id of Home Assistant begins, as in `light.hall`.
+/// The domain of an id of Home Assistant, as in `light.hall`.
 pub fn domain_of(id: &str) -> Option<&str> {
     let (domain, name) = id.split_once('.')?;
     let is_name = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
@@ -165,12 +164,12 @@ fn binary(class: &[&str]) -> Option<Meaning> {
     whole(&BINARY, &class).or_else(|| whole(&WORDS, &class))
 }
 
-/// What all words for a kind mean together.
+/// The meaning of all words for a kind together.
 fn whole(table: &[(Meaning, &str)], said: &str) -> Option<Meaning> {
     table.iter().find(|(_, known)| has(known, said)).map(|(meaning, _)| *meaning)
 }
 
-/// What the most of the words mean that follow each other, as in `Control4-MotionArea`.
+/// The meaning of the longest part of the words that has one, as in `Control4-MotionArea`.
 fn within(words: &[&str]) -> Option<Meaning> {
     let parts = (1..words.len()).rev().flat_map(|length| words.windows(length));
     let parts: Vec<String> = parts.map(<[&str]>::concat).filter(|part| !has(VAGUE, part)).collect();
@@ -244,7 +243,7 @@ mod tests {
             ("running", "binary_sensor.pump", Some(OTHER)),
             ("opening", "binary_sensor.eingang", Some(CONTACT)),
             ("", "binary_sensor.eingang", None),
-            // These are no ids of Home Assistant.
+            // Ids of other systems.
             ("", "Light.Hall", None),
             ("", "door.hall", None),
             ("", "light.", None),

@@ -1,6 +1,6 @@
-//! Words for furniture, doors and sensors in the languages in which people name them, and known ones among the words of a name.
+//! Words for furniture, doors and sensors in many languages, and a search for them in names.
 //!
-//! Who imports a plan and who reads a log meet the same words: they stand here once.
+//! The import of plans and the readers of logs need the same words: they stand here once.
 
 use crate::role::Role;
 
@@ -14,7 +14,7 @@ pub fn has_any(words: &[String], known: &str) -> bool {
 }
 
 fn is_word(word: &str, known: &str) -> bool {
-    /// Where the scripts begin that put no blanks between words: Chinese and Japanese.
+    /// The first character of the scripts that put no blanks between words, Chinese and Japanese.
     const WITHOUT_BLANKS: char = '\u{2e80}';
     match known.strip_prefix('-') {
         Some(end) => word.ends_with(end) || !end.is_ascii() && word.ends_with(&in_ascii(end, true)),
@@ -123,11 +123,11 @@ pub const ROLE_WORDS: &[(Role, &str)] = &[
 pub const DOOR_WORDS: &str = "door doorway frontdoor maindoor backdoor gate tür -tür türe porte puerta porta portone deur -deur dörr \
     -dörr dør drzwi dveře дверь 门 ドア 扉";
 
-/// The words for the door by which people come home.
+/// The words for the front door.
 pub const FRONT_WORDS: &str = "front entrance entry main apartment haustür wohnungstür eingang -eingangstür entrée ingresso entrada \
     principal voordeur ytterdörr entré wejściowe vchodové входная 大门 前门 玄関";
 
-/// The words for windows in the catalogue, and in some languages in which people name them.
+/// The words for windows in the catalogue and in some languages.
 pub const WINDOW_WORDS: &str = "window windows fenster -fenster fenetre fenêtre ventana finestra janela raam fönster vindu okno \
     okna окно 窗 窓";
 
@@ -136,7 +136,7 @@ pub const MOTION_WORDS: &str = "motion pir movement mmwave radar bewegung -beweg
     movimiento movimento beweging bewegingsmelder bewegingssensor rörelse rörelsesensor rörelsevakt bevegelse bevægelse ruch ruchu \
     pohyb liike движение движения 人感 人体 移动 运动 動き モーション";
 
-/// The words for a sensor that says whether somebody is there: it sees them, or they lie or sit on it.
+/// The words for a sensor of presence: it sees a person, or feels one who lies or sits on it.
 pub const OCCUPANCY_WORDS: &str = "occupancy occupied presence anwesenheit präsenz präsenzmelder belegung belegt présence occupation \
     presencia ocupación presença ocupação presenza occupazione aanwezigheid bezet närvaro obecność přítomnost присутствие 在席 存在";
 
@@ -144,7 +144,7 @@ pub const OCCUPANCY_WORDS: &str = "occupancy occupied presence anwesenheit präs
 pub const CONTACT_WORDS: &str = "contact kontakt -kontakt kontaktsensor magnetic magnet magnetkontakt reed reedkontakt contatto contacto \
     magnétique magnético magnetico kontaktron styk магнит геркон 门磁 門磁 開閉";
 
-/// The words for a sensor that tells of a device, of its network or of its program, and of nobody.
+/// The words for a sensor of a device, its network or its program.
 pub const DEVICE_WORDS: &str = "battery batterie akku batería bateria batteria batterij bateria batteri tamper sabotage connectivity online \
     reachable erreichbar update firmware linkquality rssi lqi wifi wlan uptime overheating overcurrent diagnostic indicator";
 

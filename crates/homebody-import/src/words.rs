@@ -1,4 +1,4 @@
-//! The words that names are made of, in any of the ways in which people and catalogues join them.
+//! The words of names, however people and catalogues join them.
 
 /// The words of some names, in small letters: `eTeks#bedsideTable` has `e`, `teks`, `bedside` and `table`.
 pub fn words(names: &[&str]) -> Vec<String> {

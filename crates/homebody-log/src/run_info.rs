@@ -50,7 +50,7 @@ pub struct PlanInfo {
 }
 
 impl SensorInfo {
-    /// What the home of a scenario has of one of its sensors.
+    /// A sensor of the home of a scenario.
     pub fn in_home(sensor: &Sensor, scenario: &Scenario) -> SensorInfo {
         let info = sensor.info(scenario.home.plan());
         let is_held = info.kind.senses_motion() && scenario.logger.messages != MessagesFile::FireOnly;

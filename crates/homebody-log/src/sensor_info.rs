@@ -9,9 +9,9 @@ pub struct SensorInfo {
     pub id: String,
     /// Whether it senses motion, so that its messages may be held ON.
     pub is_motion: bool,
-    /// What kind of sensor it is, as `home.json` or the log's source writes it; empty where nothing says so.
+    /// Its kind, as `home.json` or the log's source writes it; empty if nothing does.
     pub kind: String,
-    /// Who says so.
+    /// The origin of the kind.
     pub said_by: SaidBy,
     /// Of its readings, such as `°C`. None for one that gives no readings.
     pub unit: Option<String>,
@@ -24,13 +24,13 @@ pub struct SensorInfo {
     pub at_m: [f64; 2],
 }
 
-/// Who says what kind of sensor it is.
+/// The origin of what is known of a kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SaidBy {
     /// The log's source: its columns, its attributes, its registry.
     #[default]
     Source,
-    /// The table of sensors beside the log.
+    /// The table of the log's sensors.
     Table,
     /// The home that the log is of.
     Home,

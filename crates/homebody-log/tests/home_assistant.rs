@@ -1,4 +1,4 @@
-//! What the database of Home Assistant's recorder says of entities and of itself, in each of the ways in which it has been written.
+//! Databases of Home Assistant's recorder in four schemas: kinds of entities, gaps, registries.
 //!
 //! The four tables are those of Home Assistant 0.60, 2022.4, 2023.3 and 2024.3, with the columns that a reader may meet.
 

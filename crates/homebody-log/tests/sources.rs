@@ -182,7 +182,7 @@ fn a_table_of_sensors_may_be_written_by_hand() {
     assert_eq!(read("id,kind\nM1,motion\nD1,contact\n"), (wanted.clone(), vec![]));
     assert_eq!(read("\u{feff}Kind;ID\nmotion;M1\ncontact;D1\n").0, wanted, "as a spreadsheet in German writes it");
     assert_eq!(read("id,room\nM1,hall\n").0, [row("M1", "", Some("hall"))]);
-    // What is wrong is reported with its line, and the rest counts.
+    // Each fault is reported with its line, and the rest counts.
     let (known, told) = read("id,kind,x_m\nM1,motoin,1\n,motion,1\nD1,contact,far\nD1,motion,1\n");
     assert_eq!(known, [row("M1", "", None), row("D1", "contact", None)]);
     assert_eq!(

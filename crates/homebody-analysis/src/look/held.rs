@@ -40,7 +40,7 @@ pub struct Look {
     pub silences: Vec<Silence>,
     /// How many silences there are.
     pub silences_in_all: u64,
-    /// The first of the gaps in which the recorder did not run, in the order of time. They do not count as silences.
+    /// The first of the recorder's gaps, in the order of time. They do not count as silences.
     pub gaps: Vec<Silence>,
     /// How many gaps there are.
     pub gaps_in_all: u64,
@@ -91,7 +91,7 @@ pub struct SensorLook {
     pub doubled: u64,
     /// Rows that say that its state is not known.
     pub unknown: u64,
-    /// Rows that restore a state after a stretch in which it was not known.
+    /// Rows that restore a state after a stretch that is not known.
     pub restored: u64,
     /// What is the matter with it.
     pub trouble: Option<Trouble>,

@@ -7,7 +7,7 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Evidence {
-    /// The table of sensors beside the log.
+    /// The table of the log's sensors.
     Table,
     /// The log's source.
     Source,

@@ -9,7 +9,7 @@ use homebody_log::Log;
 pub type Spans = Vec<(Micros, Micros)>;
 
 /// The spans over which each sensor is on, in order. A span is an instant if the
-/// sensor never says that it ends, or if the log ends first. A span ends where the state of its sensor is no longer known.
+/// sensor never says that it ends, or if the log ends first. A span ends if the state of its sensor stops being known.
 pub fn spans(log: &Log) -> Vec<Spans> {
     spans_until(log, None)
 }
@@ -88,7 +88,7 @@ pub fn unknown_of_all(log: &Log, asks: &dyn Fn(usize) -> bool) -> Spans {
     })
 }
 
-/// Spans in order, of which those that touch are one.
+/// Spans in order; those that touch become one.
 fn merged(spans: &[(Micros, Micros)]) -> Spans {
     let mut merged: Spans = Vec::with_capacity(spans.len());
     for &(begin, end) in spans {

@@ -192,7 +192,7 @@ impl<'a> Sensor<'a> {
         }
     }
 
-    /// Its kind if it is no motion sensor: a contact at a door, or else a thing that is used.
+    /// Its kind unless it looks for movement: a contact at a door, or else a thing that is used.
     fn used(&self) -> Taken {
         match &self.named {
             Some((Named::Door, word)) => Taken::new(Kind::Contact, Evidence::Name, format!("{word:?} in its name")),

@@ -91,7 +91,7 @@ fn what_is_on_goes_on_until_it_is_off() {
     assert_eq!(spans(&log), [vec![(0, 9 * S), (20 * S, 20 * S)], vec![(3 * S, 3 * S), (6 * S, 6 * S)]]);
 }
 
-/// A sensor of which a source says this kind.
+/// A sensor with a kind from its source.
 fn of_kind(id: &str, kind: &str) -> SensorInfo {
     SensorInfo::of_kind(id, kind, &[])
 }

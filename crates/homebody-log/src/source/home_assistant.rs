@@ -3,8 +3,8 @@
 //! The table `states` names an entity by its row of `states_meta`, and tells seconds since 1970; older databases have the entity's
 //! id in each row, and times as text in UTC. Rows in which no more than attributes changed are passed over: their state began
 //! before. Of attributes those are read that say what an entity is: `device_class`, `friendly_name` and `unit_of_measurement`. They
-//! stand in `state_attributes`, and in older databases in each row. What the registries in `.storage` beside the database say besides
-//! is in `registry.rs`.
+//! stand in `state_attributes`, and in older databases in each row. The registries in the
+//! folder `.storage` say more: see `registry.rs`.
 //!
 //! The table `recorder_runs` says when the recorder ran. Between two runs nothing was recorded. A run that was not closed, as where
 //! power was lost, ended with its last row: the recorder writes the beginning of the next run as its end.
@@ -47,12 +47,12 @@ struct Columns {
     changed: String,
     updated: String,
     has_names: bool,
-    /// What asks for a state's attributes, and joins the table that they are in; `None` where there are none.
+    /// The expression for a state's attributes, and the join of their table; `None` without attributes.
     attributes: Option<(&'static str, &'static str)>,
 }
 
 impl Columns {
-    /// What joins the names of entities.
+    /// The join of the names of entities.
     fn names(&self) -> &'static str {
         if self.has_names { "LEFT JOIN states_meta m ON m.metadata_id = s.metadata_id" } else { "" }
     }
@@ -151,7 +151,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     Ok(())
 }
 
-/// What attributes say of an entity.
+/// The attributes that describe an entity.
 #[derive(Default, Deserialize)]
 struct Attributes {
     device_class: Option<String>,
@@ -183,7 +183,7 @@ fn know_entities(
         let said = |text: Option<String>| text.filter(|text| !text.is_empty());
         let class = entry.and_then(|entry| entry.class.clone()).or(said(attributes.device_class));
         let category = entry.and_then(|entry| entry.category.clone());
-        // A switch of a setting is no switch that somebody uses, and a class says more than that it is for diagnosis.
+        // People do not use the switch of a setting. A class says more than `diagnostic`.
         let kind = match category {
             Some(category) if class.is_none() || category == "config" => category,
             _ => class.unwrap_or_else(|| domain_of(&id).unwrap_or_default().to_owned()),

@@ -1,6 +1,6 @@
-//! What Home Assistant's registries say of entities: their classes, the rooms that they are in, and whether they are of a setting.
+//! Home Assistant's registries of entities, devices and areas: classes, rooms, and categories.
 //!
-//! They lie in the folder `.storage` beside the database, or beside it as files. A person may have put the room on the device alone.
+//! They lie in the database's folder, or in `.storage` below it. A person may have put the room on the device alone.
 
 use crate::plain;
 use serde::Deserialize;
@@ -12,14 +12,14 @@ use std::path::Path;
 /// No registry has more bytes: one of ten thousand entities has a tenth of it.
 const LARGEST_BYTES: u64 = 64 << 20;
 
-/// What registries say of entities, by their ids.
+/// The entries of entities, by their ids.
 #[derive(Default)]
 pub(super) struct Registry(BTreeMap<String, Entry>);
 
-/// What they say of one.
+/// The entry of an entity.
 pub(super) struct Entry {
     pub class: Option<String>,
-    /// `config` or `diagnostic`, if it is no entity for everybody.
+    /// `config` or `diagnostic`, if it has one of these categories.
     pub category: Option<String>,
     pub area: Option<String>,
 }
@@ -74,7 +74,7 @@ struct Area {
 }
 
 impl Registry {
-    /// The registries beside a database; one that cannot be read is a remark.
+    /// The registries of a database. One that cannot be read is a remark.
     pub fn beside(database: &Path, remarks: &mut Vec<String>) -> Registry {
         let entities: Entities = stored(database, "core.entity_registry", remarks);
         let devices: Devices = stored(database, "core.device_registry", remarks);

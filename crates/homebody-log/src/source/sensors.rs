@@ -1,4 +1,4 @@
-//! What is known of a log's sensors: from the table that a run leaves beside its log, or that a person writes there.
+//! The table of a log's sensors, which a run leaves in the log's folder, or a person writes.
 
 use crate::error::{LogError, place_of};
 use crate::limits::beginning;
@@ -17,7 +17,7 @@ use std::path::Path;
 /// No table of sensors has more bytes (ours): a home of a thousand has a tenth of a mebibyte.
 const LARGEST_TABLE_BYTES: u64 = 4 << 20;
 
-/// What a table of sensors beside a log says.
+/// The contents of a table of sensors.
 #[derive(Default)]
 pub(crate) struct Beside {
     /// The sensors; none where no table of ours lies there.
@@ -28,7 +28,7 @@ pub(crate) struct Beside {
     pub remark: Option<String>,
 }
 
-/// The sensors of the table beside a log. One that is too large is not read, which is a remark.
+/// The table of sensors of a log. One that is too large is not read: that is a remark.
 ///
 /// A person may write it by hand: besides `id` it has any of the columns `name`, `kind`, `room`, `x_m` and `y_m`, in any order.
 pub(crate) fn known_beside(log: &Path) -> Result<Beside, LogError> {
@@ -84,7 +84,7 @@ impl Beside {
     }
 }
 
-/// What a row says of a sensor, and what in it means nothing; or why it says nothing.
+/// The sensor of a row, with the cells that mean nothing; or why the row means nothing.
 fn info(
     row: &csv::ByteRecord,
     id: usize,
