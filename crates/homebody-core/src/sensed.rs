@@ -1,7 +1,7 @@
 //! Kinds of sensors by the words that sources have for them: one table for all readers.
 //!
-//! Sources say `device_class: door`, `Control4-Motion`, `occupancy`, `Magnetic`, or begin an id with `light.`; a table that a person
-//! writes beside a log says `contact`. Each of these words stands here once, with the kind of sensor that it means.
+//! Sources say `device_class: door`, `Control4-Motion`, `occupancy`, `Magnetic`, or begin an id with `light.`. A person writes
+//! `contact` into a table of sensors. Each of these words stands here once, with the kind of sensor that it means.
 //!
 //! Left out: sensors without such a word. Their names and their rows are left.
 

@@ -305,6 +305,11 @@ fn name_sensors(log: &mut Log, scenario: &Scenario) {
             sensor.clone_from(name);
         }
     }
+    know_sensors(log, scenario);
+}
+
+/// Keeps what the home of a scenario has of the log's sensors, beside what is known of them.
+fn know_sensors(log: &mut Log, scenario: &Scenario) {
     for sensor in scenario.home.placed_sensors() {
         let info = SensorInfo::in_home(sensor, scenario);
         let is_it = |id: &&String| **id == info.name || **id == info.id || **id == one_word(&info.id);
@@ -374,6 +379,13 @@ impl NamedLog {
     /// The scenario of its run, if that is known.
     pub fn scenario(&self) -> Option<&Scenario> {
         self.scenario.as_ref()
+    }
+
+    /// Adds what the home of its run has of the log's sensors, if that is known.
+    pub fn know_home(&self, log: &mut Log) {
+        if let Some(scenario) = &self.scenario {
+            know_sensors(log, scenario);
+        }
     }
 
     /// The zone of its run's clocks, if that is known.

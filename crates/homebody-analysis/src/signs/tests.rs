@@ -209,7 +209,7 @@ fn what_was_on_ends_where_its_state_is_not_known() {
     assert_eq!(spans(&log), [vec![s(0, 20), s(7200, 7260)], vec![s(7300, 7400), s(7500, 7600)]]);
     assert_eq!(unknown(&log), [vec![s(20, 3600)], vec![s(7400, 7500)]]);
     let said = said(&log);
-    // The bed is as it was before: it does not fire. The OFF of the sensor is new.
+    // The bed keeps its state: it does not fire. The OFF of the sensor is new.
     assert_eq!(said.iter().filter(|said| said.is_restored).count(), 1);
     assert!(said[7].is_restored && !said[7].begins() && said[5].begins() && !said[2].is_restored);
     assert_eq!(said[2].unknown_from, Some(20 * SECOND));
