@@ -6,6 +6,7 @@ use super::says::{Says, is_number, says};
 use super::spans::{Spans, spans};
 use super::tally::Tally;
 use homebody_core::sensed::{Kind, Meaning, domain_of, meaning};
+use homebody_log::word::one_word;
 use homebody_log::{Log, SaidBy, SensorInfo};
 
 /// In a home with motion sensors more than one row of so many is theirs.
@@ -89,7 +90,7 @@ struct Sensor<'a> {
 
 impl<'a> Sensor<'a> {
     fn of(log: &'a Log, id: &'a str, tally: &'a Tally) -> Sensor<'a> {
-        let known = log.known.iter().find(|known| known.id == id);
+        let known = log.known.iter().find(|known| known.id == id || one_word(&known.id) == id);
         let name = known.map(|known| known.name.as_str()).filter(|name| *name != id);
         // The domain of an id such as `binary_sensor.hall_pir` is not part of its name.
         let own = domain_of(id).map_or(id, |domain| &id[domain.len() + 1..]);
