@@ -18,7 +18,7 @@
 //! `1` and the like; all other rows, such as those that end it, are left out. Where the reference has no firings, there
 //! is no agreement to speak of.
 
-use crate::signs::{Says, says};
+use crate::signs::{said, says};
 use homebody_core::time::{DAY, Micros, seconds};
 use homebody_log::{Activity, Log};
 use serde::Serialize;
@@ -87,7 +87,7 @@ pub struct Counts {
 pub fn compare(a: &Log, b: &Log) -> Comparison {
     let mut by_sensor: BTreeMap<&str, [Vec<Micros>; 2]> = BTreeMap::new();
     for (which, log) in [a, b].into_iter().enumerate() {
-        for event in log.events.iter().filter(|event| begins(log.value(event))) {
+        for event in log.events.iter().zip(said(log)).filter_map(|(event, said)| said.begins().then_some(event)) {
             by_sensor.entry(log.sensor(event)).or_default()[which].push(event.at);
         }
     }
@@ -192,7 +192,7 @@ pub(crate) fn natural(name: &str) -> Vec<(usize, &str)> {
 
 /// Whether a value says that something began.
 pub fn begins(value: &str) -> bool {
-    matches!(says(value), Says::Begins | Says::Opens)
+    says(value).is_on()
 }
 
 fn agreement(apart: f64, reference: f64) -> Option<f64> {

@@ -11,7 +11,7 @@ use serde::Serialize;
 use std::fmt;
 
 use crate::dates::{clock, clock_s, midnight};
-use crate::signs::{Kind, kinds, spans_until};
+use crate::signs::{Kind, kinds, said, spans_until};
 
 /// What was so on one day.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -32,6 +32,8 @@ pub struct Day {
     pub sensors: Vec<Sensor>,
     /// How many sensors tell readings, and are left out.
     pub readings: usize,
+    /// How many of its sensors are left out because they tell of no person, such as updates and automations.
+    pub others: usize,
 }
 
 /// When which sensor fired.
@@ -88,16 +90,23 @@ impl Day {
         let within = begin..begin + DAY;
         let ended = ended.or_else(|| log.events.iter().map(|event| event.at).max());
         let mut sensors = Vec::new();
-        let mut readings = 0;
+        let (mut readings, mut others) = (0, 0);
+        // A state that the system restores does not count as a firing.
+        let mut restored: Vec<Vec<Micros>> = vec![Vec::new(); log.sensors.len()];
+        for (event, _) in log.events.iter().zip(said(log)).filter(|(_, said)| said.is_restored) {
+            restored[event.sensor as usize].push(event.at);
+        }
         // By instant, and the sensor's place.
         let mut ends: Vec<(Micros, usize)> = Vec::new();
-        for ((sensor, kind), spans) in log.sensors.iter().zip(kinds(log)).zip(spans_until(log, ended)) {
-            if kind == Kind::Reading {
-                readings += 1;
+        let sensors_of_log = log.sensors.iter().zip(kinds(log)).zip(spans_until(log, ended)).zip(restored);
+        for (((sensor, kind), spans), restored) in sensors_of_log {
+            if matches!(kind, Kind::Reading | Kind::Other) {
+                readings += usize::from(kind == Kind::Reading);
+                others += usize::from(kind == Kind::Other);
                 continue;
             }
             let mut by_hour = [0; 24];
-            for &(at, _) in spans.iter().filter(|(at, _)| within.contains(at)) {
+            for &(at, _) in spans.iter().filter(|(at, _)| within.contains(at) && !restored.contains(at)) {
                 by_hour[((at - begin) * 24 / DAY) as usize] += 1;
                 ends.push((at, sensors.len()));
             }
@@ -127,6 +136,7 @@ impl Day {
             residents,
             sensors,
             readings,
+            others,
         }
     }
 }
@@ -171,7 +181,7 @@ impl fmt::Display for Day {
                 writeln!(f, "  {}-{}  {:24}  {kind}", time(*begin_s), time(*end_s), what.replace('_', " "))?;
             }
         }
-        if self.sensors.is_empty() && self.readings == 0 {
+        if self.sensors.is_empty() && self.readings == 0 && self.others == 0 {
             return Ok(());
         }
         let names = self.sensors.iter().map(|sensor| sensor.sensor.chars().count());
@@ -186,9 +196,14 @@ impl fmt::Display for Day {
         writeln!(f, "  {:width$} {:>8}", "all", self.firings)?;
         self.by_hour(f, width)?;
         match self.readings {
+            0 => {}
+            1 => writeln!(f, "\nLeft out: 1 sensor that tells readings.")?,
+            more => writeln!(f, "\nLeft out: {more} sensors that tell readings.")?,
+        }
+        match self.others {
             0 => Ok(()),
-            1 => writeln!(f, "\nLeft out: 1 sensor that tells readings."),
-            more => writeln!(f, "\nLeft out: {more} sensors that tell readings."),
+            1 => writeln!(f, "\nLeft out: 1 that is no sensor of somebody."),
+            more => writeln!(f, "\nLeft out: {more} that are no sensors of somebody."),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Rows of a log, taken one by one: the meaning of each, and the spans that they open and close. Nothing here keeps all rows.
 
-use crate::signs::{Kind, Says, Tally, is_number, kinds_of, says};
+use crate::signs::{Kind, Said, Says, Tally, is_number, says, taken_by};
 use homebody_core::time::Micros;
 use homebody_log::{Event, Log};
 
@@ -11,8 +11,8 @@ pub struct Row {
     pub at: Micros,
     /// The sensor, by its number in the log.
     pub sensor: u32,
-    /// Its meaning.
-    pub says: Says,
+    /// Its meaning after the rows of its sensor before it.
+    pub said: Said,
 }
 
 /// The meanings of the values of a log, each looked up once.
@@ -33,24 +33,26 @@ impl Words {
 pub struct Tallies {
     words: Words,
     tallies: Vec<Tally>,
+    gaps: Vec<Span>,
 }
 
 impl Tallies {
     /// For a log before its first row.
     pub fn new(log: &Log) -> Tallies {
-        Tallies { words: Words::of(log), tallies: vec![Tally::default(); log.sensors.len()] }
+        let tallies = vec![Tally::default(); log.sensors.len()];
+        Tallies { words: Words::of(log), tallies, gaps: log.gaps.clone() }
     }
 
     /// Takes a row, in the order of time. Returns the row if it says something other than a number.
     pub fn take(&mut self, event: &Event) -> Option<Row> {
         let (says, is_number) = self.words.said(event)?;
-        self.tallies.get_mut(event.sensor as usize)?.take(event.at, says, is_number);
-        (says != Says::Else).then_some(Row { at: event.at, sensor: event.sensor, says })
+        let said = self.tallies.get_mut(event.sensor as usize)?.take(event.at, says, is_number, &self.gaps);
+        (says != Says::Else).then_some(Row { at: event.at, sensor: event.sensor, said })
     }
 
-    /// The kinds of the sensors, by their names and by the rows so far.
-    pub fn kinds(&self, called: &[String]) -> Vec<Kind> {
-        kinds_of(&called.iter().map(String::as_str).zip(&self.tallies).collect::<Vec<_>>())
+    /// The kinds of the log's sensors, by all that is known of them and by the rows so far.
+    pub fn kinds(&self, log: &Log) -> Vec<Kind> {
+        taken_by(log, &self.tallies.iter().collect::<Vec<_>>()).into_iter().map(|taken| taken.kind).collect()
     }
 }
 
@@ -73,6 +75,14 @@ struct OfSensor {
     spans: Vec<Span>,
 }
 
+impl OfSensor {
+    /// Ends an open span, which is kept unless it is shorter than `least`.
+    fn end(&mut self, at: Micros, least: Micros) {
+        let is_kept = |begin: &Micros| self.ends && at - begin >= least;
+        self.spans.extend(self.since.take().filter(is_kept).map(|begin| (begin, at)));
+    }
+}
+
 impl Ongoing {
     /// For so many sensors, all off. Spans shorter than `least` are not kept.
     pub fn new(sensors: usize, least: Micros) -> Ongoing {
@@ -82,19 +92,21 @@ impl Ongoing {
     /// Takes a row. A sensor that never says that something ends has instants.
     pub fn take(&mut self, row: &Row) {
         let of = &mut self.sensors[row.sensor as usize];
-        match row.says {
+        if let Some(unknown) = row.said.unknown_from {
+            of.end(unknown, self.least);
+        }
+        match row.said.says {
             Says::Begins | Says::Opens => {
                 of.since = of.since.or(Some(row.at));
-                if !of.ends && self.least == 0 {
+                if !of.ends && self.least == 0 && !row.said.is_restored {
                     of.spans.push((row.at, row.at));
                 }
             }
             Says::Ends | Says::Closes => {
                 of.ends = true;
-                let is_kept = |begin: &Micros| row.at - begin >= self.least;
-                of.spans.extend(of.since.take().filter(is_kept).map(|begin| (begin, row.at)));
+                of.end(row.at, self.least);
             }
-            Says::Else => {}
+            Says::Unknown | Says::Else => {}
         }
     }
 
@@ -124,35 +136,33 @@ impl Ongoing {
     }
 }
 
-/// The parts of spans that lie outside others; both in order of time.
-pub fn without(spans: &[Span], others: &[Span]) -> Vec<Span> {
-    let mut left = Vec::new();
-    let mut first = 0;
-    for &(begin, end) in spans {
-        while others.get(first).is_some_and(|other| other.1 <= begin) {
-            first += 1;
-        }
-        let mut from = begin;
-        for other in others[first..].iter().take_while(|other| other.0 < end) {
-            if other.0 > from {
-                left.push((from, other.0));
-            }
-            from = from.max(other.1);
-        }
-        if from < end {
-            left.push((from, end));
-        }
-    }
-    left
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn row(at: Micros, says: Says) -> Row {
+        Row { at, sensor: 0, said: Said { says, unknown_from: None, is_restored: false } }
+    }
+
+    #[test]
+    fn a_span_ends_where_the_state_is_not_known_and_a_restored_state_begins_none() {
+        let mut ongoing = Ongoing::new(1, 0);
+        let said = |says, unknown_from, is_restored| Said { says, unknown_from, is_restored };
+        let rows = [
+            (1, said(Says::Begins, None, false)),
+            (2, said(Says::Ends, None, false)),
+            (10, said(Says::Begins, None, false)),
+            (14, said(Says::Unknown, Some(14), false)),
+            (90, said(Says::Begins, Some(14), true)),
+            (95, said(Says::Ends, None, false)),
+        ];
+        rows.iter().for_each(|&(at, said)| ongoing.take(&Row { at, sensor: 0, said }));
+        assert_eq!(ongoing.spans(0, None), [(1, 1), (1, 2), (10, 14), (90, 95)]);
+    }
+
     fn taken(rows: &[(Micros, Says)]) -> Ongoing {
         let mut ongoing = Ongoing::new(1, 0);
-        rows.iter().for_each(|&(at, says)| ongoing.take(&Row { at, sensor: 0, says }));
+        rows.iter().for_each(|&(at, says)| ongoing.take(&row(at, says)));
         ongoing
     }
 
@@ -164,7 +174,7 @@ mod tests {
         assert_eq!(open.spans(0, None), [(1, 1), (1, 3)]);
         assert_eq!(open.spans(0, Some(9)), [(1, 1), (1, 3), (5, 9)]);
         open.end_all(7);
-        open.take(&Row { at: 100, sensor: 0, says: Ends });
+        open.take(&row(100, Ends));
         assert_eq!(open.spans(0, Some(200)), [(1, 1), (1, 3), (5, 7)]);
         open.retain(|span| span.1 > 3);
         assert_eq!(open.spans(0, None), [(5, 7)]);

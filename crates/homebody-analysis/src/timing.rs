@@ -12,7 +12,7 @@
 //!
 //! Left out: what a sensor reaches and how much it misses. Both change how often it fires, and so does where somebody goes.
 
-use crate::signs::{Kind, Says, kinds, says};
+use crate::signs::{Kind, Said, Says, kinds, said};
 use homebody_core::time::{Micros, SECOND, seconds};
 use homebody_log::Log;
 use serde::Serialize;
@@ -113,7 +113,14 @@ struct Samples {
 }
 
 impl Samples {
-    fn take(&mut self, at: Micros, said: Says) {
+    /// Takes a row. No length spans a stretch that is not known.
+    fn take(&mut self, at: Micros, Said { says: said, unknown_from, is_restored }: Said) {
+        if unknown_from.is_some() {
+            (self.last, self.last_on, self.is_on) = (None, None, false);
+        }
+        if !matches!(said, Says::Begins | Says::Ends) || is_restored {
+            return;
+        }
         self.rows += 1;
         let is_repeated = self.last.is_some_and(|(before, what)| what == said && at - before <= AT_ONCE);
         self.last = Some((at, said));
@@ -153,12 +160,14 @@ impl Samples {
 /// What a log tells of its motion sensors.
 pub fn timing(log: &Log) -> Timing {
     let kinds = kinds(log);
-    let said: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
+    let said = said(log);
+    let mut order: Vec<usize> = (0..log.events.len()).collect();
+    order.sort_by_key(|&row| log.events[row].at);
     let mut samples = vec![Samples::default(); log.sensors.len()];
-    for event in log.in_order() {
-        let (sensor, said) = (event.sensor as usize, said[event.value as usize]);
-        if kinds[sensor] == Kind::Motion && matches!(said, Says::Begins | Says::Ends) {
-            samples[sensor].take(event.at, said);
+    for row in order {
+        let sensor = log.events[row].sensor as usize;
+        if kinds[sensor] == Kind::Motion {
+            samples[sensor].take(log.events[row].at, said[row]);
         }
     }
     let mut all = Samples::default();

@@ -8,7 +8,7 @@
 //!
 //! A sensor speaks as movement begins, and as a door is opened or closed.
 
-use crate::signs::{Kind, Says, kinds, says, spans};
+use crate::signs::{Kind, Said, Says, kinds, said, spans};
 use homebody_core::time::{Micros, SECOND, seconds};
 use homebody_log::Log;
 use std::collections::BTreeMap;
@@ -59,15 +59,14 @@ pub struct Way {
 /// What a log tells of the ways in its home.
 pub fn walks(log: &Log) -> Walks {
     let kinds = kinds(log);
-    let looks: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
-    let speaks = |sensor: usize, says: Says| match kinds[sensor] {
-        Kind::Motion | Kind::Used => says == Says::Begins,
-        Kind::Contact => says != Says::Else,
-        Kind::Reading => false,
+    let speaks = |sensor: usize, said: &Said| match kinds[sensor] {
+        Kind::Motion | Kind::Used => said.says == Says::Begins && !said.is_restored,
+        Kind::Contact => said.is_sign(),
+        Kind::Reading | Kind::Other => false,
     };
-    let events = log.events.iter().map(|event| (event.at, event.sensor as usize, looks[event.value as usize]));
+    let events = log.events.iter().map(|event| (event.at, event.sensor as usize)).zip(said(log));
     let mut spoken: Vec<(Micros, usize)> =
-        events.filter(|&(_, sensor, says)| speaks(sensor, says)).map(|(at, sensor, _)| (at, sensor)).collect();
+        events.filter(|((_, sensor), said)| speaks(*sensor, said)).map(|(spoken, _)| spoken).collect();
     spoken.sort_unstable();
     let lengths = spans(log).into_iter().map(|spans| on_lengths(&spans));
     let mut sensors: Vec<Speaker> = log

@@ -65,7 +65,8 @@ pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Resu
     }
     let mut wall = Wall::new(zone, first);
     let mut within = wall.first(first, span);
-    let counted: Vec<bool> = log.values.iter().map(|value| !matches!(says(value), Says::Ends | Says::Closes)).collect();
+    let counted: Vec<bool> =
+        log.values.iter().map(|value| !matches!(says(value), Says::Ends | Says::Closes | Says::Unknown)).collect();
     let nobody = [Life::default()];
     let people = if lives.is_empty() { &nobody[..] } else { lives };
     let mut rows = Vec::new();

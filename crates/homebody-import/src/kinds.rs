@@ -1,7 +1,7 @@
 //! What a door, a window, a flight of stairs or a lamp is, by its words in the catalogue and in its name, and by its place.
 
 use crate::drawing::Piece;
-use crate::words::has_any;
+use homebody_core::vocabulary::{FRONT_WORDS, WINDOW_WORDS, has_any};
 
 /// Higher sills are those of windows (ours): thresholds and steps are lower.
 const SILL_M: f64 = 0.3;
@@ -10,19 +10,11 @@ const SILL_M: f64 = 0.3;
 const STEP_M: f64 = 0.15;
 const HEADROOM_M: f64 = 1.8;
 
-/// The words for windows in the catalogue, and in some languages in which people name them.
-const WINDOW: &str = "window windows fenster -fenster fenetre fenêtre ventana finestra janela raam fönster vindu okno \
-    okna окно 窗 窓";
-
 /// What makes a window one that people walk through.
 const DOOR: &str = "door french porte -tür türe puerta porta deur balcony";
 
 /// Windows that nobody opens far enough, however low they reach.
 const FIXED: &str = "fixed fixe fisso fissa fest festes fijo fija fixo hung panes";
-
-/// The words for the door by which people come home.
-const FRONT: &str = "front entrance entry main apartment haustür wohnungstür eingang -eingangstür entrée ingresso entrada \
-    principal voordeur ytterdörr entré wejściowe vchodové входная 大门 前门 玄関";
 
 /// The words for stairs.
 const STAIRS: &str = "stair stairs staircase stairway treppe -treppe escalier scala scale escalera escada trap trappa \
@@ -39,7 +31,7 @@ pub fn is_window(opening: &Piece) -> bool {
 /// Whether somebody goes in and out by an opening rather than by another: 2 for a front door, 1 for other doors, 0 for windows
 /// that reach the floor.
 pub fn leads_home(opening: &Piece) -> usize {
-    if has(opening, FRONT) { 2 } else { usize::from(!is_called_window(opening)) }
+    if has(opening, FRONT_WORDS) { 2 } else { usize::from(!is_called_window(opening)) }
 }
 
 /// Whether a room of this name is where people come in.
@@ -50,7 +42,7 @@ pub fn is_hall(name: &[String]) -> bool {
 }
 
 fn is_called_window(opening: &Piece) -> bool {
-    has(opening, WINDOW) && !has(opening, DOOR)
+    has(opening, WINDOW_WORDS) && !has(opening, DOOR)
 }
 
 /// Whether an opening is as high as a door and can be opened as one, whatever it is called.

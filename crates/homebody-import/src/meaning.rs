@@ -1,71 +1,8 @@
 //! What a piece of furniture is for: by what the catalogue calls it and by its shape, then by its name in some languages.
 
 use crate::drawing::Piece;
-use crate::words::has_any;
 use homebody_core::role::Role;
-
-/// The words for what has a role, the first that fits; sofas come before beds, since a sofa bed is a sofa by day.
-const MEANT: &[(Role, &str)] = &[
-    (Role::FoodWarmer, "microwave mikrowelle microonde microondas magnetron toaster"),
-    (
-        Role::WashingMachine,
-        "washing+machine clothes+washer washer waschmaschine lave+linge lavatrice lavadora wasmachine \
-        tvättmaskin pralka pračka 洗衣机 洗濯機",
-    ),
-    (Role::Dryer, "clothes+dryer tumble+dryer wäschetrockner sèche+linge asciugatrice secadora"),
-    (
-        Role::Fridge,
-        "fridge refrigerator freezer kühlschrank frigo réfrigérateur frigorifero frigorífico nevera heladera \
-        geladeira koelkast kylskåp lodówka lednice холодильник 冰箱 冷蔵庫",
-    ),
-    (
-        Role::Stove,
-        "stove cooker cooktop hob oven herd backofen kochfeld cuisinière fornelli forno estufa fogão fornuis spis \
-        kuchenka sporák плита 炉 コンロ",
-    ),
-    (
-        Role::Washbasin,
-        "washbasin basin bathroom+sink lavabo waschbecken waschtisch lavamanos lavatório wastafel tvättställ \
-        umywalka umyvadlo умывальник 洗面 洗手",
-    ),
-    (Role::Sink, "sink spüle évier lavello fregadero gootsteen diskbänk zlew dřez мойка 水槽"),
-    (Role::Counter, "worktop countertop kitchen+counter kitchen+island arbeitsplatte"),
-    (Role::Drawers, "kitchen+cabinet kitchen+cupboard kitchen+drawer küchenschrank"),
-    (
-        Role::Toilet,
-        "toilet wc lavatory loo toilette klosett klo inodoro váter retrete sanita toalett toaleta záchod унитаз \
-        马桶 便器 トイレ",
-    ),
-    (
-        Role::Shower,
-        "shower bath bathtub tub dusche -dusche badewanne douche baignoire doccia vasca ducha bañera chuveiro \
-        banheira dusch badkar ligbad prysznic wanna sprcha vana душ ванна 浴缸 淋浴 シャワー 浴槽",
-    ),
-    (Role::Sofa, "sofa couch settee loveseat -sofa -couch canapé divano sofá soffa kanapa pohovka диван 沙发 ソファ"),
-    (
-        Role::Bed,
-        "bed daybed futon mattress bett -bett matratze lit letto cama säng -säng łóżko postel кровать 床 ベッド",
-    ),
-    (
-        Role::Armchair,
-        "armchair arm+chair recliner easy+chair rocking+chair lounge+chair sessel -sessel fauteuil poltrona \
-        sillón butaca leunstoel fåtölj fotel křeslo кресло 扶手椅 アームチェア",
-    ),
-    (
-        Role::DiningSeat,
-        "chair chaise sedia silla cadeira stuhl -stuhl stoel -stoel stol -stol krzesło židle стул 椅 いす",
-    ),
-    (Role::Television, "tv television fernseher télévision televisione televisor televisie телевизор 电视 テレビ"),
-    (
-        Role::Bookcase,
-        "bookcase bookshelf bücherregal bibliothèque libreria librería boekenkast bokhylla regał 书架 本棚",
-    ),
-    (
-        Role::Wardrobe,
-        "wardrobe closet kleiderschrank armoire armadio armario guarda+roupa kledingkast garderob szafa šatní \
-        шкаф 衣柜 chest+drawer commode kommode",
-    ),
-];
+use homebody_core::vocabulary::{ROLE_WORDS, has_any};
 
 /// What people lie, sit, stand or walk on besides, so that they can be where it is.
 const ENTERABLE: &str = "bunk crib cot wheelchair deckchair seat ottoman rocker bidet rug carpet mat doormat teppich tapis \
@@ -99,7 +36,7 @@ pub fn of(piece: &Piece) -> Meaning {
         is_in(&piece.catalog) || is_in(&piece.words)
     };
     let is_stool = is(STOOL) && is_seat(piece);
-    let is_called = || MEANT.iter().any(|(role, known)| is_entered(*role) && is(known));
+    let is_called = || ROLE_WORDS.iter().any(|(role, known)| is_entered(*role) && is(known));
     let is_enterable = role.map_or_else(is_called, is_entered) || is(ENTERABLE) || is(STOOL);
     Meaning { role, is_enterable, is_stool }
 }
@@ -112,7 +49,7 @@ fn is_entered(role: Role) -> bool {
 /// The role that some words say, if the piece has the shape of it.
 fn role(piece: &Piece, words: &[String]) -> Option<Role> {
     let is_out = |role| has_any(words, if is_entered(role) { BESIDE } else { ABOVE });
-    let said = MEANT.iter().find(|(role, known)| has_any(words, known) && !is_out(*role));
+    let said = ROLE_WORDS.iter().find(|(role, known)| has_any(words, known) && !is_out(*role));
     said.map(|(role, _)| *role).filter(|role| has_shape(piece, *role))
 }
 

@@ -23,7 +23,7 @@ use crate::scenario::{OpenScenario, numbers};
 use crate::source::Source;
 use crate::translation::walk_back;
 use homebody_analysis::realism::{Told, realism};
-use homebody_analysis::signs::{Kind, Says, kinds, says};
+use homebody_analysis::signs::{Kind, Said, kinds, said};
 use homebody_analysis::timing::{Timing, timing};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, Micros};
@@ -186,10 +186,9 @@ impl Rates {
     fn of(log: &Log, night: &Night) -> Rates {
         const HOUR: Micros = DAY / 24;
         let kinds = kinds(log);
-        let begins: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Begins).collect();
-        let is_firing = |event: &&Event| kinds[event.sensor as usize] == Kind::Motion && begins[event.value as usize];
+        let is_firing = |(event, said): &(&Event, Said)| kinds[event.sensor as usize] == Kind::Motion && said.begins();
         let mut hours: BTreeMap<Micros, f64> = BTreeMap::new();
-        for event in log.events.iter().filter(is_firing) {
+        for (event, _) in log.events.iter().zip(said(log)).filter(is_firing) {
             *hours.entry(event.at.div_euclid(HOUR)).or_default() += 1.0;
         }
         let Some((first, last)) = hours.keys().next().copied().zip(hours.keys().last().copied()) else {

@@ -9,6 +9,7 @@ use crate::log_with_run::LogWithRun;
 use homebody_analysis::alerts::{Rules, USUAL, alerts};
 use homebody_analysis::dates::{midnight, on_wall};
 use homebody_analysis::falls::rules::FallRules;
+use homebody_analysis::signs::{Kind, kinds};
 use homebody_core::activity::FALLEN;
 use homebody_core::time::{DAY, Micros};
 use homebody_log::Activity;
@@ -37,13 +38,18 @@ pub fn find_in_log(query: &Query, read: &LogWithRun) -> Result<Found, Error> {
         What::On | What::Still => None,
     };
     let home = rooms.map(|stays| at_home(stays.iter().map(|stay| (stay.begin, stay.end))));
-    let listener = |name: &String| Listener { name: name.clone(), room: read.rooms.get(name).cloned() };
+    let listener = |(name, kind): (&String, Kind)| Listener {
+        name: name.clone(),
+        room: read.rooms.get(name).cloned(),
+        tells_of_nobody: kind == Kind::Other,
+    };
     let mut rows = |take: &mut TakeRow| {
         read.log.in_order().into_iter().for_each(|row| take(row.at, row.sensor, row.value));
         Ok(())
     };
-    let sensors = read.log.sensors.iter().map(listener).collect();
-    let mut ground = Ground { span, days, told, home, sensors, values: &read.log.values, rows: &mut rows };
+    let sensors = read.log.sensors.iter().zip(kinds(&read.log)).map(listener).collect();
+    let gaps = read.log.gaps.clone();
+    let mut ground = Ground { span, days, told, home, sensors, values: &read.log.values, gaps, rows: &mut rows };
     Ok(find(query, &mut ground)?)
 }
 

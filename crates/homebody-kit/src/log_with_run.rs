@@ -8,7 +8,7 @@ use homebody_analysis::density::{Asked, Map, Mapping, NoMap};
 use homebody_analysis::look::HomeSensor;
 use homebody_analysis::measures::{Known, Measures, Measuring, Ways};
 use homebody_analysis::rows::Tallies;
-use homebody_analysis::signs::{Kind, LogSensors, Says, says};
+use homebody_analysis::signs::{LogSensors, kind_in_home};
 use homebody_core::names::capitalised;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
@@ -20,7 +20,9 @@ use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
 use homebody_log::source::{Clock, Value, truth_rows};
 use homebody_log::truth::{Truth, tables};
 use homebody_log::word::one_word;
-use homebody_log::{Life, Log, LogError, Places, RunClock, Source, Url, lives, read, stream, survey, truth_of};
+use homebody_log::{
+    Life, Log, LogError, Places, RunClock, SensorInfo, Source, Url, lives, read, stream, survey, truth_of,
+};
 use homebody_walk::Mesh;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
@@ -243,7 +245,7 @@ impl LogWithRun {
             Ok(())
         })?;
         let called = self.log.called();
-        let kinds = tallies.kinds(&called);
+        let kinds = tallies.kinds(&self.log);
         let mut mapping = Mapping::new(&self.log, LogSensors { called, kinds }, asked);
         self.rows(&mut |row| {
             mapping.take(row);
@@ -346,16 +348,9 @@ fn rows_span(log: &Log, long: Option<&LongLog>) -> Option<(Micros, Micros)> {
 /// The sensors of a home, as its logs show them.
 pub fn home_sensors(scenario: &Scenario) -> Vec<HomeSensor> {
     let one = |sensor: &Sensor| {
-        let info = sensor.info(scenario.home.plan());
-        let id = scenario.logger.ids.get(&info.name).unwrap_or(&info.name);
-        let begins = info.values.first().map(|value| says(&value.to_string()));
-        let kind = match begins {
-            _ if sensor.senses_motion() => Kind::Motion,
-            _ if info.unit.is_some() => Kind::Reading,
-            Some(Says::Opens) => Kind::Contact,
-            _ => Kind::Used,
-        };
-        HomeSensor { ids: vec![id.clone(), one_word(id)], name: info.name, kind }
+        let SensorInfo { id, name, kind, unit, .. } = SensorInfo::in_home(sensor, scenario);
+        let kind = kind_in_home(&kind, unit.is_some());
+        HomeSensor { ids: vec![id.clone(), one_word(&id)], name, kind }
     };
     scenario.home.placed_sensors().iter().map(one).collect()
 }
@@ -380,11 +375,26 @@ fn rooms_told(log: &Log) -> BTreeMap<String, String> {
     told.collect()
 }
 
-/// Gives the sensors their names in the home for the ids that they have in the log.
+/// Gives the sensors their names in the home for the ids that they have in the log, and what the home has of them besides.
 fn name_sensors(log: &mut Log, scenario: &Scenario) {
-    for sensor in &mut log.sensors {
+    for sensor in log.sensors.iter_mut().chain(log.known.iter_mut().map(|known| &mut known.id)) {
         if let Some((name, _)) = scenario.logger.ids.iter().find(|(_, id)| *id == sensor) {
             sensor.clone_from(name);
+        }
+    }
+    know_sensors(log, scenario);
+}
+
+/// Keeps what the home of a scenario has of the log's sensors, beside what is known of them.
+fn know_sensors(log: &mut Log, scenario: &Scenario) {
+    for sensor in scenario.home.placed_sensors() {
+        let info = SensorInfo::in_home(sensor, scenario);
+        let is_it = |id: &&String| **id == info.name || **id == info.id || **id == one_word(&info.id);
+        let Some(id) = log.sensors.iter().find(is_it) else { continue };
+        let info = SensorInfo { id: id.clone(), ..info };
+        match log.known.iter_mut().find(|known| known.id == *id) {
+            Some(known) => known.fill(info),
+            None => log.known.push(info),
         }
     }
 }
@@ -446,6 +456,13 @@ impl NamedLog {
     /// The scenario of its run, if that is known.
     pub fn scenario(&self) -> Option<&Scenario> {
         self.scenario.as_ref()
+    }
+
+    /// Adds what the home of its run has of the log's sensors, if that is known.
+    pub fn know_home(&self, log: &mut Log) {
+        if let Some(scenario) = &self.scenario {
+            know_sensors(log, scenario);
+        }
     }
 
     /// The zone of its run's clocks, if that is known.

@@ -87,7 +87,7 @@ pub use policy::Policy;
 pub use rows::{RowText, Rows};
 pub use run_info::RunInfo;
 pub use run_log::RunLog;
-pub use sensor_info::SensorInfo;
+pub use sensor_info::{SaidBy, SensorInfo};
 pub use sink::{Begin, How, Sink, Watermark};
 pub use source::{
     Activity, Event, Life, LifeSpan, Log, Movement, MovementKind, Movements, RunClock, SensorMap, Source, SpanKind,

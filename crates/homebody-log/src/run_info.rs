@@ -1,6 +1,6 @@
 //! What a run is: what destinations are told before the first row.
 
-use crate::sensor_info::SensorInfo;
+use crate::sensor_info::{SaidBy, SensorInfo};
 use crate::source::Log;
 use crate::word::one_word;
 use homebody_core::event::Value;
@@ -49,24 +49,29 @@ pub struct PlanInfo {
     pub name: String,
 }
 
+impl SensorInfo {
+    /// A sensor of the home of a scenario.
+    pub fn in_home(sensor: &Sensor, scenario: &Scenario) -> SensorInfo {
+        let info = sensor.info(scenario.home.plan());
+        let is_held = info.kind.senses_motion() && scenario.logger.messages != MessagesFile::FireOnly;
+        SensorInfo {
+            id: scenario.logger.ids.get(&info.name).unwrap_or(&info.name).clone(),
+            name: info.name,
+            is_motion: info.kind.senses_motion(),
+            kind: info.kind.key.to_owned(),
+            said_by: SaidBy::Home,
+            unit: info.unit.map(|unit| unit.symbol.to_owned()),
+            values: info.values.iter().chain(is_held.then_some(&Value::Off)).map(ToString::to_string).collect(),
+            room: info.room,
+            at_m: [info.at.x, info.at.y],
+        }
+    }
+}
+
 impl RunInfo {
     /// What is known of a run before it is lived.
     pub fn of(scenario: &Scenario, run: &Run, recording: &Recording) -> RunInfo {
         let plan = &run.home().plan;
-        let sensor = |sensor: &Sensor| {
-            let info = sensor.info(plan);
-            let is_held = info.kind.senses_motion() && scenario.logger.messages != MessagesFile::FireOnly;
-            SensorInfo {
-                id: scenario.logger.ids.get(&info.name).unwrap_or(&info.name).clone(),
-                name: info.name,
-                is_motion: info.kind.senses_motion(),
-                kind: info.kind.key.to_owned(),
-                unit: info.unit.map(|unit| unit.symbol.to_owned()),
-                values: info.values.iter().chain(is_held.then_some(&Value::Off)).map(ToString::to_string).collect(),
-                room: info.room,
-                at_m: [info.at.x, info.at.y],
-            }
-        };
         RunInfo {
             id: recording.run_id(),
             home: recording.home.clone(),
@@ -76,7 +81,7 @@ impl RunInfo {
             seed: recording.seed,
             version: recording.version.split('+').next().unwrap_or_default().to_owned(),
             calendar: scenario.calendar.clone(),
-            sensors: run.sensors().iter().map(sensor).collect(),
+            sensors: run.sensors().iter().map(|sensor| SensorInfo::in_home(sensor, scenario)).collect(),
             residents: run.names(),
             rooms: plan.rooms.iter().map(|room| room.name.clone()).collect(),
             things: plan.things.iter().map(|thing| thing.name.clone()).collect(),

@@ -9,8 +9,10 @@ pub struct SensorInfo {
     pub id: String,
     /// Whether it senses motion, so that its messages may be held ON.
     pub is_motion: bool,
-    /// What kind of sensor it is, as `home.json` writes it.
+    /// Its kind, as `home.json` or the log's source writes it; empty if nothing does.
     pub kind: String,
+    /// The origin of the kind.
+    pub said_by: SaidBy,
     /// Of its readings, such as `°C`. None for one that gives no readings.
     pub unit: Option<String>,
     /// What it says besides readings, such as `OPEN` and `CLOSE`; the logger may translate it. Of a motion sensor whose messages are held,
@@ -22,11 +24,41 @@ pub struct SensorInfo {
     pub at_m: [f64; 2],
 }
 
+/// The origin of what is known of a kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SaidBy {
+    /// The log's source: its columns, its attributes, its registry.
+    #[default]
+    Source,
+    /// The table of the log's sensors.
+    Table,
+    /// The home that the log is of.
+    Home,
+}
+
 impl SensorInfo {
     /// A sensor of a kind, as `home.json` writes it, which says these besides readings; where it is is not known.
     pub fn of_kind(name: &str, kind: &str, values: &[&str]) -> SensorInfo {
         let values = values.iter().map(ToString::to_string).collect();
         SensorInfo { is_motion: kind.ends_with("motion"), kind: kind.to_owned(), values, ..SensorInfo::named(name) }
+    }
+
+    /// Fills what is not known of it from what another source has of the same sensor.
+    pub fn fill(&mut self, other: SensorInfo) {
+        if self.name == self.id {
+            self.name = other.name;
+        }
+        if self.kind.is_empty() {
+            (self.kind, self.said_by, self.is_motion) = (other.kind, other.said_by, other.is_motion);
+        }
+        if self.values.is_empty() {
+            self.values = other.values;
+        }
+        self.unit = self.unit.take().or(other.unit);
+        self.room = self.room.take().or(other.room);
+        if self.at_m == [0.0; 2] {
+            self.at_m = other.at_m;
+        }
     }
 
     /// A sensor of which no more is known than what a log calls it.
@@ -36,6 +68,7 @@ impl SensorInfo {
             id: id.to_owned(),
             is_motion: false,
             kind: String::new(),
+            said_by: SaidBy::default(),
             unit: None,
             values: Vec::new(),
             room: None,

@@ -163,6 +163,41 @@ fn what_is_known_of_sensors_comes_with_the_log() {
 }
 
 #[test]
+fn a_table_of_sensors_may_be_written_by_hand() {
+    let folder = Folder::new("by hand");
+    let log = "fired_at,sensor,value\n2009-03-02T07:12:03,M1,ON\n2009-03-02T07:12:04,D1,ON\n";
+    let read = |table: &str| {
+        fs::write(folder.url("csv:sensors.csv").file().unwrap(), table).unwrap();
+        let log = from_text(&folder, "csv:log.csv", log).unwrap();
+        let known: Vec<(String, String, Option<String>)> =
+            log.known.into_iter().map(|known| (known.id, known.kind, known.room)).collect();
+        let file = |place: &str| place.rsplit('/').next().unwrap().to_owned();
+        let told: Vec<String> =
+            log.problems.iter().map(|one| format!("{}: {}", file(&one.place("log.csv")), one.why)).collect();
+        assert_eq!(log.skipped as usize, told.len());
+        (known, told)
+    };
+    let row = |id: &str, kind: &str, room: Option<&str>| (id.to_owned(), kind.to_owned(), room.map(str::to_owned));
+    let wanted = vec![row("M1", "motion", None), row("D1", "contact", None)];
+    assert_eq!(read("id,kind\nM1,motion\nD1,contact\n"), (wanted.clone(), vec![]));
+    assert_eq!(read("\u{feff}Kind;ID\nmotion;M1\ncontact;D1\n").0, wanted, "as a spreadsheet in German writes it");
+    assert_eq!(read("id,room\nM1,hall\n").0, [row("M1", "", Some("hall"))]);
+    // Each fault is reported with its line, and the rest counts.
+    let (known, told) = read("id,kind,x_m\nM1,motoin,1\n,motion,1\nD1,contact,far\nD1,motion,1\n");
+    assert_eq!(known, [row("M1", "", None), row("D1", "contact", None)]);
+    assert_eq!(
+        told,
+        [
+            "sensors.csv:2: the kind \"motoin\" is not known: there are motion, contact, used, reading, other, and words such as \
+             door, bed and light",
+            "sensors.csv:3: there is no id",
+            "sensors.csv:4: x_m is no number: \"far\"",
+            "sensors.csv:5: the id \"D1\" has a row already",
+        ]
+    );
+}
+
+#[test]
 fn lines_are_counted_as_people_count_them() {
     let folder = Folder::new("lines");
     for (name, text) in [

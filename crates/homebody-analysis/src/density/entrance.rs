@@ -1,9 +1,10 @@
-//! Which sensors stand at the entrance, and which at a bed or a chair: by what somebody says, or by their names.
+//! The sensors at the entrance: as a person lists them, or by their names.
 
 use serde::Serialize;
 
 use crate::signs::{Kind, LogSensors};
 use homebody_core::names::words;
+use homebody_core::vocabulary::{FRONT_WORDS, ROLE_WORDS, WINDOW_WORDS, has_any};
 
 /// The sensors by which somebody leaves and comes home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -43,17 +44,12 @@ impl Entrance {
         let LogSensors { called, kinds } = sensors;
         let leads_out =
             |sensor: usize| matches!(kinds[sensor], Kind::Motion | Kind::Contact) && !is_inner(&called[sensor]);
-        let is_known = |sensor: usize| kinds[sensor] == Kind::Contact || speaks(&called[sensor], &ENTRANCES);
+        let is_front = |name: &str| speaks(name, &ENTRANCES) || has_any(&words(name), FRONT_WORDS);
+        let is_known = |sensor: usize| kinds[sensor] == Kind::Contact || is_front(&called[sensor]);
         with(Chosen::Known, &|sensor| leads_out(sensor) && is_known(sensor))
             .or_else(|| with(Chosen::Guessed, &|sensor| leads_out(sensor) && speaks(&called[sensor], &WAYS)))
             .unwrap_or(none)
     }
-}
-
-/// Whether a name is that of a place to lie or sit: where such a sensor goes on, somebody is there.
-pub fn is_seat(name: &str) -> bool {
-    const SEATS: [&str; 7] = ["bed", "mattress", "chair", "armchair", "sofa", "couch", "seat"];
-    words(name).iter().any(|word| SEATS.contains(&word.as_str()))
 }
 
 /// How words begin that speak of an entrance. All these words are ours.
@@ -96,8 +92,15 @@ fn speaks(name: &str, of: &[&str]) -> bool {
 }
 
 fn is_inner(name: &str) -> bool {
-    speaks(name, &INNER)
+    let words = words(name);
+    let is_thing = || ROLE_WORDS.iter().any(|(_, known)| has_any(&words, known)) || has_any(&words, WINDOW_WORDS);
+    speaks(name, &INNER) || has_any(&words, ROOMS) || is_thing()
 }
+
+/// Words in other languages for rooms inside a home.
+const ROOMS: &str = "-zimmer küche -küche bad büro keller chambre cuisine salon bureau salle dormitorio cocina baño salón camera \
+    cucina bagno soggiorno quarto cozinha -kamer keuken kök sovrum badrum vardagsrum kuchnia łazienka sypialnia kuchyně koupelna \
+    ložnice кухня ванная спальня 厨房 卧室 浴室 客厅 台所 寝室";
 
 #[cfg(test)]
 mod tests {
@@ -125,10 +128,13 @@ mod tests {
     }
 
     #[test]
-    fn seats_are_known_by_their_names() {
-        for (name, is) in [("BedroomABed", true), ("bedroom motion", false), ("OfficeAChair", true), ("sofa mat", true)]
-        {
-            assert_eq!(is_seat(name), is, "{name}");
-        }
+    fn entrances_are_found_in_other_languages() {
+        use Kind::{Contact, Motion};
+        let names = |names: &[&str]| names.iter().map(|name| String::from(*name)).collect::<Vec<_>>();
+        let home =
+            [("haustuer", Contact), ("Kühlschrank", Contact), ("Schlafzimmer Fenster", Contact), ("Flur", Motion)];
+        assert_eq!(found(&home, &[]), (names(&["haustuer"]), Chosen::Known));
+        let home = [("Eingang", Motion), ("Küche Tür", Motion)];
+        assert_eq!(found(&home, &[]), (names(&["Eingang"]), Chosen::Known));
     }
 }

@@ -8,14 +8,16 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use super::{Absence, Cell, Entrance, LEAST, Leaving, SEATED, Sign, State, Sum, is_seat};
+use super::{Absence, Cell, Entrance, LEAST, Leaving, SEATED, Sign, State, Sum};
 use crate::dates::{ClockSet, MOST_DAYS, clocks_set, date_of, midnight, written};
-use crate::rows::{Ongoing, Row, Span, Tallies, without};
-use crate::signs::{Kind, LogSensors, Says};
+use crate::rows::{Ongoing, Row, Span, Tallies};
+use crate::signs::{Kind, LogSensors, Says, UnknownStates, is_seat, without};
 
 const HOUR: Micros = 3600 * SECOND;
 /// A longer silence of all sensors is no recording.
 pub const SILENCE: Micros = DAY;
+/// In a longer stretch that is not known the resident may have come home and left again.
+const UNSEEN: Micros = 10 * 60 * SECOND;
 
 /// What somebody wants to know of a log.
 #[derive(Clone, Debug)]
@@ -49,6 +51,9 @@ pub enum NoMap {
     /// The log has no sensor that is taken for a motion sensor.
     #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
     NoMotion,
+    /// Its sensors are never in a state that is known.
+    #[error("the state of its sensors is never known")]
+    Unknown,
     /// So many days were asked for.
     #[error("a map of {0} days is longer than ten years")]
     TooLong(usize),
@@ -190,14 +195,14 @@ impl Signs {
     pub fn of(&self, row: &Row) -> Option<Sign> {
         let sensor = row.sensor as usize;
         let (kind, at_entrance) = (self.kinds[sensor], self.at_entrance[sensor]);
-        let is_use = matches!(kind, Kind::Contact | Kind::Used) && matches!(row.says, Says::Begins | Says::Opens);
+        let is_use = matches!(kind, Kind::Contact | Kind::Used) && row.said.begins();
         let opens_door = self.is_door(row);
         (is_use || self.is_motion(row)).then_some(Sign { at: row.at, at_entrance, opens_door, is_use })
     }
 
     /// Whether a movement is seen.
     pub fn is_motion(&self, row: &Row) -> bool {
-        self.kinds[row.sensor as usize] == Kind::Motion && row.says == Says::Begins
+        self.kinds[row.sensor as usize] == Kind::Motion && row.said.says == Says::Begins && row.said.begins()
     }
 
     /// Whether a door at the entrance is opened or closed.
@@ -233,6 +238,7 @@ pub struct Mapping<'a> {
     silences: Vec<Span>,
     /// How many gaps of the log have begun.
     gaps: usize,
+    unknown: UnknownStates,
 }
 
 impl<'a> Mapping<'a> {
@@ -253,6 +259,7 @@ impl<'a> Mapping<'a> {
             span: None,
             silences: Vec::new(),
             gaps: 0,
+            unknown: UnknownStates::new(log.sensors.len()),
             sensors,
             entrance,
         }
@@ -271,7 +278,10 @@ impl<'a> Mapping<'a> {
             self.silences.push((last, event.at));
         }
         self.span = Some((first, event.at));
-        let Some(row) = self.rows.take(event) else { return };
+        let row = self.rows.take(event);
+        let is_unknown = row.is_some_and(|row| row.said.says == Says::Unknown);
+        self.unknown.take(event.at, event.sensor as usize, is_unknown);
+        let Some(row) = row else { return };
         if self.is_seat[row.sensor as usize] {
             self.taken.take(&row);
         }
@@ -303,13 +313,23 @@ impl<'a> Mapping<'a> {
         }
         self.absences.extend(self.leaving.last());
         let taken: Vec<Span> = (0..kinds.len()).flat_map(|sensor| self.taken.spans(sensor, None)).collect();
-        let absences: Vec<Absence> =
-            self.absences.iter().filter(|absence| !absence.is_taken(&taken)).copied().collect();
-        let recorded: Vec<Range<Micros>> = match &self.asked.recorded {
-            Some(span) => std::iter::once(span.start.min(first)..span.end.max(last + 1)).collect(),
+        // An hour is not known while no motion sensor is in a state that is known.
+        let unknown = self.unknown.of_all(&self.log.gaps, &|sensor| kinds[sensor] == Kind::Motion);
+        let is_seen = |absence: &Absence| {
+            let within = |&(begin, end): &Span| end.min(absence.end) - begin.max(absence.begin) > UNSEEN;
+            !unknown.iter().any(within)
+        };
+        let is_one = |absence: &&Absence| !absence.is_taken(&taken) && is_seen(absence);
+        let absences: Vec<Absence> = self.absences.iter().filter(is_one).copied().collect();
+        let recorded: Vec<Span> = match &self.asked.recorded {
+            Some(span) => vec![(span.start.min(first), span.end.max(last + 1))],
             None => without_silences((first, last), &self.silences, &absences),
         };
-        let days = days(self.asked, first.min(recorded[0].start), recorded[recorded.len() - 1].end)?;
+        let recorded = without(&recorded, &unknown);
+        let (&[(start, _), ..], &[.., (_, end)]) = (&recorded[..], &recorded[..]) else {
+            return Err(NoMap::Unknown);
+        };
+        let days = days(self.asked, first.min(start), end.max(last + 1))?;
         let mut cells = vec![[Cell::default(); 24]; days.count];
         for (&hour, &events) in &self.events {
             if let Some(cell) = days.cell(&mut cells, hour * HOUR) {
@@ -317,8 +337,7 @@ impl<'a> Mapping<'a> {
             }
         }
         let set = self.asked.zone.as_ref().map_or_else(Vec::new, |zone| clocks_set(&days.span(), zone));
-        let recorded: Vec<Span> = recorded.into_iter().map(|span| (span.start, span.end)).collect();
-        for (begin, end) in without(&recorded, &self.log.gaps) {
+        for (begin, end) in recorded {
             days.add_lived(&mut cells, &(begin..end), &set, |cell, hours| cell.recorded_h += hours);
         }
         for absence in &absences {
@@ -401,16 +420,16 @@ impl Days {
 }
 
 /// From the first row to the last, but for silences that no absence explains.
-fn without_silences((first, last): Span, silences: &[Span], absences: &[Absence]) -> Vec<Range<Micros>> {
+fn without_silences((first, last): Span, silences: &[Span], absences: &[Absence]) -> Vec<Span> {
     let mut recorded = Vec::new();
     let mut begin = first;
     for &(from, to) in silences {
         let is_away = absences.iter().any(|absence| absence.begin <= from && to <= absence.end);
         if !is_away {
-            recorded.push(begin..from + 1);
+            recorded.push((begin, from + 1));
             begin = to;
         }
     }
-    recorded.push(begin..last + 1);
+    recorded.push((begin, last + 1));
     recorded
 }

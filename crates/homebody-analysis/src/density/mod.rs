@@ -34,7 +34,7 @@ use serde::Serialize;
 
 pub use away::{Absence, LEAST, Leaving, SEATED, Sign, absences};
 pub use cell::{Cell, State, Sum};
-pub use entrance::{Chosen, Entrance, is_seat};
+pub use entrance::{Chosen, Entrance};
 pub use map::{Asked, Day, Hour, Map, Mapping, NoMap, SILENCE, Signs};
 pub use texture::{LEVELS, Texture, level};
 

@@ -1,6 +1,6 @@
 //! What a log holds, as plain data.
 
-use crate::signs::Kind;
+use crate::signs::{Evidence, Kind};
 use homebody_log::source::{Clock, Skipped};
 use jiff::civil::Date;
 use serde::Serialize;
@@ -40,6 +40,10 @@ pub struct Look {
     pub silences: Vec<Silence>,
     /// How many silences there are.
     pub silences_in_all: u64,
+    /// The first of the recorder's gaps, in the order of time. They do not count as silences.
+    pub gaps: Vec<Silence>,
+    /// How many gaps there are.
+    pub gaps_in_all: u64,
     /// The lines that were not understood, as far as they are listed.
     pub refused: Vec<u64>,
     /// How many lines were not understood.
@@ -61,6 +65,10 @@ pub struct SensorLook {
     pub name: Option<String>,
     /// What it is taken for.
     pub kind: Kind,
+    /// By which evidence.
+    pub by: Evidence,
+    /// The evidence in words.
+    pub because: String,
     /// How many rows it has.
     pub rows: u64,
     /// On how many dates it says something.
@@ -81,6 +89,10 @@ pub struct SensorLook {
     pub missing: u64,
     /// Rows that are there twice.
     pub doubled: u64,
+    /// Rows that say that its state is not known.
+    pub unknown: u64,
+    /// Rows that restore a state after a stretch that is not known.
+    pub restored: u64,
     /// What is the matter with it.
     pub trouble: Option<Trouble>,
 }
@@ -119,7 +131,7 @@ pub struct ActivityLook {
     pub hours: f64,
 }
 
-/// A time without any row.
+/// A time without any row, or without a recorder.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Silence {
     /// The last row before it.

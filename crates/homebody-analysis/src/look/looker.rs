@@ -3,10 +3,11 @@
 use super::counts::DayCounts;
 use super::held::{ActivityLook, HomeSensor, Look, SensorLook, Silence};
 use super::home::of_home;
-use super::sensor::Course;
+use super::sensor::{Course, Recorder};
 use crate::compare::natural;
 use crate::dates::{midnight, on_wall};
-use crate::signs::{Says, Tally, kinds_of, says};
+use crate::signs::{Says, Tally, is_number, says, taken_by};
+use homebody_core::sensed::domain_of;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_log::source::Clock;
 use homebody_log::{Activity, Event, Log};
@@ -17,7 +18,7 @@ use std::collections::BTreeMap;
 /// Nothing is said for so long in a silence (ours).
 const SILENCE: Micros = 12 * 3600 * SECOND;
 
-/// So many silences are listed (ours).
+/// So many silences are listed, and so many gaps.
 const LISTED: usize = 100;
 
 /// Takes the rows of a log, part by part.
@@ -32,6 +33,10 @@ pub struct Looker {
     before: Option<Micros>,
     set_back: (u64, Micros),
     silences: (Vec<(Micros, Micros)>, u64),
+    /// The gaps of the recorder, on the clock of the instants.
+    gaps: Vec<(Micros, Micros)>,
+    /// Whether the recorder is one that stores states as it starts.
+    restores: bool,
 }
 
 impl Looker {
@@ -47,17 +52,30 @@ impl Looker {
             before: None,
             set_back: (0, 0),
             silences: (Vec::new(), 0),
+            gaps: Vec::new(),
+            restores: false,
         }
     }
 
     /// Takes the rows of a part; its sensors and values are all that have come so far.
     pub fn take(&mut self, part: &Log) {
-        self.values.extend(part.values[self.values.len()..].iter().map(|value| (says(value), value.parse().ok())));
+        let number = |value: &String| value.parse().ok().filter(|_| is_number(value));
+        self.values.extend(part.values[self.values.len()..].iter().map(|value| (says(value), number(value))));
+        // Home Assistant is such a recorder: its ids begin with their domain.
+        self.restores |= part.sensors[self.sensors.len()..].iter().any(|id| domain_of(id).is_some());
         self.sensors.resize(part.sensors.len(), Course::default());
+        self.take_gaps(part);
         for event in &part.events {
             let at = self.told(event.at, part.clock);
             self.row(at, event);
         }
+    }
+
+    fn take_gaps(&mut self, part: &Log) {
+        let new = part.gaps[self.gaps.len()..].iter();
+        let new: Vec<(Micros, Micros)> =
+            new.map(|&(begin, end)| (self.told(begin, part.clock), self.told(end, part.clock))).collect();
+        self.gaps.extend(new);
     }
 
     fn told(&self, at: Micros, clock: Clock) -> Micros {
@@ -71,7 +89,7 @@ impl Looker {
         if let Some(before) = self.before {
             if at < before {
                 self.set_back = (self.set_back.0 + 1, self.set_back.1.max(before - at));
-            } else if at - before >= SILENCE {
+            } else if at - before >= SILENCE && !self.has_gap(before, at) {
                 self.silences.1 += 1;
                 if self.silences.0.len() < LISTED {
                     self.silences.0.push((before, at));
@@ -81,8 +99,17 @@ impl Looker {
         self.before = Some(at);
         (self.first, self.latest) = (self.first.min(at), self.latest.max(at));
         let (says, number) = self.values[event.value as usize];
-        self.sensors[event.sensor as usize].take(at, event.value, says, number);
+        self.restores |= says == Says::Unknown || !self.gaps.is_empty();
+        let recorder = Recorder { gaps: &self.gaps, restores: self.restores };
+        self.sensors[event.sensor as usize].take((at, event.value), (says, number), &recorder);
         self.by_day.take(event.sensor, at);
+    }
+
+    /// Whether the recorder did not run for most of the time between two instants.
+    fn has_gap(&self, from: Micros, to: Micros) -> bool {
+        let gaps = &self.gaps[self.gaps.partition_point(|gap| gap.1 <= from)..];
+        let gaps = gaps.iter().take_while(|gap| gap.0 < to);
+        2 * gaps.map(|gap| gap.1.min(to) - gap.0.max(from)).sum::<Micros>() > to - from
     }
 
     /// What the log holds. `about` is what is left of it once all rows have been taken; `named` finds another name of a sensor.
@@ -94,6 +121,8 @@ impl Looker {
         named: &dyn Fn(&str) -> Option<String>,
         home: Option<(&str, &[HomeSensor])>,
     ) -> Look {
+        // A gap after the last row comes with no part.
+        self.take_gaps(about);
         let clock = if self.zone.is_some() { Clock::Local } else { about.clock };
         let text = |at: Micros| told(at, clock);
         let spans: Vec<[Micros; 2]> =
@@ -102,13 +131,11 @@ impl Looker {
         let last = spans.iter().map(|[_, end]| *end).chain([self.latest]).max();
         let (days, by_day) = std::mem::take(&mut self.by_day).finish(about.sensors.len());
         let mut sensors: Vec<SensorLook> = Vec::new();
-        let called = about.called();
-        let of_sensors: Vec<(&str, &Tally)> =
-            called.iter().map(String::as_str).zip(self.sensors.iter().map(|course| &course.tally)).collect();
-        let kinds = kinds_of(&of_sensors);
-        for (index, ((id, course), kind)) in about.sensors.iter().zip(&self.sensors).zip(kinds).enumerate() {
+        let tallies: Vec<&Tally> = self.sensors.iter().map(|course| &course.tally).collect();
+        let taken = taken_by(about, &tallies);
+        for (index, ((id, course), taken)) in about.sensors.iter().zip(&self.sensors).zip(taken).enumerate() {
             let by_day = by_day.get(index).cloned().unwrap_or_default();
-            sensors.push(course.look((id, kind), named(id), &about.values, by_day, self.latest, &text));
+            sensors.push(course.look((id, taken), named(id), &about.values, by_day, self.latest, &text));
         }
         let home = home.map(|(name, sensors_of_home)| of_home(name, sensors_of_home, &sensors, about.rows));
         sensors.sort_by_cached_key(|sensor| {
@@ -140,6 +167,8 @@ impl Looker {
             set_back_most_s: seconds(self.set_back.1),
             silences: self.silences.0.iter().map(silence).collect(),
             silences_in_all: self.silences.1,
+            gaps: self.gaps.iter().take(LISTED).map(silence).collect(),
+            gaps_in_all: self.gaps.len() as u64,
             refused: about.problems.iter().map(|problem| problem.line).collect(),
             refused_in_all: about.skipped,
             why_refused: about.problems.clone(),

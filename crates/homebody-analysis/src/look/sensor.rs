@@ -1,7 +1,7 @@
 //! The course of one sensor through a log.
 
 use super::held::{SensorLook, Trouble};
-use crate::signs::{Kind, Says, Tally};
+use crate::signs::{Kind, Says, Taken, Tally};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 
 /// A dead sensor says nothing for so long before the log ends, and for so many times as long as ever before (ours).
@@ -17,6 +17,14 @@ const STUCK_FOR: Micros = DAY;
 
 /// What it says is counted by value for so many values (ours).
 const VALUES: usize = 8;
+
+/// The recorder of the log, as far as the log has been taken.
+pub(super) struct Recorder<'a> {
+    /// When it did not run.
+    pub gaps: &'a [(Micros, Micros)],
+    /// Whether it stores states as it starts, so that the first row of a sensor may be what was so before.
+    pub restores: bool,
+}
 
 /// What a sensor has said so far.
 #[derive(Clone, Default)]
@@ -38,6 +46,9 @@ pub(super) struct Course {
     off_without_on: u64,
     ends: u64,
     doubled: u64,
+    /// Rows that say that the state is not known, and rows that restore a state after that.
+    unknown: u64,
+    restored: u64,
     /// The first values, with how often they came.
     values: Vec<(u32, u64)>,
     numbers: u64,
@@ -45,8 +56,10 @@ pub(super) struct Course {
 }
 
 impl Course {
-    pub fn take(&mut self, at: Micros, value: u32, says: Says, number: Option<f64>) {
-        self.tally.take(at, says, number.is_some());
+    /// Takes a row: when, its value, and what that says.
+    pub fn take(&mut self, (at, value): (Micros, u32), (says, number): (Says, Option<f64>), recorder: &Recorder) {
+        let said = self.tally.take(at, says, number.is_some(), recorder.gaps);
+        let is_first = self.rows == 0 && recorder.restores;
         match self.last {
             Some(last) if last == (at, value) => self.doubled += 1,
             Some((last, _)) => self.quiet = self.quiet.max(at - last),
@@ -59,6 +72,11 @@ impl Course {
         (self.first, self.latest) = (self.first.min(at), self.latest.max(at));
         self.last = Some((at, value));
         self.rows += 1;
+        self.unknown += u64::from(says == Says::Unknown);
+        self.restored += u64::from(said.is_restored);
+        if let Some(unknown) = said.unknown_from.filter(|_| self.is_on) {
+            self.goes_off(unknown);
+        }
         match says {
             Says::Begins | Says::Opens if self.is_on => self.on_after_on += 1,
             Says::Begins | Says::Opens => (self.is_on, self.on_since) = (true, at),
@@ -66,10 +84,11 @@ impl Course {
                 self.ends += 1;
                 match self.is_on {
                     true => self.goes_off(at),
-                    false => self.off_without_on += 1,
+                    // An end after a stretch that is not known is not missing a beginning.
+                    false => self.off_without_on += u64::from(said.unknown_from.is_none() && !is_first),
                 }
             }
-            Says::Else => {}
+            Says::Unknown | Says::Else => {}
         }
         if let Some(number) = number.filter(|number| number.is_finite()) {
             self.numbers += u64::from(says == Says::Else);
@@ -92,7 +111,7 @@ impl Course {
 
     pub fn look(
         &self,
-        (id, kind): (&str, Kind),
+        (id, taken): (&str, Taken),
         name: Option<String>,
         values: &[String],
         by_day: Vec<u32>,
@@ -100,7 +119,7 @@ impl Course {
         text: &dyn Fn(Micros) -> String,
     ) -> SensorLook {
         // One that never says that something ends only begins things, and numbers do neither.
-        let is_of_two = self.ends > 0 && self.numbers == 0;
+        let is_of_two = self.ends > 0 && self.numbers == 0 && taken.kind != Kind::Other;
         let of_two = |count: u64| if is_of_two { count } else { 0 };
         let mut said: Vec<(String, u64)> = match self.numbers {
             0 => self.values.iter().map(|&(value, times)| (values[value as usize].clone(), times)).collect(),
@@ -114,7 +133,9 @@ impl Course {
         SensorLook {
             id: id.to_owned(),
             name: name.filter(|name| name != id),
-            kind,
+            kind: taken.kind,
+            by: taken.by,
+            because: taken.because,
             rows: self.rows,
             days,
             by_day,
@@ -125,7 +146,9 @@ impl Course {
             repeated: of_two(self.on_after_on),
             missing: of_two(self.off_without_on),
             doubled: self.doubled,
-            trouble: self.trouble(kind, is_of_two, values, end, text),
+            unknown: self.unknown,
+            restored: self.restored,
+            trouble: self.trouble(taken.kind, is_of_two, values, end, text),
         }
     }
 

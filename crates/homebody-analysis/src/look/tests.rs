@@ -118,3 +118,64 @@ fn utc_is_told_on_the_wall_where_that_is_known() {
     let zone = homebody_core::scenario::calendar::Calendar::zone("America/Chicago").unwrap();
     assert_eq!(told(Some(zone)), "2009-03-08 03:00:00");
 }
+
+#[test]
+fn what_is_not_known_is_neither_stuck_nor_missing() {
+    let rows = [
+        (0, "kitchen motion", "on"),
+        (60, "kitchen motion", "off"),
+        (3600, "kitchen motion", "on"),
+        (3620, "kitchen motion", "unavailable"),
+        (9 * H, "kitchen motion", "off"),
+        (9 * H, "hall motion", "off"),
+        (10 * H, "hall motion", "on"),
+        (10 * H + 60, "hall motion", "off"),
+        (11 * H, "hall motion", "unavailable"),
+        (12 * H, "hall motion", "off"),
+    ];
+    let look = look_of(&rows, None);
+    let (kitchen, hall) = (sensor(&look, "kitchen motion"), sensor(&look, "hall motion"));
+    assert_eq!((look.missing, look.repeated), (0, 0));
+    assert_eq!((kitchen.trouble.clone(), kitchen.unknown, kitchen.restored), (None, 1, 0));
+    assert_eq!((hall.unknown, hall.restored), (1, 1));
+    // The same where it says off only after eight hours.
+    let rows: Vec<_> = rows.into_iter().filter(|row| row.2 != "unavailable").collect();
+    assert!(matches!(sensor(&look_of(&rows, None), "kitchen motion").trouble, Some(Trouble::StuckOn { .. })));
+}
+
+#[test]
+fn gaps_of_the_recorder_are_listed_and_are_no_silences() {
+    let rows = [
+        (0, "M1", "on"),
+        (30, "M1", "off"),
+        (20 * H, "M1", "off"),
+        (20 * H + 5, "M1", "on"),
+        (20 * H + 9, "M1", "off"),
+    ];
+    let mut log = log(&rows);
+    log.rows = log.events.len() as u64;
+    let look = |log: &homebody_log::Log| {
+        let mut looker = Looker::new(None);
+        looker.take(log);
+        looker.look("a log", "csv", log, &|_| None, None)
+    };
+    let without = look(&log);
+    assert_eq!((without.silences_in_all, without.gaps_in_all, without.missing), (1, 0, 1));
+    let second = homebody_core::time::SECOND;
+    log.gaps = vec![(60 * second, 19 * H * second), (20 * H * second + 3600 * second, 23 * H * second)];
+    let with = look(&log);
+    assert_eq!((with.silences_in_all, with.gaps_in_all, with.missing), (0, 2, 0));
+    assert_eq!(with.gaps[0].to, "1970-01-01 19:00:00");
+    assert!(with.to_string().contains("gaps in which nothing was recorded: 2\n"), "{with}");
+}
+
+#[test]
+fn the_evidence_for_each_kind_is_shown() {
+    let look = look_of(&[(0, "hall pir", "ON"), (1, "hall pir", "OFF"), (2, "S7", "ON"), (3, "T1", "20")], None);
+    let words = look.to_string();
+    for part in ["\"pir\" in its name", "a guess: it says that something begins", "it says numbers"] {
+        assert!(words.contains(part), "{words}");
+    }
+    let json = serde_json::to_value(sensor(&look, "hall pir")).unwrap();
+    assert_eq!((json["kind"].as_str(), json["by"].as_str()), (Some("motion"), Some("name")));
+}

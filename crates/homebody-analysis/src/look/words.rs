@@ -1,6 +1,7 @@
 //! What a log holds, for people.
 
 use super::held::{Look, OfHome, SensorLook, Trouble};
+use crate::signs::Evidence;
 use homebody_core::problem::counted;
 use homebody_log::source::Clock;
 use std::fmt;
@@ -39,6 +40,9 @@ impl fmt::Display for Look {
         listed(f, "silences of 12 h or more", self.silences_in_all, &self.silences, |silence| {
             format!("{} to {}: {:.1} h", silence.from, silence.to, silence.hours)
         })?;
+        listed(f, "gaps in which nothing was recorded", self.gaps_in_all, &self.gaps, |gap| {
+            format!("{} to {}: {}", gap.from, gap.to, lasted(gap.hours))
+        })?;
         listed(f, "lines that were not understood", self.refused_in_all, &self.why_refused, |refused| match &refused
             .beside
         {
@@ -71,29 +75,58 @@ impl Look {
         let named = |sensor: &SensorLook| {
             sensor.name.as_ref().map_or(sensor.id.clone(), |name| format!("{} ({name})", sensor.id))
         };
-        let width = self.sensors.iter().map(|sensor| named(sensor).chars().count()).max().unwrap_or(0).max(6);
-        writeln!(f, "\n{:width$}  {:7}  {:>9}  {:>5}  what it says", "sensor", "kind", "rows", "dates")?;
+        let widest = |cell: &dyn Fn(&SensorLook) -> usize| self.sensors.iter().map(cell).max().unwrap_or(0);
+        let width = widest(&|sensor| named(sensor).chars().count()).max(6);
+        let wide = widest(&|sensor| sensor.evidence().chars().count()).max(15);
+        writeln!(
+            f,
+            "\n{:width$}  {:7}  {:>9}  {:>5}  {:wide$}  what it says",
+            "sensor", "kind", "rows", "dates", "taken for it by"
+        )?;
         for sensor in &self.sensors {
-            let says = sensor.in_words();
             writeln!(
                 f,
-                "{:width$}  {:7}  {:>9}  {:>5}  {says}",
+                "{:width$}  {:7}  {:>9}  {:>5}  {:wide$}  {}",
                 named(sensor),
                 sensor.kind.word(),
                 sensor.rows,
-                sensor.days
+                sensor.days,
+                sensor.evidence(),
+                sensor.in_words()
             )?;
         }
         Ok(())
     }
 }
 
+/// How long a gap lasted: hours as silences have them, or what there is of one.
+fn lasted(hours: f64) -> String {
+    match hours {
+        1.0.. => format!("{hours:.1} h"),
+        _ => format!("{:.1} min", hours * 60.0),
+    }
+}
+
 impl SensorLook {
+    /// By which evidence it is taken for what it is.
+    pub fn evidence(&self) -> String {
+        match self.by {
+            Evidence::Guess => format!("a guess: {}", self.because),
+            _ => self.because.clone(),
+        }
+    }
+
     /// What it says, and what is the matter with it.
     pub fn in_words(&self) -> String {
         let mut parts: Vec<String> = self.values.iter().map(|(value, times)| format!("{value} {times}")).collect();
         parts.extend(self.range.map(|[least, most]| format!("{least} to {most}")));
-        let counts = [(self.repeated, "repeated"), (self.missing, "missing"), (self.doubled, "doubled")];
+        let counts = [
+            (self.repeated, "repeated"),
+            (self.missing, "missing"),
+            (self.doubled, "doubled"),
+            (self.unknown, "not known"),
+            (self.restored, "restored"),
+        ];
         parts.extend(counts.into_iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")));
         parts.extend(self.trouble.as_ref().map(Trouble::to_string));
         parts.join(", ")

@@ -15,12 +15,12 @@ use super::signs::{Sign, gives_signs, signs};
 use super::silent::Listening;
 use super::timeline::{Timeline, within_h};
 use super::walking::Paces;
-use crate::dates::date_of;
+use crate::dates::{MOST_DAYS, date_of};
 use crate::density::{
-    Absence, Asked, Cell, Chosen, Entrance, Leaving, NoMap, SEATED, Signs, apart, is_seat,
+    Absence, Asked, Cell, Chosen, Entrance, Leaving, NoMap, SEATED, Signs, apart,
 };
 use crate::rows::{Ongoing, Row, Span, Tallies};
-use crate::signs::{Kind, LogSensors};
+use crate::signs::{Kind, LogSensors, is_seat};
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::{Event, Log};
 use std::collections::VecDeque;
@@ -281,13 +281,13 @@ impl<'a> Measuring<'a> {
     /// Learns the kinds of sensors from the rows of a day, and which of them give signs.
     fn know_sensors(&mut self, from: usize) {
         let so_far = &mut self.so_far;
-        let sensors = LogSensors { kinds: self.rows.kinds(&self.called), called: std::mem::take(&mut self.called) };
+        let sensors = LogSensors { kinds: self.rows.kinds(self.log), called: std::mem::take(&mut self.called) };
         for row in &self.window[from..] {
             let sensor = row.sensor as usize;
-            so_far.has_spoken[sensor] |= gives_signs(sensors.kinds[sensor], row.says);
+            so_far.has_spoken[sensor] |= gives_signs(sensors.kinds[sensor], &row.said);
         }
         let has_spoken = &so_far.has_spoken;
-        let is_one = |sensor: usize| has_spoken[sensor] && sensors.kinds[sensor] != Kind::Reading;
+        let is_one = |sensor: usize| has_spoken[sensor] && !matches!(sensors.kinds[sensor], Kind::Reading | Kind::Other);
         so_far.rooms = self.all_rooms.among(&is_one);
         so_far.entrance = Entrance::find(&self.log.sensors, &sensors, &self.asked.doors);
         so_far.has_motion |= sensors.kinds.contains(&Kind::Motion);

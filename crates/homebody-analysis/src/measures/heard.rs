@@ -5,8 +5,8 @@ use super::signs::{Sign, agreed};
 use super::timeline::{Stay, Timeline, joined};
 use super::walking::walks;
 use super::ways::Ways;
-use crate::rows::{Span, without};
-use crate::signs::Kind;
+use crate::rows::Span;
+use crate::signs::{Kind, without};
 use homebody_core::names::words;
 use homebody_core::time::{Micros, SECOND};
 

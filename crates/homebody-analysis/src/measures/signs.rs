@@ -4,7 +4,7 @@
 
 use super::rooms::Rooms;
 use crate::rows::Row;
-use crate::signs::{Kind, Says};
+use crate::signs::{Kind, Said, Says};
 use homebody_core::time::{Micros, SECOND};
 
 /// Sensors that speak within so long see the same movement (ours).
@@ -29,7 +29,7 @@ pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
     let sign = |row: &Row| {
         let sensor = row.sensor as usize;
         let room = rooms.of_sensors[sensor]?;
-        gives_signs(kinds[sensor], row.says).then_some(Sign {
+        gives_signs(kinds[sensor], &row.said).then_some(Sign {
             at: row.at,
             room,
             sensor,
@@ -40,11 +40,11 @@ pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
 }
 
 /// Whether such a row of a sensor of this kind is a sign of the resident.
-pub fn gives_signs(kind: Kind, says: Says) -> bool {
+pub fn gives_signs(kind: Kind, said: &Said) -> bool {
     match kind {
-        Kind::Motion => says == Says::Begins,
-        Kind::Contact | Kind::Used => says != Says::Else,
-        Kind::Reading => false,
+        Kind::Motion => said.says == Says::Begins && said.is_sign(),
+        Kind::Contact | Kind::Used => said.is_sign(),
+        Kind::Reading | Kind::Other => false,
     }
 }
 

@@ -178,7 +178,7 @@ pub fn within_h(spans: &[Span], within: Span) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rows::without;
+    use crate::signs::without;
 
     const H: Micros = 3600 * SECOND;
 

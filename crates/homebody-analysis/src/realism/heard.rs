@@ -1,6 +1,6 @@
 //! What the motion sensors of a log said on its whole days.
 
-use crate::signs::{Kind, Says, kinds, says, spans};
+use crate::signs::{Kind, Says, kinds, said, spans};
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::Log;
 use std::collections::BTreeMap;
@@ -33,12 +33,10 @@ impl Heard {
         for (index, &sensor) in motion.iter().enumerate() {
             number[sensor] = Some(index);
         }
-        let begins: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Begins).collect();
-        let mut firings: Vec<(Micros, usize)> = log
-            .events
-            .iter()
-            .filter(|event| begins[event.value as usize])
-            .filter_map(|event| Some((event.at, number[event.sensor as usize]?)))
+        let events = log.events.iter().zip(said(log));
+        let mut firings: Vec<(Micros, usize)> = events
+            .filter(|(_, said)| said.says == Says::Begins && said.begins())
+            .filter_map(|(event, _)| Some((event.at, number[event.sensor as usize]?)))
             .collect();
         firings.sort_unstable();
         let mut on: Vec<(Range<Micros>, usize)> = Vec::new();

@@ -1,7 +1,9 @@
 //! A table of where somebody says that the sensors of a home are.
 
 use crate::error::Error;
+use homebody_analysis::signs::kind_in_home;
 use homebody_core::scenario::nearest::nearest;
+use homebody_core::sensed::meaning;
 use homebody_log::plain;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -18,7 +20,7 @@ pub struct Row {
     pub room: Option<String>,
     /// What it looks at.
     pub place: Option<String>,
-    /// What it says, where the table tells: `motion` or `contact`.
+    /// Its kind, if the table has a word for it: `motion`, `contact`, `used`, `reading` or `other`.
     pub kind: Option<String>,
     /// Where it is: on a picture, or in metres.
     pub at: Option<[f64; 2]>,
@@ -96,7 +98,13 @@ pub fn read_table(path: &Path) -> Result<BTreeMap<String, Row>, Error> {
         }
         let at = [number(text(x), &mut wrong), number(text(y), &mut wrong)];
         let at = if let [Some(x), Some(y)] = at { Some([x, y]) } else { None };
-        let row = Row { line, room: text(room), place: text(place), kind: kind.map(of_ours), at };
+        let row = Row {
+            line,
+            room: text(room),
+            place: text(place),
+            kind: kind.map(|kind| kind_in_home(&kind, false).word().to_owned()),
+            at,
+        };
         if let Some(first) = rows.insert(id.clone(), row) {
             problems.push(format!("{}:{line}: the sensor {id:?} is in line {}, too", path.display(), first.line));
         }
@@ -107,11 +115,6 @@ pub fn read_table(path: &Path) -> Result<BTreeMap<String, Row>, Error> {
     }
 }
 
-/// A run's own table has our kinds of motion sensors.
-fn of_ours(kind: String) -> String {
-    if kind == "ceiling_motion" { "motion".to_owned() } else { kind }
-}
-
 fn is_known(kind: &str) -> bool {
-    KINDS.contains(&kind) || homebody_core::sensors::kinds::KINDS.iter().any(|row| row.key == kind)
+    meaning(kind, "").is_some()
 }

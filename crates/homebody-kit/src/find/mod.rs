@@ -4,7 +4,7 @@
 //! What is found are spans. They are cut to hours of the day where some are asked for, and only then held against how long they are to
 //! be at least: of a stay from 5:50 to 6:10, "between 0 and 6" has ten minutes. Rooms and activities are the truth's, where there is one;
 //! without it somebody is taken to be in a room from what its sensors say until another room's say something, whoever it is. Something
-//! goes on until its sensor says that it ends; where one never does, it goes on as long as the sensor says again within ten minutes.
+//! goes on until its sensor says that it ends, or until its state is not known; where one never does, it goes on as long as the sensor says again within ten minutes.
 //! Nothing stirs while no sensor says anything but readings; where it is known who is at home, only then is it counted.
 
 mod hours;
@@ -14,7 +14,7 @@ use hours::MINUTE;
 pub use hours::{DayClock, Hours};
 
 use homebody_analysis::measures::joined;
-use homebody_analysis::signs::{Says, says};
+use homebody_analysis::signs::{Course, Says, says, without};
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
 use std::borrow::Cow;
@@ -114,6 +114,8 @@ pub struct Listener {
     pub name: String,
     /// The room that it is in, where that is known.
     pub room: Option<String>,
+    /// Whether it tells of no person, as an automation does: its rows do not count.
+    pub tells_of_nobody: bool,
 }
 
 /// Takes a row: when, the sensor's number, the value's.
@@ -136,6 +138,8 @@ pub struct Ground<'a> {
     pub sensors: Vec<Listener>,
     /// What rows say.
     pub values: &'a [String],
+    /// When nothing was recorded, in order.
+    pub gaps: Vec<Span>,
     /// The rows.
     pub rows: &'a mut Rows<'a>,
 }
@@ -312,12 +316,20 @@ fn by_sensors(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Res
     let said = meanings(ground.values);
     let is_in: Vec<Option<bool>> =
         ground.sensors.iter().map(|sensor| sensor.room.as_ref().map(|room| *room == name)).collect();
+    let mut courses = vec![Course::default(); ground.sensors.len()];
+    let mut recorder = Course::default();
     let mut spans: Vec<Span> = Vec::new();
     let mut since = None;
     let mut last = ground.span.0;
     let mut take = |at: Micros, sensor: u32, value: u32| {
         last = at;
-        if !matches!(said.get(value as usize), Some(Says::Begins | Says::Opens)) {
+        let says = said.get(value as usize).copied().unwrap_or(Says::Else);
+        // A stay ends at a gap of the recorder.
+        if let Some(gap) = recorder.take(at, Says::Begins, &ground.gaps).unknown_from {
+            spans.extend(since.take().map(|begin| (begin, gap)));
+        }
+        let Some(course) = courses.get_mut(sensor as usize) else { return };
+        if !course.take(at, says, &ground.gaps).begins() || ground.sensors[sensor as usize].tells_of_nobody {
             return;
         }
         match is_in.get(sensor as usize).copied().flatten() {
@@ -333,36 +345,49 @@ fn by_sensors(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Res
     Ok(wordless(spans, &name))
 }
 
+/// The state of a sensor from an instant on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum OnOff {
+    On,
+    Off,
+    Unknown,
+}
+
 fn on(name: &str, ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unfindable> {
     let name = named("sensor", name, ground.sensors.iter().map(|sensor| sensor.name.as_str()))?;
     let of = ground.sensors.iter().position(|sensor| sensor.name == name).map_or(u32::MAX, |at| at as u32);
     let said = meanings(ground.values);
-    let mut begins: Vec<(Micros, bool)> = Vec::new();
+    let mut begins: Vec<(Micros, OnOff)> = Vec::new();
+    let mut course = Course::default();
     let mut last = ground.span.0;
     let mut take = |at: Micros, sensor: u32, value: u32| {
         last = at;
         if sensor != of {
             return;
         }
-        match said.get(value as usize) {
-            Some(Says::Begins | Says::Opens) => begins.push((at, true)),
-            Some(Says::Ends | Says::Closes) => begins.push((at, false)),
+        let says = said.get(value as usize).copied().unwrap_or(Says::Else);
+        let said = course.take(at, says, &ground.gaps);
+        begins.extend(said.unknown_from.map(|unknown| (unknown, OnOff::Unknown)));
+        match said.says {
+            says if says.is_on() => begins.push((at, OnOff::On)),
+            Says::Ends | Says::Closes => begins.push((at, OnOff::Off)),
             _ => {}
         }
     };
     (ground.rows)(&mut take).map_err(Unfindable::Unread)?;
     let mut spans: Vec<Span> = Vec::new();
-    if begins.iter().any(|(_, begins)| !begins) {
+    if begins.iter().any(|(_, is)| *is == OnOff::Off) {
         let mut since = None;
-        for (at, is_begun) in begins {
-            match is_begun {
-                true => since = since.or(Some(at)),
-                false => spans.extend(since.take().map(|begin| (begin, at))),
+        for (at, is) in begins {
+            match is {
+                OnOff::On => since = since.or(Some(at)),
+                OnOff::Off | OnOff::Unknown => spans.extend(since.take().map(|begin| (begin, at))),
             }
         }
         spans.extend(since.map(|begin| (begin, last)));
     } else {
-        spans = joined(begins.into_iter().map(|(at, _)| (at, at)), BOUT);
+        let begins = begins.into_iter().filter(|(_, is)| *is == OnOff::On);
+        spans = joined(begins.map(|(at, _)| (at, at)), BOUT);
         let minutes = BOUT / MINUTE;
         remarks.push(format!("{name} never says that it is off: what it says again within {minutes} minutes is one."));
     }
@@ -374,8 +399,9 @@ fn still(ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unf
     let (begin, end) = ground.span;
     let mut spans: Vec<Span> = Vec::new();
     let mut since = begin;
-    let mut take = |at: Micros, _: u32, value: u32| {
-        if matches!(said.get(value as usize), Some(Says::Else) | None) {
+    let mut take = |at: Micros, sensor: u32, value: u32| {
+        let is_sign = said.get(value as usize).is_some_and(|says| says.is_sign());
+        if !is_sign || ground.sensors.get(sensor as usize).is_some_and(|sensor| sensor.tells_of_nobody) {
             return;
         }
         if at - since > PAUSE {
@@ -387,6 +413,7 @@ fn still(ground: &mut Ground, remarks: &mut Vec<String>) -> Result<Vec<Hit>, Unf
     if end - since > PAUSE {
         spans.push((since, end));
     }
+    let spans = without(&spans, &ground.gaps);
     let spans = match &ground.home {
         Some(home) => hours::intersected(&spans, home),
         None => {

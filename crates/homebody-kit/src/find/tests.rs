@@ -13,7 +13,8 @@ fn stay(begin: Micros, end: Micros, who: &'static str, name: &'static str) -> St
 }
 
 fn sensors() -> Vec<Listener> {
-    let sensor = |name: &str, room: &str| Listener { name: name.into(), room: Some(room.into()) };
+    let sensor =
+        |name: &str, room: &str| Listener { name: name.into(), room: Some(room.into()), ..Listener::default() };
     vec![sensor("bath motion", "bathroom"), sensor("hall motion", "hall"), sensor("stove", "kitchen")]
 }
 
@@ -35,8 +36,16 @@ fn found(
         Ok(())
     };
     let rows: &mut Rows = &mut hand_over;
-    let mut ground =
-        Ground { span: (0, 2 * DAY), days: days(2), told, home, sensors: sensors(), values: &values, rows };
+    let mut ground = Ground {
+        span: (0, 2 * DAY),
+        days: days(2),
+        told,
+        home,
+        sensors: sensors(),
+        values: &values,
+        gaps: Vec::new(),
+        rows,
+    };
     let found = find(query, &mut ground)?;
     Ok(found.hits.iter().map(|hit| (hit.begin, hit.end)).collect())
 }

@@ -2,17 +2,27 @@
 //!
 //! The table `states` names an entity by its row of `states_meta`, and tells seconds since 1970; older databases have the entity's
 //! id in each row, and times as text in UTC. Rows in which no more than attributes changed are passed over: their state began
-//! before. Attributes themselves are never read.
+//! before. Of attributes those are read that say what an entity is: `device_class`, `friendly_name` and `unit_of_measurement`. They
+//! stand in `state_attributes`, and in older databases in each row. The registries in the
+//! folder `.storage` say more: see `registry.rs`.
+//!
+//! The table `recorder_runs` says when the recorder ran. Between two runs nothing was recorded. A run that was not closed, as where
+//! power was lost, ended with its last row: the recorder writes the beginning of the next run as its end.
 
-use super::database::{connect, tables, text};
+use super::database::{connect, instant as micros, tables, text};
 use super::form::{Form, Shows};
-use super::instant::{Instant, since_1970};
+use super::instant::{Instant, Instants, since_1970};
 use super::reading::{Reading, open};
+use super::registry::Registry;
 use super::start::Start;
 use crate::error::{LogError, place_of};
+use crate::sensor_info::SensorInfo;
 use homebody_core::scenario::logger::LoggerFile;
-use rusqlite::Connection;
-use rusqlite::types::ValueRef;
+use homebody_core::sensed::domain_of;
+use homebody_core::time::Micros;
+use rusqlite::types::{Value as Cell, ValueRef};
+use rusqlite::{Connection, OptionalExtension};
+use serde::Deserialize;
 use std::path::Path;
 
 pub(super) const FORM: Form = Form {
@@ -37,6 +47,15 @@ struct Columns {
     changed: String,
     updated: String,
     has_names: bool,
+    /// The expression for a state's attributes, and the join of their table; `None` without attributes.
+    attributes: Option<(&'static str, &'static str)>,
+}
+
+impl Columns {
+    /// The join of the names of entities.
+    fn names(&self) -> &'static str {
+        if self.has_names { "LEFT JOIN states_meta m ON m.metadata_id = s.metadata_id" } else { "" }
+    }
 }
 
 fn columns(connection: &Connection) -> rusqlite::Result<Option<Columns>> {
@@ -61,11 +80,20 @@ fn columns(connection: &Connection) -> rusqlite::Result<Option<Columns>> {
     };
     let (changed, updated) = (all(["last_changed_ts", "last_changed"]), all(["last_updated_ts", "last_updated"]));
     let is_there = tables.iter().any(|name| name == "states") && has("state") && has("state_id");
+    let apart = "LEFT JOIN state_attributes a ON a.attributes_id = s.attributes_id";
+    let has_apart = has("attributes_id") && tables.iter().any(|name| name == "state_attributes");
+    let attributes = match (has_apart, has("attributes")) {
+        (true, true) => Some(("coalesce(a.shared_attrs, s.attributes)", apart)),
+        (true, false) => Some(("a.shared_attrs", apart)),
+        (false, true) => Some(("s.attributes", "")),
+        (false, false) => None,
+    };
     Ok(updated.filter(|_| is_there).map(|updated| Columns {
         entity: entity.into(),
         changed: changed.unwrap_or("NULL".into()),
         updated,
         has_names,
+        attributes,
     }))
 }
 
@@ -77,13 +105,18 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         place: place_of(path),
         why: "it has no table of states as Home Assistant makes it".into(),
     };
-    let Columns { entity, changed, updated, has_names } =
-        columns(&connection).map_err(database)?.ok_or_else(no_states)?;
-    let names = if has_names { "LEFT JOIN states_meta m ON m.metadata_id = s.metadata_id" } else { "" };
+    let columns = columns(&connection).map_err(database)?.ok_or_else(no_states)?;
+    know_entities(&connection, &columns, &Registry::beside(path, &mut reading.log.remarks), reading)
+        .map_err(database)?;
+    for (begin, end) in gaps(&connection, &columns).map_err(database)? {
+        reading.gap(begin, end);
+    }
+    let Columns { entity, changed, updated, .. } = &columns;
     // A state that has changed was updated at that very instant, and some versions leave out when it changed.
     let sql = format!(
         "SELECT s.state_id, {updated}, {entity}, s.state, {changed} IS NULL OR {changed} = {updated} \
-         FROM states s {names} ORDER BY s.state_id"
+         FROM states s {} ORDER BY s.state_id",
+        columns.names()
     );
     let mut statement = connection.prepare(&sql).map_err(database)?;
     let mut rows = statement.query([]).map_err(database)?;
@@ -97,6 +130,8 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         }
         let said = |column| row.get_ref(column).map(text).map_err(database);
         let (sensor, value) = (said(2)?, said(3)?);
+        // An entity that is taken away has no state.
+        let value = if value.is_empty() { "unknown".into() } else { value };
         let instant = match row.get_ref(1).map_err(database)? {
             ValueRef::Integer(number) => since_1970(number as f64),
             ValueRef::Real(number) => since_1970(number),
@@ -114,4 +149,95 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         reading.log.remarks.push(format!("{attributes} rows in which only attributes changed are passed over"));
     }
     Ok(())
+}
+
+/// The attributes that describe an entity.
+#[derive(Default, Deserialize)]
+struct Attributes {
+    device_class: Option<String>,
+    friendly_name: Option<String>,
+    unit_of_measurement: Option<String>,
+}
+
+/// Keeps what the database and the registries say of entities: of each by its last state that was known, or else by its last.
+fn know_entities(
+    connection: &Connection,
+    columns: &Columns,
+    registry: &Registry,
+    reading: &mut Reading<'_>,
+) -> rusqlite::Result<()> {
+    let (entity, names) = (&columns.entity, columns.names());
+    let (attributes, apart) = columns.attributes.unwrap_or(("NULL", ""));
+    let sql = format!(
+        "SELECT l.entity, {attributes} FROM
+            (SELECT {entity} AS entity, coalesce(max(CASE WHEN s.state NOT IN ('unavailable', 'unknown', '') THEN s.state_id END),
+                max(s.state_id)) AS last FROM states s {names} GROUP BY 1) l
+         JOIN states s ON s.state_id = l.last {apart} ORDER BY l.last"
+    );
+    let mut statement = connection.prepare(&sql)?;
+    let mut rows = statement.query([])?;
+    while let Some(row) = rows.next()? {
+        let id = text(row.get_ref(0)?).into_owned();
+        let attributes: Attributes = serde_json::from_str(&text(row.get_ref(1)?)).unwrap_or_default();
+        let entry = registry.entity(&id);
+        let said = |text: Option<String>| text.filter(|text| !text.is_empty());
+        let class = entry.and_then(|entry| entry.class.clone()).or(said(attributes.device_class));
+        let category = entry.and_then(|entry| entry.category.clone());
+        // People do not use the switch of a setting. A class says more than `diagnostic`.
+        let kind = match category {
+            Some(category) if class.is_none() || category == "config" => category,
+            _ => class.unwrap_or_else(|| domain_of(&id).unwrap_or_default().to_owned()),
+        };
+        reading.know(SensorInfo {
+            name: said(attributes.friendly_name).unwrap_or_else(|| id.clone()),
+            kind,
+            unit: said(attributes.unit_of_measurement),
+            room: entry.and_then(|entry| entry.area.clone()),
+            ..SensorInfo::named(&id)
+        });
+    }
+    Ok(())
+}
+
+/// When the recorder did not run, in the order of time.
+fn gaps(connection: &Connection, columns: &Columns) -> rusqlite::Result<Vec<(Micros, Micros)>> {
+    if !tables(connection)?.iter().any(|name| name == "recorder_runs") {
+        return Ok(Vec::new());
+    }
+    let mut instants = Instants::default();
+    let mut statement =
+        connection.prepare("SELECT start, \"end\", closed_incorrect FROM recorder_runs ORDER BY start")?;
+    let mut rows = statement.query([])?;
+    let mut runs: Vec<(Micros, Option<Micros>)> = Vec::new();
+    while let Some(row) = rows.next()? {
+        let Some(start) = micros(row, 0, &mut instants)? else { continue };
+        let is_closed = !row.get::<_, Option<bool>>(2)?.unwrap_or(false);
+        runs.push((start, micros(row, 1, &mut instants)?.filter(|_| is_closed)));
+    }
+    // One column alone is found in its index.
+    let updated = if columns.updated.contains("last_updated_ts") { "s.last_updated_ts" } else { "s.last_updated" };
+    let sql = format!("SELECT max({updated}) FROM states s WHERE {updated} < ?");
+    let mut last_row = connection.prepare(&sql)?;
+    let mut gaps = Vec::new();
+    for (run, next) in runs.iter().zip(runs.iter().skip(1)) {
+        let end = match run.1 {
+            Some(end) => end,
+            None => {
+                let before =
+                    if updated.ends_with("_ts") { Some(Cell::Real(next.0 as f64 / 1e6)) } else { utc_text(next.0) };
+                let last = last_row.query_row([before], |row| micros(row, 0, &mut instants)).optional()?.flatten();
+                last.unwrap_or(run.0).max(run.0)
+            }
+        };
+        if end < next.0 {
+            gaps.push((end, next.0));
+        }
+    }
+    Ok(gaps)
+}
+
+/// An instant as older databases write it.
+fn utc_text(at: Micros) -> Option<Cell> {
+    let at = jiff::Timestamp::from_microsecond(at).ok()?;
+    Some(Cell::Text(at.strftime("%Y-%m-%d %H:%M:%S%.6f").to_string()))
 }

@@ -31,6 +31,7 @@ mod psql;
 mod reading;
 mod recorded_truth;
 mod records;
+mod registry;
 mod run_clock;
 mod sensors;
 mod sqlite;
@@ -94,7 +95,9 @@ pub fn stream(
     let source = from.into();
     let path = source.path();
     let mut reading = Reading::new(take);
-    reading.log.known = sensors::known_beside(path, &mut reading.log.remarks)?;
+    let table = sensors::known_beside(path)?;
+    reading.log.known = table.known;
+    reading.log.remarks.extend(table.remark);
     let beside = source.activities_beside();
     reading.has_spans = beside.is_some();
     (source.form().read)(path, file, &mut reading).map_err(|error| no_log(&source, error))?;
@@ -102,13 +105,17 @@ pub fn stream(
         reading.go_beside(beside.path());
         (beside.form().read)(beside.path(), file, &mut reading)?;
     }
-    let log = reading.end()?;
+    let mut log = reading.end()?;
     match log.problems.first() {
         Some(first) if log.rows == 0 && log.activities.is_empty() => {
             let why = format!("line {}: {}", first.line, first.why);
             Err(no_log(&source, LogError::NoLog { place: place_of(path), why }))
         }
-        _ => Ok(log),
+        _ => {
+            log.skipped += table.problems.len() as u64;
+            log.problems.extend(table.problems);
+            Ok(log)
+        }
     }
 }
 

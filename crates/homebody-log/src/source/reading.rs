@@ -263,10 +263,11 @@ impl<'t> Reading<'t> {
     }
 
     /// Keeps what the source reports of a sensor: its name, kind, unit and room. What a table of sensors beside the log has of
-    /// it, or what came first, stays.
+    /// it, or what came first, stays, and gains what it lacks.
     pub fn know(&mut self, sensor: SensorInfo) {
-        if self.log.known.iter().all(|known| known.id != sensor.id) {
-            self.log.known.push(sensor);
+        match self.log.known.iter_mut().find(|known| known.id == sensor.id) {
+            Some(known) => known.fill(sensor),
+            None => self.log.known.push(sensor),
         }
     }
 

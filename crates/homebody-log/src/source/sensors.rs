@@ -1,13 +1,15 @@
-//! What is known of a log's sensors: from the table that a run leaves beside its log.
+//! The table of a log's sensors, which a run leaves in the log's folder, or a person writes.
 
 use crate::error::{LogError, place_of};
 use crate::limits::beginning;
 use crate::places::SENSORS;
 use crate::plain;
-use crate::sensor_info::SensorInfo;
+use crate::sensor_info::{SaidBy, SensorInfo};
+use crate::skipped::Skipped;
 use crate::spreadsheet::unescaped;
+use homebody_core::problem::readable;
+use homebody_core::sensed::{Kind, meaning};
 use homebody_core::sensors::kinds::KINDS;
-use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
@@ -15,53 +17,122 @@ use std::path::Path;
 /// No table of sensors has more bytes (ours): a home of a thousand has a tenth of a mebibyte.
 const LARGEST_TABLE_BYTES: u64 = 4 << 20;
 
-/// A row of the table.
-#[derive(Deserialize)]
-struct Row {
-    id: String,
-    name: String,
-    kind: String,
-    room: String,
-    x_m: f64,
-    y_m: f64,
+/// The contents of a table of sensors.
+#[derive(Default)]
+pub(crate) struct Beside {
+    /// The sensors; none where no table of ours lies there.
+    pub known: Vec<SensorInfo>,
+    /// Rows and cells that mean nothing.
+    pub problems: Vec<Skipped>,
+    /// Why the table was not read.
+    pub remark: Option<String>,
 }
 
-/// The sensors of the table beside a log; none where no table of ours lies there. One that is too large is not read, which is
-/// among the remarks.
-pub(crate) fn known_beside(log: &Path, remarks: &mut Vec<String>) -> Result<Vec<SensorInfo>, LogError> {
+/// The table of sensors of a log. One that is too large is not read: that is a remark.
+///
+/// A person may write it by hand: besides `id` it has any of the columns `name`, `kind`, `room`, `x_m` and `y_m`, in any order.
+pub(crate) fn known_beside(log: &Path) -> Result<Beside, LogError> {
     let path = log.with_file_name(SENSORS);
     if !path.is_file() || path == log {
-        return Ok(Vec::new());
+        return Ok(Beside::default());
     }
-    let table = match plain::read(&path, LARGEST_TABLE_BYTES) {
-        Ok(table) => table,
+    match plain::read(&path, LARGEST_TABLE_BYTES) {
+        Ok(table) => Ok(Beside::of(&table, &readable(place_of(&path)))),
         Err(error) if error.kind() == ErrorKind::FileTooLarge => {
-            remarks.push(format!("of its sensors only the ids are known: {}: {error}", place_of(&path)));
-            return Ok(Vec::new());
+            let remark = format!("of its sensors only the ids are known: {}: {error}", place_of(&path));
+            Ok(Beside { remark: Some(remark), ..Beside::default() })
         }
-        Err(error) => return Err(LogError::reading(&path, error)),
-    };
-    let rows = csv::Reader::from_reader(&table[..]).into_deserialize().collect::<Result<Vec<Row>, _>>();
-    // Another program's table of this name tells us nothing.
-    Ok(rows.unwrap_or_default().into_iter().map(Row::info).collect())
+        Err(error) => Err(LogError::reading(&path, error)),
+    }
 }
 
-impl Row {
-    fn info(self) -> SensorInfo {
-        let Row { id, name, kind, room, x_m, y_m } = self;
-        let [id, name, room] = [id, name, room].map(|cell| unescaped(&cell).to_owned());
-        let row = KINDS.iter().find(|row| row.key == kind);
-        SensorInfo {
-            name,
-            id,
-            is_motion: row.is_some_and(|row| row.senses_motion()),
-            unit: row.and_then(|row| row.unit).map(|unit| unit.symbol.to_owned()),
-            values: row.map(|row| row.values.iter().map(ToString::to_string).collect()).unwrap_or_default(),
-            kind,
-            room: Some(room).filter(|room| !room.is_empty()),
-            at_m: [x_m, y_m],
+impl Beside {
+    fn of(table: &[u8], file: &str) -> Beside {
+        let mut beside = Beside::default();
+        let table = table.strip_prefix(b"\xef\xbb\xbf").unwrap_or(table);
+        let heading = table.split(|byte| *byte == b'\n').next().unwrap_or_default();
+        let is_german = heading.contains(&b';') && !heading.contains(&b',');
+        let mut builder = csv::ReaderBuilder::new();
+        builder.flexible(true).trim(csv::Trim::All).delimiter(if is_german { b';' } else { b',' });
+        let mut reader = builder.from_reader(table);
+        let header = reader.byte_headers().cloned().unwrap_or_default();
+        let place = |name: &str| header.iter().position(|cell| cell.eq_ignore_ascii_case(name.as_bytes()));
+        let places = ["name", "kind", "room", "x_m", "y_m"].map(place);
+        // Another program's table of this name tells us nothing.
+        let (Some(id), [Some(_), ..] | [_, Some(_), ..] | [_, _, Some(_), ..]) = (place("id"), places) else {
+            return beside;
+        };
+        for row in reader.byte_records() {
+            let (line, told) = match &row {
+                Ok(row) => (row.position().map_or(0, csv::Position::line), info(row, id, places)),
+                Err(error) => (error.position().map_or(0, csv::Position::line), Err(vec!["it is no row".into()])),
+            };
+            let (known, faults) = match told {
+                Ok((known, faults)) => (Some(known), faults),
+                Err(faults) => (None, faults),
+            };
+            let is_new = |known: &SensorInfo| beside.known.iter().all(|other| other.id != known.id);
+            let faults = match &known {
+                Some(known) if !is_new(known) => vec![format!("the id {} has a row already", beginning(&known.id))],
+                _ => faults,
+            };
+            beside.known.extend(known.filter(is_new));
+            let told = faults.into_iter().map(|why| Skipped { line, beside: Some(file.to_owned()), why });
+            beside.problems.extend(told);
         }
+        beside
     }
+}
+
+/// The sensor of a row, with the cells that mean nothing; or why the row means nothing.
+fn info(
+    row: &csv::ByteRecord,
+    id: usize,
+    places: [Option<usize>; 5],
+) -> Result<(SensorInfo, Vec<String>), Vec<String>> {
+    let cell = |place: Option<usize>| {
+        let cell = place.and_then(|place| row.get(place)).unwrap_or_default();
+        unescaped(&String::from_utf8_lossy(cell)).to_owned()
+    };
+    let id = cell(Some(id));
+    if id.is_empty() {
+        return Err(vec!["there is no id".into()]);
+    }
+    let mut faults = Vec::new();
+    let [name, kind, room, x_m, y_m] = places.map(cell);
+    let kind = match kind.is_empty() || meaning(&kind, "").is_some() {
+        true => kind,
+        false => {
+            let kinds = Kind::ALL.map(Kind::word).join(", ");
+            let kind = beginning(&kind);
+            faults.push(format!(
+                "the kind {kind} is not known: there are {kinds}, and words such as door, bed and light"
+            ));
+            String::new()
+        }
+    };
+    let mut metres = |text: String, what: &str| match text.parse::<f64>() {
+        Ok(metres) if metres.is_finite() => metres,
+        _ if text.is_empty() => 0.0,
+        _ => {
+            faults.push(format!("{what} is no number: {}", beginning(&text)));
+            0.0
+        }
+    };
+    let at_m = [metres(x_m, "x_m"), metres(y_m, "y_m")];
+    let row = KINDS.iter().find(|row| row.key == kind);
+    let known = SensorInfo {
+        name: if name.is_empty() { id.clone() } else { name },
+        id,
+        is_motion: row.is_some_and(|row| row.senses_motion()),
+        unit: row.and_then(|row| row.unit).map(|unit| unit.symbol.to_owned()),
+        values: row.map(|row| row.values.iter().map(ToString::to_string).collect()).unwrap_or_default(),
+        said_by: if kind.is_empty() { SaidBy::Source } else { SaidBy::Table },
+        kind,
+        room: Some(room).filter(|room| !room.is_empty()),
+        at_m,
+    };
+    Ok((known, faults))
 }
 
 /// What a home calls sensors that a log knows by ids: a table with the columns `id` and `name`, such as the one that a run leaves

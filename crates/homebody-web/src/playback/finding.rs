@@ -63,6 +63,7 @@ impl Playback {
             home,
             sensors: listeners(&view),
             values: &view.values,
+            gaps: Vec::new(),
             rows: &mut rows,
         };
         let found = find(&query, &mut ground).map_err(|why| match why {
@@ -109,7 +110,7 @@ fn listeners(view: &PlaybackView) -> Vec<Listener> {
     let listener = |(index, id): (usize, &String)| {
         let known = view.home.sensors.get(index);
         let name = known.map_or(id, |sensor| &sensor.name).clone();
-        Listener { name, room: known.and_then(|sensor| sensor.room.clone()) }
+        Listener { name, room: known.and_then(|sensor| sensor.room.clone()), tells_of_nobody: false }
     };
     view.sensors.iter().enumerate().map(listener).collect()
 }

@@ -29,6 +29,11 @@ Repeated are ONs after an ON, missing those before an OFF without one. Dead is w
 two days or more before the log ends, and for three times as long as ever before; stuck is a motion
 sensor that is on for 6 h, or 50 readings of one number over a day.
 
+Each sensor is taken for motion, contact, used, reading or other by the best evidence: the kind in a
+sensors.csv in the log's folder (id,kind is enough), the log's source, the home, the values, the name,
+and last a guess by how long it is on. A state such as unavailable, and a gap of the recorder, end
+what was on; a state that is restored after it is no firing, and nothing is missing before it.
+
 {EXIT_CODES}."))]
 pub struct Arguments {
     #[command(flatten)]
@@ -87,8 +92,9 @@ impl Arguments {
         };
         let mut looker = Looker::new(zone.or_else(|| named.zone()));
         let reading = Working::on(format!("reading {}", named.name));
-        let about = named.stream(&mut |part| looker.take(part))?;
+        let mut about = named.stream(&mut |part| looker.take(part))?;
         drop(reading);
+        named.know_home(&mut about);
         let known = |id: &str| about.known.iter().find(|known| known.id == id).map(|known| known.name.as_str());
         let name = |id: &str| map.name(id).or_else(|| named.name_of(id)).or_else(|| known(id)).map(str::to_owned);
         let home = home.as_ref().map(|(name, sensors)| (name.as_str(), &sensors[..]));

@@ -1,0 +1,89 @@
+//! The rows of a sensor one after the other: each says what it does after those before it, and after stretches that are not known.
+
+use super::says::{Says, says};
+use homebody_core::time::Micros;
+use homebody_log::Log;
+
+/// The meaning of a row after the rows of its sensor before it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Said {
+    /// The meaning of its value.
+    pub says: Says,
+    /// From when on the state was not known before this row, or is not known now; `None` where it was known all along.
+    pub unknown_from: Option<Micros>,
+    /// Whether it repeats the state from before a stretch that is not known: the system restored it, and nothing happened.
+    pub is_restored: bool,
+}
+
+impl Said {
+    /// Whether something begins or is opened at this row.
+    pub fn begins(&self) -> bool {
+        self.says.is_on() && !self.is_restored
+    }
+
+    /// Whether something begins, ends, is opened or closed at this row.
+    pub fn is_sign(&self) -> bool {
+        self.says.is_sign() && !self.is_restored
+    }
+}
+
+/// The state of one sensor by its rows so far.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Course {
+    /// The last state that was known.
+    state: Option<Says>,
+    /// The last row.
+    at: Option<Micros>,
+    /// From when on the state is not known.
+    unknown_from: Option<Micros>,
+}
+
+impl Course {
+    /// Takes a row. `gaps` are those of the recorder, in the order of time.
+    pub fn take(&mut self, at: Micros, says: Says, gaps: &[(Micros, Micros)]) -> Said {
+        let gap = self.at.and_then(|before| gap_between(gaps, before, at));
+        let before = self.unknown_from.or(gap);
+        self.at = Some(at);
+        match says {
+            Says::Else => {
+                self.unknown_from = before;
+                Said { says, unknown_from: before, is_restored: false }
+            }
+            Says::Unknown => {
+                self.unknown_from = before.or(Some(at));
+                Said { says, unknown_from: self.unknown_from, is_restored: false }
+            }
+            known => {
+                let is_restored = before.is_some() && self.state == Some(known);
+                (self.state, self.unknown_from) = (Some(known), None);
+                Said { says, unknown_from: before, is_restored }
+            }
+        }
+    }
+}
+
+/// When the first gap begins that lies between two rows.
+fn gap_between(gaps: &[(Micros, Micros)], before: Micros, at: Micros) -> Option<Micros> {
+    let next = gaps.get(gaps.partition_point(|&(begin, _)| begin < before))?;
+    (next.0 < at).then_some(next.0)
+}
+
+/// The meaning of each row of a log, in the order of its rows.
+pub fn said(log: &Log) -> Vec<Said> {
+    let values: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
+    let mut courses = vec![Course::default(); log.sensors.len()];
+    let mut take = |number: usize| {
+        let event = &log.events[number];
+        courses[event.sensor as usize].take(event.at, values[event.value as usize], &log.gaps)
+    };
+    if log.events.is_sorted_by_key(|event| event.at) {
+        return (0..log.events.len()).map(take).collect();
+    }
+    let mut order: Vec<usize> = (0..log.events.len()).collect();
+    order.sort_by_key(|&number| log.events[number].at);
+    let mut all = vec![Said { says: Says::Else, unknown_from: None, is_restored: false }; log.events.len()];
+    for number in order {
+        all[number] = take(number);
+    }
+    all
+}

@@ -1,0 +1,40 @@
+//! The kind that a sensor is taken for, and the evidence.
+
+use homebody_core::sensed::Kind;
+use serde::Serialize;
+
+/// By which evidence a sensor is taken for what it is, the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Evidence {
+    /// The table of the log's sensors.
+    Table,
+    /// The log's source.
+    Source,
+    /// The home that the log is of.
+    Home,
+    /// Values that no other kind says.
+    Values,
+    /// Its name or its id.
+    Name,
+    /// A guess by how long it is on.
+    Guess,
+}
+
+/// The kind that a sensor is taken for, and the evidence.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Taken {
+    /// The kind.
+    pub kind: Kind,
+    /// By which evidence.
+    pub by: Evidence,
+    /// The evidence in words.
+    pub because: String,
+}
+
+impl Taken {
+    /// A kind, by evidence.
+    pub(super) fn new(kind: Kind, by: Evidence, because: impl Into<String>) -> Taken {
+        Taken { kind, by, because: because.into() }
+    }
+}

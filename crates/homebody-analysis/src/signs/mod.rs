@@ -1,0 +1,41 @@
+//! The rows of a log that are signs of a person, and the sensors that they are of.
+//!
+//! The best evidence decides what a sensor is, and `look` shows which evidence that was:
+//!
+//! | evidence | what it is |
+//! |---|---|
+//! | table | the kind in the table of sensors beside the log: a person or a run wrote it |
+//! | source | what the log's source says: a class of device, a type, a unit, the domain of an id |
+//! | home | the kind in the home that the log is of |
+//! | values | what no other kind says: numbers, `OPEN` and `CLOSE` |
+//! | name | words of its name or id, in any language of the plan importer |
+//! | guess | how long it is `ON`; it decides nothing that the others say |
+//!
+//! Words of kinds have their meanings in `homebody_core::sensed`, words of names in `homebody_core::vocabulary`.
+//!
+//! A name with `door` or `bed` may be that of a contact or a mattress, or of a motion sensor that looks there. It is a motion sensor if it
+//! is `ON` for moments and no sensor of the log has a word for motion in its name, or if it is named as CASAS names them, such as
+//! `BedroomADoor`. If nothing but doors and fridges is `ON` for moments, no sensor looks.
+//!
+//! A state that is not known, such as `unavailable`, ends what was on, and so does a gap of the recorder. The first state after it begins
+//! nothing if it is the same as the last before it: a system restores states as it starts.
+
+mod course;
+mod evidence;
+mod named;
+mod says;
+mod spans;
+mod tally;
+mod taken;
+
+pub use course::{Course, Said, said};
+pub use evidence::{Evidence, Taken};
+pub use homebody_core::sensed::Kind;
+pub use named::is_seat;
+pub use says::{Says, is_number, says};
+pub use spans::{Spans, UnknownStates, spans, spans_until, unknown, without};
+pub use taken::{LogSensors, kind_in_home, kinds, taken, taken_by};
+pub use tally::Tally;
+
+#[cfg(test)]
+mod tests;

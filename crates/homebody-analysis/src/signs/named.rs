@@ -1,0 +1,151 @@
+//! The kind that a sensor has by its name.
+
+use homebody_core::names::words;
+use homebody_core::role::Role;
+use homebody_core::vocabulary::{
+    CONTACT_WORDS, DEVICE_WORDS, DOOR_WORDS, MOTION_WORDS, OCCUPANCY_WORDS, ROLE_WORDS, WINDOW_WORDS, has_any,
+};
+
+/// The kind that a sensor has by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Named {
+    /// It has a word for motion, or is named as CASAS names its motion sensors: `M001`, `MA015`.
+    Motion,
+    /// It has a word for a contact.
+    Contact,
+    /// A thing that is used, though it says `ON`.
+    Thing,
+    /// A device's battery, its network or its program.
+    Device,
+    /// A door or a window, which has a contact, or else where a motion sensor looks.
+    Door,
+    /// A bed or a seat, which is used, or else where a motion sensor looks.
+    Seat,
+    /// Another thing that is used, or else where a motion sensor looks.
+    Place,
+}
+
+/// Things that are used, though they say `ON`.
+const THINGS: &str = "light lamp switch pressure mattress mat item power water flow tv flush faucet tap burner electric dishwasher \
+    washingmachine microwave toaster freezer cupboard drawer machine maker fan kettle dryer disposal box dvd plug outlet socket \
+    licht lampe lampada lámpara luz luce lumière lampa ljus свет 灯 照明 schalter steckdose interrupteur prise interruptor enchufe \
+    schakelaar stopcontact strömbrytare wasserkocher bouilloire hervidor waterkoker";
+
+/// Pieces of furniture that are used though they say `ON`, and those where a motion sensor may look instead.
+const THINGS_BY_ROLE: [Role; 5] =
+    [Role::FoodWarmer, Role::WashingMachine, Role::Dryer, Role::Television, Role::Drawers];
+const PLACES_BY_ROLE: [Role; 3] = [Role::Fridge, Role::Stove, Role::Wardrobe];
+const SEATS_BY_ROLE: [Role; 4] = [Role::Bed, Role::Sofa, Role::Armchair, Role::DiningSeat];
+
+/// Other places that are used, or else where a motion sensor looks.
+const PLACES: &str = "cabinet closet computer";
+const SEATS: &str = "bed chair seat";
+
+/// The kind that a name says, and the word that says so.
+pub fn named(name: &str) -> Option<(Named, String)> {
+    let words = words(name);
+    let by = |known: &str| words.iter().find(|word| has_any(std::slice::from_ref(word), known)).cloned();
+    let by_role = |roles: &[Role]| {
+        let known = ROLE_WORDS.iter().filter(|(role, _)| roles.contains(role));
+        // Words that go together, such as `washing machine`, are found in the whole name.
+        known.filter(|(_, known)| has_any(&words, known)).map(|(_, known)| by(known).unwrap_or(words.join(" "))).next()
+    };
+    let is_numbered = |letters: &str| {
+        let rest = name.strip_prefix(letters).filter(|rest| !rest.is_empty());
+        rest.is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
+    };
+    let letter =
+        |letters: &[&str]| letters.iter().find(|letters| is_numbered(letters)).map(|letters| (*letters).to_owned());
+    let seat = || by(SEATS).or_else(|| by_role(&SEATS_BY_ROLE));
+    None.or_else(|| by(DEVICE_WORDS).map(|word| (Named::Device, word)))
+        .or_else(|| by(MOTION_WORDS).or_else(|| letter(&["M", "MA"])).map(|word| (Named::Motion, word)))
+        .or_else(|| {
+            let occupied = by(OCCUPANCY_WORDS)?;
+            Some(seat().map_or((Named::Motion, occupied), |word| (Named::Thing, word)))
+        })
+        .or_else(|| by(CONTACT_WORDS).map(|word| (Named::Contact, word)))
+        .or_else(|| {
+            let thing = by(THINGS).or_else(|| letter(&["L", "I"])).or_else(|| by_role(&THINGS_BY_ROLE));
+            thing.map(|word| (Named::Thing, word))
+        })
+        .or_else(|| seat().map(|word| (Named::Seat, word)))
+        .or_else(|| by(PLACES).or_else(|| by_role(&PLACES_BY_ROLE)).map(|word| (Named::Place, word)))
+        .or_else(|| by(DOOR_WORDS).or_else(|| by(WINDOW_WORDS)).map(|word| (Named::Door, word)))
+}
+
+/// Whether a name is that of a place to lie or sit. While such a sensor is on, it is taken.
+pub fn is_seat(name: &str) -> bool {
+    let words = words(name);
+    has_any(&words, SEATS)
+        || ROLE_WORDS.iter().any(|(role, known)| SEATS_BY_ROLE.contains(role) && has_any(&words, known))
+}
+
+/// Whether CASAS names motion sensors so: a room, a letter, and where in the room it looks, such as `BedroomADoor`.
+pub fn is_room_letter_place(name: &str) -> bool {
+    let words = words(name);
+    let is_letter = |word: &String| word.len() == 1 && word.chars().all(|c| c.is_ascii_alphabetic());
+    let is_joined = name.chars().all(|c| c.is_ascii_alphabetic());
+    is_joined && words.len() > 2 && words[1..words.len() - 1].iter().any(is_letter)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_of_a_name_say_what_a_sensor_is_in_any_language() {
+        for (name, wanted) in [
+            ("hall_pir", Some(Named::Motion)),
+            ("Door PIR Bedroom", Some(Named::Motion)),
+            ("Bewegungsmelder Flur", Some(Named::Motion)),
+            ("mouvement entrée", Some(Named::Motion)),
+            ("M001", Some(Named::Motion)),
+            ("MA015", Some(Named::Motion)),
+            ("Präsenz Küche", Some(Named::Motion)),
+            ("bed occupied", Some(Named::Thing)),
+            ("front_door_contact", Some(Named::Contact)),
+            ("Maindoor Magnetic Entrance", Some(Named::Contact)),
+            ("eingang_kontakt", Some(Named::Contact)),
+            ("haustuer", Some(Named::Door)),
+            ("Haustür", Some(Named::Door)),
+            ("Schlafzimmerfenster", Some(Named::Door)),
+            ("porte d'entrée", Some(Named::Door)),
+            ("Doppelbett", Some(Named::Seat)),
+            ("koelkast", Some(Named::Place)),
+            ("Washing machine", Some(Named::Thing)),
+            ("L012", Some(Named::Thing)),
+            ("hall motion battery", Some(Named::Device)),
+            ("hall", None),
+            ("Temperatur", None),
+            ("MB1", None),
+        ] {
+            assert_eq!(named(name).map(|(named, _)| named), wanted, "{name}");
+        }
+    }
+
+    #[test]
+    fn seats_are_known_by_their_names() {
+        for (name, is) in [
+            ("BedroomABed", true),
+            ("bedroom motion", false),
+            ("OfficeAChair", true),
+            ("sofa mat", true),
+            ("binary_sensor.bett", true),
+        ] {
+            assert_eq!(is_seat(name), is, "{name}");
+        }
+    }
+
+    #[test]
+    fn casas_names_have_a_letter_between_room_and_place() {
+        for (name, is) in [
+            ("BedroomADoor", true),
+            ("KitchenADiningChair", true),
+            ("HallwayA", false),
+            ("front door", false),
+            ("binary_sensor.plan_b_door", false),
+        ] {
+            assert_eq!(is_room_letter_place(name), is, "{name}");
+        }
+    }
+}

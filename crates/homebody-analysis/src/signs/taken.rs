@@ -1,0 +1,203 @@
+//! The kinds that the sensors of a log are taken for.
+
+use super::evidence::{Evidence, Taken};
+use super::named::{Named, is_room_letter_place, is_seat, named};
+use super::says::{Says, is_number, says};
+use super::tally::Tally;
+use homebody_core::sensed::{Kind, Meaning, domain_of, meaning};
+use homebody_log::word::one_word;
+use homebody_log::{Log, SaidBy, SensorInfo};
+
+/// In a home with motion sensors more than one row of so many is theirs.
+const FEWER: u64 = 10;
+
+/// The sensors of a log as other files ask for them, in its order.
+pub struct LogSensors {
+    /// Their names.
+    pub called: Vec<String>,
+    /// The kinds that they are taken for.
+    pub kinds: Vec<Kind>,
+}
+
+impl LogSensors {
+    /// Those of a log.
+    pub fn of(log: &Log) -> LogSensors {
+        LogSensors { called: log.called(), kinds: kinds(log) }
+    }
+}
+
+/// The kinds that the sensors of a log are taken for, in its order.
+pub fn kinds(log: &Log) -> Vec<Kind> {
+    taken(log).into_iter().map(|taken| taken.kind).collect()
+}
+
+/// The same with the evidence.
+pub fn taken(log: &Log) -> Vec<Taken> {
+    let looks: Vec<(Says, bool)> = log.values.iter().map(|value| (says(value), is_number(value))).collect();
+    let mut tallies = vec![Tally::default(); log.sensors.len()];
+    for event in log.in_order() {
+        let (says, is_number) = looks[event.value as usize];
+        tallies[event.sensor as usize].take(event.at, says, is_number, &log.gaps);
+    }
+    taken_by(log, &tallies.iter().collect::<Vec<_>>())
+}
+
+/// The same of a log whose rows have been taken; `tallies` are those of its sensors, in its order.
+pub fn taken_by(log: &Log, tallies: &[&Tally]) -> Vec<Taken> {
+    let sensors: Vec<Sensor> = log.sensors.iter().zip(tallies).map(|(id, tally)| Sensor::of(log, id, tally)).collect();
+    let sure: Vec<Option<Taken>> = sensors.iter().map(Sensor::surely).collect();
+    let says_motion = sure.iter().flatten().any(|taken| taken.kind == Kind::Motion);
+    let mut all: Vec<Taken> = sure
+        .into_iter()
+        .zip(&sensors)
+        .map(|(sure, sensor)| sure.unwrap_or_else(|| sensor.guess(says_motion)))
+        .collect();
+    // A sensor at a door or a fridge may be its contact.
+    let may_look = |(sensor, taken): &(&Sensor, &Taken)| {
+        taken.kind == Kind::Motion && (taken.by < Evidence::Guess || !sensor.is_at_thing())
+    };
+    let looking: u64 = sensors.iter().zip(&all).filter(may_look).map(|(sensor, _)| sensor.tally.signs()).sum();
+    if looking * FEWER < tallies.iter().map(|tally| tally.signs()).sum() {
+        for (sensor, taken) in sensors.iter().zip(&mut all) {
+            if taken.kind == Kind::Motion && taken.by == Evidence::Guess {
+                *taken = sensor.used();
+            }
+        }
+    }
+    all
+}
+
+/// The kind that logs show of a sensor in a home, which may give readings.
+pub fn kind_in_home(kind: &str, gives_readings: bool) -> Kind {
+    match meaning(kind, "") {
+        Some(Meaning::Is(kind)) => kind,
+        Some(Meaning::Somebody) => Kind::Motion,
+        Some(Meaning::Measured | Meaning::Readings) if gives_readings => Kind::Reading,
+        Some(Meaning::Measured | Meaning::Readings) | None => Kind::Used,
+    }
+}
+
+/// A sensor, with all that there is to go by.
+struct Sensor<'a> {
+    id: &'a str,
+    known: Option<&'a SensorInfo>,
+    named: Option<(Named, String)>,
+    tally: &'a Tally,
+}
+
+impl<'a> Sensor<'a> {
+    fn of(log: &'a Log, id: &'a str, tally: &'a Tally) -> Sensor<'a> {
+        let known = log.known.iter().find(|known| known.id == id || one_word(&known.id) == id);
+        let name = known.map(|known| known.name.as_str()).filter(|name| *name != id);
+        // The domain of an id such as `binary_sensor.hall_pir` is not part of its name.
+        let own = domain_of(id).map_or(id, |domain| &id[domain.len() + 1..]);
+        let named = name.and_then(named).or_else(|| named(own));
+        Sensor { id, known, named, tally }
+    }
+
+    /// Its kind by any evidence but how long it is on.
+    fn surely(&self) -> Option<Taken> {
+        self.by_its_kind().or_else(|| self.by_values()).or_else(|| self.by_name())
+    }
+
+    /// By the kind that a table, the source or a home has for it, by its unit, and by the domain of its id.
+    fn by_its_kind(&self) -> Option<Taken> {
+        let (kind, said_by) = self.known.map_or(("", SaidBy::Source), |known| (known.kind.as_str(), known.said_by));
+        let (by, id) = match said_by {
+            SaidBy::Table => (Evidence::Table, ""),
+            SaidBy::Home => (Evidence::Home, ""),
+            SaidBy::Source => (Evidence::Source, self.id),
+        };
+        let Some(kind_of) = meaning(kind, id).and_then(|meaning| self.kind(meaning)) else {
+            let unit = self.known?.unit.as_ref().filter(|_| self.tally.signs() == 0 || self.tally.says_numbers())?;
+            return Some(Taken::new(Kind::Reading, by, format!("its unit {unit}")));
+        };
+        // A source may name a reading after what it belongs to; what a person writes holds.
+        if by != Evidence::Table && kind_of != Kind::Other && kind_of != Kind::Reading && self.tally.says_numbers() {
+            return Some(self.reading());
+        }
+        let because = match by {
+            Evidence::Table => format!("{kind:?} in the table of sensors beside the log"),
+            Evidence::Home => format!("{kind:?} in its home"),
+            _ if kind.is_empty() => format!("its id begins with {}", domain_of(id).unwrap_or_default()),
+            _ => format!("{kind:?} in its source"),
+        };
+        Some(Taken::new(kind_of, by, because))
+    }
+
+    /// The kind that a meaning comes to; `None` where what it says does not fit.
+    fn kind(&self, meaning: Meaning) -> Option<Kind> {
+        match meaning {
+            Meaning::Is(kind) => Some(kind),
+            Meaning::Somebody if self.is_seat() => Some(Kind::Used),
+            Meaning::Somebody => Some(Kind::Motion),
+            Meaning::Measured if self.tally.says_numbers() => Some(Kind::Reading),
+            Meaning::Measured => Some(Kind::Used),
+            Meaning::Readings => (self.tally.says_numbers() || self.tally.signs() == 0).then_some(Kind::Reading),
+        }
+    }
+
+    fn is_seat(&self) -> bool {
+        self.known.is_some_and(|known| is_seat(&known.name)) || is_seat(self.id)
+    }
+
+    fn by_values(&self) -> Option<Taken> {
+        match () {
+            () if self.tally.says_numbers() => Some(self.reading()),
+            () if self.tally.signs() == 0 => {
+                Some(Taken::new(Kind::Reading, Evidence::Values, "it says no word of sensors"))
+            }
+            () if self.tally.says_open() => Some(Taken::new(Kind::Contact, Evidence::Values, "it says OPEN and CLOSE")),
+            () => None,
+        }
+    }
+
+    fn reading(&self) -> Taken {
+        Taken::new(Kind::Reading, Evidence::Values, "it says numbers")
+    }
+
+    fn by_name(&self) -> Option<Taken> {
+        let (named, word) = self.named.as_ref()?;
+        let kind = match named {
+            Named::Motion => Kind::Motion,
+            Named::Contact => Kind::Contact,
+            Named::Thing => Kind::Used,
+            Named::Device => Kind::Other,
+            Named::Door | Named::Seat | Named::Place => return None,
+        };
+        Some(Taken::new(kind, Evidence::Name, format!("{word:?} in its name")))
+    }
+
+    /// Whether it is at a door or a thing, and its rows show how long it is on.
+    fn is_at_thing(&self) -> bool {
+        let is_at = matches!(self.named, Some((Named::Door | Named::Seat | Named::Place, _)));
+        is_at && self.tally.has_spans()
+    }
+
+    /// Its kind by its name and by how long it is on; `says_motion` if a sensor of the log is surely one of motion.
+    fn guess(&self, says_motion: bool) -> Taken {
+        let motion = |because: &str| Taken::new(Kind::Motion, Evidence::Guess, because);
+        let Some((named, word)) = &self.named else { return motion("it says that something begins") };
+        let is_as_brief = if *named == Named::Seat { self.tally.is_brief() } else { self.tally.blinks() };
+        let looks = match is_room_letter_place(self.id) {
+            true => self.tally.is_brief(),
+            false => is_as_brief && !says_motion,
+        };
+        match named {
+            Named::Door if !self.tally.has_spans() => motion("it says that something begins, and never that it ends"),
+            _ if looks => motion(&format!("{word:?} in its name, and it is ON for moments")),
+            _ => self.used(),
+        }
+    }
+
+    /// Its kind unless it looks for movement: a contact at a door, or else a thing that is used.
+    fn used(&self) -> Taken {
+        match &self.named {
+            Some((Named::Door, word)) => Taken::new(Kind::Contact, Evidence::Name, format!("{word:?} in its name")),
+            Some((_, word)) => Taken::new(Kind::Used, Evidence::Name, format!("{word:?} in its name")),
+            None => {
+                Taken::new(Kind::Used, Evidence::Guess, "no sensor of the log is ON for moments, as motion sensors are")
+            }
+        }
+    }
+}

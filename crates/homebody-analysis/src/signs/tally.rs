@@ -1,0 +1,93 @@
+//! Counts over the rows of one sensor, which show what it may be.
+
+use super::course::{Course, Said};
+use super::says::Says;
+use homebody_core::time::{Micros, SECOND};
+
+/// At least half of the spans of a sensor that is brief are shorter. A bed or a stove is used for longer.
+const BRIEF: Micros = 20 * SECOND;
+
+/// At least half of the spans of a sensor that blinks are shorter. A door that people walk through is open for longer.
+const BLINK: Micros = 5 * SECOND;
+
+/// Counts over the rows of one sensor, taken one by one in the order of time.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    motion: u64,
+    contact: u64,
+    reading: u64,
+    /// Those of them that say 1 or 0: where a sensor tells other numbers, too, these are numbers as well.
+    ones: u64,
+    course: Course,
+    /// Since when it is on.
+    since: Option<Micros>,
+    /// How often it was on for any time, and how often of these for seconds, and for a moment.
+    spans: u64,
+    brief: u64,
+    blinks: u64,
+}
+
+impl Tally {
+    /// Takes a row; what it says after those before it.
+    pub fn take(&mut self, at: Micros, says: Says, is_number: bool, gaps: &[(Micros, Micros)]) -> Said {
+        let said = self.course.take(at, says, gaps);
+        match says {
+            Says::Begins | Says::Ends => self.motion += 1,
+            Says::Opens | Says::Closes => self.contact += 1,
+            // Other words describe a state, such as how restless a sleeper is.
+            Says::Else => self.reading += u64::from(is_number),
+            Says::Unknown => {}
+        }
+        self.ones += u64::from(is_number && says.is_sign());
+        if said.unknown_from.is_some() {
+            self.since = None;
+        }
+        match says {
+            Says::Begins | Says::Opens => self.since = self.since.or(Some(at)),
+            Says::Ends | Says::Closes => {
+                if let Some(length) = self.since.take().map(|since| at - since).filter(|&length| length > 0) {
+                    self.spans += 1;
+                    self.brief += u64::from(length < BRIEF);
+                    self.blinks += u64::from(length < BLINK);
+                }
+            }
+            Says::Unknown | Says::Else => {}
+        }
+        said
+    }
+
+    /// How many rows say that something begins, ends, is opened or closed.
+    pub(super) fn signs(&self) -> u64 {
+        self.motion + self.contact
+    }
+
+    /// Whether it says `ON` and `OFF`, `OPEN` and `CLOSE`, or numbers, most of the time.
+    pub(super) fn says_numbers(&self) -> bool {
+        let (motion, reading) = self.without_ones();
+        reading > motion.max(self.contact)
+    }
+
+    pub(super) fn says_open(&self) -> bool {
+        self.contact > self.without_ones().0
+    }
+
+    fn without_ones(&self) -> (u64, u64) {
+        let ones = if self.reading > 0 { self.ones } else { 0 };
+        (self.motion - ones, self.reading + ones)
+    }
+
+    /// Whether it is on for any time.
+    pub(super) fn has_spans(&self) -> bool {
+        self.spans > 0
+    }
+
+    /// Whether it is on for seconds at a time, as motion sensors are.
+    pub(super) fn is_brief(&self) -> bool {
+        self.brief > 0 && 2 * self.brief >= self.spans
+    }
+
+    /// Whether it is on for a moment at a time.
+    pub(super) fn blinks(&self) -> bool {
+        self.blinks > 0 && 2 * self.blinks >= self.spans
+    }
+}

@@ -1,0 +1,256 @@
+use super::*;
+use crate::sample::log;
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::{SaidBy, SensorInfo};
+
+#[test]
+fn sensors_are_taken_for_what_most_of_their_rows_look_like() {
+    let log = log(&[
+        (0, "M1", "ON"),
+        (1, "M1", "OFF"),
+        (2, "M1", "ON0"),
+        (3, "D1", "OPEN"),
+        (4, "T1", "21.5"),
+        (5, "T1", "1"),
+        (6, "T1", "0"),
+        (7, "L002", "ON"),
+        (8, "mattress", "true"),
+        (9, "hall", "FIRE"),
+    ]);
+    let wanted = [Kind::Motion, Kind::Contact, Kind::Reading, Kind::Used, Kind::Used, Kind::Motion];
+    assert_eq!(kinds(&log), wanted);
+}
+
+#[test]
+fn a_bed_that_is_on_for_seconds_is_where_a_motion_sensor_looks() {
+    let rows: Vec<(i64, &str, &str)> = (0..10)
+        .flat_map(|time| {
+            let (from, to) = (1000 * time, 1000 * time + 4);
+            [(from, "BedroomBed", "ON"), (to, "BedroomBed", "OFF"), (from, "bed", "ON"), (to + 900, "bed", "OFF")]
+        })
+        .chain((0..5).map(|time| (1000 * time, "kitchen", "ON")))
+        .collect();
+    assert_eq!(kinds(&log(&rows)), [Kind::Motion, Kind::Used, Kind::Motion]);
+    // An instant tells nothing of how long it lasts.
+    assert_eq!(kinds(&log(&[(0, "chair", "ON"), (1, "kitchen", "ON")])), [Kind::Used, Kind::Motion]);
+}
+
+#[test]
+fn of_a_home_of_contacts_that_say_on_nothing_sees_movement() {
+    let names = [
+        ("Hall-Bedroom door", 600, Kind::Contact),
+        ("Maindoor Magnetic Entrance", 9, Kind::Contact),
+        ("Cups cupboard", 9, Kind::Used),
+        ("ToiletFlush", 3, Kind::Used),
+        ("Fridge", 40, Kind::Used),
+        // A motion sensor that looks at a door or a fridge is ON for seconds.
+        ("BedroomADoor", 4, Kind::Motion),
+        ("KitchenARefrigerator", 4, Kind::Motion),
+        ("Basin PIR Bathroom", 600, Kind::Motion),
+    ];
+    let rows: Vec<(i64, &str, &str)> = (0..10)
+        .flat_map(|time| {
+            names.map(|(name, length, _)| [(1000 * time, name, "ON"), (1000 * time + length, name, "OFF")])
+        })
+        .flatten()
+        .collect();
+    assert_eq!(kinds(&log(&rows)), names.map(|(_, _, kind)| kind));
+    // Without an end its length is not known: its values decide.
+    assert_eq!(kinds(&log(&[(0, "front door", "FIRE")])), [Kind::Motion]);
+    // No sensor looks if nothing else is ON for seconds.
+    let rows: Vec<(i64, &str, &str)> = (0..10)
+        .flat_map(|time| {
+            ["Frontdoor", "Fridge"].map(|name| [(1000 * time, name, "ON"), (1000 * time + 4, name, "OFF")])
+        })
+        .flatten()
+        .collect();
+    assert_eq!(kinds(&log(&rows)), [Kind::Contact, Kind::Used]);
+}
+
+#[test]
+fn what_our_own_sensors_say_first_begins_something() {
+    for kind in homebody_core::sensors::kinds::KINDS {
+        let Some(first) = kind.values.first() else { continue };
+        let says = says(&first.to_string());
+        assert!(matches!(says, Says::Begins | Says::Opens), "a {} sensor says {first}: {says:?}", kind.key);
+    }
+}
+
+#[test]
+fn what_is_on_goes_on_until_it_is_off() {
+    let log = log(&[
+        (5, "M1", "ON"),
+        (0, "M1", "ON"),
+        (9, "M1", "OFF"),
+        (9, "M1", "OFF"),
+        (20, "M1", "ON"),
+        (3, "hall", "FIRE"),
+        (6, "hall", "FIRE"),
+    ]);
+    const S: Micros = SECOND;
+    assert_eq!(spans(&log), [vec![(0, 9 * S), (20 * S, 20 * S)], vec![(3 * S, 3 * S), (6 * S, 6 * S)]]);
+}
+
+/// A sensor with a kind from its source.
+fn of_kind(id: &str, kind: &str) -> SensorInfo {
+    SensorInfo::of_kind(id, kind, &[])
+}
+
+/// Rows of sensors that are each on for so many seconds, ten times.
+fn rows<'a>(sensors: &[(&'a str, i64)]) -> Vec<(i64, &'a str, &'a str)> {
+    let on_and_off = |time: i64| {
+        move |&(name, length): &(&'a str, i64)| [(1000 * time, name, "on"), (1000 * time + length, name, "off")]
+    };
+    (0..10).flat_map(|time| sensors.iter().flat_map(on_and_off(time)).collect::<Vec<_>>()).collect()
+}
+
+#[test]
+fn what_a_source_says_decides_and_a_table_overrides_it() {
+    let mut log = log(&rows(&[("A", 3), ("B", 3), ("C", 4000), ("D", 3), ("E", 3), ("F", 3)]));
+    log.known = vec![
+        of_kind("A", "motion"),
+        of_kind("B", "door"),
+        of_kind("C", "Control4-Motion"),
+        of_kind("D", "connectivity"),
+        SensorInfo { said_by: SaidBy::Table, ..of_kind("E", "contact") },
+        SensorInfo { said_by: SaidBy::Home, ..of_kind("F", "bed") },
+    ];
+    let wanted = [Kind::Motion, Kind::Contact, Kind::Motion, Kind::Other, Kind::Contact, Kind::Used];
+    let by = [Evidence::Source, Evidence::Source, Evidence::Source, Evidence::Source, Evidence::Table, Evidence::Home];
+    let taken = taken(&log);
+    assert_eq!(taken.iter().map(|one| one.kind).collect::<Vec<_>>(), wanted);
+    assert_eq!(taken.iter().map(|one| one.by).collect::<Vec<_>>(), by);
+    assert_eq!(taken[1].because, "\"door\" in its source");
+    // Without a word of theirs all are guesses.
+    log.known.clear();
+    assert!(super::taken(&log).iter().all(|one| one.by == Evidence::Guess));
+}
+
+#[test]
+fn numbers_are_readings_whatever_they_are_readings_of_but_for_a_table() {
+    let mut log = log(&[(0, "A", "21.5"), (1, "A", "22"), (2, "B", "300"), (3, "C", "1"), (4, "C", "0")]);
+    log.known = vec![of_kind("A", "motion"), of_kind("B", "power"), of_kind("C", "motion")];
+    assert_eq!(kinds(&log), [Kind::Reading, Kind::Reading, Kind::Motion]);
+    log.known[0].said_by = SaidBy::Table;
+    assert_eq!(kinds(&log)[0], Kind::Motion);
+}
+
+#[test]
+fn occupancy_of_a_bed_is_use_and_of_a_room_is_motion() {
+    let mut log = log(&rows(&[("binary_sensor.bett", 25_000), ("binary_sensor.flur", 60)]));
+    log.known = vec![of_kind("binary_sensor.bett", "occupancy"), of_kind("binary_sensor.flur", "occupancy")];
+    assert_eq!(kinds(&log), [Kind::Used, Kind::Motion]);
+}
+
+#[test]
+fn a_domain_says_what_is_no_sensor_of_somebody() {
+    let names = [
+        ("automation.hall_light", Kind::Other),
+        ("update.core", Kind::Other),
+        ("sun.sun", Kind::Other),
+        ("input_boolean.guests", Kind::Other),
+        ("person.ada", Kind::Other),
+        ("cover.blind", Kind::Other),
+        ("light.hall", Kind::Used),
+        ("binary_sensor.hall_motion", Kind::Motion),
+    ];
+    let log = log(&rows(&names.map(|(name, _)| (name, 30))));
+    assert_eq!(kinds(&log), names.map(|(_, kind)| kind));
+}
+
+#[test]
+fn a_contact_that_is_open_for_seconds_is_a_contact() {
+    for (name, others, wanted) in [
+        ("binary_sensor.front_door_contact", "binary_sensor.hall_motion", Kind::Contact),
+        ("Haustür Kontakt", "Flur", Kind::Contact),
+        // The other has a word for motion in its name: so this one would, too.
+        ("binary_sensor.front_door", "binary_sensor.hall_motion", Kind::Contact),
+        ("haustuer", "Bewegungsmelder Flur", Kind::Contact),
+        ("Fridge", "Kitchen PIR", Kind::Used),
+        ("front door", "hall", Kind::Contact),
+        // These look at a door.
+        ("front door motion", "hall motion", Kind::Motion),
+        ("BedroomADoor", "HallwayA", Kind::Motion),
+    ] {
+        assert_eq!(kinds(&log(&rows(&[(name, 8), (others, 60)])))[0], wanted, "{name}");
+    }
+    // Nobody goes through a door and closes it in so short.
+    assert_eq!(kinds(&log(&rows(&[("front door", 2), ("hall", 2)])))[0], Kind::Motion);
+}
+
+#[test]
+fn motion_sensors_by_their_names_stay_so_however_often_they_speak() {
+    let mut sensors = vec![("Shower PIR Bathroom", 400), ("Basin PIR Bathroom", 61), ("Maindoor Magnetic Entrance", 9)];
+    sensors.extend([("Door PIR Bedroom", 3); 30]);
+    let log = log(&rows(&sensors));
+    assert_eq!(kinds(&log), [Kind::Motion, Kind::Motion, Kind::Contact, Kind::Motion]);
+    // Without the word, nothing but doors is ON for moments, and no sensor looks.
+    let mut sensors = vec![("Shower", 400), ("Basin", 61)];
+    sensors.extend([("Door Bedroom", 3); 30]);
+    assert_eq!(kinds(&crate::sample::log(&rows(&sensors))), [Kind::Used, Kind::Used, Kind::Contact]);
+}
+
+const H: Micros = 3600 * SECOND;
+
+#[test]
+fn what_was_on_ends_where_its_state_is_not_known() {
+    let log = log(&[
+        (0, "M1", "on"),
+        (20, "M1", "unavailable"),
+        (3600, "M1", "off"),
+        (7200, "M1", "on"),
+        (7260, "M1", "off"),
+        (7300, "bed", "on"),
+        (7400, "bed", "unknown"),
+        (7500, "bed", "on"),
+        (7600, "bed", "off"),
+    ]);
+    let s = |from: i64, to: i64| (from * SECOND, to * SECOND);
+    assert_eq!(spans(&log), [vec![s(0, 20), s(7200, 7260)], vec![s(7300, 7400), s(7500, 7600)]]);
+    assert_eq!(unknown(&log), [vec![s(20, 3600)], vec![s(7400, 7500)]]);
+    let said = said(&log);
+    // The bed keeps its state: it does not fire. The OFF of the sensor is new.
+    assert_eq!(said.iter().filter(|said| said.is_restored).count(), 1);
+    assert!(said[7].is_restored && !said[7].begins() && said[5].begins() && !said[2].is_restored);
+    assert_eq!(said[2].unknown_from, Some(20 * SECOND));
+}
+
+#[test]
+fn nothing_goes_on_across_a_gap_of_the_recorder() {
+    let mut log = log(&[
+        (0, "bed", "off"),
+        (0, "bed", "on"),
+        (30, "hall", "FIRE"),
+        (86_400, "bed", "on"),
+        (86_430, "bed", "off"),
+    ]);
+    let whole = spans(&log);
+    assert_eq!(whole[0], [(0, 86_430 * SECOND)], "without a word of a gap");
+    log.gaps = vec![(30 * SECOND, 24 * H)];
+    assert_eq!(spans(&log)[0], [(0, 30 * SECOND), (24 * H, 24 * H + 30 * SECOND)]);
+    assert!(said(&log)[3].is_restored);
+    // One at the end of the log, too.
+    log.gaps.push((86_425 * SECOND, 30 * H));
+    log.events.pop();
+    assert_eq!(spans_until(&log, Some(30 * H))[0].last(), Some(&(24 * H, 24 * H + 25 * SECOND)));
+}
+
+#[test]
+fn nothing_is_known_where_no_sensor_is() {
+    let log = log(&[
+        (0, "M1", "on"),
+        (1, "M2", "on"),
+        (10, "M1", "unavailable"),
+        (20, "M2", "unavailable"),
+        (30, "M1", "off"),
+        (40, "M2", "off"),
+        (50, "T1", "21"),
+    ]);
+    let of = |asks: &dyn Fn(usize) -> bool| unknown_of_all(&log, asks);
+    assert_eq!(of(&|sensor| sensor < 2), [(20 * SECOND, 30 * SECOND)]);
+    assert_eq!(of(&|sensor| sensor == 0), [(10 * SECOND, 30 * SECOND)]);
+    assert_eq!(of(&|_| true), [(20 * SECOND, 30 * SECOND)], "the temperature is not known before its first row");
+    // Without a word that a state is not known, all is known.
+    let plain = crate::sample::log(&[(0, "T1", "21"), (500, "M1", "on"), (510, "M1", "off")]);
+    assert_eq!(unknown_of_all(&plain, &|sensor| sensor == 1), []);
+}

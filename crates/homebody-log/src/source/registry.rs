@@ -1,0 +1,120 @@
+//! Home Assistant's registries of entities, devices and areas: classes, rooms, and categories.
+//!
+//! They lie in the database's folder, or in `.storage` below it. A person may have put the room on the device alone.
+
+use crate::plain;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use std::collections::BTreeMap;
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// No registry has more bytes: one of ten thousand entities has a tenth of it.
+const LARGEST_BYTES: u64 = 64 << 20;
+
+/// The entries of entities, by their ids.
+#[derive(Default)]
+pub(super) struct Registry(BTreeMap<String, Entry>);
+
+/// The entry of an entity.
+pub(super) struct Entry {
+    pub class: Option<String>,
+    /// `config` or `diagnostic`, if it has one of these categories.
+    pub category: Option<String>,
+    pub area: Option<String>,
+}
+
+/// A file of the storage.
+#[derive(Deserialize)]
+struct Stored<T> {
+    data: T,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Entities {
+    entities: Vec<Entity>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Entity {
+    entity_id: String,
+    device_class: Option<String>,
+    original_device_class: Option<String>,
+    entity_category: Option<String>,
+    area_id: Option<String>,
+    device_id: Option<String>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Devices {
+    devices: Vec<Device>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Device {
+    id: String,
+    area_id: Option<String>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Areas {
+    areas: Vec<Area>,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(default)]
+struct Area {
+    id: String,
+    name: String,
+}
+
+impl Registry {
+    /// The registries of a database. One that cannot be read is a remark.
+    pub fn beside(database: &Path, remarks: &mut Vec<String>) -> Registry {
+        let entities: Entities = stored(database, "core.entity_registry", remarks);
+        let devices: Devices = stored(database, "core.device_registry", remarks);
+        let areas: Areas = stored(database, "core.area_registry", remarks);
+        let area_of_device: BTreeMap<String, String> =
+            devices.devices.into_iter().filter_map(|device| Some((device.id, device.area_id?))).collect();
+        let names: BTreeMap<String, String> = areas.areas.into_iter().map(|area| (area.id, area.name)).collect();
+        let entry = |entity: Entity| {
+            let area = entity.area_id.or_else(|| area_of_device.get(&entity.device_id?).cloned());
+            let said = |text: Option<String>| text.filter(|text| !text.is_empty());
+            let entry = Entry {
+                class: said(entity.device_class).or(said(entity.original_device_class)),
+                category: said(entity.entity_category),
+                area: area.and_then(|id| names.get(&id).cloned()),
+            };
+            (entity.entity_id, entry)
+        };
+        Registry(entities.entities.into_iter().map(entry).collect())
+    }
+
+    pub fn entity(&self, id: &str) -> Option<&Entry> {
+        self.0.get(id)
+    }
+}
+
+fn stored<T: DeserializeOwned + Default>(database: &Path, name: &str, remarks: &mut Vec<String>) -> T {
+    let folder = database.parent().unwrap_or(Path::new(""));
+    for path in [folder.join(".storage").join(name), folder.join(name)] {
+        let text = match plain::read(&path, LARGEST_BYTES) {
+            Ok(text) => text,
+            Err(error) if error.kind() == ErrorKind::NotFound => continue,
+            Err(error) => {
+                remarks.push(format!("{name} is not read: {error}"));
+                continue;
+            }
+        };
+        match serde_json::from_slice::<Stored<T>>(&text) {
+            Ok(stored) => return stored.data,
+            Err(error) => remarks.push(format!("{name} is not read: {error}")),
+        }
+    }
+    T::default()
+}
