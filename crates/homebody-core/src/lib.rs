@@ -20,6 +20,7 @@ pub mod numbers;
 // What names are made of, what furniture is for, and what activities are called.
 pub mod names;
 pub mod role;
+pub mod languages;
 pub mod activity;
 
 // What the user wrote, and what is wrong with it.

@@ -1,7 +1,7 @@
 //! What a door, a window, a flight of stairs or a lamp is, by its words in the catalogue and in its name, and by its place.
 
 use crate::drawing::Piece;
-use crate::words::has_any;
+use homebody_core::names::has_any;
 
 /// Higher sills are those of windows (ours): thresholds and steps are lower.
 const SILL_M: f64 = 0.3;
@@ -40,13 +40,6 @@ pub fn is_window(opening: &Piece) -> bool {
 /// that reach the floor.
 pub fn leads_home(opening: &Piece) -> usize {
     if has(opening, FRONT) { 2 } else { usize::from(!is_called_window(opening)) }
-}
-
-/// Whether a room of this name is where people come in.
-pub fn is_hall(name: &[String]) -> bool {
-    const HALL: &str = "hall hallway entrance entry foyer corridor flur diele entrée couloir ingresso corridoio recibidor pasillo \
-        korytarz прихожая 玄関 玄关";
-    has_any(name, HALL)
 }
 
 fn is_called_window(opening: &Piece) -> bool {

@@ -60,6 +60,7 @@ mod cohort_unfinished;
 pub mod fleet;
 
 mod idle_sensors;
+mod lifeless;
 mod log_with_run;
 mod instants;
 mod translation;

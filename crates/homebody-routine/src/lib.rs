@@ -18,3 +18,6 @@ pub mod living;
 mod room_for;
 mod needs_of_home;
 pub mod household;
+
+// What a home needs besides, for those who live there.
+pub mod furnished;
