@@ -40,7 +40,7 @@ class Life:
     pieces: int = 0
     remarks: list[str] = field(default_factory=list)
     lacks: list[str] = field(default_factory=list)
-    #: Hours asleep, meals and visits to the bathroom; nothing where nobody can live.
+    #: Hours asleep, meals and visits to the bathroom; `None` where nobody can live.
     day: tuple[float, int, int] | None = None
 
     @property

@@ -16,7 +16,7 @@ pub enum RoomUse {
     LivingRoom,
     /// People come in by it, or go through it.
     Hall,
-    /// Nobody lives there: a balcony, a cellar, a garage, stairs.
+    /// A balcony, a cellar, a garage or stairs.
     Aside,
 }
 
@@ -42,7 +42,7 @@ const NAMED: [Role; 8] = [
     Role::Shower,
 ];
 
-/// The languages; of two in which as many rooms are known the first counts.
+/// The languages. If two know equally many rooms, the first counts.
 const LANGUAGES: [Language; 14] = [
     Language {
         rooms: [

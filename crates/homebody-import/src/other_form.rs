@@ -1,34 +1,34 @@
-//! Files that are no plan of Sweet Home 3D: what each is by its first bytes, and what takes it.
+//! Files of other forms than Sweet Home 3D: names each by its first bytes, with a command for it.
 
 use crate::error::NotImported;
 
 /// So many bytes at the beginning are looked at (ours).
 const LOOKED_AT: usize = 64 << 10;
 
-/// What takes a picture in one of the forms that the command reads.
+/// The command for a picture in one of the forms that the command reads.
 const PICTURE: &str = "homebody new my-home --image plan.png --known X,Y=EAST,NORTH --known X,Y=EAST,NORTH takes pictures, with two \
      points in pixels and in metres; homebody serve my-home then draws over it. Where you have a log of its sensors, add --from-log LOG";
 
-/// What takes a picture that the page alone reads.
+/// The command for a picture that the page alone reads.
 const IN_PAGE: &str =
     "homebody serve takes pictures in PNG, JPEG and SVG: \"New home\", from an image, and draw over it";
 
-/// What takes a picture in another form.
+/// The command for a picture in another form.
 const AS_PICTURE: &str = "save it as a picture in PNG; homebody new my-home --image plan.png, or \"New home\" in homebody serve, takes \
      that to draw over";
 
-/// What takes a building or a plan of another program.
+/// The command for a building or a plan of another program.
 const OTHER_PROGRAM: &str = "draw the plan in Sweet Home 3D and name the .sh3d file, or save it as a picture in PNG, which homebody new \
      my-home --image plan.png takes to draw over in the page";
 
-/// What takes a home of this program.
+/// The command for a home of this program.
 const OWN: &str =
     "it needs no import: put it into the folder of a scenario, and name that folder: homebody check FOLDER";
 
-/// What takes a file in which a plan is packed.
+/// The hint for a plan inside of another archive.
 const PACKED: &str = "unpack it, and name the .sh3d file or the Home.xml that is in it";
 
-/// The first bytes of forms that are no text.
+/// The first bytes of binary forms.
 const SIGNS: [(&[u8], &str, &str); 14] = [
     (b"\x89PNG\r\n\x1a\n", "a picture in PNG", PICTURE),
     (b"\xff\xd8\xff", "a picture in JPEG", PICTURE),
@@ -46,7 +46,7 @@ const SIGNS: [(&[u8], &str, &str); 14] = [
     (b"Rar!", "packed with RAR", PACKED),
 ];
 
-/// Why the bytes are no plan where they are no zip archive.
+/// The error for bytes outside of a zip archive.
 pub fn refused(bytes: &[u8]) -> NotImported {
     let looked_at = &bytes[..bytes.len().min(LOOKED_AT)];
     let found = SIGNS.iter().find(|(sign, ..)| looked_at.starts_with(sign));
@@ -57,13 +57,13 @@ pub fn refused(bytes: &[u8]) -> NotImported {
     }
 }
 
-/// Why an archive without `Home.xml` is no plan, by the names of what is in it.
+/// The error for an archive without `Home.xml`, by the names of its entries.
 pub fn of_archive(names: impl Iterator<Item = String>) -> NotImported {
     let form = |name: String| {
         let name = name.to_lowercase();
         let ends = |end: &str| name.ends_with(end);
         match () {
-            () if [".sh3d", ".sh3x"].iter().any(|end| ends(end)) || ends("/home.xml") => {
+            () if [".sh3d", ".sh3x"].iter().any(|end| ends(end)) => {
                 Some(("an archive with a plan of Sweet Home 3D in it", PACKED))
             }
             () if ends("catalog.properties") || ends("catalog.json") => {
@@ -83,7 +83,7 @@ pub fn of_archive(names: impl Iterator<Item = String>) -> NotImported {
     }
 }
 
-/// What takes pictures that are packed.
+/// The command for pictures that are packed.
 const PACKED_PICTURES: &str =
     "unpack it; homebody new my-home --image plan.png takes a picture to draw over in the page";
 
@@ -96,7 +96,7 @@ fn of_container(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
     }
 }
 
-/// What a text is.
+/// The form of a text.
 fn of_text(text: &str) -> Option<(&'static str, &'static str)> {
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let is_markup = text.starts_with('<');
@@ -115,10 +115,10 @@ fn of_text(text: &str) -> Option<(&'static str, &'static str)> {
     }
 }
 
-/// What brings the file behind a pointer.
+/// The command that brings the file behind a pointer.
 const LFS: &str = "fetch the file itself with: git lfs pull";
 
-/// What a drawing in SVG is of.
+/// The kind of a drawing in SVG.
 fn of_svg(text: &str) -> &'static str {
     /// How the things of Home Assistant begin that a floor plan shows.
     const ENTITIES: [&str; 5] = ["binary_sensor.", "light.", "sensor.", "switch.", "area."];
@@ -130,7 +130,7 @@ fn of_svg(text: &str) -> &'static str {
     }
 }
 
-/// What data in JSON is of.
+/// The kind of data in JSON.
 fn of_json(text: &str) -> (&'static str, &'static str) {
     let has = |keys: &[&str]| keys.iter().all(|key| text.contains(&format!("\"{key}\"")));
     match () {
@@ -144,7 +144,7 @@ fn of_json(text: &str) -> (&'static str, &'static str) {
     }
 }
 
-/// What settings in YAML are of.
+/// The kind of settings in YAML.
 fn of_yaml(text: &str) -> (&'static str, &'static str) {
     let has = |key: &str| text.lines().any(|line| line.trim_start_matches([' ', '-']).starts_with(key));
     if has("floors:") && has("rooms:") || has("rooms:") && has("points:") {

@@ -8,7 +8,7 @@ use homebody_core::home::plan::FLAT_M;
 use homebody_core::languages::{RoomUse, room_use};
 use homebody_core::role::Role;
 
-/// What a place is called that stands for a role, and the rooms where it is.
+/// The name of a place that stands for a role, and the rooms where it is.
 const CALLED: [(Role, &str, RoomUse); 3] = [
     (Role::Fridge, "kitchen", RoomUse::Kitchen),
     (Role::Toilet, "bathroom", RoomUse::Bathroom),

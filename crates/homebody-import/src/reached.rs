@@ -1,4 +1,4 @@
-//! What nobody gets to as it is drawn: chairs under a table and pieces that stand into a wall are moved out, as people do.
+//! Moves out chairs under a table and pieces that stand into a wall, where nobody gets to them as they are drawn.
 
 use homebody_core::geometry::{self, At, Point, overlap};
 use homebody_core::home::plan::{Origin, Plan, Solid, furniture_outline};
@@ -8,29 +8,29 @@ use homebody_walk::Mesh;
 use homebody_walk::places::Places;
 use std::collections::BTreeSet;
 
-/// The body for which ways are looked for: that of a resident of whom nothing else is said.
+/// The radius of a body that looks for ways: a resident has it by default.
 const BODY_M: f64 = 0.22;
 
-/// Homes with more are not looked at (ours): each round looks for ways through the whole home.
+/// Homes with more are not looked at: each round looks for ways through the whole home.
 const MOST_WALLS: usize = 400;
 const MOST_PIECES: usize = 400;
 
-/// So many pieces that nobody gets to are looked at (ours).
+/// So many pieces that nobody gets to are looked at.
 const MOST_UNREACHED: usize = 40;
 
-/// So many places are tried for each piece (ours), and so many pieces one by one where they are in each other's way.
+/// So many places are tried for each piece, and so many pieces one by one where they are in each other's way.
 const MOST_TRIED: usize = 12;
 const MOST_ALONE: usize = 24;
 
-/// The steps in which a piece is moved, and how far at most (ours): a chair is pulled out of a table as deep as it is.
+/// The steps of a move, and the longest move: people pull a chair out by its own depth.
 const STEP_M: f64 = 0.05;
 const MOST_SEAT_M: f64 = 1.0;
 const MOST_OTHER_M: f64 = 0.5;
 
-/// How far beside an edge somebody sits whose chair is pulled out (ours).
+/// How far beside an edge somebody sits whose chair is pulled out.
 const BEYOND_EDGE_M: f64 = 0.1;
 
-/// What two pieces may share besides, in square metres (ours): nothing that is seen.
+/// The overlap of two pieces that counts as none, in square metres.
 const SHARED_M2: f64 = 0.01;
 
 /// A move of a piece.
@@ -44,6 +44,9 @@ struct Move {
 /// that there is a way to, and no way is lost.
 pub fn mended(home: &mut HomeFile, remarks: &mut Vec<String>) {
     if home.walls.len() > MOST_WALLS || home.furniture.len() > MOST_PIECES {
+        return;
+    }
+    if home.rooms.len() < 2 && !home.furniture.iter().any(is_used) {
         return;
     }
     let plan = Plan::new(home);
@@ -100,7 +103,7 @@ fn try_moves(home: &mut HomeFile, moves: &[(usize, Move)], reached: &mut BTreeSe
     is_better
 }
 
-/// What there is a way to, by name.
+/// The names of the places that a way leads to.
 fn ways(home: &HomeFile, plan: &Plan) -> BTreeSet<String> {
     let places = Places::new(home, plan, &Mesh::new(plan, BODY_M), "");
     places.all().iter().filter(|spot| spot.is_reachable).map(|spot| spot.name.clone()).collect()
@@ -119,7 +122,7 @@ fn at(p: Point) -> At {
     [p.x, p.y].map(|length| (length * 1e3).round() / 1e3)
 }
 
-/// Where a piece could stand instead, the nearest first: out of what it stands in, along the sides of either.
+/// Other places for a piece, the nearest first: out of the piece or wall that it stands in, along the sides of either.
 fn moves(home: &HomeFile, plan: &Plan, index: usize) -> Vec<Move> {
     let piece = &home.furniture[index];
     let Some(from) = piece.at.map(geometry::point) else { return Vec::new() };
@@ -183,7 +186,7 @@ fn is_apart(home: &HomeFile, index: usize, moved: &[Point]) -> bool {
 
 /// Which pieces were moved, and how far.
 fn told(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
-    /// So many are named (ours).
+    /// So many are named.
     const NAMED: usize = 6;
     let moved = home.furniture.iter().zip(drawn).filter_map(|(piece, drawn)| {
         let by_m = geometry::point((*drawn)?).distance(geometry::point(piece.at?));
@@ -197,7 +200,7 @@ fn told(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
     (!moved.is_empty()).then(|| format!("{what}: {named}{more}"))
 }
 
-/// The rooms that there is no way to.
+/// Names the rooms that nobody gets into.
 fn closed_rooms(home: &HomeFile) -> Option<String> {
     let plan = Plan::new(home);
     let places = Places::new(home, &plan, &Mesh::new(&plan, BODY_M), "");

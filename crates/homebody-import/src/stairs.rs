@@ -62,7 +62,7 @@ struct Drawn {
 /// Joins to one floor those that stairs lead to, each as high as it says: they are drawn beside it, with the passages between
 /// them. Gives which they are, that one included.
 ///
-/// Floors come from below. One to which no stairs lead, such as a gallery, does not keep people from those beyond it.
+/// Floors come from below. A floor without stairs, such as a gallery, does not stop those beyond it.
 pub fn unfolded(floors: &[(f64, Floor)], first: usize, names: &mut AllNames) -> (Floor, Vec<usize>) {
     let mut all = floors[first].1.clone();
     let mut drawn = vec![Drawn { index: first, motion: STILL, used: Vec::new() }];
@@ -116,8 +116,8 @@ fn flight_to(
     joins.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, join)| ((lower, stairs), join))
 }
 
-/// The stairs of a floor that lead up to one so much higher and are not used: the highest of those that end there, else the
-/// lowest of those that go on.
+/// The unused stairs of a floor that lead up to one so much higher: the highest of those that end there, else the lowest of
+/// those that lead further up.
 fn up(floor: &Floor, rise_m: f64, used: &[usize]) -> Option<usize> {
     let reach_m = |stairs: usize| floor.stairs[stairs].elevation_m + floor.stairs[stairs].height_m;
     let free = (0..floor.stairs.len()).filter(|stairs| !used.contains(stairs));

@@ -50,7 +50,7 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
     let home = sound::passing(home, &mut remarks)?;
     let (mut mended, mut told) = (home.clone(), Vec::new());
     reached::mended(&mut mended, &mut told);
-    let home_json = match sound::is_passing(&mended) {
+    let home_json = match mended == home || sound::is_passing(&mended) {
         true => {
             remarks.extend(told);
             text::home_text(&mended)

@@ -1,5 +1,5 @@
-//! What keeps a scenario from having a life or a log, although its files are right: nobody who lives there, somebody who waits
-//! for ever, no sensors, no way out, rooms that nobody gets into.
+//! Warnings of a scenario that has no life or no log although its files are right: nobody lives there, somebody waits for ever,
+//! it has no sensors or no way out, or nobody gets into a room.
 
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::Build;
@@ -14,7 +14,7 @@ use homebody_walk::Mesh;
 use homebody_walk::places::Places;
 use serde_json::json;
 
-/// Homes with more walls are not looked through for closed rooms (ours): it would take too long.
+/// Homes with more walls are not looked through for closed rooms: it would take too long.
 const MOST_WALLS: usize = 1_000;
 
 /// A routine to begin with.
@@ -53,9 +53,9 @@ pub(crate) fn remarks(scenario: &Scenario) -> Vec<Problem> {
     all
 }
 
-/// A sensor that can be added as it is: above the largest room.
+/// The hint for a home without sensors, with one above the largest room.
 fn no_sensors(home: &HomeFile, plan: &Plan) -> String {
-    /// How large what it looks at is (ours): half a side, the largest that fits.
+    /// How large what it looks at is: half a side, the largest that fits.
     const HALF_M: [f64; 4] = [1.5, 1.0, 0.7, 0.3];
     let area = |room: &usize| geometry::signed_area(&plan.rooms[*room].outline).abs();
     let largest = (0..plan.rooms.len()).max_by(|a, b| area(a).total_cmp(&area(b)));
@@ -92,7 +92,7 @@ fn does_something(step: &Step) -> bool {
     }
 }
 
-/// That somebody waits for ever, how they come to live, and what the home lacks for that.
+/// Says that a resident waits for ever, how to give them a routine, and what the home lacks for it.
 fn waiting(scenario: &Scenario, resident: usize) -> Vec<Problem> {
     let (Some(own), Some(file)) = (scenario.residents.get(resident), scenario.file.residents.get(resident)) else {
         return Vec::new();
@@ -117,9 +117,9 @@ fn waiting(scenario: &Scenario, resident: usize) -> Vec<Problem> {
     std::iter::once(first).chain(lacks.into_iter().flatten().map(lack)).collect()
 }
 
-/// The rooms that there is no way to from the rest of the home.
+/// Names the rooms that nobody gets into from the rest of the home.
 fn closed_rooms(scenario: &Scenario) -> Option<Problem> {
-    /// So many are named (ours).
+    /// So many are named.
     const NAMED: usize = 8;
     let (home, plan) = (&scenario.home, scenario.home.plan());
     if home.walls.len() > MOST_WALLS || home.rooms.len() < 2 {

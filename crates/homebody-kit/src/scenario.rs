@@ -111,8 +111,7 @@ impl OpenScenario {
         all
     }
 
-    /// What keeps a life or a log from coming of it although its files are right, such as a home without sensors; these are among
-    /// the remarks.
+    /// The remarks on what a life or a log lacks although the files are right, such as a home without sensors.
     pub fn lifeless(&self) -> Vec<Problem> {
         lifeless::remarks(&self.scenario)
     }

@@ -1,4 +1,4 @@
-//! What a home needs besides what stands in it, so that those who live there by routines can.
+//! The furniture that a home needs besides its own, so that people live there by routines.
 
 use crate::household::RoutineLanguage;
 use crate::needs_of_home;
@@ -6,12 +6,12 @@ use homebody_core::problem::Problems;
 use homebody_core::scenario::home::FurnitureFile;
 use homebody_core::scenario::load::{Files, Scenario};
 
-/// The pieces that the first resident who lacks something needs, each where it can stand beside the others. None where nobody
-/// lacks anything, or nothing more fits.
+/// The pieces that the first resident who lacks something needs, each in a free place. Empty where nobody lacks anything, or
+/// nothing more fits.
 ///
 /// # Errors
 ///
-/// What is wrong with the scenario besides what its home lacks.
+/// The problems of the scenario besides what its home lacks.
 pub fn additions(files: &dyn Files, entry: &str) -> Result<Vec<FurnitureFile>, Problems> {
     let mut language = RoutineLanguage::default();
     let scenario = Scenario::load_in(&mut language, files, entry)?;

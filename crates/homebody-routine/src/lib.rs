@@ -19,5 +19,5 @@ mod room_for;
 mod needs_of_home;
 pub mod household;
 
-// What a home needs besides, for those who live there.
+// The furniture that a home needs besides its own.
 pub mod furnished;

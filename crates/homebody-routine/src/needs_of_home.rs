@@ -56,7 +56,7 @@ pub fn additions(
     lacking.pieces.into_iter().filter_map(|(_, piece)| piece).collect()
 }
 
-/// What is out of reach of all that everybody needs and that a routine uses.
+/// The pieces for all that everybody needs or that a routine uses, and that is out of reach.
 fn lacking(
     home: &HomeFile,
     resident: &ResidentFile,
@@ -158,7 +158,7 @@ struct Check<'a> {
     file: &'a str,
     /// Where the resident sleeps.
     bed: String,
-    /// What is out of reach, with a place for each.
+    /// The pieces that are out of reach, with a place for each.
     lacking: Lacking,
     /// The places that were told.
     told: BTreeSet<String>,
@@ -222,8 +222,8 @@ impl Check<'_> {
         }
     }
 
-    /// What everybody needs and the home does not have, each with a place where it could be. These are beside each other: who
-    /// adds all of them has a home to live in.
+    /// Reports each thing that everybody needs and the home does not have, with a place for it. A home with all of them added
+    /// can be lived in.
     fn missing(&mut self, places: &Places) {
         for (role, what, hint) in [NO_BED, NO_TOILET, NO_SEAT, NO_KITCHEN] {
             if places.of(role).is_none() {
@@ -262,7 +262,7 @@ impl Check<'_> {
         }
     }
 
-    /// There is no way to a place, which is said once.
+    /// Reports once that no way leads to a place.
     fn no_way(&mut self, spot: &Spot, said: Option<(&str, &Quote)>, instead: &str) {
         if self.told.insert(spot.name.to_lowercase()) {
             let what = format!("{} cannot get from {:?} to {:?}", self.resident.name, self.bed, spot.name);

@@ -55,7 +55,7 @@ const NEEDED: [Needed; 8] = [
     Needed { role: Role::Shower, size_m: [0.8, 0.8], height_m: 0.05, is_enterable: true, rooms: &[RoomUse::Bathroom] },
 ];
 
-/// Where food is kept and cooked.
+/// The rooms for food.
 const KITCHEN: &[RoomUse] = &[RoomUse::Kitchen, RoomUse::LivingRoom];
 
 /// How far apart places are tried, how near a piece is to a wall or to another, and how far from doors it stays (ours).
@@ -77,10 +77,10 @@ const MOST_TRIED: f64 = 4_000.0;
 const MOST_WALKED_IN_ROOM: usize = 3;
 const MOST_WALKED: usize = 18;
 
-/// So many parts of a home, between which there is no way, are looked at, the best first (ours).
+/// The most parts of a home that are tried; no way leads from one part to another.
 const MOST_PARTS: usize = 4;
 
-/// What everybody needs.
+/// The roles that everybody needs.
 pub const NEEDS: [Role; 4] = [Role::Bed, Role::Toilet, Role::Armchair, Role::Fridge];
 
 /// The pieces that a home lacks.
@@ -88,7 +88,7 @@ pub const NEEDS: [Role; 4] = [Role::Bed, Role::Toilet, Role::Armchair, Role::Fri
 pub struct Lacking {
     /// By role, a piece that can be added, beside those before it; nothing where there is no room for it.
     pub pieces: Vec<(Role, Option<FurnitureFile>)>,
-    /// The names of the rooms in which a life would be.
+    /// The names of the rooms for that life.
     pub rooms: Vec<String>,
 }
 
@@ -99,8 +99,8 @@ impl Lacking {
     }
 }
 
-/// What everybody needs and is out of reach in the part of a home where a life is best, with a place for each there; and such
-/// pieces for the roles that are out of reach elsewhere.
+/// The pieces that a home lacks, with a place for each in the part of the home where a life is best: for each need, and for the
+/// given roles, that is out of reach there.
 ///
 /// That part is the one with most of it, or with room for it; of several the one with the way out, then the largest.
 pub fn lacking(home: &HomeFile, unreached: &[Role], resident: &ResidentFile, numbers: &Numbers) -> Lacking {
@@ -160,8 +160,7 @@ fn parts(home: &HomeFile, plan: &Plan, mesh: &Mesh) -> Vec<Part> {
     parts
 }
 
-/// A piece of furniture for a role in a place where it can stand, in a part of a home; nothing where there is no room, or none
-/// for that role.
+/// A piece of furniture for a role, in a free place in a part of a home. `None` if nothing is free, or the role has no piece.
 ///
 /// People of this radius get to it, and to all that they got to before.
 fn piece(
@@ -236,8 +235,8 @@ fn free_name(home: &HomeFile, wanted: &str) -> String {
     names.into_iter().find(|name| !taken.contains(name)).unwrap_or_default()
 }
 
-/// The rooms of a part in which a piece is looked a place for: those where such pieces usually are; then those of whose use
-/// nothing is known, for a toilet from the smallest, else from the largest; then those where it is in the way.
+/// The rooms of a part in the order in which they are tried for a piece. Its usual rooms come first, then rooms of unknown use,
+/// for a toilet from the smallest, else from the largest. Halls and rooms where nobody lives come last.
 fn in_order(home: &HomeFile, plan: &Plan, needed: &Needed, part: &Part) -> Vec<usize> {
     let area = |room: usize| geometry::signed_area(&plan.rooms[room].outline).abs();
     let rank = |room: usize| match languages::room_use(&home.rooms[room].name) {

@@ -1,4 +1,4 @@
-//! What nobody gets to as it is drawn: chairs under a table, pieces that stand into a wall, rooms without a door.
+//! Chairs under a table, pieces that stand into a wall, and rooms without a door: nobody gets to them as they are drawn.
 
 use crate::plan::{Home, door, piece, room, two_rooms, two_rooms_walls};
 use homebody_core::geometry;
@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 const CHAIR: [f64; 3] = [40.0, 40.0, 90.0];
 const TABLE: [f64; 3] = [100.0, 100.0, 75.0];
 
-/// What nobody gets to.
+/// The names of the places that nobody gets to.
 fn unreached(home: &Home) -> Vec<String> {
     let places = Places::new(&home.file, &home.plan, &Mesh::new(&home.plan, 0.22), "anna");
     places.all().iter().filter(|spot| !spot.is_reachable).map(|spot| spot.name.clone()).collect()
@@ -52,7 +52,7 @@ fn chairs_that_people_get_to_stay_where_they_are() {
     for chair in &home.file.furniture[1..] {
         assert!((geometry::point(chair.at.unwrap()).distance(table) - 0.6).abs() < 1e-9);
     }
-    // What nobody uses stays, too.
+    // A piece that nobody uses stays, too.
     let boxed = two_rooms() + &piece("Tisch", [330.0, 300.0], TABLE, "") + &piece("Box", [330.0, 300.0], CHAIR, "");
     let home = Home::of(&boxed);
     assert_eq!(home.file.furniture[0].at, home.file.furniture[1].at);
@@ -83,7 +83,7 @@ fn rooms_that_nobody_gets_into_are_named() {
     Home::of(&(shut + &chair)).remarks("nobody gets into \"Bedroom\"");
     let open = Home::of(&(two_rooms() + &chair));
     assert!(!open.remarks.iter().any(|remark| remark.contains("nobody gets into")), "{:?}", open.remarks);
-    // One room by itself is no closed room.
+    // The same of a room of another name.
     let whole = room("Studio", &[[110.0, 110.0], [590.0, 110.0], [590.0, 490.0], [110.0, 490.0]]);
     let east = room("East", &[[610.0, 110.0], [890.0, 110.0], [890.0, 490.0], [610.0, 490.0]]);
     let drawn = two_rooms_walls() + &whole + &east + &door("Front door", [200.0, 500.0], 0.0, "") + &chair;

@@ -1,4 +1,4 @@
-//! What a home that begins lacks for a life, put there.
+//! Adds to a home that begins the furniture that a life lacks there.
 
 use super::inhabited::{Begun, lived_in};
 use crate::error::Error;
@@ -10,7 +10,7 @@ use homebody_import::home_text;
 use homebody_routine::furnished::additions;
 use homebody_routine::household::RoutineLanguage;
 
-/// What is added may stand for something that was out of reach, and then something else is; this often a home is looked at (ours).
+/// The most rounds of additions: after one piece is replaced, another can be out of reach.
 const ROUNDS: usize = 4;
 
 /// Adds to the home of a scenario that begins what an ordinary life lacks there, as far as there is room; gives a sentence for
@@ -35,7 +35,7 @@ pub fn furnish(begun: &mut Begun) -> Result<Vec<String>, Error> {
     Ok(added)
 }
 
-/// What was added, and where.
+/// Names a piece that was added, and its room.
 fn told(home: &HomeFile, plan: &Plan, piece: &FurnitureFile) -> String {
     let room = plan.room_at(geometry::inner_point(&furniture_outline(piece)));
     let room = room.map(|room| format!(" in {:?}", home.rooms[room].name)).unwrap_or_default();

@@ -69,7 +69,7 @@ pub fn inhabited(begun: &Begun) -> Result<Inhabited, Error> {
     })
 }
 
-/// What an ordinary life lacks in the home of a scenario that begins, a sentence and a hint each.
+/// The problems that an ordinary life has in the home of a scenario that begins, a sentence and a hint each.
 pub fn lack(begun: &Begun) -> Vec<String> {
     let Err(Problems(problems)) = load(&lived_in(begun)) else { return Vec::new() };
     let lack = problems.into_iter().map(|problem| match problem.hint {

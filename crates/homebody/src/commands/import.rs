@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 
 /// Begins a scenario of your own in a new folder, from a plan drawn with Sweet Home 3D: rooms, walls, doors and furniture; of
 /// several levels those that stairs join, beside each other. Says what was left out or guessed. Anna lives an ordinary life there as
-/// soon as the home has what that needs; what it lacks is said with a line for home.json, or added by --furnish. Sensors are yours to
-/// add.
+/// soon as the home has the furniture for it. Names what it lacks with a line for home.json, or adds it with --furnish. Sensors are
+/// yours to add.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody import flat.sh3d my-home && homebody check my-home

@@ -102,7 +102,8 @@ fn four_rooms(names: [&str; 4]) -> String {
         format!("<doorOrWindow name='{name}' x='{x}' y='{y}' angle='{angle}' width='90' depth='20' height='210'/>")
     };
     let turn = std::f64::consts::FRAC_PI_2;
-    walls + &rooms + &door("Front door", 200, 400, 0.0) + &door("A", 400, 200, turn) + &door("B", 800, 200, turn)
+    let doors = [door("Front door", 200, 400, 0.0), door("A", 400, 200, turn), door("B", 800, 200, turn)];
+    [walls, rooms, doors.concat()].concat()
 }
 
 #[test]
@@ -133,7 +134,7 @@ fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
         assert!(checked.contains(&format!("nobody gets into {:?}", plan_of[3])), "{checked}");
         let [asleep_h, meals, visits] = day(&folder, &name);
         assert!(asleep_h >= 4.0 && meals >= 2.0 && visits >= 2.0, "{asleep_h} {meals} {visits}");
-        // Without that nobody lives there.
+        // Nobody lives there without these pieces.
         folder.run(&format!("import plan.sh3d bare-{name}")).ok();
         folder.run(&format!("check bare-{name}")).fails(2, "nowhere in this home to sleep");
     }
@@ -161,7 +162,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     folder.run("import plan.sh3d mine").ok();
     let said = folder.run("check mine").ok().err;
     assert!(said.contains("the home has no sensors") && !said.contains("nothing is wrong"), "{said}");
-    // The sensor that is named can be added as it is.
+    // The proposed sensor is a valid line.
     let (_, sensor) = said.split_once("such as {").unwrap();
     let (sensor, _) = sensor.split_once("}; homebody place").unwrap();
     let home = folder.read("mine/home.json");
