@@ -1,12 +1,13 @@
 //! Where a piece of furniture that a home lacks could stand, so that people get to it and still to all else.
 
-use crate::living::places::Places;
+use crate::living::places::{Places, Spot};
 use homebody_core::geometry::{self, Point, overlap};
-use homebody_core::home::plan::{Origin, Plan, furniture_outline};
+use homebody_core::home::plan::{Origin, Plan, Solid, furniture_outline};
 use homebody_core::languages::{self, RoomUse};
 use homebody_core::numbers::Numbers;
 use homebody_core::role::Role;
 use homebody_core::scenario::home::{FurnitureFile, HomeFile};
+use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::resident::ResidentFile;
 use homebody_walk::Mesh;
 
@@ -76,6 +77,7 @@ const AT_WALL_M: f64 = 0.3;
 const MOST_TRIED: f64 = 4_000.0;
 const MOST_WALKED_IN_ROOM: usize = 3;
 const MOST_WALKED: usize = 18;
+const MOST_WALKED_IN_ALL: usize = 60;
 
 /// The most parts of a home that are tried; no way leads from one part to another.
 const MOST_PARTS: usize = 4;
@@ -110,15 +112,19 @@ pub fn lacking(home: &HomeFile, unreached: &[Role], resident: &ResidentFile, num
     let has_name = |role: &&Role| NEEDED.iter().any(|needed| needed.role == **role) && !NEEDS.contains(role);
     let roles: Vec<Role> = NEEDS.iter().chain(unreached.iter().filter(has_name)).copied().collect();
     let mut best: Option<(usize, Lacking)> = None;
+    let mut left_to_walk = MOST_WALKED_IN_ALL;
     for part in parts.into_iter().take(MOST_PARTS) {
         let mut furnished = home.clone();
         let places = Places::from_hub(home, &plan, &mesh, &resident.name, Some(part.at));
-        let is_there =
-            |role: Role| places.of(role).is_some_and(|spot| spot.is_reachable) && places.out_of_reach(role).is_none();
+        let is_there = |role: Role| {
+            // Nobody sleeps on their feet, such as where the living room is.
+            let fits = |spot: &Spot| role != Role::Bed || spot.is_of(role) || spot.posture != Posture::Standing;
+            places.of(role).is_some_and(|spot| spot.is_reachable && fits(spot)) && places.out_of_reach(role).is_none()
+        };
         let missing: Vec<Role> = roles.iter().copied().filter(|&role| !is_there(role)).collect();
         let mut pieces = Vec::new();
         for role in missing {
-            let piece = piece(&furnished, role, &part, resident, numbers);
+            let piece = piece(&furnished, role, &part, resident, numbers, &mut left_to_walk);
             furnished.furniture.extend(piece.clone());
             pieces.push((role, piece));
         }
@@ -169,6 +175,7 @@ fn piece(
     part: &Part,
     resident: &ResidentFile,
     numbers: &Numbers,
+    left_to_walk: &mut usize,
 ) -> Option<FurnitureFile> {
     let needed = NEEDED.iter().find(|needed| needed.role == role)?;
     let plan = Plan::new(home);
@@ -203,9 +210,10 @@ fn piece(
         };
         for piece in spread(at_walls).into_iter().chain(spread(others)) {
             walked += 1;
-            if walked > MOST_WALKED {
+            if walked > MOST_WALKED || *left_to_walk == 0 {
                 return None;
             }
+            *left_to_walk -= 1;
             let mut furnished = home.clone();
             furnished.furniture.push(piece.clone());
             let now = reached(&furnished, &Plan::new(&furnished), part.at, resident, numbers);
@@ -276,13 +284,21 @@ fn out_of_place_m(plan: &Plan, room: usize, doors: &[Point], piece: &FurnitureFi
         geometry::sides(outline)
             .all(|(a, b)| [0.0, 0.25, 0.5, 0.75].iter().all(|&share| geometry::contains(around, a + (b - a) * share)))
     };
-    let is_free = |outline: &[Point]| plan.solids.iter().all(|solid| overlap::area(outline, &solid.outline) < 1e-6);
+    let is_free = |outline: &[Point]| {
+        // Boxes that do not meet spare most of the geometry.
+        let (least, most) = geometry::bounds(outline.iter().copied());
+        let may_meet = |solid: &&Solid| {
+            let (low, high) = geometry::bounds(solid.outline.iter().copied());
+            low.cmple(most).all() && high.cmpge(least).all()
+        };
+        plan.solids.iter().filter(may_meet).all(|solid| overlap::area(outline, &solid.outline) < 1e-6)
+    };
     let (least, most) = geometry::bounds(outline.iter().copied());
     let beside = Point::splat(BESIDE_M);
     let (least, most) = (least - beside, most + beside);
     let box_around = [least, Point::new(most.x, least.y), most, Point::new(least.x, most.y)];
     let is_clear = || doors.iter().all(|&door| geometry::distance_to_area(&outline, door) >= FROM_DOORS_M);
-    if !(is_within(&outline) && is_free(&box_around) && is_clear()) {
+    if !(is_within(&outline) && is_clear() && is_free(&box_around)) {
         return None;
     }
     // Unturned, its back is above.
