@@ -11,10 +11,8 @@ Ends with code 1 if fewer than nine in ten of the plans that have all that a lif
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import re
-import sqlite3
 import subprocess
 import sys
 import tempfile
@@ -23,16 +21,10 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw, ImageFont
 
+from lived import LEAST_SHARE, Life, lived
+
 #: What an ordinary life needs, by the words in which its lack is told.
 NEEDED = ("nowhere in this home to sleep", "nowhere to sit", "no toilet in this home", "no kitchen in this home")
-LEAST_SHARE = 0.9
-#: An ordinary day has so much at least: hours asleep, meals, visits to the bathroom.
-LEAST = (4.0, 2, 2)
-DAY = """
-SELECT (SELECT coalesce(sum(julianday(end_at) - julianday(begin_at)), 0) * 24 FROM activity WHERE name = 'sleeping'),
-       (SELECT count(*) FROM activity WHERE name LIKE 'eating_%'), (SELECT count(*) FROM activity WHERE name = 'using_bathroom')
-"""
-
 HALF = (1000, 760)
 HEAD = 110
 SHEET_COLUMNS = 3
@@ -46,29 +38,20 @@ class Found:
     """What became of a plan."""
 
     name: str
-    counts: str
-    lacks: list[str]
-    remarks: list[str]
-    day: tuple[float, int, int] | None
+    life: Life
     drawn: Image.Image | None
 
     @property
     def has_all(self) -> bool:
-        return self.drawn is not None and not any(word in lack for lack in self.lacks for word in NEEDED)
+        return self.drawn is not None and not any(word in lack for lack in self.life.lacks for word in NEEDED)
 
     @property
-    def is_lived_in(self) -> bool:
-        return self.day is not None and all(had >= least for had, least in zip(self.day, LEAST))
+    def counts(self) -> str:
+        return f"{self.life.rooms} rooms, {self.life.doors} doors, {self.life.pieces} pieces"
 
     @property
     def outcome(self) -> str:
-        if self.drawn is None:
-            return "not imported: " + " ".join(self.remarks[:1])
-        if self.day is None:
-            return "not lived in: " + "; ".join(self.lacks)
-        asleep, meals, visits = self.day
-        word = "lived in" if self.is_lived_in else "not lived in"
-        return f"{word}: {asleep:.1f} h asleep, {meals} meals, {visits} visits to the bathroom"
+        return f"not imported: {self.life.refused}" if self.drawn is None else f"lived in {self.life.outcome}"
 
 
 def main() -> int:
@@ -87,11 +70,11 @@ def main() -> int:
         pairs.append(pair)
         found.append(became)
         print(f"{became.name}: {became.counts}; {became.outcome}")
-        for remark in became.remarks:
+        for remark in became.life.remarks:
             print(f"    {remark}")
     sheet(found, pairs).save(arguments.to / "sheet.png", optimize=True)
     whole = [became for became in found if became.has_all]
-    lived_in = sum(became.is_lived_in for became in whole)
+    lived_in = sum(became.life.is_lived_in for became in whole)
     print(f"{len(found)} plans, {sum(became.drawn is not None for became in found)} imported, {len(whole)} with all that a life needs; "
           f"somebody lives in {lived_in} of these")
     return 0 if whole and lived_in >= LEAST_SHARE * len(whole) else 1
@@ -107,28 +90,14 @@ def levels_of(plan: Path) -> list[Path]:
 def found_of(homebody: Path, plan: Path) -> Found:
     """Imports a plan, draws the home, and lives a day in it."""
     with tempfile.TemporaryDirectory() as folder:
-        def run(*words: str) -> subprocess.CompletedProcess[str]:
-            return subprocess.run([homebody, *words], cwd=folder, capture_output=True, text=True, check=False)
-
-        imported = run("import", str(plan), plan.stem)
-        said = [line.removeprefix(f"{plan}: ") for line in imported.stderr.splitlines()]
-        if imported.returncode != 0:
-            return Found(plan.stem, "", [], said, None, None)
-        lack = "nobody can live an ordinary life here yet: "
-        lacks = [line.removeprefix(lack) for line in said if line.startswith(lack)]
-        ready = next((index for index, line in enumerate(said) if line.startswith(f"{plan.stem} is ready")), len(said))
-        remarks = [line for line in said[:ready] if not line.startswith((lack, "  "))]
-        home = json.loads((Path(folder) / plan.stem / "home.json").read_text())
-        run("plan", plan.stem, "--png", "plan.png", "--width", "1400").check_returncode()
+        life = lived(homebody, plan, Path(folder))
+        if life.refused is not None:
+            return Found(plan.stem, life, None)
+        words = [homebody, "plan", plan.stem, "--png", "plan.png", "--width", "1400"]
+        subprocess.run(words, cwd=folder, capture_output=True, check=True)
         drawn = Image.open(Path(folder) / "plan.png").convert("RGB")
         drawn.load()
-        counts = f"{len(home['rooms'])} rooms, {len(home['doors'])} doors, {len(home['furniture'])} pieces"
-        day = None
-        if not lacks:
-            run("run", plan.stem, "--for", "1d", "--quiet", "--out", "csv:log.csv", "--truth", "sqlite:truth.db").check_returncode()
-            with sqlite3.connect(Path(folder) / "truth.db") as truth:
-                day = truth.execute(DAY).fetchone()
-        return Found(plan.stem, counts, lacks, remarks, day, drawn)
+        return Found(plan.stem, life, drawn)
 
 
 def in_a_row(pictures: list[Image.Image]) -> Image.Image:

@@ -22,6 +22,7 @@ pub mod names;
 pub mod role;
 pub mod vocabulary;
 pub mod sensed;
+pub mod languages;
 pub mod activity;
 
 // What the user wrote, and what is wrong with it.

@@ -41,6 +41,9 @@ mod tests {
             ("front door motion", "front door motion"),
             ("M001", "m 001"),
             ("hall_PIR-2", "hall pir 2"),
+            ("eTeks#bedsideTable", "e teks bedside table"),
+            ("Bed 140x190", "bed 140 x 190"),
+            ("Fenêtre", "fenêtre"),
             ("", ""),
         ] {
             assert_eq!(words(name).join(" "), wanted);

@@ -1,11 +1,11 @@
-//! The archive: the text of the one entry that is read, `Home.xml`.
+//! The archive: the text of the one entry that is read, `Home.xml`; or that file by itself, unpacked.
 //!
 //! The entry `Home`, a dump of Java objects, is never read.
 
 use crate::error::NotImported;
+use crate::other_form;
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
-use zip::result::ZipError;
 
 const ENTRY: &str = "Home.xml";
 
@@ -34,17 +34,21 @@ const ENTRY_SIGN: &[u8] = b"PK\x01\x02";
 pub fn home_xml(bytes: &[u8]) -> Result<String, NotImported> {
     let hint = "delete furniture whose models are large, in a copy";
     within("bytes", bytes.len() as u64, MOST_BYTES, hint)?;
+    if is_unpacked(bytes) {
+        within("bytes of XML", bytes.len() as u64, MOST_XML_BYTES, SAVE_AGAIN)?;
+        return text(bytes.to_vec());
+    }
     // The list is read as a whole when the archive is opened.
     let entries = bytes.windows(ENTRY_SIGN.len()).filter(|window| *window == ENTRY_SIGN).count();
     within("entries", entries as u64, MOST_ENTRIES, hint)?;
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| NotImported::NoArchive)?;
-    let is_old = archive.index_for_name(JAVA_ENTRY).is_some();
-    let entry = archive.by_name(ENTRY).map_err(|error| match error {
-        ZipError::FileNotFound if is_old => NotImported::OnlyJava,
-        ZipError::FileNotFound => NotImported::NoHomeXml,
-        error => NotImported::Damaged(error.to_string()),
-    })?;
-    let hint = "a plan of one home is smaller: open it in Sweet Home 3D and save it again";
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| other_form::refused(bytes))?;
+    if archive.index_for_name(ENTRY).is_none() {
+        let is_old = archive.index_for_name(JAVA_ENTRY).is_some();
+        let names = archive.file_names().filter_map(Result::ok).map(|name| name.into_owned());
+        return Err(if is_old { NotImported::OnlyJava } else { other_form::of_archive(names) });
+    }
+    let entry = archive.by_name(ENTRY).map_err(|error| NotImported::Damaged(error.to_string()))?;
+    let hint = SAVE_AGAIN;
     within("bytes of XML", entry.size(), MOST_XML_BYTES, hint)?;
     let packed = entry.compressed_size().max(1);
     let most = if packed > MOST_XML_BYTES { MOST_XML_BYTES } else { (packed * MOST_SHRUNK).max(SMALL_BYTES) };
@@ -54,6 +58,24 @@ pub fn home_xml(bytes: &[u8]) -> Result<String, NotImported> {
     let read = entry.take(most + 1).read_to_end(&mut xml);
     read.map_err(|error| NotImported::Damaged(error.to_string()))?;
     within("bytes of XML", xml.len() as u64, most, hint)?;
+    text(xml)
+}
+
+/// What to do with a plan that is larger than one of a home.
+const SAVE_AGAIN: &str = "a plan of one home is smaller: open it in Sweet Home 3D and save it again";
+
+/// Whether the bytes are the text of a plan, without an archive around it.
+fn is_unpacked(bytes: &[u8]) -> bool {
+    /// So far in, the root element begins (ours).
+    const HEAD: usize = 4_096;
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD)]).into_owned();
+    let head = head.trim_start_matches('\u{feff}').trim_start();
+    // What a plan says of itself follows; an empty element is no plan.
+    let has_root = || ["<home ", "<home\t", "<home\n", "<home\r"].iter().any(|root| head.contains(root));
+    head.starts_with('<') && has_root()
+}
+
+fn text(xml: Vec<u8>) -> Result<String, NotImported> {
     let text = String::from_utf8(xml).map_err(|_| NotImported::disorder("it is not text in UTF-8"))?;
     // A byte order mark says nothing.
     Ok(text.strip_prefix('\u{feff}').map_or_else(|| text.clone(), str::to_owned))

@@ -3,8 +3,8 @@
 //! Sweet Home 3D writes centimetres, y to the south and radians clockwise; they are turned into ours here and nowhere
 //! else.
 
-use crate::words::words;
 use homebody_core::geometry::{self, Point};
+use homebody_core::names::words;
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
 
@@ -46,6 +46,8 @@ pub struct Level {
     pub id: LevelId,
     pub name: String,
     pub elevation_m: f64,
+    /// How high it is from floor to ceiling, where the plan says so.
+    pub height_m: Option<f64>,
     /// The order of levels of one elevation.
     pub index: f64,
     /// Whether the plan shows it.
@@ -154,7 +156,7 @@ fn level<'a>(node: Node<'a, '_>, ids: &mut LevelIds<'a>) -> Option<Level> {
     let (elevation_m, index) =
         (length(node, "elevation").unwrap_or(0.0), number(node, "elevationIndex").unwrap_or(0.0));
     let is_viewable = node.attribute("viewable") != Some("false");
-    Some(Level { id: ids.of(id), name, elevation_m, index, is_viewable })
+    Some(Level { id: ids.of(id), name, elevation_m, height_m: length(node, "height"), index, is_viewable })
 }
 
 fn wall(node: Node, level: Option<LevelId>) -> Option<Wall> {
@@ -186,10 +188,10 @@ fn piece(node: Node, level: Option<LevelId>, is_visible: bool, unsaid_m: Option<
     // A piece that leans has another size as seen from above.
     let size = |in_plan, upright| positive(in_plan).or_else(|| positive(upright));
     let name = node.attribute("name").unwrap_or_default().to_owned();
-    let catalog = words(&[node.attribute("catalogId").unwrap_or_default()]);
+    let catalog = words(node.attribute("catalogId").unwrap_or_default());
     Some(Piece {
         level,
-        words: words(&[&name]),
+        words: words(&name),
         name,
         catalog,
         at: point(node, "x", "y")?,

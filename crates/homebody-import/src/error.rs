@@ -10,6 +10,14 @@ pub enum NotImported {
         "this is no Sweet Home 3D file: it is no zip archive\n  hint: name the .sh3d file that Sweet Home 3D has saved"
     )]
     NoArchive,
+    /// The file is of another form.
+    #[error("this is no Sweet Home 3D file: it is {form}\n  hint: {hint}")]
+    OtherForm {
+        /// What it is, such as a picture in PNG.
+        form: &'static str,
+        /// What takes it.
+        hint: &'static str,
+    },
     /// The archive has no plan in it.
     #[error(
         "this is no Sweet Home 3D file: it has no Home.xml\n  hint: name the .sh3d file that Sweet Home 3D has saved"

@@ -2,12 +2,11 @@
 
 use crate::drawing::Piece;
 use crate::floor::Floor;
-use crate::kinds;
 use crate::outline::Room;
 use crate::walls::Wall;
-use crate::words::words;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::FLAT_M;
+use homebody_core::languages::{RoomUse, room_use};
 use homebody_core::role::Role;
 
 /// How wide the way through the wall is, and the flight of stairs between its walls' middle lines (ours).
@@ -114,7 +113,7 @@ pub fn front_door(floor: &Floor) -> Option<Exit> {
     if floor.walls.is_empty() || floor.walls.len() > MOST_WALLS {
         return None;
     }
-    let is_hall = |room: &Room| kinds::is_hall(&words(&[&room.name]));
+    let is_hall = |room: &Room| room_use(&room.name) == Some(RoomUse::Hall);
     let mut rooms: Vec<usize> = (0..floor.rooms.len()).collect();
     let area = |room: usize| geometry::signed_area(&floor.rooms[room].outline).abs();
     rooms.sort_by(|&a, &b| area(b).total_cmp(&area(a)));

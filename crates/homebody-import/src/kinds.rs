@@ -34,13 +34,6 @@ pub fn leads_home(opening: &Piece) -> usize {
     if has(opening, FRONT_WORDS) { 2 } else { usize::from(!is_called_window(opening)) }
 }
 
-/// Whether a room of this name is where people come in.
-pub fn is_hall(name: &[String]) -> bool {
-    const HALL: &str = "hall hallway entrance entry foyer corridor flur diele entrée couloir ingresso corridoio recibidor pasillo \
-        korytarz прихожая 玄関 玄关";
-    has_any(name, HALL)
-}
-
 fn is_called_window(opening: &Piece) -> bool {
     has(opening, WINDOW_WORDS) && !has(opening, DOOR)
 }

@@ -13,6 +13,9 @@ const MOST_COUNTED: usize = 100;
 /// Of more levels with something on them, those with the most walls are looked at (ours).
 const MOST_STOREYS: usize = 8;
 
+/// Nobody stands in a lower one (ours): it is a ceiling, a roof or a floor's thickness.
+const LEAST_HEIGHT_M: f64 = 1.2;
+
 /// The levels of a plan that may be imported, from below.
 #[derive(Debug)]
 pub struct Levels {
@@ -48,10 +51,11 @@ pub fn parted(mut drawing: Drawing, wanted: Option<&str>) -> Result<Levels, NotI
                 let has_rooms = || drawing.rooms.iter().any(|room| room.level == Some(levels[index].id));
                 levels[index].is_viewable && (walls(index) > 0 || has_rooms())
             };
+            let is_thin = |&index: &usize| levels[index].height_m.is_some_and(|height_m| height_m < LEAST_HEIGHT_M);
             let counted = 0..levels.len().min(MOST_COUNTED);
-            let mut drawn: Vec<usize> = counted.clone().filter(is_drawn).collect();
+            let (thin, mut drawn): (Vec<usize>, Vec<usize>) = counted.clone().filter(is_drawn).partition(is_thin);
             if drawn.is_empty() {
-                drawn = counted.collect();
+                drawn = if thin.is_empty() { counted.collect() } else { thin };
             }
             drawn.sort_by_key(|&index| (std::cmp::Reverse(walls(index)), index));
             drawn.truncate(MOST_STOREYS);

@@ -9,10 +9,10 @@
 // What went wrong, in sentences.
 pub mod error;
 
-// From bytes to a drawing: the archive, its XML, what that draws, which level of it.
+// From bytes to a drawing: the archive or what else the bytes are, its XML, what that draws, which level of it.
+mod other_form;
 mod archive;
 mod markup;
-mod words;
 mod drawing;
 mod levels;
 mod kinds;
@@ -36,9 +36,10 @@ mod exits;
 mod stairs;
 mod places;
 
-// The text of the home, and what of it has to go so that it passes the check.
+// The text of the home, what of it has to go so that it passes the check, and what is moved so that people get to it.
 mod text;
 mod sound;
+mod reached;
 
 mod sweet_home;
 
@@ -48,3 +49,4 @@ pub mod from_log;
 pub use archive::MOST_BYTES;
 pub use error::NotImported;
 pub use sweet_home::{Imported, SCHEMA, sweet_home};
+pub use text::home_text;

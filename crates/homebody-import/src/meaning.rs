@@ -72,25 +72,3 @@ fn has_shape(piece: &Piece, role: Role) -> bool {
 fn is_seat(piece: &Piece) -> bool {
     piece.width_m.min(piece.depth_m) >= 0.28 && piece.elevation_m <= 0.4 && (0.25..=1.8).contains(&piece.height_m)
 }
-
-/// What a room is for that its name says in another way than roles know.
-pub fn room_role(words: &[String]) -> Option<Role> {
-    const ROOMS: [(Role, &str); 3] = [
-        (
-            Role::Fridge,
-            "kitchen kitchenette küche -küche cuisine cucina cocina cozinha keuken kök kuchnia kuchyně кухня \
-            厨房 キッチン 台所",
-        ),
-        (
-            Role::Toilet,
-            "bathroom bath toilet wc badezimmer bad bagno salle+bain toilettes baño aseo banheiro badkamer badrum \
-            łazienka koupelna ванная 浴室 卫生间 洗手间 トイレ",
-        ),
-        (
-            Role::Armchair,
-            "living lounge wohnzimmer séjour salon soggiorno salotto sala woonkamer vardagsrum salon obývák \
-            гостиная 客厅 リビング",
-        ),
-    ];
-    ROOMS.iter().find(|(_, known)| has_any(words, known)).map(|(role, _)| *role)
-}

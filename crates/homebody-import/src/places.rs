@@ -2,16 +2,18 @@
 
 use crate::floor::Floor;
 use crate::furniture::Furniture;
-use crate::meaning;
 use crate::names::Names;
-use crate::words::words;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::FLAT_M;
+use homebody_core::languages::{RoomUse, room_use};
 use homebody_core::role::Role;
 
-/// What a place is called that stands for a role.
-const CALLED: [(Role, &str); 3] =
-    [(Role::Fridge, "kitchen"), (Role::Toilet, "bathroom"), (Role::Armchair, "living room")];
+/// The name of a place that stands for a role, and the rooms where it is.
+const CALLED: [(Role, &str, RoomUse); 3] = [
+    (Role::Fridge, "kitchen", RoomUse::Kitchen),
+    (Role::Toilet, "bathroom", RoomUse::Bathroom),
+    (Role::Armchair, "living room", RoomUse::LivingRoom),
+];
 
 /// What is in a kitchen, besides a fridge.
 const IN_KITCHENS: [Role; 2] = [Role::Stove, Role::Sink];
@@ -26,7 +28,7 @@ const MOST_TRIED: f64 = 10_000.0;
 /// The places, by name, of what no piece of furniture and no room is under a name that roles know.
 pub fn named(floor: &Floor, names: &mut Names) -> Vec<(String, Point)> {
     let mut places = Vec::new();
-    for (role, name) in CALLED {
+    for (role, name, used_as) in CALLED {
         let is_known = floor.furniture.iter().any(|piece| piece.is_for(role))
             || floor.rooms.iter().any(|room| role.is_called(&room.name.to_lowercase()));
         if is_known {
@@ -35,7 +37,7 @@ pub fn named(floor: &Floor, names: &mut Names) -> Vec<(String, Point)> {
         let in_kitchen = |piece: &&Furniture| IN_KITCHENS.iter().any(|&role| piece.is_for(role));
         let beside = floor.furniture.iter().find(in_kitchen).filter(|_| role == Role::Fridge).map(|piece| piece.at);
         let within = |p: Point| floor.rooms.iter().position(|room| geometry::contains(&room.outline, p));
-        let called = || floor.rooms.iter().position(|room| meaning::room_role(&words(&[&room.name])) == Some(role));
+        let called = || floor.rooms.iter().position(|room| room_use(&room.name) == Some(used_as));
         let spot = beside.and_then(|p| free(floor, within(p)?, Some(p))).or_else(|| free(floor, called()?, None));
         // With a number it would not be known.
         places.extend(spot.filter(|_| names.is_free(name)).map(|p| (names.give(name, name), p)));

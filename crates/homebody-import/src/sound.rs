@@ -19,7 +19,17 @@ const SCENARIO: &str =
     r#"{ "name": "check", "start": "2026-01-05T00:00:00", "days": 1, "home": "home.json", "residents": [] }"#;
 
 /// The text of the home that passes the check, after taking out what does not.
-pub fn text(mut home: HomeFile, remarks: &mut Vec<String>) -> Result<String, NotImported> {
+pub fn text(home: HomeFile, remarks: &mut Vec<String>) -> Result<String, NotImported> {
+    passing(home, remarks).map(|home| text::home_text(&home))
+}
+
+/// Whether the home passes the check.
+pub fn is_passing(home: &HomeFile) -> bool {
+    problems(&text::home_text(home)).is_empty()
+}
+
+/// The home without what does not pass the check.
+pub fn passing(mut home: HomeFile, remarks: &mut Vec<String>) -> Result<HomeFile, NotImported> {
     let mut told = Vec::new();
     for _ in 0..ROUNDS {
         let (text, lines) = text::of(&home);
@@ -31,7 +41,7 @@ pub fn text(mut home: HomeFile, remarks: &mut Vec<String>) -> Result<String, Not
             if more > 0 {
                 remarks.push(format!("left out: {} for like reasons", counted(more, "thing", "things")));
             }
-            return Ok(text);
+            return Ok(home);
         };
         let first = first.what.clone();
         let mut wrong = BTreeSet::new();

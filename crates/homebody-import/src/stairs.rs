@@ -18,6 +18,9 @@ const APART_M: f64 = 1.5;
 /// Stairs that rise less than this share of what lies between two levels lead to none (ours).
 const LEAST_RISE: f64 = 0.6;
 
+/// Levels nearer to each other are two drawings of one (ours): no stairs lead from one to the other.
+const LEAST_APART_M: f64 = 0.5;
+
 /// How much longer a passage may be for a floor that is not turned, is turned by a half, by a quarter, by anything else (ours):
 /// plans are read the easier the less of them is turned.
 const TURNED_M: [f64; 4] = [0.0, 2.0, 3.0, 6.0];
@@ -49,44 +52,80 @@ struct Join {
     length_m: f64,
 }
 
+/// A floor that is drawn already: which it is, how it moved, and which of its flights of stairs are passages now.
+struct Drawn {
+    index: usize,
+    motion: Motion,
+    used: Vec<usize>,
+}
+
 /// Joins to one floor those that stairs lead to, each as high as it says: they are drawn beside it, with the passages between
 /// them. Gives which they are, that one included.
+///
+/// Floors come from below. A floor without stairs, such as a gallery, does not stop those beyond it.
 pub fn unfolded(floors: &[(f64, Floor)], first: usize, names: &mut AllNames) -> (Floor, Vec<usize>) {
     let mut all = floors[first].1.clone();
-    let mut taken = vec![first];
-    for is_up in [true, false] {
-        let (mut there, mut motion) = (first, STILL);
-        loop {
-            let next = if is_up { there + 1 } else { there.wrapping_sub(1) };
-            let Some((height_m, floor)) = floors.get(next) else { break };
-            let rise_m = (height_m - floors[there].0).abs();
-            let lower = if is_up { there } else { next };
-            let Some(stairs) = up(&floors[lower].1, rise_m) else { break };
-            let moved_there = moved(&floors[there].1, motion);
-            let run_m = stairs.width_m.max(stairs.depth_m).hypot(rise_m);
-            let exits_there = exits(&moved_there, &moved_piece(stairs, motion));
-            let exits_next = exits(floor, stairs);
-            let joins = exits_there
-                .iter()
-                .flat_map(|from| exits_next.iter().filter_map(|to| join(&all, floor, *from, *to, run_m)));
-            let Some((_, join)) = joins.min_by(|a, b| a.0.total_cmp(&b.0)) else { break };
-            // The passage stands for them.
-            let drawn_at = if is_up { motion.of(stairs.at) } else { join.motion.of(stairs.at) };
-            all = and(and(all, flight(&join, is_up, names)), moved(floor, join.motion));
-            all.furniture.retain(|piece| piece.at != drawn_at);
-            taken.push(next);
-            (there, motion) = (next, join.motion);
-        }
+    let mut drawn = vec![Drawn { index: first, motion: STILL, used: Vec::new() }];
+    let beyond = (first + 1..floors.len()).chain((0..first).rev());
+    for next in beyond {
+        let is_up = next > first;
+        // From the nearest of those between, which were looked at before.
+        let mut from: Vec<usize> =
+            (0..drawn.len()).filter(|&at| (drawn[at].index >= first) == is_up || at == 0).collect();
+        from.sort_by_key(|&at| drawn[at].index.abs_diff(next));
+        let found = from.into_iter().find_map(|at| {
+            let there = &drawn[at];
+            flight_to(floors, there, next, is_up, &all).map(|(stairs, join)| (at, stairs, join))
+        });
+        let Some((at, (lower, stairs), join)) = found else { continue };
+        let piece = &floors[lower].1.stairs[stairs];
+        // The passage stands for them.
+        let drawn_at = if is_up { drawn[at].motion.of(piece.at) } else { join.motion.of(piece.at) };
+        all = and(and(all, flight(&join, is_up, names)), moved(&floors[next].1, join.motion));
+        all.furniture.retain(|piece| piece.at != drawn_at);
+        drawn.push(Drawn { index: next, motion: join.motion, used: Vec::new() });
+        let of_lower = if is_up { at } else { drawn.len() - 1 };
+        drawn[of_lower].used.push(stairs);
     }
+    let mut taken: Vec<usize> = drawn.into_iter().map(|floor| floor.index).collect();
     taken.sort_unstable();
     (all, taken)
 }
 
-/// The stairs of a floor that lead up to one so much higher.
-fn up(floor: &Floor, rise_m: f64) -> Option<&Piece> {
-    let reach_m = |stairs: &Piece| stairs.elevation_m + stairs.height_m;
-    let leads_up = floor.stairs.iter().filter(|stairs| reach_m(stairs) >= LEAST_RISE * rise_m);
-    leads_up.max_by(|a, b| reach_m(a).total_cmp(&reach_m(b)))
+/// The stairs between a floor that is drawn and the next, by the floor where they begin, and the best way to join both.
+fn flight_to(
+    floors: &[(f64, Floor)],
+    there: &Drawn,
+    next: usize,
+    is_up: bool,
+    all: &Floor,
+) -> Option<((usize, usize), Join)> {
+    let rise_m = (floors[next].0 - floors[there.index].0).abs();
+    if rise_m < LEAST_APART_M {
+        return None;
+    }
+    let (lower, used): (usize, &[usize]) = if is_up { (there.index, &there.used) } else { (next, &[]) };
+    let stairs = up(&floors[lower].1, rise_m, used)?;
+    let piece = &floors[lower].1.stairs[stairs];
+    let floor = &floors[next].1;
+    let run_m = piece.width_m.max(piece.depth_m).hypot(rise_m);
+    let exits_there = exits(&moved(&floors[there.index].1, there.motion), &moved_piece(piece, there.motion));
+    let exits_next = exits(floor, piece);
+    let joins =
+        exits_there.iter().flat_map(|from| exits_next.iter().filter_map(|to| join(all, floor, *from, *to, run_m)));
+    joins.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, join)| ((lower, stairs), join))
+}
+
+/// The unused stairs of a floor that lead up to one so much higher: the highest of those that end there, else the lowest of
+/// those that lead further up.
+fn up(floor: &Floor, rise_m: f64, used: &[usize]) -> Option<usize> {
+    let reach_m = |stairs: usize| floor.stairs[stairs].elevation_m + floor.stairs[stairs].height_m;
+    let free = (0..floor.stairs.len()).filter(|stairs| !used.contains(stairs));
+    let leads_up: Vec<usize> = free.filter(|&stairs| reach_m(stairs) >= LEAST_RISE * rise_m).collect();
+    let (ends, goes_on): (Vec<usize>, Vec<usize>) =
+        leads_up.into_iter().partition(|&stairs| reach_m(stairs) <= rise_m / LEAST_RISE);
+    let highest = ends.into_iter().max_by(|&a, &b| reach_m(a).total_cmp(&reach_m(b)));
+    highest.or_else(|| goes_on.into_iter().min_by(|&a, &b| reach_m(a).total_cmp(&reach_m(b))))
 }
 
 fn and(mut one: Floor, other: Floor) -> Floor {

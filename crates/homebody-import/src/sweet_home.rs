@@ -7,7 +7,7 @@ use crate::furniture::Furniture;
 use crate::levels::{self, Levels};
 use crate::outline::{Room, rounded};
 use crate::walls::Wall;
-use crate::{archive, drawing, exits, markup, names, places, sound, stairs};
+use crate::{archive, drawing, exits, markup, names, places, reached, sound, stairs, text};
 use homebody_core::geometry::{self, At, Point};
 use homebody_core::problem::counted;
 use homebody_core::scenario::home::{DoorFile, FurnitureFile, HomeFile, PlaceFile, RoomFile, WallFile, latitude};
@@ -47,7 +47,16 @@ pub fn sweet_home(bytes: &[u8], name: &str, level: Option<&str>) -> Result<Impor
     remarks.extend((floor.way_out() == 0).then(|| no_way_out(&floor, &mut names)));
     let name = Some(names::clean(name)).filter(|name| !name.is_empty()).unwrap_or_else(|| "home".to_owned());
     let home = home(name, about, latitude_deg, floor, names);
-    let home_json = sound::text(home, &mut remarks)?;
+    let home = sound::passing(home, &mut remarks)?;
+    let (mut mended, mut told) = (home.clone(), Vec::new());
+    reached::mended(&mut mended, &mut told);
+    let home_json = match mended == home || sound::is_passing(&mended) {
+        true => {
+            remarks.extend(told);
+            text::home_text(&mended)
+        }
+        false => text::home_text(&home),
+    };
     if remarks.len() > MOST_REMARKS {
         let more = remarks.len() - MOST_REMARKS;
         remarks.truncate(MOST_REMARKS);

@@ -16,6 +16,11 @@ pub enum List {
     Sensors,
 }
 
+/// The text of a home.
+pub fn home_text(home: &HomeFile) -> String {
+    of(home).0
+}
+
 /// The text, and of which list each of its lines has which element.
 pub fn of(home: &HomeFile) -> (String, Vec<Option<(List, usize)>>) {
     let mut lines: Vec<(String, Option<(List, usize)>)> = vec![("{".into(), None)];

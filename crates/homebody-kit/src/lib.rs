@@ -61,6 +61,7 @@ pub mod fleet;
 
 mod idle_sensors;
 mod long_log;
+mod lifeless;
 mod log_with_run;
 mod instants;
 mod translation;

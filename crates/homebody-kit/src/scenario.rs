@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::idle_sensors;
+use crate::lifeless;
 use crate::profiles::{self, Base, Profile};
 use crate::source::{Source, Template};
 use homebody_core::numbers::{self, Number};
@@ -103,13 +104,19 @@ impl OpenScenario {
     pub fn remarks(&self, length: Micros) -> Vec<Problem> {
         let mut all = remarks::of(&self.scenario, length);
         all.extend(idle_sensors::remarks(&self.scenario, &self.household));
+        all.extend(self.lifeless());
         all.extend(self.household.foretold(days(length)).iter().map(foretold));
         let routines = (0..self.scenario.residents.len()).filter_map(|resident| self.household.routine(resident));
         all.extend(routines.filter_map(not_lived));
         all
     }
 
-    /// The same of what the profiles of a list say besides, each combination of conditions and times once; `list` is what
+    /// The remarks on what a life or a log lacks although the files are right, such as a home without sensors.
+    pub fn lifeless(&self) -> Vec<Problem> {
+        lifeless::remarks(&self.scenario)
+    }
+
+    /// The remarks on what the profiles of a list say besides, each combination of conditions and times once; `list` is what
     /// problems call the list.
     ///
     /// # Errors

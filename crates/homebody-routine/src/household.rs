@@ -413,11 +413,11 @@ impl DriverProvider for Household {
 #[derive(Clone, Debug, Default)]
 pub struct RoutineLanguage {
     /// By resident.
-    routines: BTreeMap<usize, Routine>,
+    pub(crate) routines: BTreeMap<usize, Routine>,
     /// By resident.
     scripts: BTreeMap<usize, Arc<Program>>,
     /// Those that any of them shows, by name.
-    conditions: BTreeMap<String, Routine>,
+    pub(crate) conditions: BTreeMap<String, Routine>,
     /// The texts of these, by file.
     sources: BTreeMap<String, String>,
 }

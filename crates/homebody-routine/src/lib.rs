@@ -18,3 +18,6 @@ pub mod living;
 mod room_for;
 mod needs_of_home;
 pub mod household;
+
+// The furniture that a home needs besides its own.
+pub mod furnished;

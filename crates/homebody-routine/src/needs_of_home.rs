@@ -2,7 +2,7 @@
 
 use crate::living::places::{Places, Spot};
 use crate::living::script::ACTED_ON;
-use crate::room_for;
+use crate::room_for::{self, Lacking, NEEDS};
 use crate::routine::{Activity, FallEnds, Habit, Quote, Response, Routine, Rule, USUAL, shows};
 use homebody_core::geometry;
 use homebody_core::home::plan::{self, Plan};
@@ -34,11 +34,43 @@ pub fn check(
         others,
         file: &routine.file,
         bed: String::new(),
+        lacking: Lacking::default(),
         told: BTreeSet::new(),
         problems: Vec::new(),
     };
     check.all(&places, &texts, routine.is_of_person());
     check.problems
+}
+
+/// The pieces that a home lacks for a resident who lives by a routine, each in a place where it can stand: with all of them
+/// added, everybody's needs are met. None where nothing is out of reach.
+pub fn additions(
+    scenario: &Scenario,
+    resident: &ResidentFile,
+    routine: &Routine,
+    conditions: &BTreeMap<String, Routine>,
+) -> Vec<FurnitureFile> {
+    let (home, plan, numbers) = (&scenario.home, scenario.home.plan(), scenario.home.numbers());
+    let places = Places::new(home, plan, &mesh(plan, resident, numbers), &resident.name);
+    let lacking = lacking(home, resident, numbers, &places, &with_conditions(routine, conditions));
+    lacking.pieces.into_iter().filter_map(|(_, piece)| piece).collect()
+}
+
+/// The pieces for all that everybody needs or that a routine uses, and that is out of reach.
+fn lacking(
+    home: &HomeFile,
+    resident: &ResidentFile,
+    numbers: &Numbers,
+    places: &Places,
+    texts: &[&Routine],
+) -> Lacking {
+    let is_there = |role: &Role| places.of(*role).is_some_and(|spot| spot.is_reachable);
+    let used = used_roles(places, texts).into_iter().map(|(role, _)| role);
+    let unreached: Vec<Role> = used.filter(|&role| places.out_of_reach(role).is_some()).collect();
+    if NEEDS.iter().all(is_there) && unreached.is_empty() {
+        return Lacking::default();
+    }
+    room_for::lacking(home, &unreached, resident, numbers)
 }
 
 /// The things of a home that a resident uses, by their names in small letters: opens, turns on, lets water run.
@@ -126,6 +158,8 @@ struct Check<'a> {
     file: &'a str,
     /// Where the resident sleeps.
     bed: String,
+    /// The pieces that are out of reach, with a place for each.
+    lacking: Lacking,
     /// The places that were told.
     told: BTreeSet<String>,
     problems: Vec<Problem>,
@@ -135,6 +169,7 @@ impl Check<'_> {
     fn all(&mut self, places: &Places, texts: &[&Routine], is_person: bool) {
         let anybodys = || places.anybodys(Role::Bed).into_iter().next().filter(|_| !is_person);
         if is_person {
+            self.lacking = lacking(self.home, self.resident, self.numbers, places, texts);
             self.missing(places);
         }
         let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
@@ -148,19 +183,19 @@ impl Check<'_> {
         let boxed_in = places.out_of_reach(Role::Bed).filter(|_| is_person);
         if let Some(bed) = boxed_in {
             let what = format!("{} cannot get from {:?} to the rest of the home", self.resident.name, bed.name);
-            let hint = self.what_to_do(bed);
+            let hint = format!("{}{}", self.what_to_do(bed), self.instead(Role::Bed));
             return self.say(None, &what, &hint);
         }
         let of_pets = [(Role::Basket, None), (Role::FoodBowl, None)];
         let used = if is_person { used_roles(places, texts) } else { of_pets.into() };
         for (role, said) in used {
             if let Some(spot) = places.out_of_reach(role) {
-                self.no_way(spot, said);
+                self.no_way(spot, said, &self.instead(role));
             }
         }
         for (place, said) in texts.iter().flat_map(|text| named_places(text)) {
             if let Some(spot) = places.named(place).filter(|spot| !spot.is_reachable) {
-                self.no_way(&Spot { name: place.to_owned(), ..spot.clone() }, Some(said));
+                self.no_way(&Spot { name: place.to_owned(), ..spot.clone() }, Some(said), "");
             }
         }
         let goes_out = |activity: &Activity| matches!(activity, Activity::Leave | Activity::Visit);
@@ -187,19 +222,22 @@ impl Check<'_> {
         }
     }
 
-    /// What everybody needs and the home does not have, each with a place where it could be. These are beside each other: whoever
-    /// does all that is said has a home to live in.
+    /// Reports each thing that everybody needs and the home does not have, with a place for it. A home with all of them added
+    /// can be lived in.
     fn missing(&mut self, places: &Places) {
-        let mut home = self.home.clone();
         for (role, what, hint) in [NO_BED, NO_TOILET, NO_SEAT, NO_KITCHEN] {
-            if places.of(role).is_some() {
-                continue;
+            if places.of(role).is_none() {
+                let example = self.lacking.piece(role).map_or_else(|| self.no_room(), |piece| self.example(piece));
+                self.say(None, what, &format!("{hint}; {example}"));
             }
-            let piece = room_for::piece(&home, role, self.resident, self.numbers);
-            let example = piece.as_ref().map(|piece| self.example(piece)).unwrap_or_default();
-            home.furniture.extend(piece);
-            self.say(None, what, &format!("{hint}{example}"));
         }
+    }
+
+    /// Another piece for a role whose own is out of reach, where there is room for one.
+    fn instead(&self, role: Role) -> String {
+        self.lacking
+            .piece(role)
+            .map_or_else(String::new, |piece| format!(", or another such piece; {}", self.example(piece)))
     }
 
     /// A piece as it is written into a home, and in which room that is.
@@ -208,14 +246,27 @@ impl Check<'_> {
         let room = Plan::new(self.home).room_at(geometry::inner_point(&outline));
         let room = room.map(|room| format!(" in {:?}", self.home.rooms[room].name)).unwrap_or_default();
         let text = serde_json::to_string(piece).unwrap_or_default();
-        format!("; there is room{room}: add to \"furniture\" {}", text.replace("\":", "\": ").replace(',', ", "))
+        format!("there is room{room}: add to \"furniture\" {}", text.replace("\":", "\": ").replace(',', ", "))
     }
 
-    /// There is no way to a place, which is told once.
-    fn no_way(&mut self, spot: &Spot, said: Option<(&str, &Quote)>) {
+    /// Why no place is named for a piece.
+    fn no_room(&self) -> String {
+        /// So many are named (ours).
+        const NAMED: usize = 6;
+        let rooms = &self.lacking.rooms;
+        let named: Vec<String> = rooms.iter().take(NAMED).map(|room| format!("{room:?}")).collect();
+        let more = if rooms.len() > NAMED { " and others" } else { "" };
+        match named.is_empty() {
+            true => "nobody can stand in any of its rooms".to_owned(),
+            false => format!("there is no room for one in {}{more}, where people get to", named.join(", ")),
+        }
+    }
+
+    /// Reports once that no way leads to a place.
+    fn no_way(&mut self, spot: &Spot, said: Option<(&str, &Quote)>, instead: &str) {
         if self.told.insert(spot.name.to_lowercase()) {
             let what = format!("{} cannot get from {:?} to {:?}", self.resident.name, self.bed, spot.name);
-            let hint = self.what_to_do(spot);
+            let hint = format!("{}{instead}", self.what_to_do(spot));
             self.say(said, &what, &hint);
         }
     }

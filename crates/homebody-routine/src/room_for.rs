@@ -1,42 +1,63 @@
 //! Where a piece of furniture that a home lacks could stand, so that people get to it and still to all else.
 
-use crate::living::places::Places;
+use crate::living::places::{Places, Spot};
 use homebody_core::geometry::{self, Point, overlap};
-use homebody_core::home::plan::{Origin, Plan, furniture_outline};
+use homebody_core::home::plan::{Origin, Plan, Solid, furniture_outline};
+use homebody_core::languages::{self, RoomUse};
 use homebody_core::numbers::Numbers;
 use homebody_core::role::Role;
 use homebody_core::scenario::home::{FurnitureFile, HomeFile};
+use homebody_core::scenario::path::Posture;
 use homebody_core::scenario::resident::ResidentFile;
 use homebody_walk::Mesh;
 
-/// A piece that a life needs: its width, its depth and its height in metres, and words of the rooms where it usually is.
+/// A piece that a life needs: its width, its depth and its height in metres, and the rooms where it usually is, the usual first.
 struct Needed {
     role: Role,
     size_m: [f64; 2],
     height_m: f64,
     is_enterable: bool,
-    rooms: &'static [&'static str],
+    rooms: &'static [RoomUse],
 }
 
 /// Usual sizes of these things (ours).
-const NEEDED: [Needed; 4] = [
-    Needed { role: Role::Bed, size_m: [0.9, 2.0], height_m: 0.5, is_enterable: true, rooms: &["bed"] },
+const NEEDED: [Needed; 8] = [
     Needed {
-        role: Role::Toilet,
-        size_m: [0.4, 0.65],
-        height_m: 0.45,
+        role: Role::Bed,
+        size_m: [0.9, 2.0],
+        height_m: 0.5,
         is_enterable: true,
-        rooms: &["toilet", "wc", "bath"],
+        rooms: &[RoomUse::Bedroom, RoomUse::LivingRoom],
     },
+    Needed { role: Role::Toilet, size_m: [0.4, 0.65], height_m: 0.45, is_enterable: true, rooms: &[RoomUse::Bathroom] },
     Needed {
         role: Role::Armchair,
         size_m: [0.7, 0.7],
         height_m: 0.9,
         is_enterable: true,
-        rooms: &["living", "lounge"],
+        rooms: &[RoomUse::LivingRoom, RoomUse::Bedroom, RoomUse::Kitchen],
     },
-    Needed { role: Role::Fridge, size_m: [0.6, 0.6], height_m: 1.8, is_enterable: false, rooms: &["kitchen"] },
+    Needed { role: Role::Fridge, size_m: [0.6, 0.6], height_m: 1.8, is_enterable: false, rooms: KITCHEN },
+    Needed {
+        role: Role::DiningSeat,
+        size_m: [0.45, 0.45],
+        height_m: 0.9,
+        is_enterable: true,
+        rooms: &[RoomUse::Kitchen, RoomUse::LivingRoom],
+    },
+    Needed { role: Role::Stove, size_m: [0.6, 0.6], height_m: 0.9, is_enterable: false, rooms: KITCHEN },
+    Needed {
+        role: Role::Washbasin,
+        size_m: [0.5, 0.4],
+        height_m: 0.85,
+        is_enterable: false,
+        rooms: &[RoomUse::Bathroom],
+    },
+    Needed { role: Role::Shower, size_m: [0.8, 0.8], height_m: 0.05, is_enterable: true, rooms: &[RoomUse::Bathroom] },
 ];
+
+/// The rooms for food.
+const KITCHEN: &[RoomUse] = &[RoomUse::Kitchen, RoomUse::LivingRoom];
 
 /// How far apart places are tried, how near a piece is to a wall or to another, and how far from doors it stays (ours).
 const STEP_M: f64 = 0.1;
@@ -55,16 +76,112 @@ const AT_WALL_M: f64 = 0.3;
 /// So many places are tried in a room, and walked to at its walls, elsewhere in it, and in all (ours): each walk takes a while.
 const MOST_TRIED: f64 = 4_000.0;
 const MOST_WALKED_IN_ROOM: usize = 3;
-const MOST_WALKED: usize = 12;
+const MOST_WALKED: usize = 18;
+const MOST_WALKED_IN_ALL: usize = 60;
 
-/// A piece of furniture for a role in a place where it can stand; nothing where there is no room, or none for that role.
+/// The most parts of a home that are tried; no way leads from one part to another.
+const MOST_PARTS: usize = 4;
+
+/// The roles that everybody needs.
+pub const NEEDS: [Role; 4] = [Role::Bed, Role::Toilet, Role::Armchair, Role::Fridge];
+
+/// The pieces that a home lacks.
+#[derive(Clone, Debug, Default)]
+pub struct Lacking {
+    /// By role, a piece that can be added, beside those before it; nothing where there is no room for it.
+    pub pieces: Vec<(Role, Option<FurnitureFile>)>,
+    /// The names of the rooms for that life.
+    pub rooms: Vec<String>,
+}
+
+impl Lacking {
+    /// The piece for a role.
+    pub fn piece(&self, role: Role) -> Option<&FurnitureFile> {
+        self.pieces.iter().find(|(of, _)| *of == role)?.1.as_ref()
+    }
+}
+
+/// The pieces that a home lacks, with a place for each in the part of the home where a life is best: for each need, and for the
+/// given roles, that is out of reach there.
+///
+/// That part is the one with most of it, or with room for it; of several the one with the way out, then the largest.
+pub fn lacking(home: &HomeFile, unreached: &[Role], resident: &ResidentFile, numbers: &Numbers) -> Lacking {
+    let plan = Plan::new(home);
+    let mesh = Mesh::with_numbers(&plan, resident.radius_m, numbers);
+    let parts = parts(home, &plan, &mesh);
+    let has_name = |role: &&Role| NEEDED.iter().any(|needed| needed.role == **role) && !NEEDS.contains(role);
+    let roles: Vec<Role> = NEEDS.iter().chain(unreached.iter().filter(has_name)).copied().collect();
+    let mut best: Option<(usize, Lacking)> = None;
+    let mut left_to_walk = MOST_WALKED_IN_ALL;
+    for part in parts.into_iter().take(MOST_PARTS) {
+        let mut furnished = home.clone();
+        let places = Places::from_hub(home, &plan, &mesh, &resident.name, Some(part.at));
+        let is_there = |role: Role| {
+            // Nobody sleeps on their feet, such as where the living room is.
+            let fits = |spot: &Spot| role != Role::Bed || spot.is_of(role) || spot.posture != Posture::Standing;
+            places.of(role).is_some_and(|spot| spot.is_reachable && fits(spot)) && places.out_of_reach(role).is_none()
+        };
+        let missing: Vec<Role> = roles.iter().copied().filter(|&role| !is_there(role)).collect();
+        let mut pieces = Vec::new();
+        for role in missing {
+            let piece = piece(&furnished, role, &part, resident, numbers, &mut left_to_walk);
+            furnished.furniture.extend(piece.clone());
+            pieces.push((role, piece));
+        }
+        let left = pieces.iter().filter(|(_, piece)| piece.is_none()).count();
+        if best.as_ref().is_none_or(|(least, _)| left < *least) {
+            let rooms = part.rooms.iter().map(|&room| home.rooms[room].name.clone()).collect();
+            best = Some((left, Lacking { pieces, rooms }));
+        }
+        if left == 0 {
+            break;
+        }
+    }
+    best.map(|(_, lacking)| lacking).unwrap_or_default()
+}
+
+/// Rooms between which there are ways, and a place in them.
+struct Part {
+    at: Point,
+    rooms: Vec<usize>,
+}
+
+/// The parts of a home, that with the way out first, then the largest.
+fn parts(home: &HomeFile, plan: &Plan, mesh: &Mesh) -> Vec<Part> {
+    let mut parts: Vec<Part> = Vec::new();
+    for room in 0..plan.rooms.len() {
+        let Some(at) = mesh.approach(geometry::inner_point(&plan.rooms[room].outline)) else { continue };
+        match parts.iter_mut().find(|part| mesh.can_reach(part.at, at)) {
+            Some(part) => part.rooms.push(room),
+            None => parts.push(Part { at, rooms: vec![room] }),
+        }
+    }
+    let outside = home.doors.iter().zip(&plan.things).filter(|(door, _)| door.outside).map(|(_, thing)| thing.at);
+    let ways_out: Vec<Point> = outside.filter_map(|door| mesh.inside_of(door)).collect();
+    let has_way_out = |part: &Part| ways_out.iter().any(|&at| mesh.can_reach(part.at, at));
+    let area = |part: &Part| -> f64 {
+        part.rooms.iter().map(|&room| geometry::signed_area(&plan.rooms[room].outline).abs()).sum()
+    };
+    parts.sort_by(|a, b| has_way_out(b).cmp(&has_way_out(a)).then(area(b).total_cmp(&area(a))));
+    parts
+}
+
+/// A piece of furniture for a role, in a free place in a part of a home. `None` if nothing is free, or the role has no piece.
 ///
 /// People of this radius get to it, and to all that they got to before.
-pub fn piece(home: &HomeFile, role: Role, resident: &ResidentFile, numbers: &Numbers) -> Option<FurnitureFile> {
+fn piece(
+    home: &HomeFile,
+    role: Role,
+    part: &Part,
+    resident: &ResidentFile,
+    numbers: &Numbers,
+    left_to_walk: &mut usize,
+) -> Option<FurnitureFile> {
     let needed = NEEDED.iter().find(|needed| needed.role == role)?;
     let plan = Plan::new(home);
     let doors: Vec<Point> = plan.things.iter().take(home.doors.len()).map(|door| door.at).collect();
-    let name = free_name(home, role.row().names[0]);
+    let rooms = || home.rooms.iter().map(|room| room.name.as_str());
+    let name = free_name(home, languages::called(role, rooms()).unwrap_or(role.row().names[0]));
     let new = |at: Point, turn_deg: f64| FurnitureFile {
         name: name.clone(),
         at: Some([at.x, at.y].map(|length| (length * 1e3).round() / 1e3)),
@@ -73,12 +190,12 @@ pub fn piece(home: &HomeFile, role: Role, resident: &ResidentFile, numbers: &Num
         outline: None,
         height_m: needed.height_m,
         enterable: needed.is_enterable,
-        // A name with a number says nothing by itself.
-        role: (!role.is_called(&name)).then_some(role),
+        // A name with a number, or in another language, says nothing by itself.
+        role: (!role.is_called(&name.to_lowercase())).then_some(role),
     };
-    let before = reached(home, &plan, resident, numbers);
+    let before = reached(home, &plan, part.at, resident, numbers);
     let mut walked = 0;
-    for room in in_order(home, &plan, needed) {
+    for room in in_order(home, &plan, needed, part) {
         let mut fit: Vec<(f64, FurnitureFile)> = Vec::new();
         for turn_deg in [0.0, 90.0, 180.0, 270.0] {
             let places = grid(&plan, room).map(|at| new(at, turn_deg));
@@ -93,12 +210,13 @@ pub fn piece(home: &HomeFile, role: Role, resident: &ResidentFile, numbers: &Num
         };
         for piece in spread(at_walls).into_iter().chain(spread(others)) {
             walked += 1;
-            if walked > MOST_WALKED {
+            if walked > MOST_WALKED || *left_to_walk == 0 {
                 return None;
             }
+            *left_to_walk -= 1;
             let mut furnished = home.clone();
             furnished.furniture.push(piece.clone());
-            let now = reached(&furnished, &Plan::new(&furnished), resident, numbers);
+            let now = reached(&furnished, &Plan::new(&furnished), part.at, resident, numbers);
             if now.contains(&piece.name.to_lowercase()) && before.iter().all(|name| now.contains(name)) {
                 return Some(piece);
             }
@@ -107,9 +225,12 @@ pub fn piece(home: &HomeFile, role: Role, resident: &ResidentFile, numbers: &Num
     None
 }
 
-/// The names of all that there is a way to.
-fn reached(home: &HomeFile, plan: &Plan, resident: &ResidentFile, numbers: &Numbers) -> Vec<String> {
-    let places = Places::new(home, plan, &Mesh::with_numbers(plan, resident.radius_m, numbers), &resident.name);
+/// The names of all that there is a way to from a place.
+fn reached(home: &HomeFile, plan: &Plan, from: Point, resident: &ResidentFile, numbers: &Numbers) -> Vec<String> {
+    let mesh = Mesh::with_numbers(plan, resident.radius_m, numbers);
+    // A piece may stand where it is.
+    let from = mesh.approach(from);
+    let places = Places::from_hub(home, plan, &mesh, &resident.name, from);
     places.all().iter().filter(|spot| spot.is_reachable).map(|spot| spot.name.clone()).collect()
 }
 
@@ -122,18 +243,25 @@ fn free_name(home: &HomeFile, wanted: &str) -> String {
     names.into_iter().find(|name| !taken.contains(name)).unwrap_or_default()
 }
 
-/// The rooms in which a piece is looked a place for: those where such pieces usually are, then the others from the largest.
-fn in_order(home: &HomeFile, plan: &Plan, needed: &Needed) -> Vec<usize> {
-    /// Where nobody would put it.
-    const NOWHERE: [&str; 6] = ["stairs", "balcony", "terrace", "garage", "hall", "landing"];
+/// The rooms of a part in the order in which they are tried for a piece. Its usual rooms come first, then rooms of unknown use,
+/// for a toilet from the smallest, else from the largest. Halls and rooms where nobody lives come last.
+fn in_order(home: &HomeFile, plan: &Plan, needed: &Needed, part: &Part) -> Vec<usize> {
     let area = |room: usize| geometry::signed_area(&plan.rooms[room].outline).abs();
-    let rank = |room: usize| {
-        let name = home.rooms[room].name.to_lowercase();
-        let has = |words: &[&str]| words.iter().any(|word| name.contains(word));
-        if has(needed.rooms) { 0 } else { 1 + usize::from(has(&NOWHERE)) }
+    let rank = |room: usize| match languages::room_use(&home.rooms[room].name) {
+        None => 1,
+        Some(RoomUse::Aside | RoomUse::Hall) => 4,
+        Some(room_use) => match needed.rooms.iter().position(|usual| *usual == room_use) {
+            Some(0) => 0,
+            Some(_) => 2,
+            None => 3,
+        },
     };
-    let mut rooms: Vec<usize> = (0..plan.rooms.len()).collect();
-    rooms.sort_by(|&a, &b| rank(a).cmp(&rank(b)).then(area(b).total_cmp(&area(a))));
+    let is_small = needed.rooms == [RoomUse::Bathroom];
+    let mut rooms = part.rooms.clone();
+    rooms.sort_by(|&a, &b| {
+        let by_area = if is_small { area(a).total_cmp(&area(b)) } else { area(b).total_cmp(&area(a)) };
+        rank(a).cmp(&rank(b)).then(by_area)
+    });
     rooms
 }
 
@@ -156,13 +284,21 @@ fn out_of_place_m(plan: &Plan, room: usize, doors: &[Point], piece: &FurnitureFi
         geometry::sides(outline)
             .all(|(a, b)| [0.0, 0.25, 0.5, 0.75].iter().all(|&share| geometry::contains(around, a + (b - a) * share)))
     };
-    let is_free = |outline: &[Point]| plan.solids.iter().all(|solid| overlap::area(outline, &solid.outline) < 1e-6);
+    let is_free = |outline: &[Point]| {
+        // Boxes that do not meet spare most of the geometry.
+        let (least, most) = geometry::bounds(outline.iter().copied());
+        let may_meet = |solid: &&Solid| {
+            let (low, high) = geometry::bounds(solid.outline.iter().copied());
+            low.cmple(most).all() && high.cmpge(least).all()
+        };
+        plan.solids.iter().filter(may_meet).all(|solid| overlap::area(outline, &solid.outline) < 1e-6)
+    };
     let (least, most) = geometry::bounds(outline.iter().copied());
     let beside = Point::splat(BESIDE_M);
     let (least, most) = (least - beside, most + beside);
     let box_around = [least, Point::new(most.x, least.y), most, Point::new(least.x, most.y)];
     let is_clear = || doors.iter().all(|&door| geometry::distance_to_area(&outline, door) >= FROM_DOORS_M);
-    if !(is_within(&outline) && is_free(&box_around) && is_clear()) {
+    if !(is_within(&outline) && is_clear() && is_free(&box_around)) {
         return None;
     }
     // Unturned, its back is above.
@@ -194,9 +330,9 @@ mod tests {
         }))
         .unwrap();
         let resident: ResidentFile = from_value(json!({ "name": "ann", "driver": { "path": "ann.json" } })).unwrap();
-        for needed in &NEEDED {
-            let numbers = Numbers::default();
-            let piece = piece(&home, needed.role, &resident, &numbers).expect("there is room");
+        for need in NEEDS {
+            let lacking = lacking(&home, &[need], &resident, &Numbers::default());
+            let piece = lacking.piece(need).expect("there is room").clone();
             let plan = Plan::new(&home);
             let outline = furniture_outline(&piece);
             let away_m = out_of_place_m(&plan, 0, &[], &piece).expect("it fits in");

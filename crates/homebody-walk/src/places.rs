@@ -84,6 +84,11 @@ pub struct Places {
 impl Places {
     /// The places of a home for a resident who walks by `mesh`.
     pub fn new(home: &HomeFile, plan: &Plan, mesh: &Mesh, resident: &str) -> Places {
+        Places::from_hub(home, plan, mesh, resident, None)
+    }
+
+    /// The same, with ways from one place; without it, from where there is a way to most others.
+    pub fn from_hub(home: &HomeFile, plan: &Plan, mesh: &Mesh, resident: &str, from: Option<Point>) -> Places {
         let seats = plan.solids.iter().filter_map(|solid| match solid.origin {
             Origin::Furniture(index) if home.furniture[index].enterable => Some(&home.furniture[index].name),
             _ => None,
@@ -129,7 +134,7 @@ impl Places {
                 plan.solids.iter().find(|solid| piece.is_some_and(|piece| solid.origin == Origin::Furniture(piece)));
             spot.sides = solid.map_or_else(Vec::new, |solid| sides_of(&solid.outline, spot.posture));
         }
-        let hub = hub(&spots, mesh);
+        let hub = from.or_else(|| hub(&spots, mesh));
         let is_reachable = |at: Point| hub.is_some_and(|hub| mesh.can_reach(hub, at));
         find_ways(plan, &mut spots, sides, is_reachable);
         let roles = home.doors.iter().map(|_| None).chain(home.furniture.iter().map(|piece| piece.role));
@@ -157,6 +162,11 @@ impl Places {
     /// All of them: places, furniture and rooms.
     pub fn all(&self) -> &[Spot] {
         &self.spots
+    }
+
+    /// The rooms that nobody gets into, as indices of the plan's.
+    pub fn closed_rooms(&self) -> impl Iterator<Item = usize> + '_ {
+        self.spots.iter().filter(|spot| spot.is_room && !spot.is_reachable).filter_map(|spot| spot.room)
     }
 
     /// The spot of a name that the user wrote: a place, a piece of furniture, or a room.

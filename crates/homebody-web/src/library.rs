@@ -156,7 +156,7 @@ impl Library {
         self.is_free(name)?;
         let imported = sweet_home(bytes, name, None).map_err(damaged)?;
         let week = Begun::week(name, imported.home_json);
-        let lack = begun::inhabited(&week).map_err(damaged)?.lack;
+        let lack = begun::lack(&week);
         // What it lacks the page lists among its problems, and puts there by a button: its hints are for people with files.
         let lack = lack.iter().filter_map(|lack| lack.lines().next()).map(str::to_owned).collect();
         self.write_lived(name, &begun::lived_in(&week), imported.remarks, lack)

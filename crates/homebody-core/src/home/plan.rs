@@ -88,6 +88,9 @@ pub struct Plan {
 /// How far off a wall's middle line a door's jamb may be, in metres.
 pub const JAMB_TOLERANCE_M: f64 = 0.01;
 
+/// A shorter rest of a wall beside a door comes from rounding, in metres: its outline would be a point, which cuts every line.
+const LEAST_WALL_M: f64 = 1e-9;
+
 /// Furniture that is no higher, such as a carpet, stops nobody, in metres (ours): people step over it.
 pub const FLAT_M: f64 = 0.05;
 
@@ -139,7 +142,7 @@ impl Plan {
             gaps.sort_by(|a, b| a.0.total_cmp(&b.0));
             let mut start = 0.0;
             for (gap_start, gap_end) in gaps.into_iter().chain([(length, length)]) {
-                if gap_start > start {
+                if gap_start - start > LEAST_WALL_M {
                     let outline =
                         geometry::thick_segment(from + along * start, from + along * gap_start, wall.thickness_m);
                     let origin = Origin::Wall(index);

@@ -112,6 +112,42 @@ fn floors_that_no_stairs_join_are_not() {
     assert_eq!(Home::of(&two_floors(&steps)).rooms().len(), 2);
 }
 
+/// Two floors with stairs in the bedroom below, and a level between them that is so high and has one room.
+fn with_level_between(name: &str, elevation: f64, height: f64, stairs: &str) -> String {
+    let corners = [[110.0, 110.0], [890.0, 110.0], [890.0, 490.0], [110.0, 490.0]];
+    let between = room("", &corners).replace("<room id=", "<room level='c' id=");
+    let level = format!("<level id='c' name='{name}' elevation='{elevation}' floorThickness='12' height='{height}'/>");
+    level + &two_floors(stairs) + &between
+}
+
+const STAIRS: [f64; 3] = [80.0, 240.0, 280.0];
+
+#[test]
+fn a_level_in_which_nobody_can_stand_keeps_nobody_from_those_above() {
+    let stairs = piece("Staircase", [840.0, 250.0], STAIRS, "catalogId='eTeks#staircase'");
+    let both = ["Living room", "Bedroom", "stairs", "Studio", "Landing"];
+    for (elevation, height) in [(235.0, 18.0), (250.0, 5.0), (120.0, 60.0)] {
+        let home = Home::of(&with_level_between("False ceiling", elevation, height, &stairs));
+        assert_eq!(home.rooms(), both, "{elevation} {height} {:?}", home.remarks);
+        home.remarks("left out are 2 \"False ceiling\"");
+    }
+    // It is taken where it is asked for.
+    let asked = file(&with_level_between("False ceiling", 235.0, 18.0, &stairs));
+    assert_eq!(Home::from(sweet_home(&asked, "test", Some("2")).unwrap()).rooms().len(), 1);
+    // Without stairs the floor above stays out.
+    let home = Home::of(&with_level_between("False ceiling", 235.0, 18.0, ""));
+    assert_eq!(home.rooms(), ["Living room", "Bedroom"]);
+}
+
+#[test]
+fn a_gallery_to_which_no_stairs_lead_keeps_nobody_from_those_above() {
+    let stairs = piece("Staircase", [840.0, 250.0], STAIRS, "catalogId='eTeks#staircase'");
+    let home = Home::of(&with_level_between("Mezzanine", 130.0, 125.0, &stairs));
+    for room in ["Living room", "Bedroom", "Studio", "Landing"] {
+        assert!(home.rooms().contains(&room), "{room}: {:?} {:?}", home.rooms(), home.remarks);
+    }
+}
+
 #[test]
 fn a_level_is_taken_by_name_or_number() {
     for wanted in ["cellar", " Cellar", "1"] {

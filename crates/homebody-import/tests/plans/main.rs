@@ -6,5 +6,6 @@ mod flats;
 mod levels;
 mod practice;
 mod habits;
+mod reached;
 mod hostile;
 mod random;

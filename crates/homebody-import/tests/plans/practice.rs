@@ -196,6 +196,36 @@ fn old_files_say_how_they_are_saved_anew() {
 }
 
 #[test]
+fn a_plan_without_its_archive_is_read() {
+    let xml = |head: &str| format!("{head}<home version='7200' name='a'>{}</home>", two_rooms());
+    for head in ["<?xml version='1.0'?>\n", "\u{feff}<?xml version='1.0'?>", "", "  \n"] {
+        assert_eq!(Home::from(import(xml(head).as_bytes()).unwrap()).rooms(), ["Living room", "Bedroom"], "{head:?}");
+    }
+    assert_eq!(import(b"<?xml version='1.0'?><house name='a'/>").unwrap_err(), NotImported::NoArchive);
+}
+
+#[test]
+fn files_of_other_forms_lead_to_what_takes_them() {
+    let said = |bytes: &[u8]| import(bytes).unwrap_err().to_string();
+    for (bytes, form, hint) in [
+        (&b"\x89PNG\r\n\x1a\n\0"[..], "a picture in PNG", "homebody new my-home --image plan.png"),
+        (b"\xff\xd8\xff\xe1", "a picture in JPEG", "homebody new my-home --image"),
+        (b"%PDF-1.4\n", "a PDF", "save it as a picture in PNG"),
+        (b"<svg xmlns='http://www.w3.org/2000/svg'/>", "a picture in SVG", "homebody serve"),
+        (b"0\nSECTION\n2\nENTITIES\n", "a drawing in DXF", "draw the plan in Sweet Home 3D"),
+        (b"ISO-10303-21;\n", "a building in IFC", "draw the plan in Sweet Home 3D"),
+        (b"rooms:\n  - name: a\n    points:\n", "a floor plan of ESPresense in YAML", "draw the plan"),
+        (b"{ \"walls\": [] }", "a plan in JSON", "draw the plan"),
+    ] {
+        let said = said(bytes);
+        assert!(said.starts_with(&format!("this is no Sweet Home 3D file: it is {form}")), "{said}");
+        assert!(said.contains("\n  hint: ") && said.contains(hint), "{said}");
+    }
+    let packed = archive(&[("flat/mine.sh3d", b"PK")]);
+    assert!(said(&packed).contains("unpack it, and name the .sh3d file"), "{}", said(&packed));
+}
+
+#[test]
 fn rooms_that_nearly_meet_where_no_wall_is_are_joined() {
     let open = two_rooms_walls().replace(&wall([600.0, 100.0], [600.0, 500.0]), "");
     let west = room("West", &[[110.0, 110.0], [594.0, 110.0], [594.0, 490.0], [110.0, 490.0]]);

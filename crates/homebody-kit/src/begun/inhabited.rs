@@ -54,15 +54,10 @@ pub struct Inhabited {
 /// [`Error::Problems`]: what is wrong with the home or the logger themselves.
 pub fn inhabited(begun: &Begun) -> Result<Inhabited, Error> {
     let texts = lived_in(begun);
-    let problems = match load(&texts) {
-        Ok(scenario) => return Ok(Inhabited { texts, scenario, lack: Vec::new() }),
-        Err(problems) => problems,
-    };
-    let lack = problems.0.into_iter().map(|problem| match problem.hint {
-        Some(hint) => format!("{}\n  hint: {hint}", problem.what),
-        None => problem.what,
-    });
-    let lack = lack.collect();
+    if let Ok(scenario) = load(&texts) {
+        return Ok(Inhabited { texts, scenario, lack: Vec::new() });
+    }
+    let lack = lack(begun);
     let empty = with(begun, "", Vec::new());
     let scenario = load(&empty)?;
     let path = path(roomiest(scenario.home.plan()));
@@ -72,6 +67,16 @@ pub fn inhabited(begun: &Begun) -> Result<Inhabited, Error> {
         Ok(scenario) => Inhabited { texts: standing, scenario, lack },
         Err(_) => Inhabited { texts: empty, scenario, lack },
     })
+}
+
+/// The problems that an ordinary life has in the home of a scenario that begins, a sentence and a hint each.
+pub fn lack(begun: &Begun) -> Vec<String> {
+    let Err(Problems(problems)) = load(&lived_in(begun)) else { return Vec::new() };
+    let lack = problems.into_iter().map(|problem| match problem.hint {
+        Some(hint) => format!("{}\n  hint: {hint}", problem.what),
+        None => problem.what,
+    });
+    lack.collect()
 }
 
 /// The files of a scenario in whose home somebody lives an ordinary life, as soon as it has what that needs.

@@ -2,13 +2,15 @@
 
 mod empty;
 mod from_log;
+mod furnished;
 mod inhabited;
 mod sensor_table;
 mod traced;
 
 pub use empty::empty;
 pub use from_log::{GivenLog, OfLog, of_log};
-pub use inhabited::{Begun, Inhabited, inhabited, lived_in};
+pub use furnished::furnish;
+pub use inhabited::{Begun, Inhabited, inhabited, lack, lived_in};
 pub use sensor_table::{Row, read_table};
 pub use traced::{Known, Traced};
 

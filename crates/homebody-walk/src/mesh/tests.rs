@@ -245,3 +245,21 @@ fn tangled_walls_break_nothing() {
         assert!(ways > 0, "{walls} walls leave no way");
     }
 }
+
+/// A door as wide as its wall leaves a rest of no length beside it, by rounding.
+#[test]
+fn a_door_as_wide_as_its_wall_keeps_nobody_from_a_seat() {
+    let home = |to: f64| {
+        let chair =
+            r#"{ "name": "chair", "at": [7.4, 2.6], "size_m": [0.5, 0.5], "height_m": 0.9, "enterable": true }"#;
+        plan(&format!(
+            r#"{{ "name": "a", "rooms": [{{ "name": "room", "outline": [[4, 1], [9, 1], [9, 9], [4, 9]] }}],
+                "walls": [{{ "from": [4.361, 7.67], "to": [5.262, 7.67], "thickness_m": 0.1 }}],
+                "doors": [{{ "name": "door", "from": [5.262, 7.67], "to": [{to}, 7.67] }}], "furniture": [{chair}] }}"#
+        ))
+    };
+    for to in [4.361, 4.6] {
+        let mesh = Mesh::new(&home(to), 0.22);
+        assert!(mesh.can_reach(Point::new(8.0, 5.0), Point::new(7.4, 2.6)), "{to}");
+    }
+}

@@ -9,7 +9,7 @@ use homebody_kit::{Error, OpenScenario, Source};
 use serde_json::json;
 
 /// Reports everything that is wrong with a scenario, with file, line and a hint; and warns of what is hardly meant, such as a
-/// fault that comes when the run is over.
+/// fault that comes when the run is over, and of what keeps a life or a log from coming of it, such as a home without sensors.
 ///
 /// What a file means is looked at once its keys and values are such as may be there: until then the rest of its problems, and
 /// those of routines where the file is the home's, are not known.
@@ -32,8 +32,12 @@ impl Arguments {
         let opened = load_and_say(self.scenario.source(), self.json, remarks)?;
         let scenario = opened.scenario();
         let home = &scenario.home;
+        let found = match opened.lifeless().is_empty() {
+            true => "nothing is wrong",
+            false => "its files are right, and a life or a log lacks what is said above",
+        };
         tell(format_args!(
-            "{}: nothing is wrong. {}, {}, {}, {}; {}.",
+            "{}: {found}. {}, {}, {}, {}; {}.",
             scenario.file.name,
             counted(home.rooms.len(), "room", "rooms"),
             counted(home.doors.len(), "door", "doors"),

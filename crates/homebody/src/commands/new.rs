@@ -1,4 +1,4 @@
-//! `homebody new`: a scenario of one's own, from one that works, or from the log of a home.
+//! `homebody new`: a scenario of one's own, from one that works, from a picture of a plan, or from the log of a home.
 
 use super::read_log::read_log;
 use crate::failure::{EXIT_CODES, Failure};
@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 /// Begins a scenario of your own in a new folder: from a template that works, empty, or from the log of a home of which nobody has a
 /// plan.
 ///
-/// An empty home is drawn in the page of homebody serve. Anna lives an ordinary life there as soon as it has what that needs; until then
-/// homebody check says what is missing.
+/// An empty home is drawn in the page of homebody serve, over a picture of its plan where there is one. Anna lives an ordinary life
+/// there as soon as it has what that needs; until then homebody check says what is missing.
 ///
 /// From a log comes a schematic home: rooms, things and places by the names of its sensors and by what was done as they spoke;
 /// which rooms are beside each other, and what is near what, by who follows whom and how soon. It is a guess, and says so. With
@@ -25,6 +25,7 @@ use std::path::{Path, PathBuf};
 Examples:
   homebody new my-home --template tigerplace && homebody run my-home
   homebody new my-flat --template empty && homebody serve my-flat
+  homebody new my-flat --image plan.png --known 120,640=0,0 --known 900,640=8.5,0 && homebody serve my-flat
   homebody new their-home --from-log casas:tm000.txt
   homebody new their-home --from-log week.csv --sensors sensors.csv
   homebody translate week.csv --home their-home --to walked
@@ -48,8 +49,8 @@ pub struct Arguments {
     /// A table of the log's sensors: id, room, place, x, y
     #[arg(long, value_name = "FILE", requires = "from_log")]
     sensors: Option<PathBuf>,
-    /// A picture of the plan, in PNG or JPEG
-    #[arg(long, value_name = "FILE", requires = "from_log")]
+    /// A picture of the plan, in PNG or JPEG, to draw over in the page
+    #[arg(long, value_name = "FILE", conflicts_with = "template")]
     image: Option<PathBuf>,
     /// Where a point of the picture is: pixels from its upper left corner, and metres to the east and the north; given twice
     #[arg(long, value_name = "X,Y=EAST,NORTH", requires = "image")]
@@ -120,23 +121,43 @@ impl Arguments {
             return self.make_of(log);
         }
         let folder = &self.folder;
-        let texts = |name: &str| match self.template {
+        let picture = self.picture()?;
+        let beginning = if picture.is_some() { Beginning::Empty } else { self.template };
+        let texts = |name: &str| match beginning {
             Beginning::Empty => empty(name),
             Beginning::Template(template) => of_template(template, name),
         };
-        begin(folder, |name| write(folder, &texts(name)))?;
+        begin(folder, |name| {
+            write(folder, &texts(name))?;
+            self.lay_below(picture.as_ref())
+        })?;
         let folder = folder.display();
-        tell(match self.template {
+        tell(match beginning {
+            Beginning::Empty if picture.is_some() => {
+                format!("{folder} is ready: draw over the picture in the page's Plan.\n  homebody serve {folder}")
+            }
             Beginning::Empty => format!("{folder} is ready, and empty.\n  homebody serve {folder}"),
             Beginning::Template(_) => format!("{folder} is ready.\n  homebody check {folder}\n  homebody run {folder}"),
         });
         Ok(())
     }
 
+    /// The picture of the plan, with the places of its known points.
+    fn picture(&self) -> Result<Option<Traced>, Failure> {
+        Ok(self.image.as_deref().map(|image| Traced::read(image, &self.known)).transpose()?)
+    }
+
+    /// Writes the picture of the plan into the scenario's folder, where the page shows it below what is drawn.
+    fn lay_below(&self, picture: Option<&Traced>) -> Result<(), Failure> {
+        let Some(picture) = picture else { return Ok(()) };
+        write_file(&self.folder.join(picture.file), &picture.bytes, false)?;
+        write_file(&self.folder.join(UNDERLAY), picture.lies().as_bytes(), false)
+    }
+
     /// A scenario in a home that nobody has drawn.
     fn make_of(&self, log: &str) -> Result<(), Failure> {
         let folder = &self.folder;
-        let picture = self.image.as_deref().map(|image| Traced::read(image, &self.known)).transpose()?;
+        let picture = self.picture()?;
         let table = self.sensors.as_deref().map(read_table).transpose()?.unwrap_or_default();
         let time_zone = self.time_zone.as_deref();
         time_zone.map(Calendar::zone).transpose().map_err(Failure::usage)?;
@@ -148,10 +169,7 @@ impl Arguments {
         begin(folder, |name| {
             let of_log = of_log(name, &given)?;
             write(folder, &of_log.lived.texts)?;
-            if let Some(picture) = &picture {
-                write_file(&folder.join(picture.file), &picture.bytes, false)?;
-                write_file(&folder.join(UNDERLAY), picture.lies().as_bytes(), false)?;
-            }
+            self.lay_below(picture.as_ref())?;
             made = Some(of_log);
             Ok::<_, Failure>(())
         })?;

@@ -64,6 +64,24 @@ fn an_empty_home_says_what_it_lacks_until_it_is_drawn() {
 }
 
 #[test]
+fn a_picture_lies_below_an_empty_home() {
+    let folder = Folder::new();
+    let mut picture = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR".to_vec();
+    picture.extend(1_000_u32.to_be_bytes().into_iter().chain(500_u32.to_be_bytes()));
+    folder.write("plan.png", picture);
+    let known = "--known 0,500=0,0 --known 1000,500=10,0";
+    let said = folder.run(&format!("new flat --image plan.png {known}")).ok().err;
+    assert!(said.contains("draw over the picture") && said.contains("homebody serve flat"), "{said}");
+    assert!(folder.path("flat/plan.png").is_file() && folder.read("flat/underlay.json").contains("\"width_m\": 10.0"));
+    folder.run("check flat").fails(2, "\"rooms\" must have");
+    // A plan of another program's form is sent there.
+    folder.run("import plan.png other").fails(2, "it is a picture in PNG\n  hint: homebody new my-home --image");
+    folder.run("new second --image plan.png").fails(2, "--known 120,340=0,0");
+    folder.run(&format!("new third --image plan.png {known} --template studio")).fails(2, "--template");
+    assert!(!folder.path("other").exists() && !folder.path("second").exists());
+}
+
+#[test]
 fn the_help_names_every_template() {
     let help = Folder::new().run("new --help").ok().out;
     for template in names("scenarios") {

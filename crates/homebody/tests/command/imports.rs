@@ -49,22 +49,144 @@ fn a_plan_becomes_a_scenario_in_which_somebody_lives() {
 }
 
 #[test]
-fn where_nobody_can_live_somebody_stands() {
+fn a_home_that_lacks_something_says_so_until_it_is_there() {
     let folder = Folder::new();
     folder.write("room.sh3d", plan(ROOM));
     let said = folder.run("import room.sh3d mine").ok().err;
     let lack =
         "nobody can live an ordinary life here yet: there is nowhere in this home to sleep\n  hint: give it a piece";
-    assert!(said.contains(lack), "{said}");
-    assert!(folder.path("mine/anna.path.json").is_file() && !folder.path("mine/anna.routine").exists());
-    folder.run("check mine").ok();
-    folder.run("run mine --for 1h --quiet --out csv:log.csv").ok();
+    assert!(said.contains(lack) && said.contains("--furnish adds all"), "{said}");
+    assert!(folder.path("mine/anna.routine").is_file());
+    let lacks = folder.run("check mine").fails(2, "there is nowhere in this home to sleep").err;
+    assert!(lacks.contains("no toilet") && lacks.contains("nowhere to sit"), "{lacks}");
+    folder.run("run mine --for 1h --quiet --out csv:log.csv").fails(2, "there is nowhere in this home to sleep");
+    folder.run("plan mine --svg plan.svg").ok();
     // A room that is all furniture.
     let full = "<pieceOfFurniture name='Block' x='300' y='200' width='580' depth='380' height='90'/>";
     folder.write("full.sh3d", plan(&format!("{ROOM}{full}")));
-    folder.run("import full.sh3d full").ok();
-    assert!(folder.read("full/scenario.json").contains("\"residents\": []"));
-    folder.run("check full").ok();
+    for words in ["import full.sh3d full", "import full.sh3d furnished --furnish"] {
+        let said = folder.run(words).ok().err;
+        assert!(said.contains("nobody can stand in any of its rooms"), "{said}");
+    }
+    folder.run("check full").fails(2, "nowhere in this home to sleep");
+}
+
+/// Hours asleep, meals and visits to the bathroom on the first day of somebody's life.
+fn day(folder: &Folder, home: &str) -> [f64; 3] {
+    folder.run(&format!("run {home} --for 1d --quiet --out csv:{home}.csv --truth sqlite:{home}.db")).ok();
+    let number = |sql: &str| folder.query(&format!("{home}.db"), sql)[0].parse().unwrap_or(0.0);
+    [
+        number("SELECT sum(julianday(end_at) - julianday(begin_at)) * 24 FROM activity WHERE name = 'sleeping'"),
+        number("SELECT count(*) FROM activity WHERE name LIKE 'eating_%'"),
+        number("SELECT count(*) FROM activity WHERE name = 'using_bathroom'"),
+    ]
+}
+
+/// Three rooms beside each other, each with a door to the next and one out of the first; of a fourth the door is missing.
+fn four_rooms(names: [&str; 4]) -> String {
+    let wall = |[x, y]: [u32; 2], [to_x, to_y]: [u32; 2]| {
+        format!("<wall xStart='{x}' yStart='{y}' xEnd='{to_x}' yEnd='{to_y}' thickness='20'/>")
+    };
+    let outer = [([0, 0], [1600, 0]), ([1600, 0], [1600, 400]), ([1600, 400], [0, 400]), ([0, 400], [0, 0])];
+    let inner = [400, 800, 1200].map(|x| ([x, 0], [x, 400]));
+    let walls: String = outer.iter().chain(&inner).map(|(from, to)| wall(*from, *to)).collect();
+    let rooms: String = (0..4)
+        .map(|index| {
+            let (left, right) = (400 * index + 10, 400 * index + 390);
+            let points = [(left, 10), (right, 10), (right, 390), (left, 390)];
+            let points = points.map(|(x, y)| format!("<point x='{x}' y='{y}'/>")).concat();
+            format!("<room name='{}'>{points}</room>", names[index])
+        })
+        .collect();
+    let door = |name: &str, x: u32, y: u32, angle: f64| {
+        format!("<doorOrWindow name='{name}' x='{x}' y='{y}' angle='{angle}' width='90' depth='20' height='210'/>")
+    };
+    let turn = std::f64::consts::FRAC_PI_2;
+    let doors = [door("Front door", 200, 400, 0.0), door("A", 400, 200, turn), door("B", 800, 200, turn)];
+    [walls, rooms, doors.concat()].concat()
+}
+
+#[test]
+fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
+    let folder = Folder::new();
+    for (plan_of, named) in [
+        (["Küche", "Schlafzimmer", "Bad", "Wohnzimmer"], ["Bett", "Sessel"]),
+        (["cucina", "camera da letto", "bagno", "soggiorno"], ["letto", "poltrona"]),
+    ] {
+        folder.write("plan.sh3d", plan(&four_rooms(plan_of)));
+        let name = plan_of[2].to_lowercase();
+        let said = folder.run(&format!("import plan.sh3d {name} --furnish")).ok().err;
+        assert!(!said.contains("ordinary life here yet"), "{said}");
+        let added = |thing: &str, room: &str| {
+            let told = format!("added, which the plan does not have: {thing:?} in {room:?}");
+            assert!(said.contains(&told), "{told} is not in {said}");
+        };
+        let [bed, armchair] = named;
+        added(bed, plan_of[1]);
+        // Nobody gets into the living room, so that the armchair is elsewhere.
+        assert!(said.contains(&format!("nobody gets into {:?}", plan_of[3])), "{said}");
+        assert!(
+            said.contains(&format!("{armchair:?} in ")) && !said.contains(&format!("{armchair:?} in {:?}", plan_of[3]))
+        );
+        // The kitchen and the bathroom are known by their names, so that neither fridge nor toilet is needed.
+        let checked = folder.run(&format!("check {name}")).ok().err;
+        assert!(checked.contains(&format!("nobody gets into {:?}", plan_of[3])), "{checked}");
+        let [asleep_h, meals, visits] = day(&folder, &name);
+        assert!(asleep_h >= 4.0 && meals >= 2.0 && visits >= 2.0, "{asleep_h} {meals} {visits}");
+        // Nobody lives there without these pieces.
+        folder.run(&format!("import plan.sh3d bare-{name}")).ok();
+        folder.run(&format!("check bare-{name}")).fails(2, "nowhere in this home to sleep");
+    }
+}
+
+#[test]
+fn what_is_out_of_reach_is_added_where_people_get_to() {
+    let folder = Folder::new();
+    let beds = |x: u32| format!("<pieceOfFurniture name='Bed' x='{x}' y='110' width='140' depth='200' height='50'/>");
+    let toilet = "<pieceOfFurniture name='Toilet' x='1560' y='350' width='40' depth='60' height='45'/>";
+    let drawn = four_rooms(["Kitchen", "Bedroom", "Bathroom", "Guest room"]);
+    folder.write("plan.sh3d", plan(&format!("{drawn}{}{toilet}", beds(1400))));
+    let said = folder.run("import plan.sh3d mine").ok().err;
+    assert!(said.contains("ordinary life here yet: anna cannot get from"), "{said}");
+    let said = folder.run("import plan.sh3d other --furnish").ok().err;
+    assert!(said.contains("\"bed 2\" in \"Bedroom\"") && said.contains("\"toilet 2\" in \"Bathroom\""), "{said}");
+    let [asleep_h, meals, visits] = day(&folder, "other");
+    assert!(asleep_h >= 4.0 && meals >= 2.0 && visits >= 2.0, "{asleep_h} {meals} {visits}");
+}
+
+#[test]
+fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
+    let folder = Folder::new();
+    folder.write("plan.sh3d", plan(&format!("{ROOM}{FURNITURE}")));
+    folder.run("import plan.sh3d mine").ok();
+    let said = folder.run("check mine").ok().err;
+    assert!(said.contains("the home has no sensors") && !said.contains("nothing is wrong"), "{said}");
+    // The proposed sensor is a valid line.
+    let (_, sensor) = said.split_once("such as {").unwrap();
+    let (sensor, _) = sensor.split_once("}; homebody place").unwrap();
+    let home = folder.read("mine/home.json");
+    folder.write("mine/home.json", home.replace("\n  ]\n}", &format!("\n  ],\n  \"sensors\": [{{{sensor}}}]\n}}")));
+    let said = folder.run("check mine").ok().err;
+    assert!(said.contains("mine: nothing is wrong. 1 room, 1 door, 3 pieces of furniture, 1 sensor"), "{said}");
+    // Who waits for ever is named, with what makes them live.
+    let wait = r#"{ "start": [3, 2], "steps": [{ "repeat": { "steps": [{ "wait": { "for_s": 60 } }] } }] }"#;
+    folder.write("mine/anna.path.json", wait);
+    folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
+    let said = folder.run("check mine").ok().err;
+    let what = "warning: anna.json: anna waits for ever and does nothing: anna.path.json has no walk";
+    assert!(said.contains(what) && !said.contains("nothing is wrong"), "{said}");
+    assert!(said.contains("let anna.json say \"driver\": {\"routine\":\"anna.routine\"}"), "{said}");
+    folder.write("mine/anna.json", r#"{ "name": "anna", "driver": {"routine":"anna.routine"} }"#);
+    assert!(folder.run("check mine").ok().err.contains("nothing is wrong"));
+    let json = folder.run("check mine --json").ok().json();
+    assert_eq!(json["warnings"].as_array().unwrap().len(), 0, "{json}");
+    // Somebody who walks does not wait.
+    let walk = r#"{ "start": [3, 2], "steps": [{ "repeat": { "steps": [{ "go": { "to": [[3, 2.5], [3, 2]] } }, { "wait": { "for_s": 60 } }] } }] }"#;
+    folder.write("mine/anna.path.json", walk);
+    folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
+    assert!(folder.run("check mine").ok().err.contains("nothing is wrong"));
+    folder.edit("mine/scenario.json", "\"residents\": [\"anna.json\"]", "\"residents\": []");
+    assert!(folder.run("check mine").ok().err.contains("warning: scenario.json: nobody lives here"));
 }
 
 #[test]
@@ -109,7 +231,7 @@ fn walls_across_each_other_do_not_break_it_down() {
     folder.write("star.sh3d", star(150));
     let said = folder.run("import star.sh3d mine").ok().err;
     assert!(said.contains("nobody can live an ordinary life here yet: anna cannot get from"), "{said}");
-    folder.run("check mine").ok();
+    folder.run("check mine").fails(2, "anna cannot get from");
     folder.write("star.sh3d", star(2_000));
     folder.run("import star.sh3d other").fails(2, "meet or cross each other more than 20000 times\n  hint:");
 }
@@ -151,5 +273,5 @@ fn a_level_is_chosen_by_its_name() {
     );
     folder.run("import house.sh3d below --level below").ok();
     assert!(folder.read("below/home.json").contains("Cellar") && folder.read("above/home.json").contains("Kitchen"));
-    folder.run("check below").ok();
+    folder.run("check below").fails(2, "there is nowhere in this home to sleep");
 }

@@ -7,7 +7,7 @@ use toml::{Table, Value};
 /// On which of our crates each of them may depend.
 const ARROWS: [(&str, &[&str]); 18] = [
     ("homebody-core", &[]),
-    ("homebody-import", &["homebody-core"]),
+    ("homebody-import", &["homebody-core", "homebody-walk"]),
     ("homebody-walk", &["homebody-core"]),
     ("homebody-log", &["homebody-core"]),
     ("homebody-postgres", &["homebody-core", "homebody-log"]),
