@@ -2,10 +2,13 @@
 
 use crate::cancel::Cancel;
 use crate::elsewhere;
+use crate::error::LogError;
 use crate::meter::Meter;
 use crate::policy::Policy;
-use crate::sink::{self, Sink};
+use crate::sink::{self, Begin, How, Sink, Watermark};
+use crate::table::Batch;
 use crate::url::Url;
+use homebody_core::time::Micros;
 use std::sync::Arc;
 
 /// Where rows go, and what becomes of the run if that fails.
@@ -35,9 +38,43 @@ impl Destination {
         Destination { sink: sink::open_as(url, true), ..Destination::of(url) }
     }
 
+    /// The same, begun like this where the run is begun and not gone on with, whatever becomes of the run's files.
+    pub fn begun_as(self, how: How) -> Destination {
+        Destination { sink: Box::new(BegunAs { how, inner: self.sink }), ..self }
+    }
+
     /// A caller's own.
     pub fn own(place: impl Into<String>, sink: impl Sink + 'static, policy: Policy) -> Destination {
         let (meter, cancel) = (Arc::default(), Cancel::new());
         Destination { place: place.into(), sink: Box::new(sink), policy, meter, cancel }
+    }
+}
+
+/// A sink that has its own word on what becomes of what it holds already.
+struct BegunAs {
+    how: How,
+    inner: Box<dyn Sink>,
+}
+
+impl Sink for BegunAs {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let how = if begin.how == How::GoOn { How::GoOn } else { self.how };
+        self.inner.begin(&Begin { how, ..*begin })
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        self.inner.write(batch)
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        self.inner.settle()
+    }
+
+    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+        self.inner.finish(end)
+    }
+
+    fn is_behind(&self) -> bool {
+        self.inner.is_behind()
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::limits::LONGEST_ROW_BYTES;
 use crate::skipped::Skipped;
+use crate::written::Refused;
 use homebody_core::problem::readable;
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
@@ -27,6 +28,16 @@ pub enum LogError {
     Exists {
         /// The file.
         place: String,
+    },
+    /// A database is where a file is to be made, and holds what no run has left.
+    #[error(
+        "{place} is a database that holds {what}, and is never replaced\n  hint: name another file, or remove it yourself"
+    )]
+    OthersDatabase {
+        /// The file.
+        place: String,
+        /// What it holds, as a part of a sentence.
+        what: String,
     },
     /// Two outputs of a run lead to one file, perhaps by different paths.
     #[error("two outputs have the same file, {place}\n  hint: give each its own")]
@@ -97,6 +108,24 @@ pub enum LogError {
     LeadsOut {
         /// The file.
         place: String,
+    },
+    /// What is to be written is a link, lies behind one, or is no file of this program's.
+    #[error("{place} is not written: {why}\n  hint: look what it is, and remove it or name another file")]
+    NotOwn {
+        /// The file.
+        place: String,
+        /// What is wrong with it, as a part of a sentence.
+        why: String,
+    },
+    /// The note of what a destination has confirmed cannot be one.
+    #[error(
+        "{place}: {what}\n  hint: it says how many rows a destination has; put back what was there, or remove it: then all rows are given again"
+    )]
+    Unnoted {
+        /// The file.
+        place: String,
+        /// What is wrong with it, as a part of a sentence.
+        what: String,
     },
     /// Another program is living a run into the folder, or writing the file.
     #[error("another program is writing into {place}\n  hint: let it come to its end, or stop it first")]
@@ -250,6 +279,17 @@ pub enum LogError {
     /// A database could not be read or written, for a reason that none of the others names.
     #[error("{place}: {source}\n  hint: name another file, or take a copy of this one from before it was changed")]
     Database {
+        /// The database's file.
+        place: String,
+        /// What the database says.
+        source: Box<dyn Error + Send + Sync>,
+    },
+    /// A database can be opened, and what it needs beside itself cannot.
+    #[error(
+        "{place}: {source}, though its file can be opened\n  hint: it needs files beside itself: look who may write in its folder, and \
+         how many files may be open at once (ulimit -n)"
+    )]
+    NoRoomBeside {
         /// The database's file.
         place: String,
         /// What the database says.
@@ -425,6 +465,9 @@ impl LogError {
     /// What an error of a file means.
     pub fn file(path: &Path, source: io::Error) -> LogError {
         let place = place_of(path);
+        if let Some(why) = Refused::of(&source) {
+            return LogError::NotOwn { place, why: why.to_string() };
+        }
         match source.kind() {
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => LogError::Full { place },
             io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => LogError::Denied { place },
@@ -472,7 +515,7 @@ impl LogError {
             Some(CannotOpen) => match (File::open(path), OpenOptions::new().write(true).open(path)) {
                 (Err(error), _) => LogError::reading(path, error),
                 (_, Err(error)) => LogError::file(path, error),
-                _ => LogError::Database { place, source: said(source) },
+                _ => LogError::NoRoomBeside { place, source: said(source) },
             },
             _ if source.sqlite_error().is_some_and(|error| WRITING.contains(&error.extended_code)) => {
                 LogError::Unwritten { place }

@@ -5,14 +5,15 @@
 //! least once.
 
 use crate::destination::Destination;
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
+use crate::fresh::FreshFile;
 use crate::plain::read_text;
 use crate::sink::{Begin, How, Sink, Watermark};
 use crate::spool::file_name;
 use crate::table::Batch;
+use homebody_core::problem::readable;
 use homebody_core::time::Micros;
 use serde::{Deserialize, Serialize};
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -37,8 +38,10 @@ struct Remembered {
     given: Vec<u64>,
 }
 
-/// How the names of notes end.
-pub const NOTES: &str = ".confirmed.json";
+pub use homebody_core::scenario::inside::CONFIRMED as NOTES;
+
+/// No run has more rows (ours): a century of a thousand a second has a third of it.
+const MOST_ROWS: u64 = 10_000_000_000_000;
 
 /// No note is longer (ours).
 const LONGEST_NOTE_BYTES: u64 = 1 << 20;
@@ -64,9 +67,20 @@ impl Note {
 }
 
 impl Remembered {
-    /// What is noted of this run; nothing where the file is of another, or damaged.
-    fn read(&self, run: i64) -> Option<Note> {
-        Note::read(&self.path).ok().filter(|note| note.run == run)
+    /// What is noted of this run; nothing where there is no file, or that of another run.
+    ///
+    /// A number that no run has would have nothing given any more, so it is refused; so is what is no note, as nobody knows then what was
+    /// given before.
+    fn read(&self, run: i64) -> Result<Option<Note>, LogError> {
+        let wrong = |what: String| LogError::Unnoted { place: place_of(&self.path), what };
+        match Note::read(&self.path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(wrong(readable(error.to_string()))),
+            Ok(note) => match note.rows.iter().find(|&&rows| rows > MOST_ROWS) {
+                Some(rows) => Err(wrong(format!("no run has {rows} rows"))),
+                None => Ok(Some(note).filter(|note| note.run == run)),
+            },
+        }
     }
 
     /// Notes what has been confirmed by now, and returns it: what was left out, and what was given since.
@@ -79,18 +93,15 @@ impl Remembered {
         let rows: Vec<u64> = rows.collect();
         let Some(noted) = self.noted.as_mut().filter(|noted| noted.rows != rows) else { return Ok(Watermark(rows)) };
         noted.rows.clone_from(&rows);
-        let failed = |error| LogError::file(&self.path, error);
-        let part = self.path.with_extension("part");
         // It has its name once it is whole.
-        fs::write(&part, serde_json::to_vec(noted)?).map_err(failed)?;
-        fs::rename(&part, &self.path).map_err(failed)?;
+        FreshFile::write_whole(&self.path, &serde_json::to_vec(noted)?, true)?;
         Ok(Watermark(rows))
     }
 }
 
 impl Sink for Remembered {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-        let known = if begin.how == How::GoOn { self.read(begin.run.id) } else { None };
+        let known = if begin.how == How::GoOn { self.read(begin.run.id)? } else { None };
         let there = self.inner.begin(begin)?;
         let noted = known.unwrap_or(Note { run: begin.run.id, rows: Vec::new() });
         let known = Watermark(noted.rows.clone());

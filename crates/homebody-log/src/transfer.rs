@@ -7,6 +7,9 @@ use crate::fresh::all_can_be_written;
 use crate::mapping::Columns;
 use crate::places::not_of_a_run;
 use crate::run_info::RunInfo;
+use crate::sensor_info::says_more_of;
+use crate::sensor_table;
+use crate::sink::whole::Whole;
 use crate::sink::{self, Begin, How};
 use crate::source::{Activity, Clock, Event, Log, Source, activities_of, activities_of_set, stream};
 use crate::spans::{self, SPAN_COLUMNS};
@@ -17,7 +20,7 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::Micros;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A log that is to be written anew, under our own names of table and columns.
 ///
@@ -97,7 +100,9 @@ impl Transfer<'_> {
         let run = RunInfo::of_log(self.name, calendar, about);
         let (width, mut tables) = (table.columns.len(), vec![table]);
         let beside = self.beside(spans);
-        let files: Vec<&Path> = self.to.file().into_iter().chain(beside.as_ref().and_then(Url::file)).collect();
+        let names = self.names(&run);
+        let besides = beside.as_ref().and_then(Url::file).into_iter().chain(names.as_deref());
+        let files: Vec<&Path> = self.to.file().into_iter().chain(besides).collect();
         all_can_be_written(&files, self.how == How::Replace)?;
         if beside.is_none() && !spans.is_empty() {
             tables.push(spans::table());
@@ -105,7 +110,8 @@ impl Transfer<'_> {
         let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
         let (how, cancel) = (self.how, &Cancel::new());
         let begin = |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, cancel };
-        let mut sink = sink::open(self.to);
+        let whole = Whole::begin(self.to, how)?;
+        let mut sink = sink::open(whole.part());
         sink.begin(&begin(&tables))?;
         if let Some(beside) = &beside {
             let mut sink = sink::open(beside);
@@ -141,7 +147,20 @@ impl Transfer<'_> {
             sink.write(&spans_as_rows(spans, 1, start, &mut texts))?;
         }
         sink.finish(last - start)?;
+        drop(sink);
+        whole.name()?;
+        if let Some(names) = names {
+            sensor_table::write(&names, &run, how != How::New)?;
+        }
         Ok(seq)
+    }
+
+    /// Where the table of its sensors goes, if more is known of them than their ids. What is there already would be taken for this
+    /// log's, so it is written anew even then; unless it is that of the log that is read.
+    fn names(&self, run: &RunInfo) -> Option<PathBuf> {
+        let names = sensor_table::beside_url(self.to)?;
+        let is_read = sensor_table::beside(self.from.path()) == names;
+        (!is_read && (says_more_of(&run.sensors) || names.exists())).then_some(names)
     }
 
     /// Where the table of activities goes that has no room in the log's own file. What is there already would be taken for this

@@ -5,15 +5,12 @@ use crate::limits::beginning;
 use crate::places::SENSORS;
 use crate::plain;
 use crate::sensor_info::SensorInfo;
+use crate::sensor_table::{self, LARGEST_TABLE_BYTES};
 use crate::spreadsheet::unescaped;
-use homebody_core::sensors::kinds::KINDS;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
-
-/// No table of sensors has more bytes (ours): a home of a thousand has a tenth of a mebibyte.
-const LARGEST_TABLE_BYTES: u64 = 4 << 20;
 
 /// A row of the table.
 #[derive(Deserialize)]
@@ -24,15 +21,15 @@ struct Row {
     room: String,
     x_m: f64,
     y_m: f64,
+    #[serde(default)]
+    unit: String,
 }
 
-/// The sensors of the table beside a log; none where no table of ours lies there. One that is too large is not read, which is
-/// among the remarks.
+/// The sensors of the table beside a log: that of the log alone, else that of its run. None where no table of ours lies there. One that
+/// is too large is not read, which is among the remarks.
 pub(crate) fn known_beside(log: &Path, remarks: &mut Vec<String>) -> Result<Vec<SensorInfo>, LogError> {
-    let path = log.with_file_name(SENSORS);
-    if !path.is_file() || path == log {
-        return Ok(Vec::new());
-    }
+    let tables = [sensor_table::beside(log), log.with_file_name(SENSORS)];
+    let Some(path) = tables.into_iter().find(|path| path.is_file() && path != log) else { return Ok(Vec::new()) };
     let table = match plain::read(&path, LARGEST_TABLE_BYTES) {
         Ok(table) => table,
         Err(error) if error.kind() == ErrorKind::FileTooLarge => {
@@ -48,19 +45,9 @@ pub(crate) fn known_beside(log: &Path, remarks: &mut Vec<String>) -> Result<Vec<
 
 impl Row {
     fn info(self) -> SensorInfo {
-        let Row { id, name, kind, room, x_m, y_m } = self;
-        let [id, name, room] = [id, name, room].map(|cell| unescaped(&cell).to_owned());
-        let row = KINDS.iter().find(|row| row.key == kind);
-        SensorInfo {
-            name,
-            id,
-            is_motion: row.is_some_and(|row| row.senses_motion()),
-            unit: row.and_then(|row| row.unit).map(|unit| unit.symbol.to_owned()),
-            values: row.map(|row| row.values.iter().map(ToString::to_string).collect()).unwrap_or_default(),
-            kind,
-            room: Some(room).filter(|room| !room.is_empty()),
-            at_m: [x_m, y_m],
-        }
+        let Row { id, name, kind, room, x_m, y_m, unit } = self;
+        let cells = [id, name, kind, room, unit].map(|cell| unescaped(&cell).to_owned());
+        SensorInfo { at_m: [x_m, y_m], ..SensorInfo::of_cells(cells) }
     }
 }
 

@@ -32,15 +32,13 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let folder = &self.folder;
         let bytes = read(&self.plan)?;
-        let mut told = None;
-        begin(folder, |name| {
+        let (remarks, scenario, lack) = begin(folder, |part, name| {
             let imported = sweet_home(&bytes, name, self.level.as_deref());
             let imported = imported.map_err(|error| Failure::usage(format!("{}: {error}", self.plan.display())))?;
             let Inhabited { texts, scenario, lack } = inhabited(&Begun::week(name, imported.home_json))?;
-            told = Some((imported.remarks, scenario, lack));
-            Ok::<_, Failure>(write(folder, &texts)?)
+            write(part, &texts)?;
+            Ok::<_, Failure>((imported.remarks, scenario, lack))
         })?;
-        let Some((remarks, scenario, lack)) = told else { return Ok(()) };
         remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.plan.display())));
         lack.iter().for_each(|lack| tell(format_args!("nobody can live an ordinary life here yet: {lack}")));
         let home = &scenario.home;

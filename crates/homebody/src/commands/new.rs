@@ -124,7 +124,7 @@ impl Arguments {
             Beginning::Empty => empty(name),
             Beginning::Template(template) => of_template(template, name),
         };
-        begin(folder, |name| write(folder, &texts(name)))?;
+        begin(folder, |part, name| write(part, &texts(name)))?;
         let folder = folder.display();
         tell(match self.template {
             Beginning::Empty => format!("{folder} is ready, and empty.\n  homebody serve {folder}"),
@@ -144,18 +144,15 @@ impl Arguments {
         let path = Path::new(log);
         let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         let given = GivenLog { named: log, file: &file, read: &read, time_zone, table, picture: picture.as_ref() };
-        let mut made = None;
-        begin(folder, |name| {
+        let OfLog { lived, remarks } = begin(folder, |part, name| {
             let of_log = of_log(name, &given)?;
-            write(folder, &of_log.lived.texts)?;
+            write(part, &of_log.lived.texts)?;
             if let Some(picture) = &picture {
-                write_file(&folder.join(picture.file), &picture.bytes, false)?;
-                write_file(&folder.join(UNDERLAY), picture.lies().as_bytes(), false)?;
+                write_file(&part.join(picture.file), &picture.bytes, false)?;
+                write_file(&part.join(UNDERLAY), picture.lies().as_bytes(), false)?;
             }
-            made = Some(of_log);
-            Ok::<_, Failure>(())
+            Ok::<_, Failure>(of_log)
         })?;
-        let Some(OfLog { lived, remarks }) = made else { return Ok(()) };
         remarks.iter().for_each(|remark| tell(format_args!("{log}: {remark}")));
         lived.lack.iter().for_each(|lack| tell(format_args!("nobody can live an ordinary life here yet: {lack}")));
         let file = &lived.scenario.home;

@@ -1,0 +1,78 @@
+//! The table of sensors beside a log: the id of each in the log, its name in the home, its kind, room, place and unit, and the zone of the
+//! home's clock.
+//!
+//! A run's folder has one, `sensors.csv`. A log elsewhere has its own beside it: `week.sensors.csv` beside `week.csv`. A database has a
+//! table instead, and files of Parquet and Arrow say it in their own words.
+
+use crate::error::LogError;
+use crate::fresh::FreshFile;
+use crate::plain;
+use crate::run_info::RunInfo;
+use crate::spreadsheet::escaped;
+use crate::url::Url;
+use homebody_core::scenario::scheme::Scheme;
+use std::path::{Path, PathBuf};
+
+/// How its file ends beside a log.
+const ENDING: &str = "sensors.csv";
+
+/// The columns of the file.
+const COLUMNS: [&str; 8] = ["id", "name", "kind", "room", "x_m", "y_m", "unit", "zone"];
+
+/// No table of sensors has more bytes (ours): a home of a thousand has a tenth of a mebibyte.
+pub(crate) const LARGEST_TABLE_BYTES: u64 = 4 << 20;
+
+/// Where the table lies that is of the log at a path alone: `week.sensors.csv` of `week.csv` and of `week.csv.gz`.
+pub(crate) fn beside(log: &Path) -> PathBuf {
+    let packed = log.extension().is_some_and(|ending| ending == "gz" || ending == "zst");
+    let text = if packed { log.with_extension("") } else { log.to_owned() };
+    text.with_extension(ENDING)
+}
+
+/// Where the table of a log's sensors goes; None where the place holds them itself, or there is no room beside it.
+pub(crate) fn beside_url(url: &Url) -> Option<PathBuf> {
+    match url.scheme() {
+        Scheme::Sqlite | Scheme::Parquet | Scheme::Arrow => None,
+        _ => url.file().filter(|file| plain::may_have_beside(file)).map(beside),
+    }
+}
+
+/// Writes a row for each sensor.
+pub(crate) fn write(path: &Path, run: &RunInfo, force: bool) -> Result<(), LogError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let wrong = |error: csv::Error| LogError::file(path, error.into());
+    writer.write_record(COLUMNS).map_err(wrong)?;
+    let zone = run.zone().unwrap_or_default();
+    for sensor in &run.sensors {
+        let [x, y] = sensor.at_m.map(|metres| format!("{metres:.3}"));
+        let room = sensor.room.as_deref().unwrap_or_default();
+        let unit = sensor.unit.as_deref().unwrap_or_default();
+        let [id, name, kind, room, unit] = [&sensor.id, &sensor.name, &sensor.kind, room, unit].map(escaped);
+        writer.write_record([&*id, &*name, &*kind, &*room, &x, &y, &*unit, zone]).map_err(wrong)?;
+    }
+    let written = writer.into_inner().map_err(|error| LogError::file(path, error.into_error()))?;
+    FreshFile::write_whole(path, &written, force)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_form_of_file_has_its_sensors_beside_it() {
+        for (place, table) in [
+            ("csv:a/week.csv", Some("a/week.sensors.csv")),
+            ("csv:week.csv.gz", Some("week.sensors.csv")),
+            ("casas:log.txt", Some("log.sensors.csv")),
+            ("jsonl:log", Some("log.sensors.csv")),
+            ("parquet:week.parquet", None),
+            ("parquet:s3://bucket/lives", None),
+            ("sqlite:log.db", None),
+            ("csv:-", None),
+            ("postgresql://ann@host/homes", None),
+        ] {
+            let url: Url = place.parse().unwrap();
+            assert_eq!(beside_url(&url).as_deref(), table.map(Path::new), "{place}");
+        }
+    }
+}
