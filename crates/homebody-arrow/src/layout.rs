@@ -14,7 +14,7 @@ use std::collections::HashMap;
 /// What a file says of itself stands under this key, as an object of JSON.
 pub(crate) const ABOUT: &str = "homebody";
 
-/// In it: what the sensors of a log are.
+/// In it: the sensors of a log.
 const SENSORS: &str = "sensors";
 
 /// In it: how many rows of the table come before those of the file. A data set is read in this order.
@@ -84,10 +84,10 @@ fn cells(sensor: &SensorInfo) -> [Value; 5] {
     sensor_cells(sensor).map(|cell| cell.map_or(Value::Null, Into::into))
 }
 
-/// So many sensors are taken from a file (ours).
+/// The most sensors that are read from a file.
 const MOST_SENSORS: usize = 1000;
 
-/// The sensors that a file of a log tells of; nothing where it is none of ours.
+/// The sensors in the metadata of a log's file; none in files of other programs.
 pub(crate) fn sensors(about: &str) -> Vec<SensorInfo> {
     let about: Value = serde_json::from_str(about).unwrap_or_default();
     let rows = about[SENSORS].as_array().into_iter().flatten().take(MOST_SENSORS);

@@ -166,8 +166,8 @@ pub fn readable(mut text: String) -> String {
     text
 }
 
-/// Whether nobody sees a character, though a terminal or a reader may heed it: control characters, those that turn the direction of a
-/// line, those without width, and ends of lines that are none of ours.
+/// Whether a character is invisible and a terminal may act on it: control characters, those that change the direction of a line, those
+/// without width, and unusual ends of lines.
 pub fn is_unseen(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')

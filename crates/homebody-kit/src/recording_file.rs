@@ -1,4 +1,4 @@
-//! The files of recordings, and of the lists of cohorts, as they are read.
+//! Reads recordings and the lists of cohorts.
 
 use crate::error::Error;
 use homebody_core::problem::readable;
@@ -8,11 +8,11 @@ use homebody_log::plain;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// Reads a recording, be it of a run that is complete or not. What is wrong with the scenario in it comes out when it is loaded.
+/// Reads a recording, of a complete run or an unfinished one. The scenario in it is checked later, when it is loaded.
 ///
 /// # Errors
 ///
-/// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if there is none in this file.
+/// [`Error::NoRecording`], [`Error::File`] or [`Error::Recording`] if the file has no recording.
 pub fn recording(path: &Path) -> Result<Recording, Error> {
     let text = text(path, LARGEST_RECORDING_BYTES)?;
     let wrong = |why: String| Error::Recording { path: path.into(), why };

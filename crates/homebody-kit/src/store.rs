@@ -19,15 +19,15 @@ pub struct Destinations {
     pub log: Vec<Url>,
     /// The place of its ground truth; none where a log is named and this is not.
     pub truth: Option<Url>,
-    /// The file of its recording; none where a log is named and this is not. Where that of this very run is there already, which was killed
-    /// or stopped, the run is gone on with in these places.
+    /// The file of its recording; none where a log is named and this is not. If the recording of this very run is there and
+    /// unfinished, the run resumes in these places.
     pub recording: Option<PathBuf>,
     /// The folder in which the new folder of a run is made, where no log is named: `runs` unless something else is said. None
     /// for no folder: then all goes where the caller's own destinations take it.
     pub runs: Option<PathBuf>,
     /// Whether files that exist are replaced.
     pub replace: bool,
-    /// Whether rows of this run are replaced that a server's database holds already.
+    /// Whether a server's database replaces the rows that it has of this run.
     pub replace_rows: bool,
     /// What becomes of the run while a server among the places of its log is away.
     pub when_down: WhenDown,
@@ -68,7 +68,7 @@ impl Destinations {
         Ok(Destinations { log: vec![place], ..Destinations::default() })
     }
 
-    /// The places, and what becomes of what is there already.
+    /// The places, and how they are begun.
     fn places(&self, run: &LiveRun) -> Result<(Places, How), Error> {
         let Destinations { log, truth, recording, runs, replace, .. } = self;
         let how = if *replace { How::Replace } else { How::New };
@@ -201,7 +201,7 @@ impl LiveRun {
         lived
     }
 
-    /// Whether a recording is that of this very run, which was killed or stopped on its way: the same command goes on with it.
+    /// Whether a file is the recording of this very run, unfinished: then the same command resumes it.
     fn was_begun_in(&self, path: &Path) -> bool {
         let own = Recording { version: VERSION.into(), ..self.recording.clone() };
         let is_it = |left: &Recording| !left.is_whole() && left.begun_again() == own && own.lives_again();

@@ -117,7 +117,7 @@ pub fn walk_into(
 ) -> Result<Report, Error> {
     let translation = walk_back(&read.log, scenario, cancel, |share| progress(share * WALKING))?;
     let mut written = |to: &Path| write_into(to, (name, read), scenario, &translation, cancel, &mut progress);
-    // A folder with something in it is somebody's: what is written goes beside that.
+    // A folder with other files keeps them, so it cannot be replaced as a whole.
     match fs::read_dir(to).is_ok_and(|mut inner| inner.next().is_some()) {
         true => written(to),
         false => whole_folder(to, |part, _| written(part)),

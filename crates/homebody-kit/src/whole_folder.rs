@@ -7,8 +7,8 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// Has a folder written under another name beside its place, `.home.part` of `home`, by a function that gets that folder and the name of
-/// the place; then it is renamed. What a killed program has left of it is replaced. An empty folder may be there already.
+/// Makes `.home.part` for `home`, has it written by a function, and renames it. The function gets that folder and the name of the place. A folder that a killed program left under that name is replaced. The place may hold an empty
+/// folder.
 ///
 /// # Errors
 ///
@@ -19,7 +19,7 @@ pub(crate) fn whole_folder<T, E: From<Error>>(
     write: impl FnOnce(&Path, &str) -> Result<T, E>,
 ) -> Result<T, E> {
     let exists = || Error::Exists { path: folder.into() };
-    // What ends in `.` or `..` has no name of its own.
+    // A path that ends in `.` or `..` has no name of its own.
     let name = folder.file_name().ok_or_else(exists)?;
     let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());
     parent.map_or(Ok(()), fs::create_dir_all).map_err(|error| Error::io(folder, error))?;
@@ -84,7 +84,7 @@ mod tests {
         assert_eq!(fs::read_to_string(folder.join("file")).unwrap(), "new");
         let names: Vec<_> = fs::read_dir(within.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
         assert_eq!(names, ["home"]);
-        // What is whole is not replaced.
+        // A whole folder is not replaced.
         assert!(matches!(with_file(&folder), Err(Error::Exists { .. })));
         assert!(!part.exists());
     }

@@ -38,7 +38,7 @@ impl Destination {
         Destination { sink: sink::open_as(url, true), ..Destination::of(url) }
     }
 
-    /// The same, begun like this where the run is begun and not gone on with, whatever becomes of the run's files.
+    /// The same, begun like this unless the run is resumed, whether or not the run's files are replaced.
     pub fn begun_as(self, how: How) -> Destination {
         Destination { sink: Box::new(BegunAs { how, inner: self.sink }), ..self }
     }
@@ -50,7 +50,7 @@ impl Destination {
     }
 }
 
-/// A sink that has its own word on what becomes of what it holds already.
+/// A sink that is begun otherwise than the run's files.
 struct BegunAs {
     how: How,
     inner: Box<dyn Sink>,

@@ -36,7 +36,7 @@ pub enum LogError {
     OthersDatabase {
         /// The file.
         place: String,
-        /// What it holds, as a part of a sentence.
+        /// The part that no run left, as a part of a sentence.
         what: String,
     },
     /// Two outputs of a run lead to one file, perhaps by different paths.
@@ -109,22 +109,22 @@ pub enum LogError {
         /// The file.
         place: String,
     },
-    /// What is to be written is a link, lies behind one, or is no file of this program's.
+    /// The file to write is a link, lies behind one, or is not this program's.
     #[error("{place} is not written: {why}\n  hint: look what it is, and remove it or name another file")]
     NotOwn {
         /// The file.
         place: String,
-        /// What is wrong with it, as a part of a sentence.
+        /// The reason, as a part of a sentence.
         why: String,
     },
-    /// The note of what a destination has confirmed cannot be one.
+    /// The file that counts a destination's confirmed rows is wrong.
     #[error(
         "{place}: {what}\n  hint: it says how many rows a destination has; put back what was there, or remove it: then all rows are given again"
     )]
     Unnoted {
         /// The file.
         place: String,
-        /// What is wrong with it, as a part of a sentence.
+        /// The reason, as a part of a sentence.
         what: String,
     },
     /// Another program is living a run into the folder, or writing the file.
@@ -284,7 +284,7 @@ pub enum LogError {
         /// What the database says.
         source: Box<dyn Error + Send + Sync>,
     },
-    /// A database can be opened, and what it needs beside itself cannot.
+    /// A database opens, and its journal does not.
     #[error(
         "{place}: {source}, though its file can be opened\n  hint: it needs files beside itself: look who may write in its folder, and \
          how many files may be open at once (ulimit -n)"
@@ -292,7 +292,7 @@ pub enum LogError {
     NoRoomBeside {
         /// The database's file.
         place: String,
-        /// What the database says.
+        /// The database's own message.
         source: Box<dyn Error + Send + Sync>,
     },
     /// The output of a command would replace what the command reads.

@@ -224,8 +224,8 @@ impl Drop for FreshFile {
     }
 }
 
-/// A new file beside a path: others may be on their way to the same one. It is locked for as long as it is written, so that nobody
-/// takes it for one that a program which died has left.
+/// A new file in the folder of a path; several programs may write the same path. It is locked while it is written: an unlocked part is one
+/// that a killed program left.
 fn begin_part(path: &Path, dot: &str) -> io::Result<(PathBuf, File)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut number = 0;
@@ -244,7 +244,7 @@ fn begin_part(path: &Path, dot: &str) -> io::Result<(PathBuf, File)> {
 /// Locks a part that was just made, and says whether it is still there. Elsewhere than on Unix, who reads a locked file fails.
 fn is_locked_at(file: &File, part: &Path) -> bool {
     !cfg!(unix) || {
-        // Where a system has no locks, nobody removes what is not locked.
+        // On a system without locks no part is removed.
         let _ = file.try_lock();
         is_at(file, part)
     }
@@ -256,9 +256,9 @@ pub fn remove_parts(path: &Path) -> Result<(), LogError> {
     removed.map_err(|error| LogError::file(path, error))
 }
 
-/// Removes those parts of a file that nobody writes any more: their programs were killed.
+/// Removes the parts of a file that killed programs left.
 fn remove_stale_parts(path: &Path) {
-    // What cannot be looked at is in nobody's way.
+    // A part that cannot be opened stays.
     for (_, part) in parts(path).into_iter().flatten().filter(|_| cfg!(unix)) {
         if let Ok(file) = open(&part, Opening::Left)
             && file.try_lock().is_ok()
@@ -356,7 +356,7 @@ mod tests {
             fs::remove_file(folder.path().join(link)).unwrap();
         }
         assert_eq!(fs::read_to_string(&mine).unwrap(), "");
-        // The control: a part that is a plain file is gone on with, and takes its name.
+        // The control: a plain part is taken up, and gets its name.
         fs::write(folder.path().join("log.csv.77-0.part"), "time\nhalf").unwrap();
         let (mut file, mut left) = FreshFile::reopen(&log).unwrap().unwrap();
         let mut text = String::new();

@@ -77,12 +77,12 @@ impl FileLock {
     }
 }
 
-/// So long somebody is waited for who writes a small file, and so often it is asked (ours).
+/// How long, and how often, a small file is asked for that another program writes.
 const WAIT: Duration = Duration::from_secs(10);
 const ASK: Duration = Duration::from_millis(2);
 
 impl FileLock {
-    /// Takes a file, and waits for whoever has it: servers that read a small file, compare it and write it anew.
+    /// Takes a file, and waits while another program has it: a server that reads a small file, compares it and writes it anew.
     ///
     /// # Errors
     ///

@@ -37,7 +37,7 @@ pub struct Places {
     /// Whether texts of its log have their names before they are whole, so that they can be followed: of a home that goes on until it is
     /// stopped, and then again.
     pub is_followed: bool,
-    /// What becomes of rows of its truth that a server holds already, where the run is begun.
+    /// How its truth on a server is begun.
     pub truth_on_server: How,
     /// The folders made for the run, outer ones first.
     made: Vec<PathBuf>,
@@ -58,7 +58,7 @@ impl Places {
         Ok(places)
     }
 
-    /// The places in which a run was begun that is gone on with, and has no folder.
+    /// The places of an unfinished run without a folder, to resume it.
     pub fn left(log: Vec<Url>, truth: Option<Url>, recording: Option<PathBuf>) -> Places {
         Places { log, truth, recording, ..Places::nowhere() }
     }
@@ -240,7 +240,7 @@ impl Places {
         logs.chain(truth).chain(self.recording.clone()).chain(self.sensors.clone()).chain(names).collect()
     }
 
-    /// The tables of sensors beside logs, each once, where no run's folder has one.
+    /// The tables of sensors of the logs, each once; none in a run's folder, which has its own.
     pub(crate) fn tables_of_sensors(&self) -> Vec<PathBuf> {
         let logs = self.log.iter().filter(|_| self.sensors.is_none());
         logs.filter_map(sensor_table::beside_url).collect::<BTreeSet<_>>().into_iter().collect()

@@ -52,7 +52,7 @@ pub fn read_text(path: &Path, largest: u64) -> io::Result<String> {
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
-/// Whether there can be files beside a path: not where it is a device or a pipe.
+/// Whether a path is a file, or free: a device and a pipe have no companions.
 pub(crate) fn may_have_beside(path: &Path) -> bool {
     fs::metadata(path).map_or(true, |found| found.is_file())
 }

@@ -40,7 +40,7 @@ struct Remembered {
 
 pub use homebody_core::scenario::inside::CONFIRMED as NOTES;
 
-/// No run has more rows (ours): a century of a thousand a second has a third of it.
+/// The most rows of a run; a century of a thousand a second takes a third of them.
 const MOST_ROWS: u64 = 10_000_000_000_000;
 
 /// No note is longer (ours).
@@ -67,10 +67,10 @@ impl Note {
 }
 
 impl Remembered {
-    /// What is noted of this run; nothing where there is no file, or that of another run.
+    /// The note of this run; none without a file, or with that of another run.
     ///
-    /// A number that no run has would have nothing given any more, so it is refused; so is what is no note, as nobody knows then what was
-    /// given before.
+    /// A number that no run reaches would hold all rows back, so it is an error. A damaged file is an error, too: it would hide which rows
+    /// were given before.
     fn read(&self, run: i64) -> Result<Option<Note>, LogError> {
         let wrong = |what: String| LogError::Unnoted { place: place_of(&self.path), what };
         match Note::read(&self.path) {

@@ -1,4 +1,4 @@
-//! What may be replaced where that is asked for: files, and databases that hold nothing but what a run of this program leaves.
+//! Files that `--force` may replace. A database is one only if it holds nothing but a run of this program.
 
 use crate::error::{LogError, place_of};
 use crate::plain;
@@ -14,11 +14,10 @@ const SQLITE: &[u8] = b"SQLite format 3\0";
 /// Tables that a run's databases have besides that of its rows and those of a truth.
 const BESIDES: [&str; 5] = ["run", SENSOR, "labelled", "camera", "silhouette"];
 
-/// The columns by which the table `run` is known as this program's, first ones first.
+/// The first columns of this program's table `run`.
 const RUN: [&str; 4] = ["run_id", "home", "scenario", "seed"];
 
-/// Refuses a database that holds what no run has left there: nobody gets that back. Other files are nobody's but the user's, who has
-/// allowed that they are replaced.
+/// Refuses a database with foreign tables: they could not be restored. The user has allowed to replace other files.
 pub(crate) fn may_be_replaced(path: &Path) -> Result<(), LogError> {
     let mut begins = [0; SQLITE.len()];
     let is_database = plain::open(path).is_ok_and(|mut file| file.read_exact(&mut begins).is_ok()) && begins == SQLITE;
@@ -32,7 +31,7 @@ pub(crate) fn may_be_replaced(path: &Path) -> Result<(), LogError> {
     }
 }
 
-/// What a database holds that no run leaves; None where that is nothing.
+/// The first part of a database that no run leaves, if there is one.
 fn others(path: &Path) -> rusqlite::Result<Option<String>> {
     let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let connection = Connection::open_with_flags(path, flags)?;
@@ -83,7 +82,7 @@ mod tests {
             drop(connection);
             assert_eq!(may_be_replaced(&path).is_ok(), is_ours, "{holds:?}");
         }
-        // What is no database is a file like others.
+        // The control: any other file may be replaced.
         std::fs::write(&path, "notes").unwrap();
         may_be_replaced(&path).unwrap();
     }

@@ -48,7 +48,7 @@ pub struct RunLog {
     digest: RunDigest,
     /// The truth of a run that was stopped, which is written anew beside the old one.
     anew: Option<Anew>,
-    /// Tables of sensors beside logs that are in no run's folder, and what is in them.
+    /// The tables of sensors of logs outside a run's folder, and the run.
     names: (Vec<PathBuf>, Arc<RunInfo>),
     how: How,
     /// How many rows the log and the truth had when they were asked to make sure of them, and when that was.

@@ -62,19 +62,19 @@ impl SensorInfo {
     }
 }
 
-/// What the table of sensors is called in a database.
+/// The table of sensors in a database.
 pub(crate) const SENSOR: &str = "sensor";
 
 /// Its columns, behind the run's id; all are texts.
 pub const SENSOR_COLUMNS: [&str; 5] = ["id", "name", "kind", "room", "unit"];
 
-/// The cells of a sensor, in the order of the columns; what is not known is none.
+/// The cells of a sensor, in the order of the columns; None for an unknown one.
 pub fn sensor_cells(sensor: &SensorInfo) -> [Option<&str>; 5] {
     let kind = Some(sensor.kind.as_str()).filter(|kind| !kind.is_empty());
     [Some(&sensor.id), Some(&sensor.name), kind, sensor.room.as_deref(), sensor.unit.as_deref()]
 }
 
-/// Whether more is known of sensors than what a log calls them.
+/// Whether anything is known of sensors besides their ids.
 pub fn says_more_of(sensors: &[SensorInfo]) -> bool {
     sensors.iter().any(|sensor| {
         sensor.name != sensor.id || !sensor.kind.is_empty() || sensor.room.is_some() || sensor.unit.is_some()

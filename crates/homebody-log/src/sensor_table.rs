@@ -1,7 +1,6 @@
-//! The table of sensors beside a log: the id of each in the log, its name in the home, its kind, room, place and unit, and the zone of the
-//! home's clock.
+//! The table of a log's sensors: the id of each in the log, its name in the home, its kind, room, place and unit, and the time zone.
 //!
-//! A run's folder has one, `sensors.csv`. A log elsewhere has its own beside it: `week.sensors.csv` beside `week.csv`. A database has a
+//! A run's folder has one, `sensors.csv`. Any other log has its own, such as `week.sensors.csv` of `week.csv`. A database has a
 //! table instead, and files of Parquet and Arrow say it in their own words.
 
 use crate::error::LogError;
@@ -13,23 +12,23 @@ use crate::url::Url;
 use homebody_core::scenario::scheme::Scheme;
 use std::path::{Path, PathBuf};
 
-/// How its file ends beside a log.
+/// The ending of its file.
 const ENDING: &str = "sensors.csv";
 
 /// The columns of the file.
 const COLUMNS: [&str; 8] = ["id", "name", "kind", "room", "x_m", "y_m", "unit", "zone"];
 
-/// No table of sensors has more bytes (ours): a home of a thousand has a tenth of a mebibyte.
+/// The largest table of sensors; a thousand sensors take a tenth of a mebibyte.
 pub(crate) const LARGEST_TABLE_BYTES: u64 = 4 << 20;
 
-/// Where the table lies that is of the log at a path alone: `week.sensors.csv` of `week.csv` and of `week.csv.gz`.
+/// The path of the table of one log: `week.sensors.csv` of `week.csv` and of `week.csv.gz`.
 pub(crate) fn beside(log: &Path) -> PathBuf {
     let packed = log.extension().is_some_and(|ending| ending == "gz" || ending == "zst");
     let text = if packed { log.with_extension("") } else { log.to_owned() };
     text.with_extension(ENDING)
 }
 
-/// Where the table of a log's sensors goes; None where the place holds them itself, or there is no room beside it.
+/// The path of the table that is written with a log; None for a place that holds the sensors itself.
 pub(crate) fn beside_url(url: &Url) -> Option<PathBuf> {
     match url.scheme() {
         Scheme::Sqlite | Scheme::Parquet | Scheme::Arrow => None,

@@ -155,8 +155,8 @@ impl Transfer<'_> {
         Ok(seq)
     }
 
-    /// Where the table of its sensors goes, if more is known of them than their ids. What is there already would be taken for this
-    /// log's, so it is written anew even then; unless it is that of the log that is read.
+    /// The path of the table of its sensors, if more is known of them than their ids. A table that is there would be taken for this log's, so
+    /// it is written anew in any case. The table of the log that is read stays.
     fn names(&self, run: &RunInfo) -> Option<PathBuf> {
         let names = sensor_table::beside_url(self.to)?;
         let is_read = sensor_table::beside(self.from.path()) == names;

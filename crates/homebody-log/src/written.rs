@@ -28,7 +28,7 @@ pub(crate) enum Refused {
     Link,
     /// It is a folder, a pipe or a device.
     NoPlain,
-    /// It has a second name, by which it may be somebody's file elsewhere.
+    /// It has a second name, so it may be another file of the user.
     TwoNames,
     /// Somebody else owns it.
     Foreign,
@@ -64,8 +64,8 @@ impl From<Refused> for io::Error {
 ///
 /// # Errors
 ///
-/// Those of the system, and where it is a link, lies behind one in a run's folder, or is no plain file; of a file that is
-/// [`Left`](Opening::Left), also where it has a second name or another owner.
+/// Those of the system; also if it is a link, lies behind a link in a run's folder, or is a folder, pipe or device. A file that is
+/// [`Left`](Opening::Left) has neither a second name nor another owner.
 pub fn open(path: &Path, opening: Opening) -> io::Result<File> {
     let (root, inner) = beneath(path)?;
     let file = open_beneath(&root, &inner, opening)?;
@@ -79,8 +79,7 @@ pub fn open(path: &Path, opening: Opening) -> io::Result<File> {
     Ok(file)
 }
 
-/// The folder from which on no link is followed, and the path from there: that of the run or cohort that the file is of, else the file's
-/// own.
+/// The folder below which no link is followed, and the path from there: the folder of the run or cohort, else the file's own.
 fn beneath(path: &Path) -> io::Result<(PathBuf, PathBuf)> {
     let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;
     let here = |folder: &Path| if folder.as_os_str().is_empty() { PathBuf::from(".") } else { folder.to_owned() };
@@ -106,7 +105,7 @@ fn open_beneath(root: &Path, inner: &Path, opening: Opening) -> io::Result<File>
     use std::path::Component;
     // Opening a pipe does not wait for who reads it.
     let always = OFlags::CLOEXEC | OFlags::NOCTTY | OFlags::NONBLOCK;
-    // Where the system can, a folder is opened that may be entered and not read.
+    // Linux opens a folder that this user may enter and not read.
     #[cfg(any(target_os = "linux", target_os = "android"))]
     const ENTER: OFlags = OFlags::PATH.union(OFlags::DIRECTORY);
     #[cfg(not(any(target_os = "linux", target_os = "android")))]
@@ -135,7 +134,7 @@ fn open_beneath(root: &Path, inner: &Path, opening: Opening) -> io::Result<File>
     opened.map(File::from).map_err(|error| refused(&folder, name, error))
 }
 
-/// What an error means: each system has its own for a link that is not followed.
+/// The meaning of an error: each system has its own for a link that is not followed.
 #[cfg(unix)]
 fn refused(folder: &impl std::os::fd::AsFd, name: &std::ffi::OsStr, error: rustix::io::Errno) -> io::Error {
     use rustix::fs::{AtFlags, FileType, statat};
@@ -185,11 +184,11 @@ fn is_of_run(_found: &Metadata, _root: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// The user to whom the files belong that this program makes; None where the system does not say.
+/// The owner of new files of this program; None if the system does not report it.
 #[cfg(unix)]
 pub fn owner_of_new_files() -> Option<u32> {
     use std::os::unix::fs::MetadataExt;
-    // What a process is, the system tells in a folder that the process owns.
+    // The system describes a process in a folder that the process owns.
     std::fs::metadata("/proc/self").ok().map(|own| own.uid())
 }
 
@@ -200,7 +199,7 @@ mod tests {
     use std::io::Write;
     use std::os::unix::fs::symlink;
 
-    /// A run's folder `run`, and beside it `mine`, an empty file that nobody may write through the run.
+    /// A run's folder `run`, and an empty file `mine` outside, which no run may write.
     fn run() -> (tempfile::TempDir, PathBuf) {
         let folder = tempfile::tempdir().unwrap();
         let run = folder.path().join("run");
@@ -244,7 +243,7 @@ mod tests {
             }
         }
         assert!(fs::read_dir(folder.path().join("elsewhere")).unwrap().next().is_none());
-        // The way to the run's folder is the user's own, and so is a folder that is none of a run.
+        // The user may reach a run's folder, or any other folder, through a link.
         symlink(&run, folder.path().join("way")).unwrap();
         symlink("elsewhere", folder.path().join("own")).unwrap();
         for open_as in ["way/logs/log.csv", "own/log.csv"] {

@@ -13,7 +13,7 @@ use tokio_postgres::Row;
 /// The table that tells about runs and how far they have come, beside the rows' own.
 pub(crate) const RUNS: &str = "homebody_run";
 
-/// The table that says what the sensors of runs are, beside the rows' own.
+/// The table of the sensors of runs.
 pub(crate) const SENSORS: &str = "homebody_sensor";
 
 /// Where a truth goes if its URL does not say.

@@ -1,4 +1,4 @@
-//! The table `homebody_sensor`: what the sensors of each run are, beside its rows, which know them by their ids alone.
+//! The table `homebody_sensor`: the sensors of each run. Rows know them by their ids alone.
 
 use crate::connection::Connection;
 use crate::schema::{SENSORS, Schema, quoted};
@@ -7,11 +7,10 @@ use homebody_log::{LogError, SensorInfo};
 use tokio_postgres::Row;
 use tokio_postgres::types::ToSql;
 
-/// So many rows go into one statement, at most (ours).
+/// The most rows in one statement.
 const AT_ONCE: usize = 10_000;
 
-/// Says what the sensors of runs are, each run by its id. Where this user may neither make the table nor write it, nothing is said: rows need
-/// it for nothing.
+/// Adds the sensors of runs, each run by its id. A user who may neither make nor write the table gets none: rows do not need it.
 pub(crate) fn tell(connection: &Connection, schema: &Schema, runs: &[(i64, &[SensorInfo])]) -> Result<(), LogError> {
     if schema.is_truth || !runs.iter().any(|(_, sensors)| says_more_of(sensors)) || !may_write(connection, schema)? {
         return Ok(());
@@ -37,7 +36,7 @@ pub(crate) fn tell(connection: &Connection, schema: &Schema, runs: &[(i64, &[Sen
     Ok(())
 }
 
-/// Removes what is said of runs, where they are replaced.
+/// Removes the sensors of runs that are replaced.
 pub(crate) fn forget(connection: &Connection, schema: &Schema, runs: &[i64]) -> Result<(), LogError> {
     let table = quoted(&schema.name, SENSORS);
     let may =
@@ -57,11 +56,10 @@ fn may_write(connection: &Connection, schema: &Schema) -> Result<bool, LogError>
     Ok(connection.wait(connection.client.query_one(sql, &[&table, &schema.name]))?.get(0))
 }
 
-/// So many sensors of a run are read (ours).
+/// The most sensors that are read.
 const MOST_SENSORS: i64 = 10_000;
 
-/// What the table says of the sensors of a run, or, without one, of all; nothing where there is no such table, or this user may not read
-/// it.
+/// The sensors of a run, or of all runs; none without such a table, or without the right to read it.
 pub(crate) fn known(connection: &Connection, schema: &str, run: Option<i64>) -> Result<Vec<SensorInfo>, LogError> {
     let table = quoted(schema, SENSORS);
     let may =

@@ -65,10 +65,10 @@ pub fn told_length(headers: &HeaderMap) -> Option<u64> {
     headers.get(header::CONTENT_LENGTH)?.to_str().ok()?.parse().ok()
 }
 
-/// So many plans are taken at once (ours): each is in memory until it is read.
+/// The most plans at once: each is in memory until it is read.
 const MOST_PLANS: usize = 2;
 
-/// Who takes a plan; whoever comes later waits for one of them.
+/// The places for plans; a later plan waits for one.
 static PLANS: Semaphore = Semaphore::const_new(MOST_PLANS);
 
 /// A plan of another program, and a place among those that are taken at once, which is free again when this is dropped.

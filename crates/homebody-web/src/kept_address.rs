@@ -51,7 +51,7 @@ pub fn read(path: &Path) -> Result<Option<Kept>, Unkept> {
     kept_in(&text).map(Some).ok_or_else(|| Unkept::NoAddress(path.to_owned()))
 }
 
-/// Why a file is not this user's own, if that is so: who owns a file may read it whenever they like, and so may who made a link to it.
+/// The reason why a file is not this user's own, if there is one: the owner of a file can read it at any time.
 fn not_own(found: &fs::Metadata) -> Option<&'static str> {
     if found.is_symlink() {
         return Some("a link");
@@ -126,7 +126,7 @@ mod tests {
         fs::hard_link(&path, &other).unwrap();
         assert!(matches!(read(&path), Err(Unkept::NotOwn { what: "one with a second name", .. })));
         fs::remove_file(&other).unwrap();
-        // Only who may give files away can try that of another user; the others see that nobody else is refused.
+        // The test needs the right to give a file away.
         if std::os::unix::fs::chown(&path, Some(12345), None).is_ok() {
             assert!(matches!(read(&path), Err(Unkept::NotOwn { what: "another user's", .. })));
         }

@@ -32,7 +32,7 @@ use tempfile::TempDir;
 /// What a scenario's own file is called in a library.
 const ENTRY: &str = "scenario.json";
 
-/// What servers of one library take turns by; no listing shows what begins with a dot.
+/// The file at which servers of one library take turns; no listing shows it.
 const NAMING: &str = ".homebody";
 
 /// So many homes are shown, those that were changed last (ours).

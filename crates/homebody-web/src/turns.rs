@@ -1,12 +1,11 @@
-//! One after the other: what is read, compared and written anew is changed by one page at a time, of this server and of any other that
-//! serves the same folder.
+//! Turns at a file: one page at a time reads it, compares it and writes it anew, of this server and of any other of the same folder.
 
 use homebody_log::LogError;
 use homebody_log::lock::FileLock;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// Whose turn it is. A clone is the same.
+/// The turns at files. A clone is the same.
 #[derive(Clone, Debug, Default)]
 pub struct Turns(Arc<Mutex<()>>);
 

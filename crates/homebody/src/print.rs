@@ -23,7 +23,7 @@ pub fn print_json_text(text: &str) -> Result<(), Failure> {
     print_text(&escaped_json(text))
 }
 
-/// The same JSON with escapes for what nobody sees: it says the same, and a terminal heeds none of it.
+/// The same JSON with escapes for invisible characters: its value stays, and a terminal acts on none of them.
 fn escaped_json(text: &str) -> Cow<'_, str> {
     escaped(text, |c| c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect())
 }
@@ -89,8 +89,7 @@ fn as_json(text: &str, now: Timestamp) -> serde_json::Value {
     serde_json::json!({ "time": now.to_string(), "level": level, "message": message })
 }
 
-/// The text with an escape such as `\u{202e}` for each character that nobody sees and a terminal would heed: names come from files that
-/// anybody may have written.
+/// The text with an escape such as `\u{202e}` for each invisible character that a terminal would act on: names come from strangers' files.
 fn seen(text: &str) -> Cow<'_, str> {
     escaped(text, |c| c.escape_unicode().to_string())
 }

@@ -24,22 +24,22 @@ pub const SENSORS: &str = "sensors.csv";
 /// What a run's folder calls the database of its cameras' silhouettes, where its home has cameras.
 pub const SILHOUETTES: &str = "silhouettes.db";
 
-/// What a cohort's folder calls the list of its members.
+/// The list of members in a cohort's folder.
 pub const LIST: &str = "cohort.json";
-/// What the page calls the file in a run's folder that says how somebody calls the run.
+/// The page's file with a run's title, in the run's folder.
 pub const ABOUT: &str = "about-run.json";
-/// What the page calls the file in a run's folder with notes about its days.
+/// The page's file with notes about days, in the run's folder.
 pub const NOTES: &str = "care-notes.json";
-/// How the file ends that says what a destination has confirmed.
+/// The ending of a file that counts the rows that a destination has confirmed.
 pub const CONFIRMED: &str = ".confirmed.json";
 
-/// What a run leaves in its folder besides its logs, and what is written there about it.
+/// The files of a run's folder besides its logs.
 const OF_RUN: [&str; 8] = [RECORDING, TRUTH, SENSORS, SILHOUETTES, LIST, ABOUT, NOTES, ANEW];
 
 /// The truth of a run that was stopped, while it is written anew.
 const ANEW: &str = "anew.truth.db";
 
-/// How the names of files end that the program makes beside others and removes by itself.
+/// Endings of files that the program makes and removes by itself.
 const OF_PROGRAM: [&str; 5] = [CONFIRMED, ".lock", ".part", ".spool", ".old"];
 
 /// What comes behind the name of a file in the names of those that are beside it while it is written.

@@ -25,8 +25,8 @@ use std::path::Path;
 /// A scenario's files by name.
 pub type Texts = BTreeMap<String, String>;
 
-/// Makes a folder that was not there and has it written, by a function that gets the folder as long as it is not whole, and the name of
-/// what is in it. The schemas of a scenario's files are there before.
+/// Makes a new folder with the schemas of a scenario's files, and has a function write the rest. The function gets the unfinished folder and
+/// the scenario's name.
 ///
 /// # Errors
 ///

@@ -147,7 +147,7 @@ impl<'a> Reader<'a> {
         profiles
     }
 
-    /// What is known of those who differ like this from the scenario, or all that is wrong with them.
+    /// Checks the members who differ like this from the scenario: their conditions and texts, or all problems.
     fn look(&self, profile: &Profile) -> Result<Seen, Vec<Problem>> {
         let (scenario, household) = self.base.with(profile, &[]).map_err(|problems| problems.0)?;
         let conditions = household.conditions().keys().cloned().collect();

@@ -11,8 +11,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// A log on its way into a database file: it is written beside its place, `week.db.part`, and renamed at the end. The part that a killed
-/// program has left is replaced.
+/// A log that is written into `week.db.part` and renamed to `week.db` at the end. The part that a killed program left is replaced.
 ///
 /// Other places do that themselves, or are written in place.
 pub(crate) struct Whole<'u> {
@@ -31,18 +30,18 @@ impl<'u> Whole<'u> {
         let mut name = file.file_name().unwrap_or_default().to_owned();
         name.push(".part");
         let part = file.with_file_name(name);
-        // Who has the lock of the place is the only one who writes its part.
+        // Only the program with the lock of the place writes its part.
         remove_database(&part);
         let (part, replaces) = (Some(to.at(part)), how == How::Replace);
         Ok(Whole { to, part, replaces, _lock: Some(lock) })
     }
 
-    /// Where it is written to.
+    /// The place to write to until then.
     pub fn part(&self) -> &Url {
         self.part.as_ref().unwrap_or(self.to)
     }
 
-    /// Gives what is whole its name.
+    /// Gives the whole file its name.
     pub fn name(mut self) -> Result<(), LogError> {
         let (Some(part), Some(file)) = (self.part.take(), self.to.file()) else { return Ok(()) };
         take_name(part.path(), file, self.replaces).inspect_err(|_| remove_database(part.path()))

@@ -25,7 +25,7 @@ struct Row {
     unit: String,
 }
 
-/// The sensors of the table beside a log: that of the log alone, else that of its run. None where no table of ours lies there. One that
+/// The sensors of a log's table: its own, else that of its run. None without such a table. One that
 /// is too large is not read, which is among the remarks.
 pub(crate) fn known_beside(log: &Path, remarks: &mut Vec<String>) -> Result<Vec<SensorInfo>, LogError> {
     let tables = [sensor_table::beside(log), log.with_file_name(SENSORS)];

@@ -51,7 +51,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         None => return Err(LogError::NoLog { place: place_of(path), why: why() }),
     };
     reading.has_spans = spans(&connection, reading).map_err(database)?;
-    // A table beside the log knows places, too.
+    // The log's table in a file has places, too, so it comes first.
     sensors(&connection).map_err(database)?.into_iter().for_each(|sensor| reading.know(sensor));
     let sql = rows_of(&connection, file, &table, reading).map_err(database)?;
     let mut statement = connection.prepare(&sql).map_err(database)?;
@@ -108,7 +108,7 @@ fn spans(connection: &Connection, reading: &mut Reading<'_>) -> rusqlite::Result
     Ok(true)
 }
 
-/// What the table of sensors says that we write beside a log; nothing where there is no such table.
+/// The sensors in the table that our logs have; none without such a table.
 fn sensors(connection: &Connection) -> rusqlite::Result<Vec<SensorInfo>> {
     if !has_sensors(connection)? {
         return Ok(Vec::new());
@@ -128,7 +128,7 @@ fn sensors(connection: &Connection) -> rusqlite::Result<Vec<SensorInfo>> {
     Ok(known)
 }
 
-/// So many sensors are read from the table (ours).
+/// The most sensors that are read from the table.
 const MOST_SENSORS: usize = 10_000;
 
 /// Whether a database has the table of sensors that we write.

@@ -1,8 +1,8 @@
-//! What may be replaced: files have a word of their own, and rows in a server's database another.
+//! The options that allow a command to replace files, and rows in a server's database.
 
 use homebody_log::{How, Url};
 
-/// What becomes of what is there already.
+/// Permission to replace files and rows.
 #[derive(clap::Args)]
 pub struct Replacing {
     /// Replace files that exist; a database file only if it holds nothing but a run
@@ -14,7 +14,7 @@ pub struct Replacing {
 }
 
 impl Replacing {
-    /// What becomes of what is at a place.
+    /// How a place is begun, by these permissions.
     pub fn how(&self, place: &Url) -> How {
         let is_said = if place.server().is_some() { self.replace_rows } else { self.force };
         if is_said { How::Replace } else { How::New }

@@ -96,8 +96,7 @@ fn who_goes_on_with_somebody_elses_run_writes_nowhere_else() {
     assert_eq!(folder.sha256("secret.json"), secret);
 }
 
-/// Whatever stands in a stranger's folder beside its log: a file outside stays as it was, also one that is empty, which is the beginning of
-/// every log.
+/// A link next to the log of a stranger's run changes no file outside. An empty file is the easiest to attack: each log begins like it.
 #[test]
 fn no_link_beside_a_log_leads_what_is_written_elsewhere() {
     for to in ["csv:log.csv", "casas:log.txt", "jsonl:log.jsonl", "csv:logs/log.csv.gz", "sqlite:log.db"] {
@@ -118,7 +117,7 @@ fn no_link_beside_a_log_leads_what_is_written_elsewhere() {
             folder.run("run --resume runs/flat-1 --quiet");
             assert_eq!(folder.read("mine"), "", "{to}{beside}");
             assert!(!folder.path("absent").exists(), "{to}{beside}");
-            // The control: without the link the run is gone on with.
+            // The control: without the link the run resumes.
             let _ = fs::remove_file(&link);
             folder.run("run --resume runs/flat-1 --quiet").ok();
             assert!(folder.path(&format!("runs/flat-1/{log}")).metadata().unwrap().len() > 0, "{to}{beside}");

@@ -3,7 +3,7 @@
 use crate::flat::flat;
 use crate::folder::Folder;
 
-/// What a table of sensors says of one.
+/// The row of a sensor in a table of sensors.
 fn row(folder: &Folder, table: &str, id: &str) -> Vec<String> {
     let text = folder.read(table);
     let row = text.lines().find(|line| line.starts_with(&format!("{id},")));
@@ -31,7 +31,7 @@ fn files_have_a_table_of_sensors_beside_them_and_databases_in_them() {
         folder.run(&format!("convert {from} --to {to}")).ok();
     }
     assert_eq!(row(&folder, "c.sensors.csv", id)[1..4], file[1..4]);
-    // The control: of a log of which no more is known than ids, nothing is said.
+    // The control: a log with nothing but ids gets no table.
     folder.write("bare.csv", "time,sensor,value\n2009-03-02 07:12:03,M1,ON\n2009-03-02 07:12:09,M1,OFF\n");
     folder.run("convert bare.csv --to sqlite:bare.db").ok();
     folder.run("convert bare.csv --to csv:again.csv").ok();

@@ -86,7 +86,7 @@ fn the_quick_commands_of_the_readme_run() {
     expect_none(shown.iter().filter_map(|command| failing(command, folder.path())).collect());
 }
 
-/// Each document is one that somebody begins with; the first run of the example is what many speak of.
+/// Each document is tried in a folder of its own. Many documents use the first run of the example.
 #[test]
 fn the_quick_commands_of_the_other_documents_run() {
     let mut wrong = Vec::new();

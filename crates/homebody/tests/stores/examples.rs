@@ -94,7 +94,7 @@ fn examples_of_mqtt_run() {
     let Some(broker) = Broker::start() else { return };
     let folder = as_in_the_repository();
     folder.run("new my-home --template studio").ok();
-    // Those that go at the pace of life, and those of somebody else's broker, are only read.
+    // A command in real time, or with another broker, is only read.
     let all = commands("docs/mqtt.md");
     let fast: Vec<&String> = all.iter().filter(|command| command.contains("allow-fast=true")).collect();
     assert!(!fast.is_empty(), "{all:?}");

@@ -1,4 +1,4 @@
-//! What `--force` replaces, and what it never does.
+//! `--force` replaces files, and neither rows on a server nor a database with other tables.
 
 use crate::flat::flat;
 use crate::server::Server;
@@ -11,7 +11,7 @@ fn force_replaces_no_rows() {
     let url = server.url("postgres", &database, "");
     let run = format!("run flat --for 20m --quiet --out {url}");
     folder.run(&run).ok();
-    // Each row says in which transaction it was written.
+    // The transaction of each row.
     let written = || server.psql(&database, "SELECT count(*), min(xmin::text), max(xmin::text) FROM firing");
     let before = written();
     folder.run(&format!("{run} --force")).fails(1, "--replace-rows replaces it");

@@ -213,7 +213,7 @@ impl Arguments {
     }
 
     fn files_can_be_written(&self, scenarios: &[OpenScenario]) -> Result<(), Failure> {
-        // What the same command has left of reports and of its list is gone on with.
+        // The same command adds to its reports, and keeps its list.
         let report = self.report.as_deref().filter(|path| reports_in(path).is_none());
         let list = self.list.as_deref().filter(|path| !path.is_file());
         let files: Vec<&Path> = self.out.iter().filter_map(Url::file).chain(report).chain(list).collect();
@@ -259,10 +259,10 @@ fn reports_in(path: &Path) -> Option<Vec<u8>> {
     text.split(|&byte| byte == b'\n').filter(|line| !line.is_empty()).all(is_report).then_some(text)
 }
 
-/// No larger file of reports is gone on with (ours): a year of one every five seconds has less than half of it.
+/// The largest file of reports that a fleet adds to; a report every five seconds takes a year to fill half of it.
 const LARGEST_REPORTS_BYTES: u64 = 8 << 30;
 
-/// The file of reports: begun, or gone on with where the same command has left some.
+/// Opens the file of reports: a new one, or the one that the same command left, to add to it.
 fn reports(path: &Path, force: bool) -> Result<FreshFile, Failure> {
     let before = if force { None } else { reports_in(path) };
     let mut file = FreshFile::create(path, force || before.is_some())?;
