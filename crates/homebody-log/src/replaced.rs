@@ -3,8 +3,8 @@
 use crate::error::{LogError, place_of};
 use crate::plain;
 use crate::sensor_info::SENSOR;
+use crate::source::connect;
 use crate::truth::TruthKept;
-use rusqlite::{Connection, OpenFlags};
 use std::io::Read;
 use std::path::Path;
 
@@ -33,8 +33,8 @@ pub(crate) fn may_be_replaced(path: &Path) -> Result<(), LogError> {
 
 /// The first part of a database that no run leaves, if there is one.
 fn others(path: &Path) -> rusqlite::Result<Option<String>> {
-    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_NO_MUTEX;
-    let connection = Connection::open_with_flags(path, flags)?;
+    // It leaves nothing beside the database.
+    let connection = connect(path)?;
     let mut all = connection.prepare("SELECT type, name, coalesce(sql, '') FROM sqlite_schema ORDER BY rowid")?;
     let found = all.query_map([], |row| Ok((row.get(0)?, row.get(1)?, row.get(2)?)))?;
     let found: Vec<(String, String, String)> = found.collect::<Result<_, _>>()?;
@@ -60,6 +60,7 @@ fn others(path: &Path) -> rusqlite::Result<Option<String>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rusqlite::Connection;
 
     #[test]
     fn keeps_databases_that_hold_more_than_a_run() {

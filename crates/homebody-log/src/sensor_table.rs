@@ -36,21 +36,47 @@ pub(crate) fn beside_url(url: &Url) -> Option<PathBuf> {
     }
 }
 
-/// Writes a row for each sensor.
-pub(crate) fn write(path: &Path, run: &RunInfo, force: bool) -> Result<(), LogError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let wrong = |error: csv::Error| LogError::file(path, error.into());
-    writer.write_record(COLUMNS).map_err(wrong)?;
-    let zone = run.zone().unwrap_or_default();
-    for sensor in &run.sensors {
-        let [x, y] = sensor.at_m.map(|metres| format!("{metres:.3}"));
-        let room = sensor.room.as_deref().unwrap_or_default();
-        let unit = sensor.unit.as_deref().unwrap_or_default();
-        let [id, name, kind, room, unit] = [&sensor.id, &sensor.name, &sensor.kind, room, unit].map(escaped);
-        writer.write_record([&*id, &*name, &*kind, &*room, &x, &y, &*unit, zone]).map_err(wrong)?;
+/// A table: a file, and its bytes.
+pub(crate) struct SensorTable {
+    pub path: PathBuf,
+    bytes: Vec<u8>,
+}
+
+impl SensorTable {
+    /// The table of a run's sensors, a row each.
+    pub fn of(path: PathBuf, run: &RunInfo) -> Result<SensorTable, LogError> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let wrong = |error: csv::Error| LogError::file(&path, error.into());
+        writer.write_record(COLUMNS).map_err(wrong)?;
+        let zone = run.zone().unwrap_or_default();
+        for sensor in &run.sensors {
+            let [x, y] = sensor.at_m.map(|metres| format!("{metres:.3}"));
+            let room = sensor.room.as_deref().unwrap_or_default();
+            let unit = sensor.unit.as_deref().unwrap_or_default();
+            let [id, name, kind, room, unit] = [&sensor.id, &sensor.name, &sensor.kind, room, unit].map(escaped);
+            writer.write_record([&*id, &*name, &*kind, &*room, &x, &y, &*unit, zone]).map_err(wrong)?;
+        }
+        let bytes = writer.into_inner().map_err(|error| LogError::file(&path, error.into_error()))?;
+        Ok(SensorTable { path, bytes })
     }
-    let written = writer.into_inner().map_err(|error| LogError::file(path, error.into_error()))?;
-    FreshFile::write_whole(path, &written, force)
+
+    /// Whether the file has these bytes already, as a killed program may have left it.
+    pub fn is_there(&self) -> bool {
+        plain::read(&self.path, self.bytes.len() as u64).is_ok_and(|found| found == self.bytes)
+    }
+
+    /// Writes the file; `force` allows to replace another.
+    pub fn write(&self, force: bool) -> Result<(), LogError> {
+        match self.is_there() {
+            true => Ok(()),
+            false => FreshFile::write_whole(&self.path, &self.bytes, force),
+        }
+    }
+}
+
+/// Writes the table of a run's sensors.
+pub(crate) fn write(path: &Path, run: &RunInfo, force: bool) -> Result<(), LogError> {
+    SensorTable::of(path.to_owned(), run)?.write(force)
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::mapping::Columns;
 use crate::places::not_of_a_run;
 use crate::run_info::RunInfo;
 use crate::sensor_info::says_more_of;
-use crate::sensor_table;
+use crate::sensor_table::{self, SensorTable};
 use crate::sink::whole::Whole;
 use crate::sink::{self, Begin, How};
 use crate::source::{Activity, Clock, Event, Log, Source, activities_of, activities_of_set, stream};
@@ -100,8 +100,9 @@ impl Transfer<'_> {
         let run = RunInfo::of_log(self.name, calendar, about);
         let (width, mut tables) = (table.columns.len(), vec![table]);
         let beside = self.beside(spans);
-        let names = self.names(&run);
-        let besides = beside.as_ref().and_then(Url::file).into_iter().chain(names.as_deref());
+        let names = self.names(&run).map(|path| SensorTable::of(path, &run)).transpose()?;
+        let new_names = names.as_ref().filter(|names| !names.is_there()).map(|names| &*names.path);
+        let besides = beside.as_ref().and_then(Url::file).into_iter().chain(new_names);
         let files: Vec<&Path> = self.to.file().into_iter().chain(besides).collect();
         all_can_be_written(&files, self.how == How::Replace)?;
         if beside.is_none() && !spans.is_empty() {
@@ -146,12 +147,13 @@ impl Transfer<'_> {
         if tables.len() > 1 {
             sink.write(&spans_as_rows(spans, 1, start, &mut texts))?;
         }
+        // First, so that a log that has its name has its sensors: the same table is no obstacle to the same command.
+        if let Some(names) = &names {
+            names.write(how != How::New)?;
+        }
         sink.finish(last - start)?;
         drop(sink);
         whole.name()?;
-        if let Some(names) = names {
-            sensor_table::write(&names, &run, how != How::New)?;
-        }
         Ok(seq)
     }
 

@@ -27,12 +27,16 @@ impl<'u> Whole<'u> {
         let file = to.file().filter(|_| to.scheme() == Scheme::Sqlite);
         let Some(file) = file else { return Ok(Whole { to, part: None, replaces: false, _lock: None }) };
         let lock = FileLock::take(file)?;
+        let replaces = how == How::Replace;
+        if Found::at(file, replaces)? == Found::Device {
+            return Err(LogError::NoFile { place: place_of(file) });
+        }
         let mut name = file.file_name().unwrap_or_default().to_owned();
         name.push(".part");
         let part = file.with_file_name(name);
         // Only the program with the lock of the place writes its part.
         remove_database(&part);
-        let (part, replaces) = (Some(to.at(part)), how == How::Replace);
+        let part = Some(to.at(part));
         Ok(Whole { to, part, replaces, _lock: Some(lock) })
     }
 
@@ -60,6 +64,12 @@ impl Drop for Whole<'_> {
 fn take_name(part: &Path, file: &Path, replaces: bool) -> Result<(), LogError> {
     match Found::at(file, replaces)? {
         Found::Replaced => {
+            // The old database's readers and writers are those of the new one.
+            let named = fs::symlink_metadata(file).and_then(|old| match old.is_file() {
+                true => fs::set_permissions(part, old.permissions()),
+                false => Ok(()),
+            });
+            named.map_err(|error| LogError::file(file, error))?;
             let aside = put_aside(file)?;
             let named = fs::rename(part, file);
             match &named {

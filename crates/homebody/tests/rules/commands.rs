@@ -42,8 +42,8 @@ const QUICK: [&str; 19] = [
 /// The commands that make what they name first.
 const MAKERS: [&str; 2] = ["new", "schema"];
 
-/// Flags that make a quick command last, or wait for somebody.
-const SLOW: [&str; 4] = ["--speed", "--control", "--paused", "--resume"];
+/// Words that make a quick command last, or wait for input.
+const SLOW: [&str; 5] = ["--speed", "--control", "--paused", "--resume", "scenarios/cameras"];
 
 /// Runs of more days last.
 const MOST_DAYS: u32 = 7;
@@ -53,6 +53,8 @@ struct Shown {
     document: String,
     line: usize,
     words: Vec<String>,
+    /// Whether it stands in a block of code, and not as a few words in a sentence.
+    is_in_block: bool,
 }
 
 #[test]
@@ -148,12 +150,16 @@ fn commands(document: &str, text: &str) -> Vec<Shown> {
         }
         goes_on = line.ends_with('\\');
     }
+    let in_blocks = lines.len();
     lines.extend(parts.spans());
-    let split = lines.iter().flat_map(|(line, text)| split(text).into_iter().map(move |words| (*line, words)));
-    let shown = split.filter_map(|(line, words)| {
+    let split = lines
+        .iter()
+        .enumerate()
+        .flat_map(|(index, (line, text))| split(text).into_iter().map(move |words| (*line, words, index < in_blocks)));
+    let shown = split.filter_map(|(line, words, is_in_block)| {
         let start =
             STARTS.iter().find(|start| words.len() >= start.len() && words.iter().zip(**start).all(|(a, b)| a == b));
-        Some(Shown { document: document.to_owned(), line, words: words[start?.len()..].to_vec() })
+        Some(Shown { document: document.to_owned(), line, words: words[start?.len()..].to_vec(), is_in_block })
     });
     shown.collect()
 }
@@ -181,7 +187,7 @@ fn split(line: &str) -> Vec<Vec<String>> {
 }
 
 /// What in a command the program's help does not know.
-fn misunderstood(Shown { document, line, words }: &Shown) -> Vec<String> {
+fn misunderstood(Shown { document, line, words, .. }: &Shown) -> Vec<String> {
     let mut path: Vec<&str> = Vec::new();
     let mut help = help(&path);
     while let (Some(list), Some(word)) = (section(&help, "Commands:"), words.get(path.len())) {
@@ -218,8 +224,8 @@ fn section<'a>(help: &'a str, title: &str) -> Option<&'a str> {
 }
 
 /// Runs a command in the folder if it is quick and what it needs is there; what it says if it fails.
-fn failing(Shown { document, line, words }: &Shown, folder: &Path) -> Option<String> {
-    let command = words.first().filter(|command| QUICK.contains(&command.as_str()))?;
+fn failing(Shown { document, line, words, is_in_block }: &Shown, folder: &Path) -> Option<String> {
+    let command = words.first().filter(|command| *is_in_block && QUICK.contains(&command.as_str()))?;
     let is_slow = words.iter().any(|word| SLOW.contains(&word.split('=').next().unwrap_or_default()));
     let lasts = words.iter().skip_while(|word| *word != "--for").nth(1);
     let days = |span: &String| span.strip_suffix('d').and_then(|days| days.parse::<u32>().ok());
