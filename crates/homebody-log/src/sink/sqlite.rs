@@ -84,8 +84,9 @@ impl Sink for Sqlite {
                 let created: Vec<String> = begin.tables.iter().map(|table| create(table, begin)).collect();
                 let created: Vec<&str> = created.iter().map(String::as_str).collect();
                 let run = tell_run(begin.run, begin.time, &mut clock);
-                // A truth has its own tables.
-                let is_log = begin.tables.iter().any(|table| table.is_numbered);
+                // A truth has its own tables, and the rows of a log may have taken the name.
+                let is_log = begin.tables.iter().any(|table| table.is_numbered)
+                    && begin.tables.iter().all(|table| table.name != SENSOR);
                 let tell = |connection: &Connection| {
                     run(connection)?;
                     if is_log { tell_sensors(connection, begin.run) } else { Ok(()) }
