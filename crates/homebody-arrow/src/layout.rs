@@ -5,13 +5,17 @@
 
 use arrow_schema::{DataType, Field, Schema, TimeUnit};
 use homebody_core::scenario::logger::TimeFormat;
-use homebody_log::Begin;
+use homebody_log::sensor_info::{SENSOR_COLUMNS, says_more_of, sensor_cells};
 use homebody_log::table::{Column, ColumnKind, Table};
+use homebody_log::{Begin, SensorInfo};
 use serde_json::{Map, Value, json};
 use std::collections::HashMap;
 
 /// What a file says of itself stands under this key, as an object of JSON.
 pub(crate) const ABOUT: &str = "homebody";
+
+/// In it: the sensors of a log.
+const SENSORS: &str = "sensors";
 
 /// In it: how many rows of the table come before those of the file. A data set is read in this order.
 pub(crate) const ROWS_BEFORE: &str = "rows_before";
@@ -68,5 +72,28 @@ pub(crate) fn about(table: &Table, begin: &Begin) -> Map<String, Value> {
         (column.name.clone(), json!({ "unit": unit, "about": column.about }))
     });
     about.insert("columns".into(), Value::Object(columns.collect()));
+    // The rows of a log are numbered, those of a truth are not.
+    if table.is_numbered && says_more_of(&run.sensors) {
+        let row = |sensor| Value::Object(SENSOR_COLUMNS.map(str::to_owned).into_iter().zip(cells(sensor)).collect());
+        about.insert(SENSORS.into(), run.sensors.iter().map(row).collect());
+    }
     about
+}
+
+fn cells(sensor: &SensorInfo) -> [Value; 5] {
+    sensor_cells(sensor).map(|cell| cell.map_or(Value::Null, Into::into))
+}
+
+/// The most sensors that are read from a file.
+const MOST_SENSORS: usize = 1000;
+
+/// The sensors in the metadata of a log's file; none in files of other programs.
+pub(crate) fn sensors(about: &str) -> Vec<SensorInfo> {
+    let about: Value = serde_json::from_str(about).unwrap_or_default();
+    let rows = about[SENSORS].as_array().into_iter().flatten().take(MOST_SENSORS);
+    let sensor = |row: &Value| {
+        let cells = SENSOR_COLUMNS.map(|name| row[name].as_str().unwrap_or_default().to_owned());
+        (!cells[0].is_empty()).then(|| SensorInfo::of_cells(cells))
+    };
+    rows.filter_map(sensor).collect()
 }

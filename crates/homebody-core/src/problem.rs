@@ -166,6 +166,14 @@ pub fn readable(mut text: String) -> String {
     text
 }
 
+/// Whether a character is invisible and a terminal may act on it: control characters, those that change the direction of a line, those
+/// without width, and unusual ends of lines.
+pub fn is_unseen(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
+        || matches!(c, '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}')
+}
+
 /// How many of what, as a sentence has it.
 pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
@@ -174,6 +182,14 @@ pub fn counted(count: usize, one: &str, many: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_nobody_sees_is_known() {
+        for c in ['\u{1b}', '\u{9b}', '\u{200b}', '\u{202e}', '\u{2066}', '\u{2028}', '\u{feff}', '\u{e0041}'] {
+            assert!(is_unseen(c), "{}", c.escape_unicode());
+        }
+        assert!(!"Öz 好 é ‘a’ – → █ ° 👵".contains(is_unseen));
+    }
 
     #[test]
     fn a_message_is_readable_whatever_it_quotes() {

@@ -8,6 +8,7 @@ use crate::error::Error;
 use crate::pace::{Pace, Paced};
 use crate::profiles::{MOST_MEMBERS, Profile};
 use crate::recorded;
+use crate::recording_file;
 use crate::run::{Length, LiveRun, Progress};
 use crate::scenario::OpenScenario;
 use crate::source::Source;
@@ -239,7 +240,7 @@ impl Cohort {
             why: format!("members have no form {}", form.unwrap_or_default()),
         })?;
         recorded::must_be_of_this_version(COHORT, folder, &recording)?;
-        recorded::has_its_scenario(&path, &recording)?;
+        recording_file::has_its_scenario(&path, &recording)?;
         let scenario = Source::of_texts(recording.files, recording.entry).open()?;
         let members = match asked {
             Asked::Residents(count @ 1..=MOST_MEMBERS) => Members::Many(count),

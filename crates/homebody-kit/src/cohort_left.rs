@@ -5,7 +5,7 @@ use crate::cohort_list::ListedMember;
 use crate::cohort_members::{Member, MemberLived, Members};
 use crate::cohort_place::CohortPlace;
 use crate::error::Error;
-use crate::recorded;
+use crate::recording_file;
 use homebody_core::recording::Recording;
 use rayon::prelude::*;
 use std::path::Path;
@@ -47,7 +47,7 @@ impl Cohort {
             let is_file = there(folder);
             return Err(wrong(format!("{} is a file, and a member's folder is to be there", is_file.display())));
         }
-        match recorded::recording(&path) {
+        match recording_file::recording(&path) {
             Err(Error::NoRecording { .. }) => Ok(None),
             Err(error) => {
                 let [told, known] = [here, place.path()].map(|path| path.display().to_string());

@@ -4,6 +4,7 @@
 use crate::cohort_members::CohortLayout;
 use crate::error::Error;
 use crate::recorded;
+use crate::recording_file;
 use homebody_log::fresh::{FreshFile, remove_parts};
 use homebody_log::places::LIST;
 #[cfg(feature = "cloud")]
@@ -114,7 +115,7 @@ impl CohortPlace {
         match self {
             CohortPlace::Folder(folder) => {
                 recorded::must_be_folder(folder)?;
-                recorded::text_of_list(&folder.join(LIST))
+                recording_file::text_of_list(&folder.join(LIST))
             }
             #[cfg(feature = "cloud")]
             CohortPlace::Store { url, store } => {

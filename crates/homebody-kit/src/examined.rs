@@ -2,7 +2,8 @@
 
 use crate::VERSION;
 use crate::error::Error;
-use crate::recorded::{Recorded, has_no_end, recording};
+use crate::recorded::{Recorded, has_no_end};
+use crate::recording_file::recording;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;

@@ -44,6 +44,8 @@ mod broker;
 mod beside;
 mod touched;
 mod store;
+mod whole_folder;
+mod recording_file;
 mod recorded;
 mod live_home;
 
@@ -106,7 +108,8 @@ pub use live_home::LiveHome;
 pub use log_with_run::{LogWithRun, Lost, NamedLog, Unended, home_sensors, sensor_rooms};
 pub use meters::{Meters, Seen};
 pub use profiles::{MOST_MEMBERS, Profile};
-pub use recorded::{Recorded, Unfinished, recording};
+pub use recorded::{Recorded, Unfinished};
+pub use recording_file::recording;
 pub use run::{Batch, BatchSink, LiveRun, Progress, RunSetup};
 pub use scenario::{OpenScenario, numbers, open, template};
 pub use source::{Folder, Source, TRUST, Template};

@@ -3,6 +3,7 @@
 use crate::VERSION;
 use crate::beside;
 use crate::error::Error;
+use crate::recording_file::recording;
 use crate::run::{LiveRun, Progress};
 use homebody_core::recording::Recording;
 use homebody_log::destination::Treatment;
@@ -19,13 +20,16 @@ pub struct Destinations {
     pub log: Vec<Url>,
     /// The place of its ground truth; none where a log is named and this is not.
     pub truth: Option<Url>,
-    /// The file of its recording; none where a log is named and this is not.
+    /// The file of its recording; none where a log is named and this is not. If the recording of this very run is there and
+    /// unfinished, the run resumes in these places.
     pub recording: Option<PathBuf>,
     /// The folder in which the new folder of a run is made, where no log is named: `runs` unless something else is said. None
     /// for no folder: then all goes where the caller's own destinations take it.
     pub runs: Option<PathBuf>,
     /// Whether files that exist are replaced.
     pub replace: bool,
+    /// Whether a server's database replaces the rows that it has of this run.
+    pub replace_rows: bool,
     /// How servers among its places and standard output are treated while they are away or do not answer.
     pub servers: Treatment,
 }
@@ -38,6 +42,7 @@ impl Default for Destinations {
             recording: None,
             runs: Some(RUNS.into()),
             replace: false,
+            replace_rows: false,
             servers: Treatment::default(),
         }
     }
@@ -64,14 +69,20 @@ impl Destinations {
         Ok(Destinations { log: vec![place], ..Destinations::default() })
     }
 
-    fn places(&self, run: &LiveRun) -> Result<Places, Error> {
+    /// The places, and how they are begun.
+    fn places(&self, run: &LiveRun) -> Result<(Places, How), Error> {
         let Destinations { log, truth, recording, runs, replace, .. } = self;
+        let how = if *replace { How::Replace } else { How::New };
         let runs = match runs {
             // What goes to servers is beside the folder, by which the run can be gone on with.
             Some(runs) if log.iter().all(|url| url.server().is_some()) => runs,
             _ => {
+                let goes_on = !replace && recording.as_deref().is_some_and(|path| run.was_begun_in(path));
                 let (log, truth, recording) = (log.clone(), truth.clone(), recording.clone());
-                return Ok(Places::of(log, truth, recording, &run.sources, *replace)?);
+                return match goes_on {
+                    true => Ok((Places::left(log, truth, recording), How::GoOn)),
+                    false => Ok((Places::of(log, truth, recording, &run.sources, *replace)?, how)),
+                };
             }
         };
         let mut places = Places::run(runs, &run.scenario)?;
@@ -80,7 +91,7 @@ impl Destinations {
         places.recording = recording.clone().or(places.recording);
         let named: Vec<&Path> = truth.iter().filter_map(Url::file).chain(recording.as_deref()).collect();
         match can_be_written(&named, &run.sources, *replace) {
-            Ok(()) => Ok(places),
+            Ok(()) => Ok((places, how)),
             Err(error) => {
                 places.give_up();
                 Err(error.into())
@@ -175,11 +186,14 @@ impl LiveRun {
         own: Vec<Destination>,
         progress: impl FnMut(Progress),
     ) -> Result<Lived, Error> {
-        let mut places = to.places(&self)?;
+        let (mut places, how) = to.places(&self)?;
         let servers = places.log.extract_if(.., |url| url.server().is_some() || url.is_output());
         let servers: Vec<Url> = servers.collect();
-        let servers = beside::destinations(&servers, &to.servers, self.folder_in(&places).as_deref(), &mut self.paced)?;
-        let how = if to.replace { How::Replace } else { How::New };
+        let folder = self.folder_in(&places);
+        let rows = if to.replace_rows { How::Replace } else { How::New };
+        let servers = beside::destinations(&servers, &to.servers, folder.as_deref(), &mut self.paced)?;
+        let servers: Vec<_> = servers.into_iter().map(|server| server.begun_as(rows)).collect();
+        places.truth_on_server = rows;
         let own = servers.into_iter().chain(own).collect();
         let lived = self.store_into(&places, own, &to.servers, how, progress);
         if lived.is_err() {
@@ -187,6 +201,13 @@ impl LiveRun {
             places.give_up();
         }
         lived
+    }
+
+    /// Whether a file is the recording of this very run, unfinished: then the same command resumes it.
+    fn was_begun_in(&self, path: &Path) -> bool {
+        let own = Recording { version: VERSION.into(), ..self.recording.clone() };
+        let is_it = |left: &Recording| !left.is_whole() && left.begun_again() == own && own.lives_again();
+        recording(path).is_ok_and(|left| is_it(&left))
     }
 
     /// The folder in which the run can be gone on with, where there is one.

@@ -5,6 +5,7 @@ use crate::log_with_run::LogWithRun;
 use crate::scenario::open;
 use crate::store::Destinations;
 use crate::translation::{Doubt, Place, Translation, Whereabouts, walk_back};
+use crate::whole_folder::whole_folder;
 use homebody_analysis::dates::date_of;
 use homebody_analysis::explained::{Explained, SensorExplained, explained};
 use homebody_core::home::plan::Plan;
@@ -115,18 +116,34 @@ pub fn walk_into(
     mut progress: impl FnMut(f64),
 ) -> Result<Report, Error> {
     let translation = walk_back(&read.log, scenario, cancel, |share| progress(share * WALKING))?;
-    fs::create_dir_all(to).map_err(|error| Error::io(to, error))?;
+    let mut written = |to: &Path| write_into(to, (name, read), scenario, &translation, cancel, &mut progress);
+    // A folder with other files keeps them, so it cannot be replaced as a whole.
+    match fs::read_dir(to).is_ok_and(|mut inner| inner.next().is_some()) {
+        true => written(to),
+        false => whole_folder(to, |part, _| written(part)),
+    }
+}
+
+/// Writes what a log was walked back to into a folder that is there.
+fn write_into(
+    to: &Path,
+    (name, read): (&str, &LogWithRun),
+    scenario: &Scenario,
+    translation: &Translation,
+    cancel: &Cancel,
+    progress: &mut impl FnMut(f64),
+) -> Result<Report, Error> {
     for (file, text) in &translation.files {
         let path = to.join(file);
         path.parent().map_or(Ok(()), fs::create_dir_all).map_err(|error| Error::io(&path, error))?;
         write(&path, text.as_bytes())?;
     }
     let plan = scenario.home.plan();
-    write(&to.join(WHERE), &whereabouts(&translation, plan)?)?;
-    write(&to.join(ROOMS), &rooms(&translation, plan)?)?;
+    write(&to.join(WHERE), &whereabouts(translation, plan)?)?;
+    write(&to.join(ROOMS), &rooms(translation, plan)?)?;
     keep(&to.join(GIVEN), read)?;
     let relived = relive(to, &translation.entry, cancel, |share| progress(WALKING + share * (1.0 - WALKING)))?;
-    let mut report = report(name, read, &relived, &translation);
+    let mut report = report(name, read, &relived, translation);
     report.remarks.extend(unexplained_uses(&report.explained, scenario));
     let text = serde_json::to_string_pretty(&report).map_err(|error| Error::file(to, error.to_string()))?;
     write(&to.join(REPORT), (text + "\n").as_bytes())?;

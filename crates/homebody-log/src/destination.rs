@@ -2,13 +2,16 @@
 
 use crate::cancel::Cancel;
 use crate::elsewhere;
+use crate::error::LogError;
 use crate::meter::Meter;
 use crate::policy::Policy;
 use crate::remembered::Remembered;
-use crate::sink::{self, Sink};
+use crate::sink::{self, Begin, How, Sink, Watermark};
 use crate::spool::{BATCHES_WAITING, Spooled, WhenDown};
+use crate::table::Batch;
 use crate::timed_sink::TimedSink;
 use crate::url::Url;
+use homebody_core::time::Micros;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -53,6 +56,11 @@ impl Destination {
     /// The same for a home that nobody knows when it ends: a text file has its name from its first line on.
     pub fn followed(url: &Url) -> Destination {
         Destination { sink: sink::open_as(url, true), ..Destination::of(url) }
+    }
+
+    /// The same, begun like this unless the run is resumed, whether or not the run's files are replaced.
+    pub fn begun_as(self, how: How) -> Destination {
+        Destination { sink: Box::new(BegunAs { how, inner: self.sink }), ..self }
     }
 
     /// A caller's own.
@@ -101,5 +109,34 @@ impl Destination {
             Some(folder) => Box::new(Remembered::new(&place, sink, &folder)),
             None => sink,
         }
+    }
+}
+
+/// A sink that is begun otherwise than the run's files.
+struct BegunAs {
+    how: How,
+    inner: Box<dyn Sink>,
+}
+
+impl Sink for BegunAs {
+    fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
+        let how = if begin.how == How::GoOn { How::GoOn } else { self.how };
+        self.inner.begin(&Begin { how, ..*begin })
+    }
+
+    fn write(&mut self, batch: &Batch) -> Result<(), LogError> {
+        self.inner.write(batch)
+    }
+
+    fn settle(&mut self) -> Result<Watermark, LogError> {
+        self.inner.settle()
+    }
+
+    fn finish(&mut self, end: Micros) -> Result<(), LogError> {
+        self.inner.finish(end)
+    }
+
+    fn is_behind(&self) -> bool {
+        self.inner.is_behind()
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::limits::LONGEST_ROW_BYTES;
 use crate::skipped::Skipped;
+use crate::written::Refused;
 use homebody_core::problem::readable;
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
@@ -28,6 +29,16 @@ pub enum LogError {
     Exists {
         /// The file.
         place: String,
+    },
+    /// A database is where a file is to be made, and holds what no run has left.
+    #[error(
+        "{place} is a database that holds {what}, and is never replaced\n  hint: name another file, or remove it yourself"
+    )]
+    OthersDatabase {
+        /// The file.
+        place: String,
+        /// The part that no run left, as a part of a sentence.
+        what: String,
     },
     /// Two outputs of a run lead to one file, perhaps by different paths.
     #[error("two outputs have the same file, {place}\n  hint: give each its own")]
@@ -98,6 +109,24 @@ pub enum LogError {
     LeadsOut {
         /// The file.
         place: String,
+    },
+    /// The file to write is a link, lies behind one, or is not this program's.
+    #[error("{place} is not written: {why}\n  hint: look what it is, and remove it or name another file")]
+    NotOwn {
+        /// The file.
+        place: String,
+        /// The reason, as a part of a sentence.
+        why: String,
+    },
+    /// The file that counts a destination's confirmed rows is wrong.
+    #[error(
+        "{place}: {what}\n  hint: it says how many rows a destination has; put back what was there, or remove it: then all rows are given again"
+    )]
+    Unnoted {
+        /// The file.
+        place: String,
+        /// The reason, as a part of a sentence.
+        what: String,
     },
     /// Another program is living a run into the folder, or writing the file.
     #[error("another program is writing into {place}\n  hint: let it come to its end, or stop it first")]
@@ -254,6 +283,17 @@ pub enum LogError {
         /// The database's file.
         place: String,
         /// What the database says.
+        source: Box<dyn Error + Send + Sync>,
+    },
+    /// A database opens, and its journal does not.
+    #[error(
+        "{place}: {source}, though its file can be opened\n  hint: it needs files beside itself: look who may write in its folder, and \
+         how many files may be open at once (ulimit -n)"
+    )]
+    NoRoomBeside {
+        /// The database's file.
+        place: String,
+        /// The database's own message.
         source: Box<dyn Error + Send + Sync>,
     },
     /// The output of a command would replace what the command reads.
@@ -433,6 +473,9 @@ impl LogError {
     /// What an error of a file means.
     pub fn file(path: &Path, source: io::Error) -> LogError {
         let place = place_of(path);
+        if let Some(why) = Refused::of(&source) {
+            return LogError::NotOwn { place, why: why.to_string() };
+        }
         match source.kind() {
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => LogError::Full { place },
             io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => LogError::Denied { place },
@@ -480,7 +523,7 @@ impl LogError {
             Some(CannotOpen) => match (File::open(path), OpenOptions::new().write(true).open(path)) {
                 (Err(error), _) => LogError::reading(path, error),
                 (_, Err(error)) => LogError::file(path, error),
-                _ => LogError::Database { place, source: said(source) },
+                _ => LogError::NoRoomBeside { place, source: said(source) },
             },
             _ if source.sqlite_error().is_some_and(|error| WRITING.contains(&error.extended_code)) => {
                 LogError::Unwritten { place }

@@ -1,6 +1,9 @@
 //! New files: nothing that is there already is overwritten unasked, nothing new is half written.
 
 use crate::error::{LogError, place_of};
+use crate::lock::is_at;
+use crate::replaced::may_be_replaced;
+use crate::written::{Opening, open};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -40,6 +43,7 @@ impl Found {
         } else if !kind.is_file() && !kind.is_symlink() {
             Ok(Found::Device)
         } else if force {
+            may_be_replaced(path)?;
             Ok(Found::Replaced)
         } else {
             Err(LogError::Exists { place: place_of(path) })
@@ -95,7 +99,10 @@ impl FreshFile {
         let place = Found::at(path, force)?;
         let begun = match place {
             Found::Device => OpenOptions::new().write(true).open(path).map(|file| (None, file)),
-            _ => begin_part(path, dot).map(|(part, file)| (Some(part), file)),
+            _ => {
+                remove_stale_parts(path);
+                begin_part(path, dot).map(|(part, file)| (Some(part), file))
+            }
         };
         let (part, file) = begun.map_err(|error| LogError::file(path, error))?;
         Ok(FreshFile { path: path.into(), place, part, out: BufWriter::with_capacity(1 << 16, file) })
@@ -111,13 +118,18 @@ impl FreshFile {
     /// Opens what a program that died has left of a file, be it whole already or not; None where there is nothing. Its
     /// text is read from its beginning, and may be cut and added to.
     pub fn reopen(path: &Path) -> Result<Option<(FreshFile, File)>, LogError> {
-        let is_whole = path.is_file();
+        let is_whole = fs::symlink_metadata(path).is_ok();
         let unread = |error| LogError::reading(path, error);
+        if is_whole {
+            // A program that died as it gave the file its name has left it under both.
+            remove_parts(path)?;
+        }
         let left = if is_whole { Some(path.to_owned()) } else { largest_part(path).map_err(unread)? };
         let Some(left) = left else { return Ok(None) };
-        let read = File::open(&left).map_err(unread)?;
-        let unwritten = |error| LogError::file(path, error);
-        let file = OpenOptions::new().write(true).open(&left).map_err(unwritten)?;
+        let unwritten = |error| LogError::file(&left, error);
+        let file = open(&left, Opening::Left).map_err(unwritten)?;
+        // Both are at one place of the file, until it is cut.
+        let read = file.try_clone().map_err(unwritten)?;
         let part = (!is_whole).then_some(left);
         let out = BufWriter::with_capacity(1 << 16, file);
         Ok(Some((FreshFile { path: path.into(), place: Found::Free, part, out }, read)))
@@ -212,16 +224,29 @@ impl Drop for FreshFile {
     }
 }
 
-/// A new file beside a path: others may be on their way to the same one.
+/// A new file in the folder of a path; several programs may write the same path. It is locked while it is written: an unlocked part is one
+/// that a killed program left.
 fn begin_part(path: &Path, dot: &str) -> io::Result<(PathBuf, File)> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let mut number = 0;
     loop {
         let part = path.with_file_name(format!("{dot}{name}.{}-{number}.part", std::process::id()));
-        match OpenOptions::new().write(true).create_new(true).open(&part) {
+        match open(&part, Opening::New) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
-            begun => return begun.map(|file| (part, file)),
+            Err(error) => return Err(error),
+            Ok(file) if is_locked_at(&file, &part) => return Ok((part, file)),
+            // Another program has taken it for one that is left, before it was locked.
+            Ok(_) => number += 1,
         }
+    }
+}
+
+/// Locks a part that was just made, and says whether it is still there. Elsewhere than on Unix, who reads a locked file fails.
+fn is_locked_at(file: &File, part: &Path) -> bool {
+    !cfg!(unix) || {
+        // On a system without locks no part is removed.
+        let _ = file.try_lock();
+        is_at(file, part)
     }
 }
 
@@ -231,21 +256,44 @@ pub fn remove_parts(path: &Path) -> Result<(), LogError> {
     removed.map_err(|error| LogError::file(path, error))
 }
 
-/// The largest of the parts of a file that programs which died have left; the others are removed.
-fn largest_part(path: &Path) -> io::Result<Option<PathBuf>> {
-    let begins = format!("{}.", path.file_name().unwrap_or_default().to_string_lossy());
-    let mut parts = Vec::new();
-    for entry in fs::read_dir(folder(path))? {
-        let entry = entry?;
-        let name = entry.file_name().to_string_lossy().into_owned();
-        if name.trim_start_matches('.').strip_prefix(&begins).is_some_and(|rest| rest.ends_with(".part")) {
-            parts.push((entry.metadata()?.len(), entry.path()));
+/// Removes the parts of a file that killed programs left.
+fn remove_stale_parts(path: &Path) {
+    // A part that cannot be opened stays.
+    for (_, part) in parts(path).into_iter().flatten().filter(|_| cfg!(unix)) {
+        if let Ok(file) = open(&part, Opening::Left)
+            && file.try_lock().is_ok()
+            && is_at(&file, &part)
+        {
+            let _ = fs::remove_file(part);
         }
     }
+}
+
+/// The largest of the parts of a file that programs which died have left; the others are removed.
+fn largest_part(path: &Path) -> io::Result<Option<PathBuf>> {
+    let mut parts = parts(path)?;
     parts.sort();
     let largest = parts.pop();
     parts.iter().try_for_each(|(_, part)| fs::remove_file(part))?;
     Ok(largest.map(|(_, part)| part))
+}
+
+/// The parts of a file, each with its size: `log.csv.4711-0.part` of `log.csv`, and no file of another name.
+fn parts(path: &Path) -> io::Result<Vec<(u64, PathBuf)>> {
+    let begins = format!("{}.", path.file_name().unwrap_or_default().to_string_lossy());
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let is_numbered =
+        |rest: &str| rest.split_once('-').is_some_and(|(process, number)| is_number(process) && is_number(number));
+    let mut parts = Vec::new();
+    for entry in fs::read_dir(folder(path))? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let of_it = [&name[..], name.trim_start_matches('.')].into_iter().find_map(|name| name.strip_prefix(&begins));
+        if of_it.and_then(|rest| rest.strip_suffix(".part")).is_some_and(is_numbered) {
+            parts.push((entry.metadata()?.len(), entry.path()));
+        }
+    }
+    Ok(parts)
 }
 
 /// Renames over a file, and who may read and write it stays as it was.
@@ -259,7 +307,7 @@ fn replace(part: &Path, path: &Path) -> io::Result<()> {
 }
 
 /// Renames, but not over a file that has come in the meantime.
-fn name_if_free(part: &Path, path: &Path) -> io::Result<()> {
+pub(crate) fn name_if_free(part: &Path, path: &Path) -> io::Result<()> {
     match fs::hard_link(part, path) {
         Ok(()) => fs::remove_file(part),
         Err(error) if error.kind() == io::ErrorKind::AlreadyExists => Err(error),
@@ -282,5 +330,75 @@ fn folder(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
+    }
+}
+
+#[cfg(unix)]
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::os::unix::fs::symlink;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<String> =
+            fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn goes_on_through_no_link() {
+        let folder = tempfile::tempdir().unwrap();
+        let (log, mine) = (folder.path().join("log.csv"), folder.path().join("mine"));
+        fs::write(&mine, "").unwrap();
+        for link in ["log.csv.77-0.part", "log.csv"] {
+            symlink(&mine, folder.path().join(link)).unwrap();
+            assert!(matches!(FreshFile::reopen(&log), Err(LogError::NotOwn { .. })), "{link}");
+            fs::remove_file(folder.path().join(link)).unwrap();
+        }
+        assert_eq!(fs::read_to_string(&mine).unwrap(), "");
+        // The control: a plain part is taken up, and gets its name.
+        fs::write(folder.path().join("log.csv.77-0.part"), "time\nhalf").unwrap();
+        let (mut file, mut left) = FreshFile::reopen(&log).unwrap().unwrap();
+        let mut text = String::new();
+        io::Read::read_to_string(&mut left, &mut text).unwrap();
+        assert_eq!(text, "time\nhalf");
+        file.cut(5).unwrap();
+        file.write(b"1\n").unwrap();
+        file.finish().unwrap();
+        assert_eq!(
+            (fs::read_to_string(&log).unwrap().as_str(), names(folder.path())),
+            ("time\n1\n", vec!["log.csv".into(), "mine".into()])
+        );
+    }
+
+    #[test]
+    fn a_file_with_both_its_names_is_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let (log, part) = (folder.path().join("log.csv"), folder.path().join("log.csv.77-0.part"));
+        fs::write(&part, "time\n").unwrap();
+        fs::hard_link(&part, &log).unwrap();
+        assert!(FreshFile::reopen(&log).unwrap().is_some());
+        assert_eq!(names(folder.path()), ["log.csv"]);
+    }
+
+    #[test]
+    fn parts_of_killed_programs_go_and_those_of_others_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        for left in ["out.77-0.part", ".out.78-3.part", "out.csv.77-0.part", "out.old.part"] {
+            fs::write(folder.path().join(left), "").unwrap();
+        }
+        let file = FreshFile::create(&out, false).unwrap();
+        let own = file.part().unwrap().file_name().unwrap().to_str().unwrap().to_owned();
+        let mut there = ["out.csv.77-0.part", "out.old.part", &own];
+        there.sort();
+        assert_eq!(names(folder.path()), there);
+        // Another writer of the same file leaves the part that is being written.
+        let other = FreshFile::create(&out, false).unwrap();
+        assert!(file.part().unwrap().exists() && other.part() != file.part());
+        drop(other);
+        file.finish().unwrap();
+        assert_eq!(names(folder.path()), ["out", "out.csv.77-0.part", "out.old.part"]);
     }
 }

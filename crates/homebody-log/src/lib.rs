@@ -21,12 +21,15 @@ pub mod error;
 
 pub mod fresh;
 pub mod plain;
+pub mod written;
 pub mod lock;
 pub mod places;
 
 pub mod table;
 pub mod sensor_info;
 pub mod run_info;
+mod sensor_table;
+mod replaced;
 mod cancel;
 mod deadline;
 pub mod meter;

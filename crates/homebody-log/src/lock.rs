@@ -1,9 +1,13 @@
 //! One program at a time writes into the folder of a run, and one into a file.
 
 use crate::error::{LogError, place_of};
-use std::fs::{self, File, OpenOptions, TryLockError};
+use crate::plain;
+use crate::written::{Opening, Refused, open};
+use std::fs::{self, File, TryLockError};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// A folder that nobody else writes into while this lives. It ends with the program, however that ends.
 #[derive(Debug)]
@@ -43,7 +47,7 @@ impl FileLock {
     /// # Errors
     ///
     /// [`LogError::Busy`] if another program, or another run of this one, writes it; [`LogError::Denied`] if nothing may be
-    /// made beside it, which each file needs while it is written.
+    /// made beside it, which each file needs while it is written; [`LogError::NotOwn`] if the lock file is a link.
     pub fn take(path: &Path) -> Result<FileLock, LogError> {
         let nothing = Ok(FileLock { held: None });
         if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
@@ -51,8 +55,9 @@ impl FileLock {
         }
         let beside = lock_of(path);
         loop {
-            let file = match OpenOptions::new().write(true).create(true).truncate(false).open(&beside) {
+            let file = match open(&beside, Opening::Kept) {
                 Ok(file) => file,
+                Err(error) if Refused::of(&error).is_some() => return Err(LogError::file(&beside, error)),
                 Err(error) if matches!(error.kind(), ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem) => {
                     return Err(LogError::file(path, error));
                 }
@@ -72,6 +77,27 @@ impl FileLock {
     }
 }
 
+/// How long, and how often, a small file is asked for that another program writes.
+const WAIT: Duration = Duration::from_secs(10);
+const ASK: Duration = Duration::from_millis(2);
+
+impl FileLock {
+    /// Takes a file, and waits while another program has it: a server that reads a small file, compares it and writes it anew.
+    ///
+    /// # Errors
+    ///
+    /// As [`FileLock::take`]; [`LogError::Busy`] only after ten seconds.
+    pub fn wait(path: &Path) -> Result<FileLock, LogError> {
+        let begun = Instant::now();
+        loop {
+            match FileLock::take(path) {
+                Err(LogError::Busy { .. }) if begun.elapsed() < WAIT => thread::sleep(ASK),
+                taken => return taken,
+            }
+        }
+    }
+}
+
 impl Drop for FileLock {
     fn drop(&mut self) {
         if let Some((beside, _file)) = self.held.take() {
@@ -83,7 +109,7 @@ impl Drop for FileLock {
 /// Whether a program has a file that it writes: `None` where there is no lock file, and false where that is one that a killed program has
 /// left. Nothing is changed.
 pub fn is_held(path: &Path) -> Option<bool> {
-    let file = File::open(lock_of(path)).ok()?;
+    let file = plain::open(&lock_of(path)).ok()?;
     Some(matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock)))
 }
 
@@ -96,7 +122,7 @@ fn lock_of(path: &Path) -> PathBuf {
 
 /// Whether an open file is the one at a path.
 #[cfg(unix)]
-fn is_at(file: &File, path: &Path) -> bool {
+pub(crate) fn is_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     let which = |found: fs::Metadata| (found.dev(), found.ino());
     file.metadata().ok().map(which) == fs::metadata(path).ok().map(which)
@@ -104,7 +130,7 @@ fn is_at(file: &File, path: &Path) -> bool {
 
 /// Elsewhere a file that is removed while it is open cannot be opened again.
 #[cfg(not(unix))]
-fn is_at(_file: &File, _path: &Path) -> bool {
+pub(crate) fn is_at(_file: &File, _path: &Path) -> bool {
     true
 }
 
@@ -112,7 +138,6 @@ fn is_at(_file: &File, _path: &Path) -> bool {
 mod tests {
     use super::*;
     use std::sync::atomic::{AtomicUsize, Ordering};
-    use std::thread;
 
     #[test]
     #[cfg(unix)]
@@ -146,6 +171,45 @@ mod tests {
             }
         });
         fs::remove_dir(&folder).unwrap();
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn waits_for_who_has_a_small_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("count");
+        fs::write(&path, "0").unwrap();
+        let count = |lock: fn(&Path) -> Option<FileLock>| {
+            let _lock = lock(&path);
+            let seen: u32 = fs::read_to_string(&path).unwrap().parse().unwrap();
+            thread::yield_now();
+            let part = folder.path().join(format!("{:?}", thread::current().id()));
+            fs::write(&part, (seen + 1).to_string()).unwrap();
+            fs::rename(part, &path).unwrap();
+        };
+        let all = |lock: fn(&Path) -> Option<FileLock>| {
+            fs::write(&path, "0").unwrap();
+            thread::scope(|scope| {
+                for _ in 0..4 {
+                    scope.spawn(|| (0..100).for_each(|_| count(lock)));
+                }
+            });
+            fs::read_to_string(&path).unwrap()
+        };
+        assert_eq!(all(|path| Some(FileLock::wait(path).unwrap())), "400");
+        // The control: without the lock some are lost.
+        assert_ne!(all(|_| None), "400");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "no lock stays");
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_dangling_lock_creates_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, outside) = (folder.path().join("log.db"), folder.path().join("outside"));
+        std::os::unix::fs::symlink(&outside, folder.path().join("log.db.lock")).unwrap();
+        assert!(matches!(FileLock::take(&path), Err(LogError::NotOwn { .. })));
+        assert!(!outside.exists());
     }
 
     #[test]

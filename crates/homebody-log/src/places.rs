@@ -4,22 +4,22 @@ use crate::error::{LogError, place_of};
 use crate::fresh::{all_can_be_written, same_file, whole};
 use crate::limits::LARGEST_RECORDING_BYTES;
 use crate::plain;
+use crate::sensor_table;
+use crate::sink::How;
 use crate::truth::TruthKept;
 use crate::url::Url;
 use homebody_core::recording::Recording;
-pub use homebody_core::scenario::inside::{RECORDING, SENSORS, SILHOUETTES, TRUTH};
+pub use homebody_core::scenario::inside::{LIST, RECORDING, SENSORS, SILHOUETTES, TRUTH};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::scenario::scheme::{self, NoPlace, SCHEMES, Scheme, SchemeRow, Stands};
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// The folder that runs go into where nothing else is asked for.
 pub const RUNS: &str = "runs";
-
-/// The file beside the folders of a cohort's members that lists them.
-pub const LIST: &str = "cohort.json";
 
 /// Where a run is written.
 #[derive(Clone, Debug)]
@@ -37,6 +37,8 @@ pub struct Places {
     /// Whether texts of its log have their names before they are whole, so that they can be followed: of a home that goes on until it is
     /// stopped, and then again.
     pub is_followed: bool,
+    /// How its truth on a server is begun.
+    pub truth_on_server: How,
     /// The folders made for the run, outer ones first.
     made: Vec<PathBuf>,
 }
@@ -54,6 +56,11 @@ impl Places {
         let files = places.files();
         can_be_written(&files.iter().map(PathBuf::as_path).collect::<Vec<_>>(), sources, force)?;
         Ok(places)
+    }
+
+    /// The places of an unfinished run without a folder, to resume it.
+    pub fn left(log: Vec<Url>, truth: Option<Url>, recording: Option<PathBuf>) -> Places {
+        Places { log, truth, recording, ..Places::nowhere() }
     }
 
     /// Removes the folders that were made, as far as nothing is in them.
@@ -95,6 +102,7 @@ impl Places {
             recording: None,
             sensors: None,
             is_followed: false,
+            truth_on_server: How::New,
             made: Vec::new(),
         }
     }
@@ -228,7 +236,14 @@ impl Places {
     pub fn files(&self) -> Vec<PathBuf> {
         let logs = self.log.iter().filter_map(Url::file).map(Path::to_owned);
         let truth = self.truth.iter().flat_map(|truth| truth.files(&self.kept.tables()));
-        logs.chain(truth).chain(self.recording.clone()).chain(self.sensors.clone()).collect()
+        let names = self.tables_of_sensors();
+        logs.chain(truth).chain(self.recording.clone()).chain(self.sensors.clone()).chain(names).collect()
+    }
+
+    /// The tables of sensors of the logs, each once; none in a run's folder, which has its own.
+    pub(crate) fn tables_of_sensors(&self) -> Vec<PathBuf> {
+        let logs = self.log.iter().filter(|_| self.sensors.is_none());
+        logs.filter_map(sensor_table::beside_url).collect::<BTreeSet<_>>().into_iter().collect()
     }
 }
 

@@ -52,6 +52,11 @@ pub fn read_text(path: &Path, largest: u64) -> io::Result<String> {
     Ok(text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text))
 }
 
+/// Whether a path is a file, or free: a device and a pipe have no companions.
+pub(crate) fn may_have_beside(path: &Path) -> bool {
+    fs::metadata(path).map_or(true, |found| found.is_file())
+}
+
 /// Whether anybody but its owner may read a file, such as one with a password in it; where the system does not say, it is taken for no.
 pub fn others_may_read(found: &fs::Metadata) -> bool {
     #[cfg(unix)]

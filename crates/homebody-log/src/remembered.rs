@@ -4,14 +4,15 @@
 //! What was given and not noted before the program died is given again, with the same numbers: such a destination gets each row at
 //! least once.
 
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
+use crate::fresh::FreshFile;
 use crate::plain::read_text;
 use crate::sink::{Begin, How, Sink, Watermark};
 use crate::spool::file_name;
 use crate::table::Batch;
+use homebody_core::problem::readable;
 use homebody_core::time::Micros;
 use serde::{Deserialize, Serialize};
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -25,8 +26,10 @@ pub(crate) struct Remembered {
     given: Vec<u64>,
 }
 
-/// How the names of notes end.
-pub const NOTES: &str = ".confirmed.json";
+pub use homebody_core::scenario::inside::CONFIRMED as NOTES;
+
+/// The most rows of a run; a century of a thousand a second takes a third of them.
+const MOST_ROWS: u64 = 10_000_000_000_000;
 
 /// No note is longer (ours).
 const LONGEST_NOTE_BYTES: u64 = 1 << 20;
@@ -57,9 +60,20 @@ impl Remembered {
         Remembered { inner, path, noted: None, left_out: Vec::new(), given: Vec::new() }
     }
 
-    /// What is noted of this run; nothing where the file is of another, or damaged.
-    fn read(&self, run: i64) -> Option<Note> {
-        Note::read(&self.path).ok().filter(|note| note.run == run)
+    /// The note of this run; none without a file, or with that of another run.
+    ///
+    /// A number that no run reaches would hold all rows back, so it is an error. A damaged file is an error, too: it would hide which rows
+    /// were given before.
+    fn read(&self, run: i64) -> Result<Option<Note>, LogError> {
+        let wrong = |what: String| LogError::Unnoted { place: place_of(&self.path), what };
+        match Note::read(&self.path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+            Err(error) => Err(wrong(readable(error.to_string()))),
+            Ok(note) => match note.rows.iter().find(|&&rows| rows > MOST_ROWS) {
+                Some(rows) => Err(wrong(format!("no run has {rows} rows"))),
+                None => Ok(Some(note).filter(|note| note.run == run)),
+            },
+        }
     }
 
     /// Notes what has been confirmed by now, and returns it: what was left out, and what was given since.
@@ -72,18 +86,15 @@ impl Remembered {
         let rows: Vec<u64> = rows.collect();
         let Some(noted) = self.noted.as_mut().filter(|noted| noted.rows != rows) else { return Ok(Watermark(rows)) };
         noted.rows.clone_from(&rows);
-        let failed = |error| LogError::file(&self.path, error);
-        let part = self.path.with_extension("part");
         // It has its name once it is whole.
-        fs::write(&part, serde_json::to_vec(noted)?).map_err(failed)?;
-        fs::rename(&part, &self.path).map_err(failed)?;
+        FreshFile::write_whole(&self.path, &serde_json::to_vec(noted)?, true)?;
         Ok(Watermark(rows))
     }
 }
 
 impl Sink for Remembered {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
-        let known = if begin.how == How::GoOn { self.read(begin.run.id) } else { None };
+        let known = if begin.how == How::GoOn { self.read(begin.run.id)? } else { None };
         let there = self.inner.begin(begin)?;
         let noted = known.unwrap_or(Note { run: begin.run.id, rows: Vec::new() });
         let known = Watermark(noted.rows.clone());

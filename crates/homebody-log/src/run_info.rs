@@ -110,6 +110,11 @@ impl RunInfo {
         }
     }
 
+    /// The zone of its clock, as `America/Chicago`; None of a log that was only read, which does not say it.
+    pub fn zone(&self) -> Option<&str> {
+        self.is_simulated.then(|| self.calendar.zone_name())?
+    }
+
     /// The names of the sensors in the home.
     pub fn sensor_names(&self) -> Vec<String> {
         self.sensors.iter().map(|sensor| sensor.name.clone()).collect()

@@ -11,11 +11,11 @@ use crate::meter::Meter;
 use crate::places::{Places, SILHOUETTES};
 use crate::plain;
 use crate::run_info::RunInfo;
+use crate::sensor_table;
 use crate::silhouettes::{SilhouetteLog, cameras};
 use crate::sink::How;
 use crate::sink::database::remove_database;
 use crate::sink::sqlite::can_be_replaced;
-use crate::spreadsheet::escaped;
 use crate::truth::TruthLog;
 use crate::url::Url;
 use homebody_core::event::{Events, Fact};
@@ -48,6 +48,8 @@ pub struct RunLog {
     digest: RunDigest,
     /// The truth of a run that was stopped, which is written anew beside the old one.
     anew: Option<Anew>,
+    /// The tables of sensors of logs outside a run's folder, and the run.
+    names: (Vec<PathBuf>, Arc<RunInfo>),
     how: How,
     /// Why the truth was left behind, if its place was away when the run was stopped.
     away: Option<LogError>,
@@ -122,7 +124,9 @@ impl RunLog {
                 remove_parts(path)?;
             }
         }
-        let (mut truth_url, mut truth_how, mut anew) = (places.truth.clone(), how, None);
+        let truth_on_server = places.truth.as_ref().is_some_and(|truth| truth.server().is_some());
+        let truth_how = if truth_on_server && how != How::GoOn { places.truth_on_server } else { how };
+        let (mut truth_url, mut truth_how, mut anew) = (places.truth.clone(), truth_how, None);
         let stopped = places.truth.as_ref().filter(|_| how == How::GoOn && was_stopped(places));
         if let Some((url, place)) = stopped.and_then(|url| Some((url, url.file()?))) {
             if url.scheme() == Scheme::Sqlite {
@@ -157,7 +161,7 @@ impl RunLog {
             let truth = truth.map(open).transpose()?;
             let mut silhouettes = None;
             if let Some(path) = &places.sensors {
-                write_sensors(path, &info)?;
+                sensor_table::write(path, &info, true)?;
                 if cameras(&scenario.home).next().is_some() {
                     let path = path.with_file_name(SILHOUETTES);
                     silhouettes = Some(SilhouetteLog::open(&path, &scenario.home, &info, how)?);
@@ -182,6 +186,7 @@ impl RunLog {
                     given_up,
                     digest,
                     anew,
+                    names: (places.tables_of_sensors(), info),
                     how,
                     away: None,
                     settled: (0, Instant::now()),
@@ -312,6 +317,8 @@ impl RunLog {
         if let Some(anew) = self.anew.take() {
             anew.take_their_places()?;
         }
+        let (tables, info) = &self.names;
+        tables.iter().try_for_each(|path| sensor_table::write(path, info, self.how != How::New))?;
         let (firings, sha256) = (self.digest.firings(), self.digest.hex());
         let stopped_of_us = (now < length).then_some(length);
         let (length_us, rows) = (now, Some(stored.rows));
@@ -378,21 +385,6 @@ pub fn write_over(path: &Path, recording: &Recording) -> Result<(), LogError> {
 fn write_recording(path: &Path, recording: &Recording, how: How) -> Result<(), LogError> {
     let text = serde_json::to_string_pretty(recording)? + "\n";
     FreshFile::write_whole(path, text.as_bytes(), how != How::New)
-}
-
-/// Writes a row for each sensor: its id in the log, its name in the home, its kind, its room and its place.
-fn write_sensors(path: &Path, run: &RunInfo) -> Result<(), LogError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let wrong = |error: csv::Error| LogError::file(path, error.into());
-    writer.write_record(["id", "name", "kind", "room", "x_m", "y_m"]).map_err(wrong)?;
-    for sensor in &run.sensors {
-        let [x, y] = sensor.at_m.map(|metres| format!("{metres:.3}"));
-        let room = sensor.room.as_deref().unwrap_or_default();
-        let [id, name, room] = [&sensor.id, &sensor.name, room].map(escaped);
-        writer.write_record([&*id, &*name, &sensor.kind, &*room, &x, &y]).map_err(wrong)?;
-    }
-    let written = writer.into_inner().map_err(|error| LogError::file(path, error.into_error()))?;
-    FreshFile::write_whole(path, &written, true)
 }
 
 #[cfg(test)]
@@ -465,6 +457,7 @@ mod tests {
             given_up: None,
             digest: RunDigest::default(),
             anew: None,
+            names: (Vec::new(), run.clone()),
             how: How::New,
             away: None,
             settled: (0, Instant::now()),

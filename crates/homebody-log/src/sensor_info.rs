@@ -1,5 +1,7 @@
 //! What a destination is told of a sensor, and what a source may know of one.
 
+use homebody_core::sensors::kinds::KINDS;
+
 /// What there is to know of a sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorInfo {
@@ -61,6 +63,23 @@ impl SensorInfo {
         }
     }
 
+    /// The sensor of a row of a table: its id, name, kind, room and unit, each empty where it is not known.
+    pub fn of_cells([id, name, kind, room, unit]: [String; 5]) -> SensorInfo {
+        let row = KINDS.iter().find(|row| row.key == kind);
+        let known = |text: String| Some(text).filter(|text| !text.is_empty());
+        SensorInfo {
+            name: known(name).unwrap_or_else(|| id.clone()),
+            is_motion: row.is_some_and(|row| row.senses_motion()),
+            unit: known(unit).or_else(|| Some(row?.unit?.symbol.to_owned())),
+            values: row.map(|row| row.values.iter().map(ToString::to_string).collect()).unwrap_or_default(),
+            said_by: if kind.is_empty() { SaidBy::Source } else { SaidBy::Table },
+            kind,
+            room: known(room),
+            at_m: [0.0; 2],
+            id,
+        }
+    }
+
     /// A sensor of which no more is known than what a log calls it.
     pub(crate) fn named(id: &str) -> SensorInfo {
         SensorInfo {
@@ -75,4 +94,23 @@ impl SensorInfo {
             at_m: [0.0; 2],
         }
     }
+}
+
+/// The table of sensors in a database.
+pub(crate) const SENSOR: &str = "sensor";
+
+/// Its columns, behind the run's id; all are texts.
+pub const SENSOR_COLUMNS: [&str; 5] = ["id", "name", "kind", "room", "unit"];
+
+/// The cells of a sensor, in the order of the columns; None for an unknown one.
+pub fn sensor_cells(sensor: &SensorInfo) -> [Option<&str>; 5] {
+    let kind = Some(sensor.kind.as_str()).filter(|kind| !kind.is_empty());
+    [Some(&sensor.id), Some(&sensor.name), kind, sensor.room.as_deref(), sensor.unit.as_deref()]
+}
+
+/// Whether anything is known of sensors besides their ids.
+pub fn says_more_of(sensors: &[SensorInfo]) -> bool {
+    sensors.iter().any(|sensor| {
+        sensor.name != sensor.id || !sensor.kind.is_empty() || sensor.room.is_some() || sensor.unit.is_some()
+    })
 }

@@ -10,9 +10,10 @@ use crate::meter::Meter;
 use crate::sink::{Begin, Beginning, Sink, Watermark};
 use crate::table::Batch;
 use crate::timed_sink::TimedSink;
+use crate::written::{Opening, open};
 use frame::{read_frame, write_frame};
 use homebody_core::time::Micros;
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{BufReader, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -102,7 +103,7 @@ impl Spooled {
 
     /// From now on rows are put aside, as the destination is away.
     fn goes_away(&mut self, error: &LogError) -> Result<(), LogError> {
-        let opened = OpenOptions::new().read(true).write(true).create(true).truncate(true).open(&self.path);
+        let opened = open(&self.path, Opening::Kept).and_then(|file| file.set_len(0).map(|()| file));
         let file = BufWriter::new(opened.map_err(|error| LogError::file(&self.path, error))?);
         let next_try = Instant::now() + FIRST_WAIT;
         self.meter.is_away(&self.place, error, None);

@@ -8,6 +8,9 @@ use crate::fresh::all_can_be_written;
 use crate::mapping::Columns;
 use crate::places::not_of_a_run;
 use crate::run_info::RunInfo;
+use crate::sensor_info::says_more_of;
+use crate::sensor_table::{self, SensorTable};
+use crate::sink::whole::Whole;
 use crate::sink::{self, Begin, How};
 use crate::source::{Activity, Clock, Event, Log, Source, activities_of, activities_of_set, stream};
 use crate::spans::{self, SPAN_COLUMNS};
@@ -18,7 +21,7 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::scenario::scheme::Scheme;
 use homebody_core::time::Micros;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A log that is to be written anew, under our own names of table and columns.
 ///
@@ -98,7 +101,10 @@ impl Transfer<'_> {
         let run = RunInfo::of_log(self.name, calendar, about);
         let (width, mut tables) = (table.columns.len(), vec![table]);
         let beside = self.beside(spans);
-        let files: Vec<&Path> = self.to.file().into_iter().chain(beside.as_ref().and_then(Url::file)).collect();
+        let names = self.names(&run).map(|path| SensorTable::of(path, &run)).transpose()?;
+        let new_names = names.as_ref().filter(|names| !names.is_there()).map(|names| &*names.path);
+        let besides = beside.as_ref().and_then(Url::file).into_iter().chain(new_names);
+        let files: Vec<&Path> = self.to.file().into_iter().chain(besides).collect();
         all_can_be_written(&files, self.how == How::Replace)?;
         if beside.is_none() && !spans.is_empty() {
             tables.push(spans::table());
@@ -106,7 +112,8 @@ impl Transfer<'_> {
         let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
         let (how, cancel, deadline) = (self.how, &Cancel::new(), &Deadline::default());
         let begin = |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, cancel, deadline };
-        let mut sink = sink::open(self.to);
+        let whole = Whole::begin(self.to, how)?;
+        let mut sink = sink::open(whole.part());
         sink.begin(&begin(&tables))?;
         if let Some(beside) = &beside {
             let mut sink = sink::open(beside);
@@ -141,8 +148,22 @@ impl Transfer<'_> {
         if tables.len() > 1 {
             sink.write(&spans_as_rows(spans, 1, start, &mut texts))?;
         }
+        // First, so that a log that has its name has its sensors: the same table is no obstacle to the same command.
+        if let Some(names) = &names {
+            names.write(how != How::New)?;
+        }
         sink.finish(last - start)?;
+        drop(sink);
+        whole.name()?;
         Ok(seq)
+    }
+
+    /// The path of the table of its sensors, if more is known of them than their ids. A table that is there would be taken for this log's, so
+    /// it is written anew in any case. The table of the log that is read stays.
+    fn names(&self, run: &RunInfo) -> Option<PathBuf> {
+        let names = sensor_table::beside_url(self.to)?;
+        let is_read = sensor_table::beside(self.from.path()) == names;
+        (!is_read && (says_more_of(&run.sensors) || names.exists())).then_some(names)
     }
 
     /// Where the table of activities goes that has no room in the log's own file. What is there already would be taken for this

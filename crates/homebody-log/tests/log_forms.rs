@@ -66,6 +66,10 @@ own truth goes along with `--activities` alone.
 in `.gz` is packed by gzip, one that ends in `.zst` by Zstandard, with the feature `parquet`. Written to `-`, rows go to standard output
 and nothing else does; a run ends when nobody reads them any more.
 
+A text outside a run's folder has its sensors in a file of its own, `week.sensors.csv` of `week.csv`: the id, name, kind, room, place in metres and
+unit of each, and the time zone of the home. A run's folder has one such table, `sensors.csv`; SQLite has the table `sensor`, and the zone in
+its table `run`. A log is read with the table of its own name, else with `sensors.csv`. A log with nothing but ids gets no table.
+
 | place | while the run goes on | of a killed run |
 |---|---|---|
 | `jsonl:FILE` | has its name from the first row on, so that `tail -f` follows it | what was written, perhaps with half a line at its end |

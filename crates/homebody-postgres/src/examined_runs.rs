@@ -91,7 +91,7 @@ impl Found {
         if self.lacking.0 > 0 {
             let homes = counted(self.lacking.0, "home of a fleet lacks", "homes of a fleet lack");
             let says = format!("{homes} the rows of {} numbers", self.lacking.1);
-            let hint = "with --churn homes say nothing while they are away, and all is well; otherwise rows were removed: live the fleet anew with --force";
+            let hint = "with --churn homes say nothing while they are away, and all is well; otherwise rows were removed: live the fleet anew with --replace-rows";
             checks.push(Check::warning("rows", says, hint));
         }
         checks.extend(self.not_well);
@@ -122,7 +122,7 @@ fn rows_of(
                 Some((column, _)) => column,
                 None => {
                     let says = format!("run {run}: its table {name:?} is gone");
-                    found.not_well.push(Check::wrong("runs", says, "live the run anew with --force"));
+                    found.not_well.push(Check::wrong("runs", says, "live the run anew with --replace-rows"));
                     continue;
                 }
             },
@@ -132,7 +132,7 @@ fn rows_of(
         // What a home of a fleet lacks its numbers tell.
         if there_are > *told_rows || there_are < *told_rows && !told.is_of_fleet {
             let says = format!("run {run}: {name:?} has {there_are} rows, and {RUNS:?} says {told_rows}");
-            let hint = "rows were added or removed by hand: live the run anew with --force";
+            let hint = "rows were added or removed by hand: live the run anew with --replace-rows";
             found.not_well.push(Check::wrong("runs", says, hint));
         }
     }

@@ -8,6 +8,7 @@ use crate::fleet_runs;
 use crate::rows::{Encoder, Rows, copy_into};
 use crate::runs::{self, At};
 use crate::schema::{InTable, Schema};
+use crate::sensors;
 use crate::server::Server;
 use crate::trouble::{changed, unheld, wrong};
 use futures_util::SinkExt;
@@ -108,6 +109,9 @@ impl FleetSink for PostgresFleet {
             fleet_runs::forget(&connection, &schema, &kinds_of(fleet, &kinds))?;
         }
         fleet_runs::add(&connection, &schema, fleet)?;
+        let homes = fleet.homes.iter();
+        let known: Vec<_> = homes.map(|home| (home.run, &fleet.layouts[home.layout].run.sensors[..])).collect();
+        sensors::tell(&connection, &schema, &known)?;
         let homes = found(&connection, &server, &schema, fleet)?;
         let there = homes.iter().map(|home| home.rows as u64).collect();
         let (fleet, connection) = (fleet.clone(), Some(connection));
@@ -145,7 +149,8 @@ impl FleetSink for PostgresFleet {
     fn finish(&mut self, end: i64) -> Result<(), LogError> {
         let open = self.begun()?;
         let ids: Vec<i64> = open.fleet.homes.iter().map(|home| home.run).collect();
-        let sql = format!("UPDATE {} SET ended_at = $2 WHERE run_id = ANY($1)", open.schema.runs());
+        let sql =
+            format!("UPDATE {} SET ended_at = greatest($2, started_at) WHERE run_id = ANY($1)", open.schema.runs());
         let connection = open.connected()?;
         match connection.wait_long(connection.client.execute(&sql, &[&ids, &At(end)])) {
             Ok(_) => self.open = None,
@@ -185,7 +190,7 @@ fn found(connection: &Connection, server: &Server, schema: &Schema, fleet: &Flee
                 "the run {} is there, and is another's: {} of version {}",
                 home.run, known.holds, known.version
             );
-            return Err(wrong(server, what, "--force replaces it, or name another schema: ?schema=NAME"));
+            return Err(wrong(server, what, "--replace-rows replaces it, or name another schema: ?schema=NAME"));
         }
         Ok(Home { rows: known.rows, commits: known.commits })
     };

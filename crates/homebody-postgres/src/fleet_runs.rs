@@ -3,6 +3,7 @@
 use crate::connection::Connection;
 use crate::runs::{At, holds, start_of, zone};
 use crate::schema::{InTable, Schema};
+use crate::sensors;
 use homebody_log::LogError;
 use homebody_log::fleet::{Fleet, FleetHome};
 use std::collections::HashMap;
@@ -48,6 +49,8 @@ pub(crate) fn forget(connection: &Connection, schema: &Schema, of: &[(InTable, V
         let sql = format!("DELETE FROM {} WHERE run_id = ANY($1)", schema.runs());
         connection.wait_long(connection.client.execute(&sql, &[ids]))?;
     }
+    let ids: Vec<i64> = of.iter().flat_map(|(_, ids)| ids.iter().copied()).collect();
+    sensors::forget(connection, schema, &ids)?;
     connection.wait(connection.client.batch_execute("COMMIT"))
 }
 

@@ -17,6 +17,7 @@ mod connection;
 mod rows;
 mod schema;
 mod runs;
+mod sensors;
 mod sink;
 
 mod fleet_runs;

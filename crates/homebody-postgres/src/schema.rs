@@ -13,6 +13,9 @@ use tokio_postgres::Row;
 /// The table that tells about runs and how far they have come, beside the rows' own.
 pub(crate) const RUNS: &str = "homebody_run";
 
+/// The table of the sensors of runs.
+pub(crate) const SENSORS: &str = "homebody_sensor";
+
 /// Where a truth goes if its URL does not say.
 pub(crate) const TRUTH_SCHEMA: &str = "truth";
 
@@ -153,7 +156,7 @@ fn names_fit(server: &Server, schema: &str, begin: &Begin) -> Result<(), LogErro
         if !is_plain_name(&table.name) {
             return refused("table", &table.name);
         }
-        if table.name == RUNS {
+        if table.name == RUNS || table.name == SENSORS {
             return Err(LogError::SameName { what: "table", name: table.name.clone() });
         }
         let columns = table.columns.iter().map(|column| column.name.as_str()).chain([begin.run_column]);

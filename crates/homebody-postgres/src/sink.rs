@@ -9,6 +9,7 @@ use crate::connection::Connection;
 use crate::rows::{Encoder, Rows, copy_into};
 use crate::runs::{self, At, Known};
 use crate::schema::{Schema, ident};
+use crate::sensors;
 use crate::server::Server;
 use crate::trouble::{changed, unheld, wrong};
 use bytes::Bytes;
@@ -130,6 +131,10 @@ impl Sink for Postgres {
                 (0, nothing)
             }
         };
+        if begin.how == How::Replace {
+            sensors::forget(&connection, &schema, &[run.id])?;
+        }
+        sensors::tell(&connection, &schema, &[(run.id, &run.sensors)])?;
         let encoder = Encoder::new(run.id, runs::start_of(&run), begin.time);
         let waiting = vec![Rows::default(); schema.tables.len()];
         let connection = Some(connection);
@@ -199,6 +204,7 @@ impl Drop for Postgres {
             return;
         }
         let _ = runs::forget(connection, schema, run.id);
+        let _ = sensors::forget(connection, schema, &[run.id]);
     }
 }
 
@@ -359,7 +365,7 @@ impl Open {
 
 fn already(server: &Server, schema: &Schema, run: &RunInfo) -> LogError {
     let what = format!("the run {} of {:?} is in the schema {:?} already", run.id, run.scenario, schema.name);
-    wrong(server, what, "--force replaces it, --resume goes on with it; or name another schema: ?schema=NAME")
+    wrong(server, what, "--replace-rows replaces it, --resume goes on with it; or name another schema: ?schema=NAME")
 }
 
 /// Refuses what was not begun as this run is.

@@ -4,6 +4,7 @@
 use crate::connection::Connection;
 use crate::runs::At;
 use crate::schema::{RUNS, ident, quoted, usual};
+use crate::sensors;
 use crate::server::Server;
 use crate::trouble::{told, wrong};
 use homebody_core::problem::readable;
@@ -37,6 +38,8 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
     let connection = Connection::to_read(&server)?;
     let table = Found::find(&connection, &server, file)?;
     let run = table.run(&connection, &server)?;
+    let number = run.as_deref().and_then(|run| run.parse().ok());
+    sensors::known(&connection, &table.schema, number)?.into_iter().for_each(|sensor| reading.know(sensor));
     connection.wait(connection.client.batch_execute(BEGIN))?;
     reading.has_spans = spans(&connection, &server, &table, run.as_deref(), reading)?;
     let (sql, parameter) = table.rows(run.as_deref());

@@ -74,9 +74,11 @@ pub(crate) fn told(server: &Server, error: &tokio_postgres::Error, ignored: Opti
             "the server takes no changes: it stands by for another, or is set so; name one that does",
         )
         .passing(),
-        "23505" => {
-            wrong(server, what, "another program has written rows of this run: let it come to its end, or use --force")
-        }
+        "23505" => wrong(
+            server,
+            what,
+            "another program has written rows of this run: let it come to its end, or use --replace-rows",
+        ),
         _ if passes(code) => wrong(server, what, "it may pass: what was confirmed before is safe").passing(),
         _ => wrong(
             server,

@@ -202,7 +202,7 @@ fn a_run_that_is_there_is_refused_replaced_or_gone_on_with() {
     refused(
         &url,
         How::New,
-        &["the run 1 of \"a quiet night\" is in the schema \"public\" already", "--force", "--resume"],
+        &["the run 1 of \"a quiet night\" is in the schema \"public\" already", "--replace-rows", "--resume"],
     );
     server.psql(
         &database,

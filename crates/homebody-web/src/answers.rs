@@ -12,6 +12,7 @@ use serde::Serialize;
 use std::io;
 use std::path::Path;
 use tokio::io::AsyncWriteExt;
+use tokio::sync::{AcquireError, Semaphore, SemaphorePermit};
 
 /// Why there is no answer, and the code that says so.
 pub type Refused = (StatusCode, String);
@@ -64,13 +65,28 @@ pub fn told_length(headers: &HeaderMap) -> Option<u64> {
     headers.get(header::CONTENT_LENGTH)?.to_str().ok()?.parse().ok()
 }
 
+/// The most plans at once: each is in memory until it is read.
+const MOST_PLANS: usize = 2;
+
+/// The places for plans; a later plan waits for one.
+static PLANS: Semaphore = Semaphore::const_new(MOST_PLANS);
+
+/// A plan of another program, and a place among those that are taken at once, which is free again when this is dropped.
+pub struct PlanBytes {
+    pub bytes: Bytes,
+    _turn: SemaphorePermit<'static>,
+}
+
 /// The bytes of a plan of another program.
-pub async fn plan_of(headers: &HeaderMap, body: Body) -> Result<Bytes, Refused> {
+pub async fn plan_of(headers: &HeaderMap, body: Body) -> Result<PlanBytes, Refused> {
     let too_large = || (StatusCode::PAYLOAD_TOO_LARGE, format!("A plan has at most {} MB.", MOST_BYTES >> 20));
     if told_length(headers).is_some_and(|length| length > MOST_BYTES) {
         return Err(too_large());
     }
-    axum::body::to_bytes(body, MOST_BYTES as usize).await.map_err(|_| too_large())
+    let closed = |error: AcquireError| (StatusCode::SERVICE_UNAVAILABLE, error.to_string());
+    let turn = PLANS.acquire().await.map_err(closed)?;
+    let bytes = axum::body::to_bytes(body, MOST_BYTES as usize).await.map_err(|_| too_large())?;
+    Ok(PlanBytes { bytes, _turn: turn })
 }
 
 /// Writes what comes into a file, up to so many bytes; false where nobody wants it any more.

@@ -11,6 +11,7 @@ mod plan;
 mod suggesting;
 
 use crate::shelf::Shelf;
+use crate::turns::Turns;
 use crate::wire::{
     CheckView, Draft, FileView, FilesView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView,
 };
@@ -26,7 +27,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 
 /// The file that says how a picture lies below the plan.
 const UNDERLAY: &str = "underlay.json";
@@ -36,7 +37,7 @@ const UNDERLAY: &str = "underlay.json";
 pub struct Desk {
     pub shelf: Shelf,
     /// Held while files are compared and replaced, so that no two pages do so at once.
-    writing: Arc<Mutex<()>>,
+    writing: Turns,
     /// Held while a draft is lived: one after the other, so that the run on the stage has a core. What is kept of the last.
     living: Arc<Mutex<Option<lived_draft::LivedDraft>>>,
     suggesting: Arc<suggesting::Suggesting>,
@@ -44,7 +45,7 @@ pub struct Desk {
 
 impl Desk {
     pub fn new(shelf: Shelf) -> Desk {
-        Desk { shelf, writing: Arc::default(), living: Arc::default(), suggesting: Arc::default() }
+        Desk { shelf, writing: Turns::default(), living: Arc::default(), suggesting: Arc::default() }
     }
 
     /// All files that can be written, and what the scenario takes them for.
@@ -80,7 +81,8 @@ impl Desk {
     /// Writes all texts; none where one of the files is another than its text was made from. If a disk fails between two of
     /// them, the error says which were written.
     pub fn save(&self, save: Save) -> Result<SavedView, String> {
-        let _writing = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+        let _turn =
+            self.writing.take(&self.shelf.scenario.join(&self.shelf.entry)).map_err(|error| error.to_string())?;
         let names: BTreeSet<&str> = save.files.iter().map(|file| file.name.as_str()).collect();
         if names.len() < save.files.len() {
             return Err("a file is named twice".into());

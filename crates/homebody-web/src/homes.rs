@@ -79,6 +79,8 @@ impl Homes {
     async fn opened(&self, name: &str) -> Result<Opened, Refused> {
         let mut open = self.open.lock().await;
         if let Some(at) = open.iter().position(|opened| opened.name == name) {
+            // One that is open already may have been given a link since.
+            self.library.has_own_runs(name).map_err(refused)?;
             let opened = open.remove(at);
             open.push(opened.clone());
             return Ok(opened);
@@ -141,11 +143,11 @@ async fn begin(State(homes): State<Homes>, Path(name): Path<String>, Json(from):
 }
 
 async fn import(State(homes): State<Homes>, Path(name): Path<String>, headers: HeaderMap, body: Body) -> Response {
-    let bytes = match plan_of(&headers, body).await {
-        Ok(bytes) => bytes,
+    let plan = match plan_of(&headers, body).await {
+        Ok(plan) => plan,
         Err(refused) => return refused.into_response(),
     };
-    json(found(move || homes.library.import(&name, &bytes)).await.and_then(|made| made.map_err(refused)))
+    json(found(move || homes.library.import(&name, &plan.bytes)).await.and_then(|made| made.map_err(refused)))
 }
 
 async fn from_log(

@@ -229,12 +229,12 @@ async fn suggested(State(house): State<House>) -> Response {
 
 /// A plan of another program, as its file's bytes.
 async fn import(State(house): State<House>, headers: HeaderMap, body: Body) -> Response {
-    let bytes = match plan_of(&headers, body).await {
-        Ok(bytes) => bytes,
+    let plan = match plan_of(&headers, body).await {
+        Ok(plan) => plan,
         Err(refused) => return refused.into_response(),
     };
     let refused = |why: NotImported| (StatusCode::UNPROCESSABLE_ENTITY, why.to_string());
-    json(found(move || house.desk.import(&bytes)).await.and_then(|made| made.map_err(refused)))
+    json(found(move || house.desk.import(&plan.bytes)).await.and_then(|made| made.map_err(refused)))
 }
 
 async fn explain(State(house): State<House>, Json(asked): Json<Explain>) -> Response {

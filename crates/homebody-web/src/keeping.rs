@@ -6,13 +6,11 @@ use crate::aside::{self, Unmoved};
 use crate::shelf::Shelf;
 use crate::stored_log::{Refusal, damaged};
 use crate::wire::{PutAside, RunAbout};
+use homebody_core::scenario::inside::ABOUT;
 use homebody_kit::walked::RELIVED;
 use homebody_log::fresh::FreshFile;
 use homebody_log::plain;
 use std::path::{Path, PathBuf};
-
-/// What the file is called.
-pub const ABOUT: &str = "about-run.json";
 
 /// How many letters there are at most (ours).
 const LONGEST_TITLE: usize = 100;

@@ -21,6 +21,8 @@ pub struct Kept {
 pub enum Unkept {
     #[error("{}: others may read this file, so its token is nobody's secret\n  hint: remove it; a new one is made with a new token", .0.display())]
     Open(PathBuf),
+    #[error("{}: this file is {what}, so its token may be known to others\n  hint: remove it; a new one is made with a new token", path.display())]
+    NotOwn { path: PathBuf, what: &'static str },
     #[error("{}: this is no address of this program\n  hint: name a file that is not there; it is made with a new token", .0.display())]
     NoAddress(PathBuf),
     #[error("{}: {error}", path.display())]
@@ -30,11 +32,14 @@ pub enum Unkept {
 /// What a file keeps; nothing where it is not there yet.
 pub fn read(path: &Path) -> Result<Option<Kept>, Unkept> {
     let io = |error: io::Error| Unkept::Io { path: path.to_owned(), error };
-    let found = match fs::metadata(path) {
+    let found = match fs::symlink_metadata(path) {
         Ok(found) => found,
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
         Err(error) => return Err(io(error)),
     };
+    if let Some(what) = not_own(&found) {
+        return Err(Unkept::NotOwn { path: path.to_owned(), what });
+    }
     if plain::others_may_read(&found) {
         return Err(Unkept::Open(path.to_owned()));
     }
@@ -44,6 +49,24 @@ pub fn read(path: &Path) -> Result<Option<Kept>, Unkept> {
         Err(error) => return Err(io(error)),
     };
     kept_in(&text).map(Some).ok_or_else(|| Unkept::NoAddress(path.to_owned()))
+}
+
+/// The reason why a file is not this user's own, if there is one: the owner of a file can read it at any time.
+fn not_own(found: &fs::Metadata) -> Option<&'static str> {
+    if found.is_symlink() {
+        return Some("a link");
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        if homebody_log::written::owner_of_new_files().is_some_and(|own| own != found.uid()) {
+            return Some("another user's");
+        }
+        if found.is_file() && found.nlink() > 1 {
+            return Some("one with a second name");
+        }
+    }
+    None
 }
 
 /// Writes an address into the file, which only its owner may read; what was there is replaced at once.
@@ -87,6 +110,25 @@ mod tests {
             assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o600);
             fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
             assert!(matches!(read(&path), Err(Unkept::Open(_))));
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn an_address_file_is_ones_own() {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, link, other) =
+            (folder.path().join("address"), folder.path().join("link"), folder.path().join("other"));
+        write(&path, &format!("http://127.0.0.1:8642/#token={}", "0f".repeat(TOKEN_BYTES))).unwrap();
+        assert!(read(&path).unwrap().is_some());
+        std::os::unix::fs::symlink(&path, &link).unwrap();
+        assert!(matches!(read(&link), Err(Unkept::NotOwn { what: "a link", .. })));
+        fs::hard_link(&path, &other).unwrap();
+        assert!(matches!(read(&path), Err(Unkept::NotOwn { what: "one with a second name", .. })));
+        fs::remove_file(&other).unwrap();
+        // The test needs the right to give a file away.
+        if std::os::unix::fs::chown(&path, Some(12345), None).is_ok() {
+            assert!(matches!(read(&path), Err(Unkept::NotOwn { what: "another user's", .. })));
         }
     }
 

@@ -22,6 +22,7 @@ mod effort;
 mod looks;
 
 /// Files that are written in the page.
+mod turns;
 pub mod desk;
 pub mod stage;
 

@@ -10,7 +10,9 @@ use crate::desk::entries::entries;
 use crate::playback::Playback;
 use crate::shelf::Shelf;
 use crate::stored_log::{Refusal, damaged};
+use crate::turns::{Turn, Turns};
 use crate::wire::{AsideView, CardView, HomeEntryView, LibraryView, MadeView, NewHome, TemplateView};
+use homebody_core::problem::is_unseen;
 use homebody_core::scenario::load::Files;
 use homebody_import::sweet_home;
 use homebody_kit::begun::{self, Begun, GivenLog, Texts};
@@ -23,12 +25,15 @@ use std::collections::{BTreeMap, HashMap};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::SystemTime;
 use tempfile::TempDir;
 
 /// What a scenario's own file is called in a library.
 const ENTRY: &str = "scenario.json";
+
+/// The file at which servers of one library take turns; no listing shows it.
+const NAMING: &str = ".homebody";
 
 /// So many homes are shown, those that were changed last (ours).
 const MOST_HOMES: usize = 1000;
@@ -56,7 +61,7 @@ pub struct Library {
     /// Whether its homes are one's own: see [`Shelf::is_trusted`].
     is_trusted: bool,
     /// Held while something gets a name or loses it, so that no two pages take one.
-    naming: Arc<Mutex<()>>,
+    naming: Turns,
     /// Pictures of runs, by home and run, as long as the recording stays as it is.
     pictures: Arc<Mutex<HashMap<(String, String), Picture>>>,
 }
@@ -66,7 +71,7 @@ type Picture = (Option<SystemTime>, Vec<Vec<u32>>);
 
 impl Library {
     pub fn new(folder: PathBuf, is_trusted: bool) -> Library {
-        Library { folder, is_trusted, naming: Arc::default(), pictures: Arc::default() }
+        Library { folder, is_trusted, naming: Turns::default(), pictures: Arc::default() }
     }
 
     /// Everything in it.
@@ -91,7 +96,20 @@ impl Library {
     /// The files and runs of a home.
     pub fn home(&self, name: &str) -> Result<Shelf, Refusal> {
         let is_there = is_inside(name) && is_folder(&self.folder.join(name)) && self.is_home(name);
-        is_there.then(|| self.shelf(name)).ok_or_else(|| unknown(name))
+        let shelf = is_there.then(|| self.shelf(name)).ok_or_else(|| unknown(name))?;
+        self.has_own_runs(name)?;
+        Ok(shelf)
+    }
+
+    /// Refuses a home whose folder of runs is a link: they would be listed, written and put aside somewhere else.
+    pub fn has_own_runs(&self, name: &str) -> Result<(), Refusal> {
+        match fs::symlink_metadata(self.shelf(name).runs).is_ok_and(|found| found.is_symlink()) {
+            true => Err(damaged(format!(
+                "The folder {RUNS} of {} is a link: runs are written into no folder but the home's own. Remove the link.",
+                shown(name)
+            ))),
+            false => Ok(()),
+        }
     }
 
     /// What is shown of a home.
@@ -213,7 +231,7 @@ impl Library {
 
     /// Puts a home aside with its runs, and says under which key it is fetched back. Nobody has it open.
     pub fn put_aside(&self, name: &str) -> Result<String, Refusal> {
-        let _naming = self.naming();
+        let _naming = self.naming()?;
         self.home(name)?;
         let failed = |error: io::Error| damaged(format!("{name} cannot be put aside: {error}"));
         aside::put(&self.folder, name).map_err(failed)
@@ -221,7 +239,7 @@ impl Library {
 
     /// Fetches back what was put aside.
     pub fn fetch_back(&self, key: &str) -> Result<String, Refusal> {
-        let _naming = self.naming();
+        let _naming = self.naming()?;
         aside::fetch_back(&self.folder, key).map_err(|why| match why {
             Unmoved::Unknown => Refusal::Unknown(format!("Nothing is put aside as {}.", shown(key))),
             Unmoved::Taken(name) => damaged(format!("There is another home called {name} now: rename that one first.")),
@@ -245,13 +263,13 @@ impl Library {
         self.is_free(name)?;
         let hidden = self.hidden()?;
         let fresh = hidden.path().join(name);
-        begun::begin(&fresh, |_| write(&fresh)).map_err(damaged)?;
+        begun::begin(&fresh, |part, _| write(part)).map_err(damaged)?;
         self.take_name(&fresh, name)
     }
 
     /// A folder becomes the home of a name.
     fn take_name(&self, folder: &Path, name: &str) -> Result<(), Refusal> {
-        let _naming = self.naming();
+        let _naming = self.naming()?;
         self.is_free(name)?;
         fs::rename(folder, self.folder.join(name)).map_err(|error| self.unwritten(&error))
     }
@@ -297,8 +315,8 @@ impl Library {
         damaged(format!("Nothing can be written into {}: {error}", self.folder.display()))
     }
 
-    fn naming(&self) -> MutexGuard<'_, ()> {
-        self.naming.lock().unwrap_or_else(PoisonError::into_inner)
+    fn naming(&self) -> Result<Turn<'_>, Refusal> {
+        self.naming.take(&self.folder.join(NAMING)).map_err(damaged)
     }
 }
 
@@ -332,7 +350,7 @@ fn wrong_name(name: &str) -> Option<String> {
     if name != name.trim() || name.ends_with('.') {
         wrong.push("it begins or ends with a space, or ends with a dot".into());
     }
-    if name.chars().any(|c| c.is_control() || "/\\:*?\"<>|".contains(c)) {
+    if name.chars().any(|c| is_unseen(c) || "/\\:*?\"<>|".contains(c)) {
         wrong.push("it has one of / \\ : * ? \" < > | in it, or a character that nobody sees".into());
     }
     if name == RUNS {

@@ -6,15 +6,13 @@
 use crate::playback::Refusal;
 use crate::shelf::Shelf;
 use crate::stored_log::damaged;
+use crate::turns::Turns;
 use crate::wire::{NoteIt, NoteView};
+use homebody_core::scenario::inside::NOTES;
 use homebody_log::fresh::FreshFile;
 use homebody_log::plain;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
-
-/// What the file is called.
-pub const NOTES: &str = "care-notes.json";
 
 /// A note has so many letters, a rule's name as well (ours).
 const LONGEST_NOTE: usize = 500;
@@ -28,7 +26,7 @@ const LARGEST_BYTES: u64 = 16 << 20;
 pub struct Notes {
     shelf: Shelf,
     /// Held while a file is read and replaced, so that no two pages do so at once.
-    writing: Arc<Mutex<()>>,
+    writing: Turns,
 }
 
 /// Why nothing was noted.
@@ -47,12 +45,11 @@ struct NotesFile {
 
 impl Notes {
     pub fn new(shelf: Shelf) -> Notes {
-        Notes { shelf, writing: Arc::default() }
+        Notes { shelf, writing: Turns::default() }
     }
 
     /// All notes of a run, by day.
     pub fn of(&self, run: &str) -> Result<Vec<NoteView>, Refusal> {
-        let _writing = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
         read(&self.place(run)?)
     }
 
@@ -66,8 +63,8 @@ impl Notes {
         if letters(&note.note) > LONGEST_NOTE || letters(&note.rule) > LONGEST_NOTE {
             return Err(refused("A note has 500 letters at most."));
         }
-        let _writing = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
         let place = self.place(run).map_err(Unnoted::Refused)?;
+        let _turn = self.writing.take(&place).map_err(|error| Unnoted::Refused(damaged(error)))?;
         let mut notes = read(&place).map_err(Unnoted::Refused)?;
         let is_there = |other: &NoteView| other.day == note.day && other.rule == note.rule;
         let there = notes.iter().find(|other| is_there(other)).cloned();

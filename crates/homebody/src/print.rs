@@ -1,6 +1,7 @@
 //! Where words and figures go: what was asked for to standard output or a file, what is said besides to standard error.
 
 use crate::failure::Failure;
+use homebody_core::problem::is_unseen;
 use homebody_log::fresh::FreshFile;
 use jiff::Timestamp;
 use std::borrow::Cow;
@@ -14,7 +15,17 @@ pub fn json_text(value: &impl serde::Serialize) -> Result<String, Failure> {
 
 /// Prints the one JSON object that `--json` promises.
 pub fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
-    print_text(&json_text(value)?)
+    print_json_text(&json_text(value)?)
+}
+
+/// Prints what is JSON already, such as objects a line.
+pub fn print_json_text(text: &str) -> Result<(), Failure> {
+    print_text(&escaped_json(text))
+}
+
+/// The same JSON with escapes for invisible characters: its value stays, and a terminal acts on none of them.
+fn escaped_json(text: &str) -> Cow<'_, str> {
+    escaped(text, |c| c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect())
 }
 
 /// Prints on standard output; a reader that has gone away is no error.
@@ -78,10 +89,17 @@ fn as_json(text: &str, now: Timestamp) -> serde_json::Value {
     serde_json::json!({ "time": now.to_string(), "level": level, "message": message })
 }
 
-/// The text with a mark for each character that a terminal would obey: names come from files that anybody may have written.
+/// The text with an escape such as `\u{202e}` for each invisible character that a terminal would act on: names come from strangers' files.
 fn seen(text: &str) -> Cow<'_, str> {
-    let is_obeyed = |c: char| c.is_control() && c != '\n' && c != '\t';
-    if text.contains(is_obeyed) { text.replace(is_obeyed, "\u{fffd}").into() } else { text.into() }
+    escaped(text, |c| c.escape_unicode().to_string())
+}
+
+fn escaped(text: &str, escape: impl Fn(char) -> String) -> Cow<'_, str> {
+    let is_heeded = |c: char| is_unseen(c) && c != '\n' && c != '\t';
+    if !text.contains(is_heeded) {
+        return text.into();
+    }
+    text.chars().map(|c| if is_heeded(c) { escape(c) } else { c.into() }).collect::<String>().into()
 }
 
 #[cfg(test)]
@@ -102,11 +120,16 @@ mod tests {
     }
 
     #[test]
-    fn no_terminal_obeys_a_name() {
-        assert_eq!(
-            seen("sensor\u{1b}[2J\u{7}\u{9b}1m, a\tb\r\n"),
-            "sensor\u{fffd}[2J\u{fffd}\u{fffd}1m, a\tb\u{fffd}\n"
-        );
+    fn no_terminal_heeds_a_name() {
+        assert_eq!(seen("sensor\u{1b}[2J\u{7}\u{9b}1m, a\tb\r\n"), "sensor\\u{1b}[2J\\u{7}\\u{9b}1m, a\tb\\u{d}\n");
+        for (heeded, shown) in [("\u{202e}", "\\u{202e}"), ("\u{2066}", "\\u{2066}"), ("\u{200b}", "\\u{200b}")] {
+            assert_eq!(seen(&format!("hall {heeded}motion")), format!("hall {shown}motion"));
+        }
         assert!(matches!(seen("hall motion, Öz 好\n"), Cow::Borrowed(_)));
+        // JSON says the same with its own escapes.
+        let said = serde_json::json!({ "sensor": "a\u{202e}b\u{9b}\u{e0041}" });
+        let text = escaped_json(&said.to_string()).into_owned();
+        assert_eq!(text, r#"{"sensor":"a\u202eb\u009b\udb40\udc41"}"#);
+        assert_eq!(serde_json::from_str::<serde_json::Value>(&text).unwrap(), said);
     }
 }

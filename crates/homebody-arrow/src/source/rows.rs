@@ -5,6 +5,7 @@ use super::cells::{Texts, Time, Times};
 use super::files::files;
 use super::here::{here, of_place};
 use crate::fault::broken;
+use crate::layout::sensors;
 use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::{DataType, Schema};
 use homebody_core::problem::readable;
@@ -108,6 +109,10 @@ fn read_rows(
         }
     }
     let columns: Vec<usize> = [places.time, places.sensor, places.value].into_iter().chain(label).collect();
+    // All files of a data set say the same.
+    if let Some(about) = opened.about.as_deref().filter(|_| *line == 0) {
+        sensors(about).into_iter().for_each(|sensor| reading.know(sensor));
+    }
     let [mut time_buffer, mut sensor_buffer, mut value_buffer] = [(); 3].map(|()| String::new());
     each_batch(path, opened, &columns, &mut |rows, arrays| {
         let typed = || no_log("a column has another type than the file says".into());

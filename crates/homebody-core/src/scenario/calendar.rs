@@ -30,6 +30,11 @@ impl Calendar {
         Ok(Calendar { start })
     }
 
+    /// The name of its time zone, as `America/Chicago`; None where the zone has none.
+    pub fn zone_name(&self) -> Option<&str> {
+        self.start.time_zone().iana_name()
+    }
+
     /// A time zone of the bundled database.
     pub fn zone(name: &str) -> Result<TimeZone, String> {
         TimeZoneDatabase::bundled().get(name).map_err(|_| {

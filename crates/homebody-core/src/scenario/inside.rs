@@ -24,8 +24,23 @@ pub const SENSORS: &str = "sensors.csv";
 /// What a run's folder calls the database of its cameras' silhouettes, where its home has cameras.
 pub const SILHOUETTES: &str = "silhouettes.db";
 
-/// What a run leaves in its folder besides its logs.
-const OF_RUN: [&str; 4] = [RECORDING, TRUTH, SENSORS, SILHOUETTES];
+/// The list of members in a cohort's folder.
+pub const LIST: &str = "cohort.json";
+/// The page's file with a run's title, in the run's folder.
+pub const ABOUT: &str = "about-run.json";
+/// The page's file with notes about days, in the run's folder.
+pub const NOTES: &str = "care-notes.json";
+/// The ending of a file that counts the rows that a destination has confirmed.
+pub const CONFIRMED: &str = ".confirmed.json";
+
+/// The files of a run's folder besides its logs.
+const OF_RUN: [&str; 8] = [RECORDING, TRUTH, SENSORS, SILHOUETTES, LIST, ABOUT, NOTES, ANEW];
+
+/// The truth of a run that was stopped, while it is written anew.
+const ANEW: &str = "anew.truth.db";
+
+/// Endings of files that the program makes and removes by itself.
+const OF_PROGRAM: [&str; 5] = [CONFIRMED, ".lock", ".part", ".spool", ".old"];
 
 /// What comes behind the name of a file in the names of those that are beside it while it is written.
 const BESIDE: [&str; 6] = ["-wal", "-shm", "-journal", ".lock", ".anew", ".anew.lock"];
@@ -54,6 +69,9 @@ pub fn taken_in_run(path: &str, others: &[&str]) -> Option<String> {
     }
     if let Some(of_run) = OF_RUN.into_iter().find(|of_run| collide(&own, of_run)) {
         return Some(format!("{path:?} is the place of the run's own {of_run}, or beside it"));
+    }
+    if let Some(ending) = OF_PROGRAM.into_iter().find(|ending| own.ends_with(ending)) {
+        return Some(format!("{path:?} ends with {ending}, as files do that this program makes and removes by itself"));
     }
     let other = others.iter().find(|other| collide(&own, &plainly(other)))?;
     Some(match own == plainly(other) {
@@ -129,6 +147,14 @@ mod tests {
             ("truth.db.anew", "the run's own truth.db"),
             ("truth.db.lock", "the run's own truth.db"),
             ("sensors.csv", "the run's own sensors.csv"),
+            ("about-run.json", "the run's own about-run.json"),
+            ("./Care-Notes.json", "the run's own care-notes.json"),
+            ("cohort.json", "the run's own cohort.json"),
+            ("anew.truth.db", "the run's own anew.truth.db"),
+            ("jsonl.confirmed.json", "ends with .confirmed.json"),
+            ("logs/a.lock", "ends with .lock"),
+            ("week.csv.part", "ends with .part"),
+            ("mqtt.spool", "ends with .spool"),
             ("other.db", "two logs cannot go to the one file"),
             ("./other.db", "two logs cannot go to the one file"),
             ("other.db-shm", "cannot both be files"),

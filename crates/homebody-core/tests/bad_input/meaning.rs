@@ -14,6 +14,8 @@ fn the_scenario_file() {
             r#"scenario.json:3:12: "2009-03-02T00:00:00-06:00" must not name a time zone; write local time, and the zone as "time_zone""#),
         ("scenario.json", r#""2009-03-02T00:00:00""#, r#""0009-03-02T00:00:00""#,
             "scenario.json:3:12: the year 9 must be from 1900 to 2199"),
+        ("scenario.json", r#""2009-03-02T00:00:00""#, r#""-009999-01-01T00:00:00""#,
+            "scenario.json:3:12: the year -9999 must be from 1900 to 2199"),
         ("scenario.json", r#""2009-03-02T00:00:00""#, r#""2009-03-08T02:30:00""#,
             "scenario.json:3:12: there is no 2009-03-08T02:30:00 in America/Chicago: clocks skip it as daylight saving time begins"),
         ("scenario.json", r#""America/Chicago""#, r#""America/Chicgo""#,

@@ -16,40 +16,32 @@ pub use traced::{Known, Traced};
 
 use crate::error::Error;
 use crate::source::Template;
+use crate::whole_folder::whole_folder;
 use homebody_core::scenario::schema::schemas;
 use homebody_log::fresh::FreshFile;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::ErrorKind;
 use std::path::Path;
 
 /// A scenario's files by name.
 pub type Texts = BTreeMap<String, String>;
 
-/// Makes a folder that was not there and has it written, by a function that gets the name of what is in it. The schemas of a
-/// scenario's files are there before.
+/// Makes a new folder with the schemas of a scenario's files, and has a function write the rest. The function gets the unfinished folder and
+/// the scenario's name.
 ///
 /// # Errors
 ///
 /// [`Error::Exists`] where something has that name, [`Error::File`] where the system refuses, and what the function says; then
 /// nothing is left behind.
-pub fn begin<E: From<Error>>(folder: &Path, write: impl FnOnce(&str) -> Result<(), E>) -> Result<(), E> {
-    let exists = || Error::Exists { path: folder.into() };
-    // What ends in `.` or `..` has no name of its own.
-    let name = folder.file_name().ok_or_else(exists)?;
-    let parent = folder.parent().filter(|parent| !parent.as_os_str().is_empty());
-    parent.map_or(Ok(()), fs::create_dir_all).map_err(|error| Error::io(folder, error))?;
-    fs::create_dir(folder).map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => exists(),
-        _ => Error::io(folder, error),
-    })?;
-    let written = write_schemas(folder).map_err(E::from).and_then(|()| write(&name.to_string_lossy()));
-    if written.is_err() {
-        // It is ours: nothing is left half made.
-        let _ = fs::remove_dir_all(folder);
+pub fn begin<T, E: From<Error>>(folder: &Path, write: impl FnOnce(&Path, &str) -> Result<T, E>) -> Result<T, E> {
+    if fs::symlink_metadata(folder).is_ok() {
+        return Err(Error::Exists { path: folder.into() }.into());
     }
-    written
+    whole_folder(folder, |part, name| {
+        write_schemas(part)?;
+        write(part, name)
+    })
 }
 
 /// Writes files into the folder of a scenario that begins.

@@ -28,8 +28,8 @@ const LOOK: i64 = 2_000;
 
 /// Where a fleet tells what it has to say, and how long.
 pub struct FleetRun {
-    sinks: Vec<(String, Box<dyn FleetSink>)>,
-    how: How,
+    /// Each place with what becomes of what is there already.
+    sinks: Vec<(String, Box<dyn FleetSink>, How)>,
     /// How a place that is away is waited for. What ends that early ends the fleet.
     pub patience: Patience,
     /// How long it tells; None until it is cancelled.
@@ -55,26 +55,27 @@ pub enum FleetLived<'r> {
 }
 
 impl FleetRun {
-    /// A fleet that tells these places; `is_fast` where it goes faster than life. Nothing is touched yet.
+    /// A fleet that tells these places; `is_fast` where it goes faster than life, and `how` says what becomes of what is at a place
+    /// already. Nothing is touched yet.
     ///
     /// # Errors
     ///
     /// [`Error::Fleet`] with all places that a fleet cannot tell, and why; [`Error::Log`] if a file cannot be written.
-    pub fn new(out: &[Url], is_fast: bool, replace: bool) -> Result<FleetRun, Error> {
+    pub fn new(out: &[Url], is_fast: bool, how: impl Fn(&Url) -> How) -> Result<FleetRun, Error> {
         let (mut sinks, mut wrong) = (Vec::new(), Vec::new());
         for url in out {
             match sink(url).and_then(|sink| sink.check(is_fast).map(|()| sink)) {
-                Ok(sink) => sinks.push((url.to_string(), sink)),
+                Ok(sink) => sinks.push((url.to_string(), sink, how(url))),
                 Err(error) => wrong.push(error.to_string()),
             }
         }
         if !wrong.is_empty() {
             return Err(Error::Fleet(wrong.join("\n")));
         }
-        let files: Vec<_> = out.iter().filter_map(Url::file).collect();
-        all_can_be_written(&files, replace)?;
-        let how = if replace { How::Replace } else { How::New };
-        Ok(FleetRun { sinks, how, patience: Patience::default(), lasts: None, every: Duration::from_secs(5) })
+        for (url, (.., how)) in out.iter().zip(&sinks) {
+            all_can_be_written(&Vec::from_iter(url.file()), *how == How::Replace)?;
+        }
+        Ok(FleetRun { sinks, patience: Patience::default(), lasts: None, every: Duration::from_secs(5) })
     }
 }
 
@@ -90,10 +91,10 @@ impl FleetOf {
 
     fn lived(self, run: FleetRun, mut say: impl FnMut(FleetLived)) -> Result<FleetReport, Error> {
         let now: Now = Arc::new(|| Timestamp::now().as_microsecond());
-        let FleetRun { sinks, how, patience, lasts, every } = run;
+        let FleetRun { sinks, patience, lasts, every } = run;
         let cancel = patience.cancel.clone();
         let fleet = self.fleet.clone();
-        let begin_one = |(place, sink)| Teller::begin(place, sink, (&fleet, how), &patience, &now);
+        let begin_one = |(place, sink, how)| Teller::begin(place, sink, (&fleet, how), &patience, &now);
         let tellers = sinks.into_iter().map(begin_one).collect::<Result<Vec<Teller>, _>>()?;
         let is_on_wall = self.speed.is_none();
         let created = now();

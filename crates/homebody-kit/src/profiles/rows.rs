@@ -101,7 +101,7 @@ impl<'a> Reader<'a> {
             return Vec::new();
         }
         let mut names = BTreeSet::new();
-        let mut seen: BTreeMap<Differs, Seen> = BTreeMap::new();
+        let mut seen: BTreeMap<Differs, Result<Seen, Vec<Problem>>> = BTreeMap::new();
         let mut profiles = Vec::new();
         for cells in &self.table.rows {
             let before = self.problems.len();
@@ -115,31 +115,24 @@ impl<'a> Reader<'a> {
             let routine = profile.routine.as_ref().map(|other| other.routine.file.clone());
             let home = profile.home.as_ref().map(|other| other.file.clone());
             let key = (home, profile.resident, routine, profile.said.clone());
-            if !seen.contains_key(&key) {
-                match self.base.with(&profile, &[]) {
-                    Ok((scenario, household)) => {
-                        let conditions = household.conditions().keys().cloned().collect();
-                        let read = |name: &str, text: &str| self.base.files.read(name).is_ok_and(|read| read == text);
-                        let texts = scenario.sources.into_iter().filter(|(name, text)| read(name, text)).collect();
-                        seen.insert(key.clone(), Seen { conditions, texts: Arc::new(texts) });
+            let Seen { conditions, texts } = match seen.entry(key).or_insert_with(|| self.look(&profile)) {
+                Ok(seen) => seen,
+                Err(problems) => {
+                    for problem in problems {
+                        let what = format!("with this row, there is a problem at {}", place(problem));
+                        let hint =
+                            problem.hint.iter().fold(problem.what.clone(), |what, hint| format!("{what}; {hint}"));
+                        self.fault(row["name"], what, hint);
                     }
-                    Err(problems) => {
-                        for problem in problems.0 {
-                            let what = format!("with this row, there is a problem at {}", place(&problem));
-                            let hint =
-                                problem.hint.map_or(problem.what.clone(), |hint| format!("{}; {hint}", problem.what));
-                            self.fault(row["name"], what, hint);
-                        }
-                        continue;
-                    }
+                    continue;
                 }
-            }
-            let Seen { conditions, texts } = &seen[&key];
+            };
             profile.without = without.iter().filter(|name| conditions.contains(name)).cloned().collect();
             profile.texts = texts.clone();
             profiles.push(profile);
         }
-        let shown: BTreeSet<&str> = seen.values().flat_map(|seen| &seen.conditions).map(String::as_str).collect();
+        let shown: BTreeSet<&str> =
+            seen.values().flatten().flat_map(|seen| &seen.conditions).map(String::as_str).collect();
         let nobodys = without.iter().filter(|name| self.problems.is_empty() && !shown.contains(name.as_str()));
         let nobodys = nobodys.map(|name| {
             let hint = match nearest(name, shown.iter().copied()) {
@@ -152,6 +145,15 @@ impl<'a> Reader<'a> {
         let nobodys: Vec<Problem> = nobodys.collect();
         self.problems.extend(nobodys);
         profiles
+    }
+
+    /// Checks the members who differ like this from the scenario: their conditions and texts, or all problems.
+    fn look(&self, profile: &Profile) -> Result<Seen, Vec<Problem>> {
+        let (scenario, household) = self.base.with(profile, &[]).map_err(|problems| problems.0)?;
+        let conditions = household.conditions().keys().cloned().collect();
+        let read = |name: &str, text: &str| self.base.files.read(name).is_ok_and(|read| read == text);
+        let texts = scenario.sources.into_iter().filter(|(name, text)| read(name, text)).collect();
+        Ok(Seen { conditions, texts: Arc::new(texts) })
     }
 
     /// Which column each cell of a row is in.

@@ -12,8 +12,9 @@
 use crate::error::{LogError, place_of};
 use crate::fresh::Found;
 use crate::lock::FileLock;
+use crate::written::{Opening, open};
 use rusqlite::{CachedStatement, Connection, OpenFlags, ToSql};
-use std::fs::{self, OpenOptions};
+use std::fs;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::slice::ChunksExact;
@@ -109,7 +110,7 @@ impl Database {
             _lock: lock,
         };
         // The database's own way to create a file does not tell why it could not.
-        OpenOptions::new().write(true).create_new(true).open(path).map_err(|error| LogError::file(path, error))?;
+        open(path, Opening::New).map_err(|error| LogError::file(path, error))?;
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
@@ -135,7 +136,8 @@ impl Database {
     /// Whose it is, the caller finds out.
     pub fn reopen(path: &Path) -> Result<Option<Database>, LogError> {
         let lock = FileLock::take(path)?;
-        match fs::metadata(path) {
+        // The database's own way to open a file follows a link.
+        match open(path, Opening::Left).and_then(|file| file.metadata()) {
             Ok(found) if found.len() > 0 => {}
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(LogError::reading(path, error)),
             _ => {
@@ -245,7 +247,7 @@ impl Database {
     /// version-valid-for number).
     fn forget_transactions(&self) -> Result<(), LogError> {
         let stamp = |offset: u64| {
-            let mut file = OpenOptions::new().write(true).open(&self.path)?;
+            let mut file = open(&self.path, Opening::Kept)?;
             file.seek(SeekFrom::Start(offset))?;
             file.write_all(&TRANSACTIONS)?;
             file.sync_data()
@@ -368,7 +370,7 @@ impl Binding<'_, '_> {
 }
 
 /// Renames a database that is to be replaced, unless another program is writing it; where it is then.
-fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
+pub(super) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
     let probed = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_WRITE).and_then(|connection| {
         connection.busy_timeout(BUSY)?;
         connection.execute_batch("BEGIN EXCLUSIVE; ROLLBACK")

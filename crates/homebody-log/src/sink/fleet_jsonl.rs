@@ -7,6 +7,7 @@ use crate::clock::{Clock, Stamp};
 use crate::deadline::Deadline;
 use crate::error::LogError;
 use crate::fleet::{Fleet, FleetRow, FleetSink, Told};
+use crate::sensor_table;
 use crate::table::thousandths;
 use crate::url::Url;
 use homebody_core::event::Value;
@@ -60,6 +61,10 @@ impl FleetSink for FleetJsonl {
         });
         let kinds = kinds.collect();
         let text = Text::begin(&self.at, how, true, deadline)?;
+        // Homes of one scenario have the same sensors; of several, an id says nothing without the home.
+        if let (At::File(path), [layout]) = (&self.at, &fleet.layouts[..]) {
+            sensor_table::write(&sensor_table::beside(path), &layout.run, how != How::New)?;
+        }
         self.open = Some(Open { fleet: fleet.clone(), text, kinds, line: Vec::new(), buffer: String::new() });
         Ok(vec![0; fleet.homes.len()])
     }

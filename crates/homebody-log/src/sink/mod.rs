@@ -8,6 +8,7 @@ mod jsonl;
 mod open;
 pub(crate) mod sqlite;
 mod text;
+pub(crate) mod whole;
 
 use crate::cancel::Cancel;
 use crate::clock::Clock;

@@ -8,6 +8,7 @@ use super::{Begin, How, Sink, Watermark};
 use crate::clock::{Clock, Stamp};
 use crate::error::{LogError, place_of};
 use crate::run_info::RunInfo;
+use crate::sensor_info::{SENSOR, SENSOR_COLUMNS, says_more_of, sensor_cells};
 use crate::table::{Batch, Cell, Column, ColumnKind, Table, TextId, thousandths};
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
@@ -83,7 +84,14 @@ impl Sink for Sqlite {
                 let created: Vec<String> = begin.tables.iter().map(|table| create(table, begin)).collect();
                 let created: Vec<&str> = created.iter().map(String::as_str).collect();
                 let run = tell_run(begin.run, begin.time, &mut clock);
-                Database::create(&self.path, begin.how == How::Replace, &created, run)?
+                // A truth has its own tables, and the rows of a log may have taken the name.
+                let is_log = begin.tables.iter().any(|table| table.is_numbered)
+                    && begin.tables.iter().all(|table| table.name != SENSOR);
+                let tell = |connection: &Connection| {
+                    run(connection)?;
+                    if is_log { tell_sensors(connection, begin.run) } else { Ok(()) }
+                };
+                Database::create(&self.path, begin.how == How::Replace, &created, tell)?
             }
         };
         let run = begin.run.id;
@@ -302,13 +310,31 @@ pub(crate) fn tell_run<'a>(
         let time = time_type(time);
         connection.execute_batch(&format!(
             "CREATE TABLE run (run_id INTEGER PRIMARY KEY, home TEXT, scenario TEXT, seed TEXT, started_at {time}, \
-             ended_at {time}, version TEXT)"
+             ended_at {time}, version TEXT, zone TEXT)"
         ))?;
         // A seed can be larger than a database's integers.
-        let values = params![run.id, run.home, run.scenario, run.seed.to_string(), clock.stamp(0), run.version];
-        let sql = "INSERT INTO run (run_id, home, scenario, seed, started_at, version) VALUES (?, ?, ?, ?, ?, ?)";
+        let (seed, started_at, zone) = (run.seed.to_string(), clock.stamp(0), run.zone());
+        let values = params![run.id, run.home, run.scenario, seed, started_at, run.version, zone];
+        let sql =
+            "INSERT INTO run (run_id, home, scenario, seed, started_at, version, zone) VALUES (?, ?, ?, ?, ?, ?, ?)";
         connection.execute(sql, values).map(|_| ())
     }
+}
+
+/// Creates the table of sensors, where more is known of them than what the log calls them.
+fn tell_sensors(connection: &Connection, run: &RunInfo) -> rusqlite::Result<()> {
+    if !says_more_of(&run.sensors) {
+        return Ok(());
+    }
+    let columns = SENSOR_COLUMNS.map(|name| format!("{name} TEXT")).join(", ");
+    connection.execute_batch(&format!("CREATE TABLE {SENSOR} (run_id INTEGER, {columns})"))?;
+    let sql = format!("INSERT INTO {SENSOR} (run_id, {}) VALUES (?, ?, ?, ?, ?, ?)", SENSOR_COLUMNS.join(", "));
+    let mut insert = connection.prepare(&sql)?;
+    for sensor in &run.sensors {
+        let [id, name, kind, room, unit] = sensor_cells(sensor);
+        insert.execute(params![run.id, id, name, kind, room, unit])?;
+    }
+    Ok(())
 }
 
 /// Refuses a database that another run has left, or another program.

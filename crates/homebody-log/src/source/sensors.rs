@@ -4,18 +4,15 @@ use crate::error::{LogError, place_of};
 use crate::limits::beginning;
 use crate::places::SENSORS;
 use crate::plain;
-use crate::sensor_info::{SaidBy, SensorInfo};
+use crate::sensor_info::SensorInfo;
+use crate::sensor_table::{self, LARGEST_TABLE_BYTES};
 use crate::skipped::Skipped;
 use crate::spreadsheet::unescaped;
 use homebody_core::problem::readable;
 use homebody_core::sensed::{Kind, meaning};
-use homebody_core::sensors::kinds::KINDS;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
-
-/// No table of sensors has more bytes (ours): a home of a thousand has a tenth of a mebibyte.
-const LARGEST_TABLE_BYTES: u64 = 4 << 20;
 
 /// The contents of a table of sensors.
 #[derive(Default)]
@@ -28,14 +25,14 @@ pub(crate) struct Beside {
     pub remark: Option<String>,
 }
 
-/// The table of sensors of a log. One that is too large is not read: that is a remark.
+/// The table of sensors of a log: its own, else that of its run. One that is too large is not read: that is a remark.
 ///
-/// A person may write it by hand: besides `id` it has any of the columns `name`, `kind`, `room`, `x_m` and `y_m`, in any order.
+/// A person may write it by hand: besides `id` it has any of the columns `name`, `kind`, `room`, `x_m`, `y_m` and `unit`, in any order.
 pub(crate) fn known_beside(log: &Path) -> Result<Beside, LogError> {
-    let path = log.with_file_name(SENSORS);
-    if !path.is_file() || path == log {
+    let tables = [sensor_table::beside(log), log.with_file_name(SENSORS)];
+    let Some(path) = tables.into_iter().find(|path| path.is_file() && path != log) else {
         return Ok(Beside::default());
-    }
+    };
     match plain::read(&path, LARGEST_TABLE_BYTES) {
         Ok(table) => Ok(Beside::of(&table, &readable(place_of(&path)))),
         Err(error) if error.kind() == ErrorKind::FileTooLarge => {
@@ -57,7 +54,7 @@ impl Beside {
         let mut reader = builder.from_reader(table);
         let header = reader.byte_headers().cloned().unwrap_or_default();
         let place = |name: &str| header.iter().position(|cell| cell.eq_ignore_ascii_case(name.as_bytes()));
-        let places = ["name", "kind", "room", "x_m", "y_m"].map(place);
+        let places = ["name", "kind", "room", "unit", "x_m", "y_m"].map(place);
         // Another program's table of this name tells us nothing.
         let (Some(id), [Some(_), ..] | [_, Some(_), ..] | [_, _, Some(_), ..]) = (place("id"), places) else {
             return beside;
@@ -88,7 +85,7 @@ impl Beside {
 fn info(
     row: &csv::ByteRecord,
     id: usize,
-    places: [Option<usize>; 5],
+    places: [Option<usize>; 6],
 ) -> Result<(SensorInfo, Vec<String>), Vec<String>> {
     let cell = |place: Option<usize>| {
         let cell = place.and_then(|place| row.get(place)).unwrap_or_default();
@@ -99,7 +96,7 @@ fn info(
         return Err(vec!["there is no id".into()]);
     }
     let mut faults = Vec::new();
-    let [name, kind, room, x_m, y_m] = places.map(cell);
+    let [name, kind, room, unit, x_m, y_m] = places.map(cell);
     let kind = match kind.is_empty() || meaning(&kind, "").is_some() {
         true => kind,
         false => {
@@ -120,18 +117,7 @@ fn info(
         }
     };
     let at_m = [metres(x_m, "x_m"), metres(y_m, "y_m")];
-    let row = KINDS.iter().find(|row| row.key == kind);
-    let known = SensorInfo {
-        name: if name.is_empty() { id.clone() } else { name },
-        id,
-        is_motion: row.is_some_and(|row| row.senses_motion()),
-        unit: row.and_then(|row| row.unit).map(|unit| unit.symbol.to_owned()),
-        values: row.map(|row| row.values.iter().map(ToString::to_string).collect()).unwrap_or_default(),
-        said_by: if kind.is_empty() { SaidBy::Source } else { SaidBy::Table },
-        kind,
-        room: Some(room).filter(|room| !room.is_empty()),
-        at_m,
-    };
+    let known = SensorInfo { at_m, ..SensorInfo::of_cells([id, name, kind, room, unit]) };
     Ok((known, faults))
 }
 

@@ -7,6 +7,7 @@ use super::instant::since_1970;
 use super::reading::{Reading, open};
 use super::start::Start;
 use crate::error::{LogError, place_of};
+use crate::sensor_info::{SENSOR, SENSOR_COLUMNS, SensorInfo};
 use crate::spans::{SPAN_COLUMNS, SPANS};
 use homebody_core::scenario::logger::LoggerFile;
 use rusqlite::Connection;
@@ -50,6 +51,8 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         None => return Err(LogError::NoLog { place: place_of(path), why: why() }),
     };
     reading.has_spans = spans(&connection, reading).map_err(database)?;
+    // The log's table in a file has places, too, so it comes first.
+    sensors(&connection).map_err(database)?.into_iter().for_each(|sensor| reading.know(sensor));
     let sql = rows_of(&connection, file, &table, reading).map_err(database)?;
     let mut statement = connection.prepare(&sql).map_err(database)?;
     let mut rows = statement.query([]).map_err(database)?;
@@ -105,9 +108,42 @@ fn spans(connection: &Connection, reading: &mut Reading<'_>) -> rusqlite::Result
     Ok(true)
 }
 
+/// The sensors in the table that our logs have; none without such a table.
+fn sensors(connection: &Connection) -> rusqlite::Result<Vec<SensorInfo>> {
+    if !has_sensors(connection)? {
+        return Ok(Vec::new());
+    }
+    let columns = SENSOR_COLUMNS.join(", ");
+    let mut statement =
+        connection.prepare(&format!("SELECT {columns} FROM {SENSOR} ORDER BY rowid LIMIT {MOST_SENSORS}"))?;
+    let mut rows = statement.query([])?;
+    let mut known = Vec::new();
+    while let Some(row) = rows.next()? {
+        let mut cells = [const { String::new() }; SENSOR_COLUMNS.len()];
+        for (column, cell) in cells.iter_mut().enumerate() {
+            *cell = text(row.get_ref(column)?).into_owned();
+        }
+        known.push(SensorInfo::of_cells(cells));
+    }
+    Ok(known)
+}
+
+/// The most sensors that are read from the table.
+const MOST_SENSORS: usize = 10_000;
+
+/// Whether a database has the table of sensors that we write.
+fn has_sensors(connection: &Connection) -> rusqlite::Result<bool> {
+    let columns = columns(connection, SENSOR)?;
+    let is_ours = columns.len() == SENSOR_COLUMNS.len() + 1 && columns.ends_with(&SENSOR_COLUMNS.map(str::to_owned));
+    Ok(is_ours && tables(connection)?.iter().any(|name| name == SENSOR))
+}
+
 /// The table named by the mapping, ours, or the first that looks like a log.
 fn find(connection: &Connection, file: &LoggerFile, reading: &mut Reading<'_>) -> rusqlite::Result<Option<Table>> {
     let mut names = tables(connection)?;
+    if has_sensors(connection)? {
+        names.retain(|name| name != SENSOR);
+    }
     let wanted = file.table.as_deref().unwrap_or("firing");
     names.sort_by_key(|name| name != wanted);
     for by_content in [false, true] {

@@ -125,6 +125,34 @@ fn links_lead_out_of_no_library() {
     assert_eq!(served.homes(), ["studio"]);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_home_whose_runs_are_a_link_is_refused() {
+    let elsewhere = tempfile::tempdir().unwrap();
+    let served = Served::library(&["studio", "by-hand"]);
+    // Also of a home that is open already.
+    assert_eq!(served.api("/api/homes/studio/runs").code, 200);
+    std::os::unix::fs::symlink(elsewhere.path(), served.folder.path().join("studio/runs")).unwrap();
+    for path in ["/api/homes/studio/runs", "/api/homes/studio/files", "/api/library/homes/studio"] {
+        let answer = served.api(path);
+        let why = String::from_utf8_lossy(&answer.body).into_owned();
+        assert!(answer.code == 422 && why.contains("runs of studio is a link"), "{path}: {} {why}", answer.code);
+    }
+    assert_eq!(fs::read_dir(elsewhere.path()).unwrap().count(), 0);
+    // The control: another home has its own.
+    assert_eq!(served.api("/api/homes/by-hand/runs").code, 200);
+}
+
+#[test]
+fn a_name_that_nobody_sees_is_no_home_s() {
+    let served = Served::library(&[]);
+    for name in ["%E2%80%8B", "a%E2%80%AEb", "%EF%BB%BF", "flat%E2%81%A6"] {
+        let (code, why) = served.refusal("POST", &format!("/api/library/homes/{name}"), &json!({ "from": "empty" }));
+        assert!(code == 422 && why.contains("a character that nobody sees"), "{name}: {code} {why}");
+    }
+    assert_eq!(served.homes(), [""; 0]);
+}
+
 /// Each home has its own run: what one page does is nothing to the other's.
 #[test]
 fn two_homes_are_lived_at_once_each_into_its_own_runs() {

@@ -9,6 +9,7 @@ mod living;
 mod naming;
 mod served;
 mod slow;
+mod two_servers;
 mod underlay;
 mod walking;
 mod written_back;

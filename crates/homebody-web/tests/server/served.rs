@@ -62,10 +62,8 @@ impl Served {
     pub fn library(templates: &[&str]) -> Served {
         let folder = tempfile::tempdir().unwrap();
         for name in templates {
-            begin(&folder.path().join(name), |_| {
-                write(&folder.path().join(name), &of_template(Template::named(name).unwrap(), name))
-            })
-            .unwrap();
+            begin(&folder.path().join(name), |part, _| write(part, &of_template(Template::named(name).unwrap(), name)))
+                .unwrap();
         }
         let library = Library::new(folder.path().to_owned(), false);
         Served::of(folder, Options { port: Some(0), ..Options::new(library) })

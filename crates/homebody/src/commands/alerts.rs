@@ -4,7 +4,7 @@ use super::answer::Figures;
 use super::for_programs::{ForPrograms, row};
 use super::measure::Measured;
 use crate::failure::{EXIT_CODES, Failure};
-use crate::print::print_text;
+use crate::print::{print_json_text, print_text};
 use homebody_analysis::alerts::{Alert, Rules, USUAL, alerts};
 use homebody_log::records::Records;
 use std::fs;
@@ -83,7 +83,7 @@ impl Arguments {
                         |new: &Alert| told.iter().any(|told| (told.date, &told.rule) == (new.date, &new.rule));
                     let new: Vec<Alert> = all.alerts.into_iter().filter(|alert| !is_told(alert)).collect();
                     match self.programs.is_printed() {
-                        true => print_text(&records(&all.name, &new).lines())?,
+                        true => print_json_text(&records(&all.name, &new).lines())?,
                         false => {
                             new.iter().try_for_each(|alert| print_text(&format!("{} {}\n", alert.date, alert.words)))?
                         }

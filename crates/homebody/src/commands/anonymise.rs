@@ -2,6 +2,7 @@
 
 use super::convert::{keep, rows_bar};
 use super::read_log::Mapped;
+use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, write_file};
 use homebody_analysis::look::{Look, Looker};
@@ -10,7 +11,7 @@ use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_log::places::can_be_written;
 use homebody_log::sink::csv_line;
-use homebody_log::{Anonymising, How, Log, Transfer, Url, anonymise};
+use homebody_log::{Anonymising, Log, Transfer, Url, anonymise};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -46,9 +47,8 @@ pub struct Arguments {
     /// The time zone in which a log in UTC is written where only local time is known
     #[arg(long, default_value = "UTC")]
     time_zone: String,
-    /// Replace files that exist
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replacing: Replacing,
 }
 
 impl Arguments {
@@ -57,12 +57,12 @@ impl Arguments {
         let named = self.log.find()?;
         keep(&self.out, &named.place.files())?;
         let key: Vec<&std::path::Path> = self.key.as_deref().into_iter().collect();
-        can_be_written(&key, &named.place.files(), self.force)?;
+        can_be_written(&key, &named.place.files(), self.replacing.force)?;
         let mut looker = Looker::new(None);
         let log = named.stream(&mut |part| looker.take(part))?;
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
         let names = names(&log, &look);
-        let how = if self.force { How::Replace } else { How::New };
+        let how = self.replacing.how(&self.out);
         let (from, mapping, zone) = (&named.place, &named.mapping, &self.time_zone);
         let transfer = Transfer { from, mapping, to: &self.out, name: NOBODYS, zone, how };
         let by = Anonymising {
@@ -76,7 +76,7 @@ impl Arguments {
         progress.finish_and_clear();
         let done = done?;
         if let Some(path) = &self.key {
-            write_file(path, key_of(&names, &log.sensors).as_bytes(), self.force)?;
+            write_file(path, key_of(&names, &log.sensors).as_bytes(), self.replacing.force)?;
             tell(format_args!("{} tells which sensor is which: keep it to yourself", path.display()));
         }
         let (rows, sensors) = (counted(done.rows as usize, "row", "rows"), counted(names.len(), "sensor", "sensors"));

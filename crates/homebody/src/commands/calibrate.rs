@@ -119,13 +119,13 @@ impl Arguments {
             measures: self.measures(&read.log, &parts, &home, &calibration)?,
             fitted: calibration.fitted.clone(),
         };
-        begin(&self.to, |_| {
+        begin(&self.to, |part, _| {
             for (name, text) in &calibration.files {
-                let path = self.to.join(name);
+                let path = part.join(name);
                 path.parent().map_or(Ok(()), std::fs::create_dir_all).map_err(|error| Failure::io(&path, error))?;
                 write_file(&path, text.as_bytes(), false)?;
             }
-            write_file(&self.to.join("report.json"), json_text(&report)?.as_bytes(), false)
+            write_file(&part.join("report.json"), json_text(&report)?.as_bytes(), false)
         })?;
         report.fitted.doubt().iter().for_each(|doubt| tell(format_args!("{}: {doubt}", self.log)));
         if self.json {

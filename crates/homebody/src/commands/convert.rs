@@ -1,6 +1,7 @@
 //! `homebody convert`: carry a log from one form into another.
 
 use super::read_log::{Mapped, tell_remarks};
+use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use crate::progress;
@@ -11,7 +12,7 @@ use homebody_core::scenario::scheme::{SCHEMES, SchemeRow};
 use homebody_log::fresh::same_file;
 use homebody_log::source::{Form, forms};
 use homebody_log::truth::tables;
-use homebody_log::{Activity, How, Life, RunClock, Transfer, Url, convert, lives};
+use homebody_log::{Activity, Life, RunClock, Transfer, Url, convert, lives};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -67,9 +68,8 @@ pub struct Arguments {
     /// The time zone in which a log in UTC is written where only local time is known
     #[arg(long, default_value = "UTC")]
     time_zone: String,
-    /// Replace a file that exists
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replacing: Replacing,
 }
 
 impl Arguments {
@@ -94,7 +94,7 @@ impl Arguments {
         if unsaid > 0 {
             tell(format_args!("{text}: {unsaid} more lines were left out"));
         }
-        let how = if self.force { How::Replace } else { How::New };
+        let how = self.replacing.how(&self.to);
         let zone = &self.time_zone;
         let transfer = Transfer { from: &named.place, mapping: &named.mapping, to: &self.to, name: text, zone, how };
         let progress = rows_bar(log.rows);

@@ -2,7 +2,7 @@
 
 use super::read_log::read_log;
 use crate::failure::Failure;
-use crate::print::print_text;
+use crate::print::{print_json_text, print_text};
 use crate::signals::Signals;
 use homebody_core::scenario::load::Scenario;
 use homebody_kit::{Cancel, Following, Learnt, LogWithRun, Presence};
@@ -108,6 +108,7 @@ impl Followed<'_> {
         match failed {
             Some(error) => Err(error),
             None if told.is_empty() => Ok(()),
+            None if self.is_json => print_json_text(&told),
             None => print_text(&told),
         }
     }

@@ -1,7 +1,7 @@
 //! Rows for programs: what commands find, as lines of JSON, as a table of a database, or as FHIR.
 
 use crate::failure::Failure;
-use crate::print::{json_text, print_text, write_file};
+use crate::print::{json_text, print_json_text, write_file};
 use homebody_log::places::can_be_written;
 use homebody_log::records::Records;
 use serde_json::Value;
@@ -64,7 +64,7 @@ impl ForPrograms {
     pub fn store(&self, records: &Records, fhir: &dyn Fn() -> Value, force: bool) -> Result<(), Failure> {
         for to in &self.to {
             match to {
-                To::Lines(path) if path.as_os_str() == "-" => print_text(&records.lines())?,
+                To::Lines(path) if path.as_os_str() == "-" => print_json_text(&records.lines())?,
                 To::Lines(path) => write_file(path, records.lines().as_bytes(), force)?,
                 To::Database(path) => records.store(path, force)?,
                 To::Fhir(path) => write_file(path, json_text(&fhir())?.as_bytes(), force)?,

@@ -47,19 +47,13 @@ struct Made {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let bytes = read(&self.plan)?;
-        let mut made = None;
-        begin(&self.folder, |name| {
-            made = Some(self.make(name, &bytes)?);
-            Ok::<_, Failure>(())
-        })?;
-        if let Some(made) = made {
-            self.say(&made);
-        }
+        let made = begin(&self.folder, |part, name| self.make(part, name, &bytes))?;
+        self.say(&made);
         Ok(())
     }
 
-    /// Writes the scenario of a plan into its folder.
-    fn make(&self, name: &str, bytes: &[u8]) -> Result<Made, Failure> {
+    /// Writes the scenario of a plan into a folder.
+    fn make(&self, folder: &Path, name: &str, bytes: &[u8]) -> Result<Made, Failure> {
         let imported = sweet_home(bytes, name, self.level.as_deref());
         let imported = imported.map_err(|error| Failure::usage(format!("{}: {error}", self.plan.display())))?;
         let mut begun = Begun::week(name, imported.home_json);
@@ -69,7 +63,7 @@ impl Arguments {
         }
         let texts = lived_in(&begun);
         let scenario = Scenario::load_in(&mut RoutineLanguage::default(), &texts, "scenario.json")?;
-        write(&self.folder, &texts)?;
+        write(folder, &texts)?;
         Ok(Made { remarks, scenario, lack: lack(&begun) })
     }
 

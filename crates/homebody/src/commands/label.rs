@@ -2,12 +2,13 @@
 
 use super::convert::{LOG_COLUMNS, files_of, forms_of_logs, keep, rows_bar};
 use super::read_log::{go_on, tell_remarks, tell_unfinished};
+use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_kit::NamedLog;
-use homebody_log::{How, Labelled, Transfer, Url, label, truth_at};
+use homebody_log::{Labelled, Transfer, Url, label, truth_at};
 
 /// What to do where the truth is not found.
 const NAME_IT: &str = "name the run's truth after the log: its database, or csv:FILE, parquet:FILE and so on";
@@ -50,9 +51,8 @@ pub struct Arguments {
     /// The time zone in which a log in UTC is written where only local time is known
     #[arg(long, default_value = "UTC")]
     time_zone: String,
-    /// Replace a file that exists
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replacing: Replacing,
 }
 
 impl Arguments {
@@ -71,7 +71,7 @@ impl Arguments {
         }
         tell_unfinished(&self.log, unfinished.as_ref());
         tell_remarks(&self.log, &log);
-        let how = if self.force { How::Replace } else { How::New };
+        let how = self.replacing.how(&self.to);
         let (name, zone) = (&self.log, &self.time_zone);
         let transfer = Transfer { from: &named.place, mapping: &named.mapping, to: &self.to, name, zone, how };
         let progress = rows_bar(log.rows);

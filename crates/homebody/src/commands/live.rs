@@ -1,6 +1,6 @@
 //! `homebody live`: a home on the world's clock.
 
-use super::lived::{Away, all_are_elsewhere, failure, is_not_yet, report_live, span_in_words};
+use super::lived::{Away, all_are_elsewhere, failure, how_far_ahead, is_not_yet, report_live};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
@@ -133,15 +133,11 @@ impl Arguments {
 /// Where and from when on it is lived. One that is to come says how long that takes, as its clock may be another than ours.
 fn how_it_begins(home: &LiveHome, folder: &Path) -> String {
     let how = if home.goes_on() { "goes on" } else { "begins" };
-    let since = home.scenario().calendar.wall_clock(0);
-    let ahead = home.begins().as_microsecond() - Timestamp::now().as_microsecond();
-    if ahead < SECOND {
-        return format!("{how} in {}, from {since} on", folder.display());
+    let calendar = &home.scenario().calendar;
+    match how_far_ahead(calendar) {
+        None => format!("{how} in {}, from {} on", folder.display(), calendar.wall_clock(0)),
+        Some(ahead) => format!("{how} in {}, from {ahead}", folder.display()),
     }
-    let zone = home.scenario().calendar.local(0).time_zone().clone();
-    let clock = Timestamp::now().to_zoned(zone).strftime("%Y-%m-%d %H:%M:%S %Z").to_string();
-    let ahead = span_in_words(ahead);
-    format!("{how} in {}, from {since} on, which is {ahead} from now: its clock says {clock}", folder.display())
 }
 
 /// Shows how it goes, where somebody looks.

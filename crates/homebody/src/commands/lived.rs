@@ -1,16 +1,19 @@
 //! Living a run: telling people how far it is, and what has become of it.
 
+use super::replacing::Replacing;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use crate::progress::bar_unless;
 use crate::signals::Signals;
 use homebody_core::recording::Recording;
+use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::scheme::{NoPlace, Scheme, SchemeRow};
 use homebody_core::time::{Micros, SECOND, seconds};
 use homebody_kit::{Destinations, Difference, Error, LiveRun, Lived, Progress, Treatment, Url, VERSION, WhenDown};
 use homebody_log::LogError;
 use homebody_log::sink::log_beside;
 use indicatif::ProgressBar;
+use jiff::Timestamp;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -26,9 +29,8 @@ pub struct Output {
     pub truth: Option<Url>,
     #[command(flatten)]
     pub away: Away,
-    /// Replace files that exist
-    #[arg(long)]
-    pub force: bool,
+    #[command(flatten)]
+    pub replacing: Replacing,
     /// Say nothing but errors
     #[arg(long)]
     pub quiet: bool,
@@ -127,12 +129,13 @@ pub fn all_are_elsewhere(out: &[Url]) -> Result<(), Failure> {
 
 /// Lives a run to its end, or until it is told to stop, and tells what has become of it.
 pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
-    let Output { out, truth, force, away, .. } = output;
+    let Output { out, truth, replacing, away, .. } = output;
     let to = Destinations {
         log: out.clone(),
         truth: truth.clone(),
         recording: record,
-        replace: *force,
+        replace: replacing.force,
+        replace_rows: replacing.replace_rows,
         servers: away.treatment()?,
         ..Destinations::default()
     };
@@ -339,6 +342,16 @@ pub fn span_in_words(span: Micros) -> String {
         7200..172_800 => of(3600, "hour"),
         _ => of(86_400, "day"),
     }
+}
+
+/// When a home begins whose time is to come, how far ahead that is, and what its clock says, which may be another than ours; None where it
+/// has begun.
+pub fn how_far_ahead(calendar: &Calendar) -> Option<String> {
+    let now = Timestamp::now();
+    let ahead = calendar.timestamp(0).as_microsecond() - now.as_microsecond();
+    let clock = now.to_zoned(calendar.local(0).time_zone().clone()).strftime("%Y-%m-%d %H:%M:%S %Z").to_string();
+    let since = calendar.wall_clock(0);
+    (ahead >= SECOND).then(|| format!("{since}, which is {} from now: its clock says {clock}", span_in_words(ahead)))
 }
 
 /// Whether who was asked to end had not yet come as far as before, so that nothing was changed.

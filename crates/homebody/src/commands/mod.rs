@@ -35,6 +35,7 @@ mod place;
 mod plan;
 mod read_log;
 mod realism;
+mod replacing;
 mod replay;
 mod routine;
 mod run;

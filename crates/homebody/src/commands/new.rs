@@ -127,9 +127,9 @@ impl Arguments {
             Beginning::Empty => empty(name),
             Beginning::Template(template) => of_template(template, name),
         };
-        begin(folder, |name| {
-            write(folder, &texts(name))?;
-            self.lay_below(picture.as_ref())
+        begin(folder, |part, name| {
+            write(part, &texts(name))?;
+            self.lay_below(part, picture.as_ref())
         })?;
         let folder = folder.display();
         tell(match beginning {
@@ -148,10 +148,10 @@ impl Arguments {
     }
 
     /// Writes the picture of the plan into the scenario's folder, where the page shows it below what is drawn.
-    fn lay_below(&self, picture: Option<&Traced>) -> Result<(), Failure> {
+    fn lay_below(&self, folder: &Path, picture: Option<&Traced>) -> Result<(), Failure> {
         let Some(picture) = picture else { return Ok(()) };
-        write_file(&self.folder.join(picture.file), &picture.bytes, false)?;
-        write_file(&self.folder.join(UNDERLAY), picture.lies().as_bytes(), false)
+        write_file(&folder.join(picture.file), &picture.bytes, false)?;
+        write_file(&folder.join(UNDERLAY), picture.lies().as_bytes(), false)
     }
 
     /// A scenario in a home that nobody has drawn.
@@ -165,15 +165,12 @@ impl Arguments {
         let path = Path::new(log);
         let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         let given = GivenLog { named: log, file: &file, read: &read, time_zone, table, picture: picture.as_ref() };
-        let mut made = None;
-        begin(folder, |name| {
+        let OfLog { lived, remarks } = begin(folder, |part, name| {
             let of_log = of_log(name, &given)?;
-            write(folder, &of_log.lived.texts)?;
-            self.lay_below(picture.as_ref())?;
-            made = Some(of_log);
-            Ok::<_, Failure>(())
+            write(part, &of_log.lived.texts)?;
+            self.lay_below(part, picture.as_ref())?;
+            Ok::<_, Failure>(of_log)
         })?;
-        let Some(OfLog { lived, remarks }) = made else { return Ok(()) };
         remarks.iter().for_each(|remark| tell(format_args!("{log}: {remark}")));
         lived.lack.iter().for_each(|lack| tell(format_args!("nobody can live an ordinary life here yet: {lack}")));
         let file = &lived.scenario.home;

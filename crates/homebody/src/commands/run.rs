@@ -96,7 +96,7 @@ pub struct Arguments {
     /// It is lived again from its beginning: what is there is compared, what is missing is written. In the end log and truth have
     /// the bytes of a run that nothing has disturbed. Of a cohort, those who were lived to the end stay, all others are gone on with.
     #[arg(long, value_name = "FOLDER",
-          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "start", "residents", "profiles", "truth_tables", "record", "force"])]
+          conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "start", "residents", "profiles", "truth_tables", "record", "force", "replace_rows"])]
     resume: Option<PathBuf>,
     /// Live the members of this list side by side: a CSV file with a row for each
     ///
@@ -236,7 +236,11 @@ impl Arguments {
                 "--truth: the truth of each member lies apart from all logs where the cohort does; --truth-tables says how much of it is kept",
             ),
             (self.record.is_some(), "--record: each member has a recording where the cohort lies"),
-            (self.output.force, "--force: a cohort replaces nothing; it begins where nothing is"),
+            (self.output.replacing.force, "--force: a cohort replaces nothing; it begins where nothing is"),
+            (
+                self.output.replacing.replace_rows,
+                "--replace-rows: a cohort replaces nothing; it begins where nothing is",
+            ),
             (
                 self.pace.is_said(),
                 "--speed, --paused and --control: members are lived as fast as they can; homebody fleet lives many homes on the world's clock",

@@ -96,6 +96,48 @@ fn who_goes_on_with_somebody_elses_run_writes_nowhere_else() {
     assert_eq!(folder.sha256("secret.json"), secret);
 }
 
+/// A link next to the log of a stranger's run changes no file outside. An empty file is the easiest to attack: each log begins like it.
+#[test]
+fn no_link_beside_a_log_leads_what_is_written_elsewhere() {
+    for to in ["csv:log.csv", "casas:log.txt", "jsonl:log.jsonl", "csv:logs/log.csv.gz", "sqlite:log.db"] {
+        let log = to.split_once(':').unwrap().1;
+        for beside in [".77-0.part", ".lock", "-journal", "-wal"] {
+            let folder = flat();
+            folder.write("flat/logger.json", serde_json::json!({ "to": [to] }).to_string());
+            folder.run("run flat --for 2m --quiet").ok();
+            let whole = folder.read("runs/flat-1/recording.json");
+            let mut unfinished: serde_json::Value = serde_json::from_str(&whole).unwrap();
+            unfinished["sha256"] = "".into();
+            folder.write("runs/flat-1/recording.json", unfinished.to_string());
+            folder.write("mine", "");
+            let link = folder.path(&format!("runs/flat-1/{log}{beside}"));
+            fs::remove_file(folder.path(&format!("runs/flat-1/{log}"))).unwrap();
+            // One leads to a file, one to none yet.
+            symlink(folder.path(if beside == ".lock" { "absent" } else { "mine" }), &link).unwrap();
+            let done = folder.run("run --resume runs/flat-1 --quiet");
+            assert_eq!(folder.read("mine"), "", "{to}{beside}");
+            assert!(!folder.path("absent").exists(), "{to}{beside}");
+            // The control: without the link the run resumes.
+            let _ = fs::remove_file(&link);
+            if done.code != Some(0) {
+                assert!(done.err.contains("it is a link"), "{to}{beside}: {}", done.err);
+                folder.run("run --resume runs/flat-1 --quiet").ok();
+            }
+            assert!(folder.path(&format!("runs/flat-1/{log}")).metadata().unwrap().len() > 0, "{to}{beside}");
+        }
+    }
+    // A folder on the way is one, too.
+    let folder = flat();
+    folder.write("flat/logger.json", r#"{ "to": ["csv:logs/log.csv"] }"#);
+    folder.run("run flat --for 2m --quiet").ok();
+    fs::remove_file(folder.path("runs/flat-1/logs/log.csv")).unwrap();
+    fs::remove_dir(folder.path("runs/flat-1/logs")).unwrap();
+    fs::create_dir(folder.path("elsewhere")).unwrap();
+    symlink("../../elsewhere", folder.path("runs/flat-1/logs")).unwrap();
+    folder.run("run --resume runs/flat-1").fails(1, "leads out of the run's folder");
+    assert!(!folder.files().iter().any(|file| file.starts_with("elsewhere/") && file != "elsewhere/"));
+}
+
 #[test]
 fn who_goes_on_with_somebody_elses_cohort_writes_nowhere_else() {
     let folder = beside_a_secret();
@@ -137,6 +179,11 @@ fn a_log_takes_no_place_of_its_run() {
         &["csv:./sensors.csv"],
         &["csv:truth.db-wal"],
         &["csv:recording.json.lock"],
+        &["csv:about-run.json"],
+        &["jsonl:care-notes.json"],
+        &["csv:jsonl.confirmed.json"],
+        &["csv:week.csv.part"],
+        &["csv:anew.truth.db"],
         &["csv:x/"],
         &["csv:."],
         &[&long],

@@ -173,6 +173,13 @@ fn truth_never_leaks() {
         "run.seed",
         "run.started_at",
         "run.version",
+        "run.zone",
+        "sensor.id",
+        "sensor.kind",
+        "sensor.name",
+        "sensor.room",
+        "sensor.run_id",
+        "sensor.unit",
     ];
     assert_eq!(folder.query("a-log.db", columns), expected);
     // One file cannot be both, however it is named.

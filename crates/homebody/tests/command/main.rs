@@ -9,6 +9,8 @@ mod imports;
 mod real_plans;
 mod drawn_plans;
 mod invariants;
+mod killed_commands;
+mod names_along;
 mod links;
 mod replays;
 mod outputs;

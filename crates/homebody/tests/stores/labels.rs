@@ -61,7 +61,7 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
     let labelled = folder.run(&format!("label log.csv {truth}&run={other} --to csv:found.csv --force"));
     assert!(labelled.code != Some(0) || folder.read("found.csv") != wanted);
     // A log on the server has its truth there, too.
-    folder.run(&format!("run flat --for 20m --quiet --force --out {url} --truth {truth}")).ok();
+    folder.run(&format!("run flat --for 20m --quiet --replace-rows --out {url} --truth {truth}")).ok();
     server.psql(&database, &format!("DELETE FROM homebody_run WHERE run_id <> {id}"));
     server.psql(&database, "ALTER TABLE truth.room DROP COLUMN room");
     folder.run(&format!("label log.csv {truth}&run={id} --to csv:x.csv")).fails(1, "no column \"room\" of \"room\"");

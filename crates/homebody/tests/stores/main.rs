@@ -15,5 +15,7 @@ mod server;
 
 mod digests;
 mod doctor;
+mod examples;
 mod labels;
 mod own_names;
+mod replaced;

@@ -75,6 +75,9 @@ fn check_sql_names(report: &mut Report, file: &LoggerFile) {
         if table == "run" {
             report.add("/table", "the table \"run\" says which runs the log holds: the firings need another");
         }
+        if table == "sensor" {
+            report.add("/table", "the table \"sensor\" says what the sensors are: the firings need another");
+        }
     }
     let columns = &file.columns;
     let columns = [

@@ -25,8 +25,10 @@ pub fn check(source: &Source, file: &ScenarioFile, problems: &mut Vec<Problem>) 
         report.hinted("/start", format!("{:?} is no date and time", file.start), "write it as \"2009-03-02T00:00:00\"");
         return None;
     };
-    // The parser would pass over a zone written here, and the run would begin at another instant than it says.
-    if file.start.len() > 10 && file.start[10..].contains(['+', '-', '[', 'Z', 'z']) {
+    // The parser would pass over a zone written here, and the run would begin at another instant than it says. A zone follows the date,
+    // whose year has six digits where it has a sign.
+    let date_bytes = if file.start.starts_with(['+', '-']) { 13 } else { 10 };
+    if file.start.get(date_bytes..).is_some_and(|rest| rest.contains(['+', '-', '[', 'Z', 'z'])) {
         let hint = "write local time, and the zone as \"time_zone\"";
         report.hinted("/start", format!("{:?} must not name a time zone", file.start), hint);
         return None;

@@ -2,7 +2,8 @@
 
 pub mod told;
 
-use super::lived::{DestinationTimeout, failure, go_on_by};
+use super::lived::{DestinationTimeout, failure, go_on_by, how_far_ahead};
+use super::replacing::Replacing;
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::length::span;
@@ -16,6 +17,7 @@ use homebody_kit::fleet::{Churn, FleetOf, FleetRun, FleetSetup, MOST_HOMES, Pati
 use homebody_kit::{Error, News, OpenScenario, Url};
 use homebody_log::fresh::FreshFile;
 use homebody_log::places::can_be_written;
+use homebody_log::plain;
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -91,9 +93,8 @@ pub struct Arguments {
     list: Option<PathBuf>,
     #[command(flatten)]
     watched: Watched,
-    /// Replace files that exist
-    #[arg(long)]
-    force: bool,
+    #[command(flatten)]
+    replacing: Replacing,
     /// Say nothing but errors
     #[arg(long)]
     quiet: bool,
@@ -164,13 +165,19 @@ impl Arguments {
         let started = |opened: &OpenScenario| opened.scenario().calendar.timestamp(0).as_microsecond();
         let is_late = |opened| started(opened) < Timestamp::now().as_microsecond() - BEFORE_NOW;
         let is_fast = self.speed.map_or_else(|| scenarios.iter().any(is_late), |speed| speed > 1.0);
-        let mut run = FleetRun::new(&self.out, is_fast, self.force)?;
+        let mut run = FleetRun::new(&self.out, is_fast, |place| self.replacing.how(place))?;
         let names: Vec<String> = scenarios.iter().map(|opened| opened.name().to_owned()).collect();
+        if !self.quiet && self.speed.is_none() {
+            let ahead = |opened: &OpenScenario| how_far_ahead(&opened.scenario().calendar);
+            if let Some(ahead) = scenarios.iter().find_map(ahead) {
+                tell(format_args!("homes say nothing before {ahead}"));
+            }
+        }
         let fleet = self.make(scenarios)?;
         if let Some(list) = &self.list {
-            write_file(list, told::list(&fleet).as_bytes(), self.force)?;
+            write_list(list, &told::list(&fleet), self.replacing.force)?;
         }
-        let report = self.report.as_ref().map(|path| FreshFile::create(path, self.force)).transpose()?;
+        let report = self.report.as_ref().map(|path| reports(path, self.replacing.force)).transpose()?;
         let look = self.watched.begin_fleet(&names.join(", "))?;
         let mut telling = Telling::begin(self.quiet, self.json, report, look);
         run.patience = Patience {
@@ -209,10 +216,12 @@ impl Arguments {
     }
 
     fn files_can_be_written(&self, scenarios: &[OpenScenario]) -> Result<(), Failure> {
-        let files = self.out.iter().filter_map(Url::file).chain(self.report.as_deref()).chain(self.list.as_deref());
-        let files: Vec<&Path> = files.collect();
+        // The same command adds to its reports, and keeps its list.
+        let report = self.report.as_deref().filter(|path| reports_in(path).is_none());
+        let list = self.list.as_deref().filter(|path| !path.is_file());
+        let files: Vec<&Path> = self.out.iter().filter_map(Url::file).chain(report).chain(list).collect();
         let sources: Vec<PathBuf> = scenarios.iter().flat_map(OpenScenario::paths).collect();
-        Ok(can_be_written(&files, &sources, self.force)?)
+        Ok(can_be_written(&files, &sources, self.replacing.force)?)
     }
 
     /// Makes the homes, and shows how far that is.
@@ -239,6 +248,35 @@ impl Arguments {
         }
         Ok(fleet)
     }
+}
+
+/// The reports that a file holds already, whole lines alone; None where it is not there, or something else.
+fn reports_in(path: &Path) -> Option<Vec<u8>> {
+    let mut text = plain::read(path, LARGEST_REPORTS_BYTES).ok()?;
+    // A program that was killed may have left a line half written.
+    text.truncate(text.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1));
+    let is_report = |line: &[u8]| {
+        let report: Option<serde_json::Value> = serde_json::from_slice(line).ok();
+        report.is_some_and(|report| report["running_s"].is_number() && report["is_last"].is_boolean())
+    };
+    text.split(|&byte| byte == b'\n').filter(|line| !line.is_empty()).all(is_report).then_some(text)
+}
+
+/// The largest file of reports that a fleet adds to; a report every five seconds takes a year to fill half of it.
+const LARGEST_REPORTS_BYTES: u64 = 8 << 30;
+
+/// Opens the file of reports: a new one, or the one that the same command left, to add to it.
+fn reports(path: &Path, force: bool) -> Result<FreshFile, Failure> {
+    let before = if force { None } else { reports_in(path) };
+    let mut file = FreshFile::create(path, force || before.is_some())?;
+    file.write(&before.unwrap_or_default())?;
+    Ok(file)
+}
+
+/// Writes the list of homes; the same list may be there already.
+fn write_list(path: &Path, list: &str, force: bool) -> Result<(), Failure> {
+    let is_there = plain::read(path, list.len() as u64).is_ok_and(|found| found == list.as_bytes());
+    if is_there { Ok(()) } else { write_file(path, list.as_bytes(), force) }
 }
 
 #[cfg(test)]

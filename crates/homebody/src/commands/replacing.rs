@@ -1,0 +1,22 @@
+//! The options that allow a command to replace files, and rows in a server's database.
+
+use homebody_log::{How, Url};
+
+/// Permission to replace files and rows.
+#[derive(clap::Args)]
+pub struct Replacing {
+    /// Replace files that exist; a database file only if it holds nothing but a run
+    #[arg(long)]
+    pub force: bool,
+    /// Replace the rows of this run that a server's database holds already; its other rows stay
+    #[arg(long)]
+    pub replace_rows: bool,
+}
+
+impl Replacing {
+    /// How a place is begun, by these permissions.
+    pub fn how(&self, place: &Url) -> How {
+        let is_said = if place.server().is_some() { self.replace_rows } else { self.force };
+        if is_said { How::Replace } else { How::New }
+    }
+}

@@ -1,0 +1,74 @@
+//! A command that is killed while it makes something is given again, and makes all of it.
+
+use crate::flat::flat;
+use crate::folder::Folder;
+use std::process::Stdio;
+use std::thread;
+use std::time::Duration;
+
+/// So many kills of each command, a little later each time.
+const KILLS: u32 = 8;
+
+/// How much later.
+const LATER: Duration = Duration::from_millis(15);
+
+/// Kills a command again and again, and gives it again each time: it does what it did, and nothing of the killed one is left.
+fn killed_and_given_again(folder: &Folder, words: &str, made: &[&str], signal: &str) -> u32 {
+    let before = folder.files();
+    let remove = || {
+        for name in made {
+            let path = folder.path(name);
+            let _ = if path.is_dir() { std::fs::remove_dir_all(path) } else { std::fs::remove_file(path) };
+        }
+    };
+    folder.run(words).ok();
+    let whole = folder.files();
+    assert!(whole.len() > before.len());
+    let mut killed = 0;
+    for number in 0..KILLS {
+        remove();
+        assert_eq!(folder.files(), before, "{words}");
+        let mut child = folder.command(words).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        thread::sleep(LATER * number);
+        let _ = std::process::Command::new("kill").args([signal, &child.id().to_string()]).status();
+        if child.wait().unwrap().success() {
+            continue;
+        }
+        killed += 1;
+        folder.run(words).ok();
+        assert_eq!(folder.files(), whole, "{words}, killed after {number} times {LATER:?}");
+    }
+    remove();
+    killed
+}
+
+#[test]
+fn killed_commands_are_given_again() {
+    let folder = flat();
+    folder.run("run flat --for 50m --quiet").ok();
+    let mut killed = 0;
+    for signal in ["-KILL", "-TERM"] {
+        for (words, made) in [
+            ("new my-home --template tigerplace", &["my-home"][..]),
+            ("convert runs/flat-1 --to sqlite:out.db", &["out.db"]),
+            ("convert runs/flat-1 --to csv:out.csv", &["out.csv", "out.sensors.csv"]),
+            ("convert runs/flat-1 --to jsonl:out.jsonl.gz", &["out.jsonl.gz", "out.sensors.csv"]),
+            ("label runs/flat-1 --to sqlite:labelled.db", &["labelled.db"]),
+            ("translate runs/flat-1 --home flat --to walked", &["walked"]),
+        ] {
+            killed += killed_and_given_again(&folder, words, made, signal);
+        }
+    }
+    assert!(killed > 6, "{killed} were killed before their end");
+}
+
+/// The control: what was there before a command was given is not taken for what a killed one has left.
+#[test]
+fn what_is_whole_is_not_replaced_unasked() {
+    let folder = flat();
+    folder.run("run flat --for 20m --quiet").ok();
+    folder.run("new my-home --template tigerplace").ok();
+    folder.run("convert runs/flat-1 --to sqlite:out.db").ok();
+    folder.run("new my-home --template tigerplace").fails(1, "my-home exists already");
+    folder.run("convert runs/flat-1 --to sqlite:out.db").fails(1, "out.db exists already");
+}
