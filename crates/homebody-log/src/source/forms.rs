@@ -3,7 +3,7 @@
 use super::form::{Form, Shows};
 use super::reading::Reading;
 use super::start::Start;
-use super::{casas, csv, each_second, frames, home_assistant, intervals, jsonl, mit, psql, sqlite, xes};
+use super::{casas, csv, each_second, home_assistant, intervals, jsonl, mit, psql, sqlite, xes};
 use crate::elsewhere;
 use crate::error::{LogError, place_of};
 use crate::spans::SPANS;
@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// All forms that every build has. A file is of the first whose signs it shows.
-pub const FORMS: [Form; 12] = [
+pub const FORMS: [Form; 13] = [
     home_assistant::FORM,
     sqlite::FORM,
     jsonl::FORM,
@@ -27,7 +27,8 @@ pub const FORMS: [Form; 12] = [
     intervals::FORM,
     each_second::ARAS,
     each_second::OPENSHS,
-    frames::FORM,
+    csv::INTERVALS,
+    csv::WIDE,
     csv::FORM,
     casas::FORM,
 ];

@@ -39,6 +39,8 @@ pub struct Reading<'t> {
     pub has_spans: bool,
     /// The instant of the last row.
     last: Micros,
+    /// The log that is being read, for errors.
+    pub(super) place: String,
     /// The file beside the log that is being read, if that is not the log itself.
     beside: Option<String>,
     /// Activities beyond the most that are kept.
@@ -58,6 +60,7 @@ impl<'t> Reading<'t> {
             first: Some(Vec::new()),
             has_spans: false,
             last: 0,
+            place: String::new(),
             beside: None,
             beyond: 0,
         }
@@ -166,11 +169,24 @@ impl<'t> Reading<'t> {
         if let Some(first) = self.first.take() {
             self.settle_clock(&first);
         }
+        self.few_sensors()?;
+        self.log.offsets.clone_from(&self.instants.offsets);
         if !self.log.events.is_empty() {
             (self.take)(&self.log)?;
             self.log.events.clear();
         }
         Ok(())
+    }
+
+    /// Refuses names of which hardly any comes again: they are no sensors.
+    fn few_sensors(&self) -> Result<(), LogError> {
+        let (sensors, rows) = (self.log.sensors.len(), self.log.rows);
+        if sensors <= FEW_SENSORS || 2 * sensors as u64 <= rows {
+            return Ok(());
+        }
+        let why =
+            format!("its first {rows} rows have {sensors} sensors: these are no sensors, which come again and again");
+        Err(LogError::NoLog { place: self.place.clone(), why })
     }
 
     /// Settles by which clock the log is told: that of most of its first rows. Those of the other are left out.
@@ -303,6 +319,9 @@ impl<'t> Reading<'t> {
         Ok(self.log)
     }
 }
+
+/// A log may have so many sensors with a row or two each (ours).
+const FEW_SENSORS: usize = 1000;
 
 /// Why a row is none of the log's.
 const OTHER_CLOCK: &str = "some instants have a zone and some have none";
