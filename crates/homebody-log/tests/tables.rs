@@ -2,9 +2,9 @@
 
 mod stage;
 
-use homebody_core::scenario::logger::{DateOrder, DecimalMark, HomeColumn, LoggerFile, TableOptions};
+use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Micros, SECOND};
-use homebody_log::source::{Clock, ColumnRole};
+use homebody_log::source::{Clock, ColumnRole, DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_log::{Log, LogError, Source, read};
 use stage::Folder;
 use std::fs;
@@ -16,9 +16,8 @@ const SEVEN: Micros = 1_235_977_200 * SECOND;
 fn read_with(folder: &Folder, name: &str, text: &str, options: TableOptions) -> Result<(String, Log), LogError> {
     let path = folder.path().join(name);
     fs::write(&path, text).unwrap();
-    let source = Source::recognise(&path)?;
-    let file = LoggerFile { table_options: options, ..LoggerFile::default() };
-    Ok((source.form().name.to_owned(), read(&source, &file)?))
+    let source = Source::recognise(&path)?.with_options(options);
+    Ok((source.form().name.to_owned(), read(&source, &LoggerFile::default())?))
 }
 
 fn read_text(text: &str) -> Result<(String, Log), LogError> {

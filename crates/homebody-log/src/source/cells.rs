@@ -1,7 +1,7 @@
 //! The cells of a table's column by its first rows: instants, numbers, words, and how often each comes again.
 
 use super::instant::{Instant, Instants};
-use homebody_core::scenario::logger::DateOrder;
+use super::options::DateOrder;
 use homebody_core::time::{DAY, Micros};
 use std::collections::BTreeMap;
 

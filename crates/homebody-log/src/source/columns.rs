@@ -301,7 +301,7 @@ pub(super) fn role_of(heading: &str) -> Option<(ColumnRole, usize)> {
 }
 
 /// The ranks of names that are certain are below this.
-const CERTAIN: usize = 100;
+pub(super) const CERTAIN: usize = 100;
 
 /// Whether a sensor's heading can mean nothing else: `name` and `code` can.
 pub(super) fn is_certain_sensor(heading: &str) -> bool {

@@ -4,6 +4,7 @@ use super::form::{Form, Shows};
 use super::homes::{self, Homes};
 use super::instant::Instants;
 use super::layout::{Layout, Rows};
+use super::options::TableOptions;
 use super::reading::Reading;
 use super::records::{Record, Records};
 use super::start::Start;
@@ -11,7 +12,7 @@ use super::table_events::Events;
 use super::table_intervals::Intervals;
 use super::table_wide::Wide;
 use crate::error::LogError;
-use homebody_core::scenario::logger::{LoggerFile, TableOptions};
+use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
 pub(super) const FORM: Form = Form {
@@ -41,8 +42,11 @@ pub(super) const WIDE: Form = Form {
     what: "comma-separated values with a column for each sensor: of states each change becomes a row, of numbers each cell",
     shows: |start| shown(start, |rows| matches!(rows, Some(Rows::Wide { .. })).then_some(Shows::Rows)),
     read: |path, file, reading| {
-        let table_options = TableOptions { is_wide: true, ..file.table_options.clone() };
-        read(path, &LoggerFile { table_options, ..file.clone() }, reading)
+        // What shows itself as wide may have a column of devices, too.
+        let found = Layout::of(path, file, &reading.options);
+        let is_wide = matches!(found, Ok(Some(Layout { rows: Rows::Wide { .. }, .. })));
+        reading.options.is_wide |= !is_wide;
+        read(path, file, reading)
     },
 };
 
@@ -51,8 +55,10 @@ fn shown(start: &Start, shows: impl Fn(Option<&Rows>) -> Option<Shows>) -> Shows
     if start.no_text().is_some() || start.delimiters() == 0 {
         return Shows::Nothing;
     }
-    let file = LoggerFile::default();
-    let found = match Layout::of(&start.path, &file) {
+    let found = Layout::of(&start.path, &LoggerFile::default(), &TableOptions::default());
+    let found = match &found {
+        // The text of CASAS has tabs and no heading.
+        _ if start.delimiter() == b'\t' && !matches!(&found, Ok(Some(layout)) if layout.first_line > 1) => None,
         Ok(Some(layout)) => shows(Some(&layout.rows)),
         Ok(None) => None,
         // A table of instants that is no log is refused by what it lacks.
@@ -63,11 +69,11 @@ fn shown(start: &Start, shows: impl Fn(Option<&Rows>) -> Option<Shows>) -> Shows
 }
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let Some(layout) = Layout::of(path, file)? else { return Ok(()) };
+    let Some(layout) = Layout::of(path, file, &reading.options)? else { return Ok(()) };
     reading.instants.order = layout.order;
     layout.uses.iter().for_each(|of| reading.column(&of.column, of.used_as, &of.because));
     reading.log.remarks.extend(layout.remarks.iter().cloned());
-    let mut homes = Homes::of(&layout, file);
+    let mut homes = Homes::of(&layout, &reading.options);
     match &layout.rows {
         Rows::Events { .. } => {
             let mut events = Events::of(&layout);

@@ -2,10 +2,10 @@
 
 use super::cells::{Cells, Orders, Reads};
 use super::first_rows::FirstRows;
+use super::options::DateOrder;
 use super::pick::Time;
 use super::records::Records;
 use crate::limits::beginning;
-use homebody_core::scenario::logger::DateOrder;
 use std::path::Path;
 
 /// How often dates must follow on the day before to decide (ours).

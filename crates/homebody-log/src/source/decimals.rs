@@ -1,8 +1,8 @@
 //! The mark before the decimals of a table's numbers: a point or a comma.
 
 use super::first_rows::FirstRows;
+use super::options::DecimalMark;
 use crate::limits::beginning;
-use homebody_core::scenario::logger::DecimalMark;
 
 /// What numbers with marks say of the mark before decimals.
 #[derive(Default)]
@@ -25,7 +25,7 @@ pub(super) fn decimal_comma(first: &FirstRows, columns: &[usize], asked: Option<
     let mut example = "";
     for &column in columns {
         for cell in first.column(column) {
-            if marks.take(cell.trim()) {
+            if marks.take(cell.trim()) && example.is_empty() {
                 example = cell;
             }
         }

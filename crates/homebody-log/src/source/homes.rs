@@ -1,11 +1,11 @@
 //! The homes of a table's rows: one home alone is read.
 
 use super::layout::{Layout, refused};
+use super::options::TableOptions;
 use super::records::{Record, Records};
 use crate::error::LogError;
 use crate::limits::beginning;
 use crate::plain::text;
-use homebody_core::scenario::logger::LoggerFile;
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -26,8 +26,8 @@ pub(super) enum Homes {
 }
 
 impl Homes {
-    pub fn of(layout: &Layout, file: &LoggerFile) -> Homes {
-        let asked = file.table_options.home.as_ref().and_then(|home| home.home.as_deref());
+    pub fn of(layout: &Layout, options: &TableOptions) -> Homes {
+        let asked = options.home.as_ref().and_then(|home| home.home.as_deref());
         match (layout.home, asked) {
             (None, _) | (_, Some("*")) => Homes::All,
             (Some(column), Some(home)) => Homes::Asked { column, home: home.as_bytes().to_owned() },

@@ -1,7 +1,7 @@
 //! Reads instants as logs write them.
 
 use super::log::OffsetSpan;
-use homebody_core::scenario::logger::DateOrder;
+use super::options::DateOrder;
 use homebody_core::time::{DAY, Micros, SECOND};
 use jiff::civil::{Date, ISOWeekDate, Weekday, date};
 
@@ -60,9 +60,10 @@ impl Instants {
     }
 
     fn keep_offset(&mut self, at: Micros, ahead: Micros) {
+        let is_full = self.offsets.len() >= MOST_OFFSETS;
         match self.offsets.last_mut() {
             Some(span) if span.ahead == ahead => (span.from, span.to) = (span.from.min(at), span.to.max(at)),
-            _ if self.offsets.len() >= MOST_OFFSETS => {}
+            _ if is_full => {}
             _ => self.offsets.push(OffsetSpan { from: at, to: at, ahead }),
         }
     }

@@ -15,9 +15,10 @@ use super::dates_of_table::order_of;
 use super::decimals::decimal_comma;
 use super::first_rows::FirstRows;
 use super::log::{ColumnRole, ColumnUse};
+use super::options::{DateOrder, TableOptions};
 use super::pick::{End, Pick, Time};
 use crate::error::{LogError, place_of};
-use homebody_core::scenario::logger::{DateOrder, LoggerFile};
+use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
 /// What the columns of a table are.
@@ -81,7 +82,7 @@ impl Layout {
     /// # Errors
     ///
     /// [`LogError::NoLog`] with what speaks against a log of sensors, and what reading the first rows comes to.
-    pub fn of(path: &Path, file: &LoggerFile) -> Result<Option<Layout>, LogError> {
+    pub fn of(path: &Path, file: &LoggerFile, options: &TableOptions) -> Result<Option<Layout>, LogError> {
         let Some(first) = FirstRows::of(path, file)? else { return Ok(None) };
         let is_ours = |names: &[String]| Places::by_name(names, file).is_some_and(|places| places.is_mapped);
         match first.rows.is_empty() {
@@ -89,7 +90,7 @@ impl Layout {
             true => return Err(refused(path, "it has no rows: its only line is a heading".into())),
             false => {}
         }
-        decide(path, &first, file).map(Some).map_err(|why| refused(path, why))
+        decide(path, &first, file, options).map(Some).map_err(|why| refused(path, why))
     }
 }
 
@@ -97,8 +98,7 @@ pub(super) fn refused(path: &Path, why: String) -> LogError {
     LogError::NoLog { place: place_of(path), why }
 }
 
-fn decide(path: &Path, first: &FirstRows, file: &LoggerFile) -> Result<Layout, String> {
-    let options = &file.table_options;
+fn decide(path: &Path, first: &FirstRows, file: &LoggerFile, options: &TableOptions) -> Result<Layout, String> {
     if 2 * first.longer > first.rows.len() {
         return Err(format!(
             "its rows have more cells than its heading has names: where a comma parts the cells, no number can have one \
@@ -112,27 +112,24 @@ fn decide(path: &Path, first: &FirstRows, file: &LoggerFile) -> Result<Layout, S
     if let Some(Places { time, sensor, value, label, .. }) = mapped {
         pick.all_by_name([time, sensor, value], label);
         let rows = Rows::Events { sensor: Sensor::Columns(vec![sensor]), value: Some(value), is_mapped: true };
-        return finish(path, pick, Time::at(time), rows, file);
+        return finish(path, pick, Time::at(time), rows, options);
     }
     let time = pick.time()?;
     pick.besides();
     if options.is_wide {
+        pick.other_instants();
         let rows = wide(&mut pick, Vec::new())?;
-        return finish(path, pick, time, rows, file);
+        return finish(path, pick, time, rows, options);
     }
+    pick.no_program_log()?;
     let rows = match pick.end(&time) {
-        Some(end) => intervals(path, &mut pick, end)?,
+        Some(end) => intervals(path, &mut pick, &time, end)?,
         None => events_or_wide(path, &mut pick)?,
     };
-    let is_wide = matches!(rows, Rows::Wide { .. });
-    if !is_wide {
-        pick.no_program_log()?;
-    }
-    finish(path, pick, time, rows, file)
+    finish(path, pick, time, rows, options)
 }
 
-fn finish(path: &Path, mut pick: Pick, time: Time, rows: Rows, file: &LoggerFile) -> Result<Layout, String> {
-    let options = &file.table_options;
+fn finish(path: &Path, mut pick: Pick, time: Time, rows: Rows, options: &TableOptions) -> Result<Layout, String> {
     let (order, because) = order_of(path, pick.first, &time, options.dates)?;
     if let Some(because) = because {
         pick.add_reason(time.column, &because);
@@ -167,19 +164,19 @@ fn finish(path: &Path, mut pick: Pick, time: Time, rows: Rows, file: &LoggerFile
 }
 
 /// Rows of a start and an end.
-fn intervals(path: &Path, pick: &mut Pick, end: End) -> Result<Rows, String> {
+fn intervals(path: &Path, pick: &mut Pick, time: &Time, end: End) -> Result<Rows, String> {
     let label = pick.by_heading(ColumnRole::Label);
     let sensor = pick.by_heading(ColumnRole::Sensor);
     if let Some(label) = label.or_else(|| sensor.is_none().then(|| pick.activities()).flatten()) {
         return Ok(Rows::Intervals { end, sensor: Sensor::Columns(vec![label]), value: None, is_of_activities: true });
     }
-    let sensor = pick.sensor(false)?.map(|sensor| (sensor, pick.value(sensor)));
+    let sensor = pick.sensor(false).map(|sensor| (sensor, pick.value(sensor)));
     Ok(match sensor {
         Some((sensor, value)) => {
             let sensors = pick.apart(sensor);
             pick.leftover_room();
             pick.no_keys(sensor, value)?;
-            match value.filter(|&value| is_number(&pick.first.cells[value])) {
+            match value.filter(|&value| is_number(&pick.first.cells[value]) && !time.is_since_start) {
                 Some(number) => events(sensors, Some(number)),
                 None => Rows::Intervals { end, sensor: Sensor::Columns(sensors), value, is_of_activities: false },
             }
@@ -199,7 +196,7 @@ fn alone(path: &Path) -> Sensor {
 fn events_or_wide(path: &Path, pick: &mut Pick) -> Result<Rows, String> {
     let columns = pick.value_columns();
     let named_value = pick.by_heading(ColumnRole::Value);
-    let sensor = pick.sensor(columns.len() > 1)?;
+    let sensor = pick.sensor(columns.len() > 1);
     let Some(sensor) = sensor else {
         return match (named_value, columns.len()) {
             (Some(value), 0 | 1) if columns.iter().all(|column| *column == value) => one_sensor(path, pick, value),

@@ -1,12 +1,12 @@
 //! Takes the columns of a table for what they are, one after the other: by headings, then by cells. Each is taken once.
 
 use super::cells::{Cells, Reads, is_blank};
-use super::columns::{is_certain_sensor, role_of};
+use super::columns::{CERTAIN, is_certain_sensor, role_of};
 use super::first_rows::FirstRows;
 use super::log::{ColumnRole, ColumnUse};
+use super::options::{DateOrder, HomeColumn};
 use crate::limits::beginning;
 use homebody_core::problem::readable;
-use homebody_core::scenario::logger::{DateOrder, HomeColumn};
 use homebody_core::time::{Micros, SECOND};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -159,7 +159,12 @@ impl<'f> Pick<'f> {
     /// Takes the column of homes: the one that is asked for, or one with a heading of homes or persons.
     pub fn home(&mut self, asked: Option<&HomeColumn>) -> Result<(), String> {
         let Some(asked) = asked else {
-            if let Some(column) = self.by_heading(ColumnRole::Home) {
+            // Numbers of which each is another one, or states, are readings.
+            let is_home = |column: &usize| {
+                let cells = self.cells(*column);
+                !cells.is_switch() && (cells.numbers == 0 || cells.come_again())
+            };
+            if let Some(column) = self.headed(ColumnRole::Home).into_iter().find(is_home) {
                 self.take(column, ColumnRole::Home, ColumnUse::HEADING);
             }
             return Ok(());
@@ -242,7 +247,7 @@ impl<'f> Pick<'f> {
         if let Some(of_day) = of_day {
             return Err(format!("its instants, in the column {}, are times of day without a date", name(of_day)));
         }
-        match headed.first().copied().filter(|&column| self.heading(column).is_some_and(|(_, rank)| rank < 100)) {
+        match headed.first().copied().filter(|&column| self.heading(column).is_some_and(|(_, rank)| rank < CERTAIN)) {
             // Each row is left out with its reason.
             Some(column) if self.by_heading(ColumnRole::Sensor).is_some() => {
                 self.take(column, ColumnRole::Time, ColumnUse::HEADING);
@@ -283,7 +288,7 @@ impl<'f> Pick<'f> {
             self.other_instants();
             return Some(End::After(column, unit));
         }
-        let is_named = self.heading(time.column).is_some_and(|(role, rank)| role == ColumnRole::Time && rank < 100);
+        let is_named = self.heading(time.column).is_some_and(|(role, rank)| role == ColumnRole::Time && rank < CERTAIN);
         let ends: Vec<usize> = self.free().into_iter().filter(|column| self.is_end_of(time.column, *column)).collect();
         if let Some(&column) = ends.first().filter(|_| !is_named && time.of_day.is_none()) {
             self.take(column, ColumnRole::End, "its cells are instants, none of them before that of the time");
@@ -313,7 +318,7 @@ impl<'f> Pick<'f> {
     }
 
     /// Passes over columns of other instants: they are no sensors.
-    fn other_instants(&mut self) {
+    pub fn other_instants(&mut self) {
         for column in self.free() {
             let cells = self.cells(column);
             if cells.are(cells.instants)
@@ -345,50 +350,53 @@ impl<'f> Pick<'f> {
 
     /// Takes the column of the sensor. Beside several columns of values, one without a known heading is one only if it changes
     /// from row to row: a state such as the weather's stays.
-    pub fn sensor(&mut self, beside_values: bool) -> Result<Option<usize>, String> {
-        let free = self.free();
-        let named = self.by_heading(ColumnRole::Sensor);
-        let kind = self.headed(ColumnRole::Kind).into_iter().next();
+    pub fn sensor(&mut self, beside_values: bool) -> Option<usize> {
+        let is_sure = |column: &usize| {
+            self.heading(*column).is_some_and(|(_, rank)| rank < CERTAIN) || self.cells(*column).come_again()
+        };
+        let named = self.headed(ColumnRole::Sensor).into_iter().find(is_sure);
+        let by_cells = self.named_by_cells();
+        let by_cells = by_cells.filter(|column| !beside_values || !self.first.has_heading || self.changes(*column));
+        let is_kind = |column: &usize| !self.cells(*column).are_mostly(self.cells(*column).switches);
+        let kind = self.headed(ColumnRole::Kind).into_iter().find(is_kind);
+        let sensor = named.or(by_cells).or(self.by_heading(ColumnRole::Room)).or(kind)?;
+        let because = self.reason_for_sensor(sensor);
+        self.take(sensor, ColumnRole::Sensor, &because);
+        self.kind_and_room();
+        Some(sensor)
+    }
+
+    /// The first free column whose texts come again as names do; one of kinds only if there is no other.
+    fn named_by_cells(&self) -> Option<usize> {
         let is_name = |column: &usize| {
             let cells = self.cells(*column);
-            let may_be = !cells.are_mostly(cells.values()) && !cells.are_mostly(cells.moments());
             let is_free = self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Unused);
-            may_be
-                && is_free
-                && cells.come_again()
-                && !cells.are_mostly(cells.sentences)
-                && !cells.are(cells.severities)
+            let is_other =
+                [cells.values(), cells.moments(), cells.sentences].iter().any(|count| cells.are_mostly(*count));
+            is_free && !is_other && cells.come_again() && !cells.are(cells.severities)
         };
-        let names: Vec<usize> = free.iter().copied().filter(is_name).collect();
-        let kinds = |column: &usize| self.cells(*column).are(self.cells(*column).kinds);
-        let mut by_cells = names.iter().copied().find(|column| !kinds(column)).or(names.first().copied());
-        if beside_values && self.first.has_heading {
-            by_cells = by_cells.filter(|column| self.changes(*column));
-        }
-        let room = self.by_heading(ColumnRole::Room);
-        let Some(sensor) = named
-            .or(by_cells)
-            .or(room)
-            .or(kind.filter(|kind| !self.cells(*kind).are_mostly(self.cells(*kind).switches)))
-        else {
-            return Ok(None);
+        let names: Vec<usize> = self.free().into_iter().filter(is_name).collect();
+        let is_kind = |column: &usize| self.cells(*column).are(self.cells(*column).kinds);
+        names.iter().copied().find(|column| !is_kind(column)).or(names.first().copied())
+    }
+
+    /// Takes the columns of kinds and rooms that go with a sensor.
+    fn kind_and_room(&mut self) {
+        let is_kind = |column: &usize| !self.cells(*column).are_mostly(self.cells(*column).values());
+        let by_heading = self.headed(ColumnRole::Kind).into_iter().find(is_kind);
+        let may_be = |column: &usize| {
+            let cells = self.cells(*column);
+            cells.are(cells.kinds) && self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Sensor)
         };
-        self.take(sensor, ColumnRole::Sensor, self.reason_for_sensor(sensor).as_str());
-        let kind = self.headed(ColumnRole::Kind).into_iter().next();
-        let kind = kind.filter(|kind| !self.cells(*kind).are_mostly(self.cells(*kind).values()));
-        if let Some(kind) = kind {
-            self.take(kind, ColumnRole::Kind, ColumnUse::HEADING);
-        } else if let Some(kind) = self
-            .free()
-            .into_iter()
-            .find(|column| kinds(column) && self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Sensor))
-        {
-            self.take(kind, ColumnRole::Kind, "its cells are kinds of sensors");
+        let by_cells = self.free().into_iter().find(may_be);
+        match (by_heading, by_cells) {
+            (Some(kind), _) => self.take(kind, ColumnRole::Kind, ColumnUse::HEADING),
+            (None, Some(kind)) => self.take(kind, ColumnRole::Kind, "its cells are kinds of sensors"),
+            _ => {}
         }
         if let Some(room) = self.by_heading(ColumnRole::Room) {
             self.take(room, ColumnRole::Room, ColumnUse::HEADING);
         }
-        Ok(Some(sensor))
     }
 
     pub fn reason_for_sensor(&self, column: usize) -> String {
@@ -414,11 +422,10 @@ impl<'f> Pick<'f> {
         }
         let free = self.free();
         let is_value = |column: &usize| self.cells(*column).are_mostly(self.cells(*column).values());
-        let behind = free.iter().copied().filter(|column| *column > sensor);
-        let by_cells =
-            behind.clone().find(is_value).or(free.iter().copied().find(|column| {
-                is_value(column) && self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Kind)
-            }));
+        let is_open = |column: &usize| self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Kind);
+        let open: Vec<usize> = free.into_iter().filter(is_open).collect();
+        let mut behind = open.iter().copied().filter(|column| *column > sensor);
+        let by_cells = behind.clone().find(is_value).or(open.iter().copied().find(is_value));
         if let Some(column) = by_cells {
             let cells = self.cells(column);
             let because = format!("{} of {} cells are numbers or words of states", cells.values(), cells.filled);
@@ -429,8 +436,7 @@ impl<'f> Pick<'f> {
             let cells = self.cells(*column);
             cells.come_again() && cells.sentences == 0 && self.heading(*column).is_none()
         };
-        let column =
-            behind.into_iter().find(is_state).filter(|column| *column == sensor + 1 || self.first.has_heading)?;
+        let column = behind.find(is_state).filter(|column| *column == sensor + 1 || self.first.has_heading)?;
         self.take(column, ColumnRole::Value, "its few texts come again, and it follows the sensor");
         Some(column)
     }
@@ -532,9 +538,9 @@ impl<'f> Pick<'f> {
 
     /// Refuses the log of a program.
     pub fn no_program_log(&self) -> Result<(), String> {
+        let columns = 0..self.taken.len();
         let is_known = |role| {
-            let column = self.taken(role);
-            column.is_some_and(|column| self.heading(column).is_some_and(|(of, rank)| of == role && rank < 100))
+            columns.clone().any(|column| self.heading(column).is_some_and(|(of, rank)| of == role && rank < CERTAIN))
         };
         let grave = (0..self.taken.len()).find(|&column| {
             let cells = self.cells(column);

@@ -3,6 +3,7 @@
 use super::activities::{Activity, Notes};
 use super::instant::{Instant, Instants};
 use super::log::{Clock, ColumnRole, ColumnUse, Event, Log};
+use super::options::TableOptions;
 use crate::error::{LogError, place_of};
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
 use crate::packed::unpacked;
@@ -39,6 +40,8 @@ pub struct Reading<'t> {
     pub has_spans: bool,
     /// The instant of the last row.
     last: Micros,
+    /// How its table is read.
+    pub(super) options: TableOptions,
     /// The log that is being read, for errors.
     pub(super) place: String,
     /// The file beside the log that is being read, if that is not the log itself.
@@ -60,6 +63,7 @@ impl<'t> Reading<'t> {
             first: Some(Vec::new()),
             has_spans: false,
             last: 0,
+            options: TableOptions::default(),
             place: String::new(),
             beside: None,
             beyond: 0,

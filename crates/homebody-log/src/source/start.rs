@@ -1,9 +1,9 @@
 //! How a file begins, which says what it holds.
 
 use super::instant::Instants;
+use super::options::DateOrder;
 use super::reading::open;
 use crate::error::LogError;
-use homebody_core::scenario::logger::DateOrder;
 use std::borrow::Cow;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -92,13 +92,6 @@ impl Start {
         let mut instants = Instants::with_order(Some(DateOrder::DayFirst));
         let lines = self.cells().take(LINES_FOR_DELIMITER);
         lines.flatten().any(|cell| instants.read(&cell).is_some())
-    }
-
-    /// The cells of the first lines, without quotes.
-    pub(super) fn cells(&self) -> impl Iterator<Item = Vec<String>> {
-        let delimiter = char::from(self.delimiter());
-        let cell = |cell: &str| cell.trim().trim_matches('"').trim().to_owned();
-        self.lines().map(move |line| line.split(delimiter).map(cell).collect())
     }
 
     /// How many delimiters the first line has.

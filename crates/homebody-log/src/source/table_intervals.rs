@@ -31,14 +31,14 @@ impl<'l> Intervals<'l> {
     pub fn take(&mut self, line: u64, record: &Record, reading: &mut Reading<'_>) -> Result<(), LogError> {
         let Rows::Intervals { end, sensor, value, is_of_activities } = &self.layout.rows else { return Ok(()) };
         let begin = text(self.layout.time.text(record, &mut self.time));
-        let Some(from) = self.instant(&begin, reading) else {
+        let Some(from) = instant(self.layout, &begin, reading) else {
             reading.skip(line, format!("{} is no date and time", beginning(begin.trim())));
             return Ok(());
         };
         let (End::At(column) | End::After(column, _)) = *end;
         let told = text(record.get(column).unwrap_or_default().trim_ascii());
         let to = match *end {
-            End::At(_) => self.instant(&told, reading),
+            End::At(_) => instant(self.layout, &told, reading),
             End::After(_, unit) => length(&told, unit).map(|length| later(from, length)),
         };
         let Some(to) = to else {
@@ -61,15 +61,15 @@ impl<'l> Intervals<'l> {
         Ok(())
     }
 
-    fn instant(&self, text: &str, reading: &mut Reading<'_>) -> Option<Instant> {
-        match self.layout.time.is_since_start {
-            true => text.trim().parse::<f64>().ok().filter(|seconds| (0.0..1e8).contains(seconds)).map(since_start),
-            false => reading.instants.read(text),
-        }
-    }
-
     pub fn end(self, reading: &mut Reading<'_>) -> Result<(), LogError> {
         self.order.end(reading)
+    }
+}
+
+fn instant(layout: &Layout, text: &str, reading: &mut Reading<'_>) -> Option<Instant> {
+    match layout.time.is_since_start {
+        true => text.trim().parse::<f64>().ok().filter(|seconds| (0.0..1e8).contains(seconds)).map(since_start),
+        false => reading.instants.read(text),
     }
 }
 

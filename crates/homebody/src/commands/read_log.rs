@@ -2,9 +2,8 @@
 
 use crate::failure::Failure;
 use crate::print::tell;
-use homebody_core::scenario::logger::{DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_kit::{LogWithRun, NamedLog, Unended};
-use homebody_log::source::{Clock, ColumnRole, Source, forms};
+use homebody_log::source::{Clock, ColumnRole, DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_log::{Log, read_mapping};
 use std::path::PathBuf;
 
@@ -71,10 +70,7 @@ impl HowRead {
         if let Some(path) = &self.mapping {
             named.mapping = read_mapping(path)?;
         }
-        named.mapping.table_options = self.table_options();
-        if let Some(form) = forms().find(|form| self.wide && form.name == "wide") {
-            named.place = Source::new(form, named.place.path());
-        }
+        named.place = named.place.with_options(self.table_options());
         Ok(named)
     }
 
