@@ -274,7 +274,10 @@ const OTHERS: [(ColumnRole, &[&str]); 11] = [
         ColumnRole::Unit,
         &["unit", "units", "unitofmeasurement", "uom", "einheit", "unidad", "unite", "unité", "eenheid"],
     ),
-    (ColumnRole::Unused, &["index", "unnamed0", "rowid", "rownumber", "id", "seq", "no", "nr"]),
+    (
+        ColumnRole::Unused,
+        &["index", "unnamed0", "rowid", "rownumber", "id", "seq", "no", "nr", "record", "recordid", "nummer"],
+    ),
 ];
 
 /// A heading by its letters and digits, in lower case: `Start Time` is `starttime`. A unit in brackets is left out.

@@ -165,7 +165,7 @@ fn finish(path: &Path, mut pick: Pick, time: Time, rows: Rows, options: &TableOp
 
 /// Rows of a start and an end.
 fn intervals(path: &Path, pick: &mut Pick, time: &Time, end: End) -> Result<Rows, String> {
-    let label = pick.by_heading(ColumnRole::Label);
+    let label = pick.taken(ColumnRole::Label);
     let sensor = pick.by_heading(ColumnRole::Sensor);
     if let Some(label) = label.or_else(|| sensor.is_none().then(|| pick.activities()).flatten()) {
         return Ok(Rows::Intervals { end, sensor: Sensor::Columns(vec![label]), value: None, is_of_activities: true });

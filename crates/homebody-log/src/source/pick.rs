@@ -95,11 +95,19 @@ impl<'f> Pick<'f> {
         for (column, cells) in first.cells.iter().enumerate() {
             match () {
                 () if cells.filled == 0 => pick.take(column, ColumnRole::Unused, "its cells are empty"),
-                () if cells.is_numbering => pick.take(column, ColumnRole::Unused, "it numbers the rows"),
+                () if cells.is_numbering && pick.may_be_a_number(column) => {
+                    pick.take(column, ColumnRole::Unused, "it numbers the rows")
+                }
                 () => {}
             }
         }
         pick
+    }
+
+    /// Whether a column may be that of the numbers of rows: a counter under a heading of its own is a sensor.
+    fn may_be_a_number(&self, column: usize) -> bool {
+        let is_nameless = self.first.names[column] == format!("column {}", column + 1);
+        is_nameless || self.heading(column).is_some_and(|(role, _)| role == ColumnRole::Unused)
     }
 
     pub fn take(&mut self, column: usize, role: ColumnRole, because: &str) {

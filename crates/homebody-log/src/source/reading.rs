@@ -297,11 +297,16 @@ impl<'t> Reading<'t> {
 
     /// Records what a column was taken for, and why.
     pub fn column(&mut self, column: &str, used_as: ColumnRole, because: &str) {
+        // Those of a table beside the log are none of its own.
+        if self.beside.is_some() {
+            return;
+        }
         self.log.columns.push(ColumnUse { column: column.into(), used_as, because: because.into() });
     }
 
     /// From now on a file beside the log is read.
     pub(super) fn go_beside(&mut self, file: &Path) {
+        self.options = TableOptions { dates: self.options.dates, ..TableOptions::default() };
         self.beside = Some(readable(place_of(file)));
     }
 
