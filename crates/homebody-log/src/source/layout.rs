@@ -176,7 +176,8 @@ fn intervals(path: &Path, pick: &mut Pick, time: &Time, end: End) -> Result<Rows
             let sensors = pick.apart(sensor);
             pick.leftover_room();
             pick.no_keys(sensor, value)?;
-            match value.filter(|&value| is_number(&pick.first.cells[value]) && !time.is_since_start) {
+            let is_reading = |cells: &Cells| is_number(cells) && !cells.are(cells.switches) && !time.is_since_start;
+            match value.filter(|&value| is_reading(&pick.first.cells[value])) {
                 Some(number) => events(sensors, Some(number)),
                 None => Rows::Intervals { end, sensor: Sensor::Columns(sensors), value, is_of_activities: false },
             }
