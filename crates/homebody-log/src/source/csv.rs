@@ -7,7 +7,7 @@ use super::layout::{Layout, Rows};
 use super::options::TableOptions;
 use super::reading::Reading;
 use super::records::{Record, Records};
-use super::start::Start;
+use super::start::{Start, TableKind};
 use super::table_events::Events;
 use super::table_intervals::Intervals;
 use super::table_wide::Wide;
@@ -19,7 +19,7 @@ pub(super) const FORM: Form = Form {
     name: "csv",
     what: "comma-separated values with an instant, a sensor and perhaps a value and an activity in each row; Home Assistant's \
            history and pyadlml's devices, too",
-    shows: |start| shown(start, |rows| matches!(rows, Some(Rows::Events { .. }) | None).then_some(Shows::Rows)),
+    shows: |start| Shows::rows_if(matches!(table(start), Some(TableKind::Events | TableKind::Refused))),
     read,
 };
 
@@ -27,12 +27,10 @@ pub(super) const INTERVALS: Form = Form {
     name: "pyadlml",
     what: "comma-separated values with a start and an end or a duration in each row, of activities or sensors, as pyadlml and \
            Orange4Home have them",
-    shows: |start| {
-        shown(start, |rows| match rows {
-            Some(Rows::Intervals { is_of_activities: true, .. }) => Some(Shows::Activities),
-            Some(Rows::Intervals { .. }) => Some(Shows::Rows),
-            _ => None,
-        })
+    shows: |start| match table(start) {
+        Some(TableKind::Activities) => Shows::Activities,
+        Some(TableKind::Intervals) => Shows::Rows,
+        _ => Shows::Nothing,
     },
     read,
 };
@@ -40,7 +38,7 @@ pub(super) const INTERVALS: Form = Form {
 pub(super) const WIDE: Form = Form {
     name: "wide",
     what: "comma-separated values with a column for each sensor: of states each change becomes a row, of numbers each cell",
-    shows: |start| shown(start, |rows| matches!(rows, Some(Rows::Wide { .. })).then_some(Shows::Rows)),
+    shows: |start| Shows::rows_if(table(start) == Some(TableKind::Wide)),
     read: |path, file, reading| {
         // What shows itself as wide may have a column of devices, too.
         let found = Layout::of(path, file, &reading.options);
@@ -50,22 +48,27 @@ pub(super) const WIDE: Form = Form {
     },
 };
 
-/// What the beginning of a file shows, if it is a table: by the rows that its columns make, or without any that are known.
-fn shown(start: &Start, shows: impl Fn(Option<&Rows>) -> Option<Shows>) -> Shows {
-    if start.no_text().is_some() || start.delimiters() == 0 {
-        return Shows::Nothing;
-    }
-    let found = Layout::of(&start.path, &LoggerFile::default(), &TableOptions::default());
-    let found = match &found {
-        // The text of CASAS has tabs and no heading.
-        _ if start.delimiter() == b'\t' && !matches!(&found, Ok(Some(layout)) if layout.first_line > 1) => None,
-        Ok(Some(layout)) => shows(Some(&layout.rows)),
-        Ok(None) => None,
-        // A table of instants that is no log is refused by what it lacks.
-        Err(_) if start.delimiters() >= 2 && start.has_instants() => shows(None),
-        Err(_) => None,
-    };
-    found.unwrap_or(Shows::Nothing)
+/// What a file is as a table, by its beginning.
+fn table(start: &Start) -> Option<TableKind> {
+    *start.table.get_or_init(|| {
+        if start.no_text().is_some() || start.delimiters() == 0 {
+            return None;
+        }
+        let found = Layout::of(&start.path, &LoggerFile::default(), &TableOptions::default());
+        let has_tabs = start.delimiter() == b'\t';
+        match found {
+            // The text of CASAS has tabs and no heading.
+            Ok(Some(layout)) if has_tabs && layout.first_line == 1 => None,
+            Ok(Some(layout)) => Some(match layout.rows {
+                Rows::Events { .. } => TableKind::Events,
+                Rows::Intervals { is_of_activities: true, .. } => TableKind::Activities,
+                Rows::Intervals { .. } => TableKind::Intervals,
+                Rows::Wide { .. } => TableKind::Wide,
+            }),
+            Err(_) if !has_tabs && start.delimiters() >= 2 && start.has_instants() => Some(TableKind::Refused),
+            _ => None,
+        }
+    })
 }
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {

@@ -1,7 +1,7 @@
 //! Takes the columns of a table for what they are, one after the other: by headings, then by cells. Each is taken once.
 
 use super::cells::{Cells, Reads, is_blank};
-use super::columns::{CERTAIN, is_certain_sensor, role_of};
+use super::columns::{CERTAIN, is_certain_sensor, plain, role_of};
 use super::first_rows::FirstRows;
 use super::log::{ColumnRole, ColumnUse};
 use super::options::{DateOrder, HomeColumn};
@@ -284,7 +284,10 @@ impl<'f> Pick<'f> {
         };
         let is_end =
             |cells: &Cells| cells.are_mostly(cells.moments()) || time.is_since_start && cells.are_mostly(cells.numbers);
-        if let Some(column) = headed(self, ColumnRole::End, &is_end) {
+        // Where the time has a start beside it, start and end are those of a query or an export.
+        let is_start = |column: &usize| matches!(plain(&self.first.names[*column]).as_str(), "start" | "begin");
+        let is_of_query = self.first.has_heading && self.free().iter().any(is_start) && !time.is_since_start;
+        if let Some(column) = headed(self, ColumnRole::End, &is_end).filter(|_| !is_of_query) {
             self.take(column, ColumnRole::End, ColumnUse::HEADING);
             self.other_instants();
             return Some(End::At(column));

@@ -5,6 +5,7 @@ use super::options::DateOrder;
 use super::reading::open;
 use crate::error::LogError;
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -19,6 +20,19 @@ pub struct Start {
     /// Which file it is.
     pub path: PathBuf,
     bytes: Vec<u8>,
+    /// What it is as a table, once that has been looked at: several forms ask.
+    pub(super) table: OnceCell<Option<TableKind>>,
+}
+
+/// What the rows of a table are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum TableKind {
+    Events,
+    Intervals,
+    Activities,
+    Wide,
+    /// It is a table of instants, and no log.
+    Refused,
 }
 
 impl Start {
@@ -31,7 +45,7 @@ impl Start {
         let mut bytes = Vec::new();
         let read = open(path)?.take(LOOKED_AT_BYTES).read_to_end(&mut bytes);
         read.map_err(|error| LogError::file(path, error))?;
-        Ok(Start { path: path.into(), bytes })
+        Ok(Start { path: path.into(), bytes, table: OnceCell::new() })
     }
 
     /// Whether it begins with these bytes.
