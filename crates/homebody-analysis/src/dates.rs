@@ -121,8 +121,8 @@ const CHANGING: [&str; 18] = [
     "Africa/Cairo",
 ];
 
-/// A zone that has these offsets from UTC when they were written: the clock on the wall of the home, whatever it is called. Where
-/// no zone is known that changes as they do, it is the offset that the most time has. `None` without offsets, and of those of UTC.
+/// A zone that has these offsets from UTC when they were written: the clock on the wall of the home, whatever it is called. If
+/// no known zone changes as they do, it is the offset that the most time has. `None` without offsets, and of those of UTC.
 pub fn zone_of_offsets(offsets: &[OffsetSpan]) -> Option<TimeZone> {
     let first = offsets.first()?;
     if offsets.iter().all(|span| span.ahead == 0) {

@@ -361,7 +361,7 @@ fn activities_go_with_their_log_into_each_form() {
     assert_eq!(without_columns(read(&to, &LoggerFile::default()).unwrap()), plain);
 }
 
-/// A log as it is in a form without columns.
+/// A log like one of a form without columns.
 fn without_columns(log: Log) -> Log {
     Log { columns: Vec::new(), ..log }
 }

@@ -38,7 +38,7 @@ fn read_as_csv(text: &str) -> Result<Log, LogError> {
     read(&url, &LoggerFile::default())
 }
 
-/// Why a text is no log.
+/// The error of a text that cannot be read as a log.
 fn why(text: &str) -> String {
     match read_text(text) {
         Err(error) => error.to_string(),
@@ -57,7 +57,7 @@ fn taken(log: &Log, role: ColumnRole) -> Vec<&str> {
     log.columns.iter().filter(|of| of.used_as == role).map(|of| of.column.as_str()).collect()
 }
 
-/// Rows of three sensors that go on and off, a minute apart; `row` writes one.
+/// Rows of three sensors that switch, a minute apart; `row` writes one.
 fn rows(count: usize, row: impl Fn(usize, &str, &str) -> String) -> String {
     let sensors = ["hall", "kitchen", "bath"];
     (0..count).map(|index| row(index, sensors[index / 2 % 3], ["ON", "OFF"][index % 2]) + "\n").collect()
@@ -121,12 +121,12 @@ fn intervals_without_a_heading_are_an_on_and_an_off() {
     assert_eq!(told(&log)[..2], [(0.0, "hall0", "ON"), (30.0, "hall0", "OFF")]);
     assert_eq!(taken(&log, ColumnRole::End), ["column 2"]);
     assert_eq!((log.known[1].kind.as_str(), log.known[1].is_motion), ("PIR", true));
-    // Words of activities alone are no sensors.
+    // Words of activities are labels.
     let activities =
         "2009-03-02 07:00:00,2009-03-02 07:10:00,Sleeping\n2009-03-02 07:20:00,2009-03-02 07:25:00,Breakfast\n";
     let (_, log) = read_text(&activities.repeat(3)).unwrap();
     assert_eq!((log.rows, log.activities.len()), (0, 6));
-    // The control: two instants of one event, as in an export with when it came and when it was stored, are no interval.
+    // The control: two instants of one event, as in an export with when it came and when it was stored, are one event.
     let row = |index: usize, sensor: &str, value: &str| {
         format!("2009-03-02 {0},2009-03-02T{0}.5Z,{sensor},{value}", clock(index))
     };
@@ -173,7 +173,7 @@ fn a_column_for_each_sensor_becomes_changes_and_readings() {
     assert_eq!(of("weather").len(), 2);
     assert_eq!(taken(&log, ColumnRole::OneSensor).len(), 5);
     assert!(log.remarks.iter().any(|remark| remark.contains("columns are sensors")), "{:?}", log.remarks);
-    // Whatever the columns are, --wide takes them.
+    // --wide takes any columns.
     let table = "time,sensor,value\n2009-03-02 07:00:00,21,1\n2009-03-02 07:01:00,22,0\n";
     let wide = TableOptions { is_wide: true, ..TableOptions::default() };
     let (_, log) = read_with(&folder(), "log.csv", table, wide).unwrap();

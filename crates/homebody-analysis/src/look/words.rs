@@ -106,7 +106,7 @@ impl Look {
     }
 }
 
-/// What a column is, in a word or two.
+/// The use of a column, in a word or two.
 fn role(role: ColumnRole) -> &'static str {
     match role {
         ColumnRole::Time => "time",

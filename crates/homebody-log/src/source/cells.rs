@@ -180,7 +180,7 @@ const SEVERITIES: [&str; 14] = [
     "severe",
 ];
 
-/// So many words make a sentence (ours): states have fewer.
+/// So many words make a sentence: states have fewer.
 const WORDS_OF_SENTENCE: usize = 4;
 
 /// The cells of one column.
@@ -292,10 +292,10 @@ impl Cells {
     }
 }
 
-/// With fewer cells nothing can be said of how often they come again (ours).
+/// Fewer cells do not show how often they come again.
 const FEW: usize = 8;
 
-/// So many cells are enough to say that they do not come again (ours).
+/// So many cells are enough to say that they do not come again.
 const ENOUGH: usize = 20;
 
 /// Whether a cell says nothing.
@@ -343,7 +343,7 @@ impl Orders {
     }
 }
 
-/// What a cell may be of an instant.
+/// The part of an instant that a cell may be.
 enum Shape {
     Instant(Orders),
     Epoch,
@@ -388,7 +388,7 @@ impl Reads {
     fn orders(&mut self, cell: &str) -> Option<Orders> {
         let ends_in_m = cell.trim_end_matches('.').ends_with(['M', 'm']);
         let of_twelve = usize::from(ends_in_m);
-        // A number since 1970 is no date.
+        // A number since 1970 has no order.
         if cell.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.') {
             return None;
         }

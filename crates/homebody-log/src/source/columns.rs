@@ -286,7 +286,7 @@ pub(super) fn plain(heading: &str) -> String {
     without_unit.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
-/// What a column of this heading holds, and how certain its name is among those of this role: less is more certain.
+/// The role of a column with this heading, and the rank of its name among those of the role: less is more certain.
 pub(super) fn role_of(heading: &str) -> Option<(ColumnRole, usize)> {
     let name = plain(heading);
     let certain: [(ColumnRole, &[&str]); 4] = [

@@ -40,7 +40,7 @@ pub(super) const WIDE: Form = Form {
     what: "comma-separated values with a column for each sensor: of states each change becomes a row, of numbers each cell",
     shows: |start| Shows::rows_if(table(start) == Some(TableKind::Wide)),
     read: |path, file, reading| {
-        // What shows itself as wide may have a column of devices, too.
+        // A table that is wide by itself may have a column of devices, too.
         let found = Layout::of(path, file, &reading.options);
         let is_wide = matches!(found, Ok(Some(Layout { rows: Rows::Wide { .. }, .. })));
         reading.options.is_wide |= !is_wide;
@@ -48,7 +48,7 @@ pub(super) const WIDE: Form = Form {
     },
 };
 
-/// What a file is as a table, by its beginning.
+/// The kind of table that a file is, by its beginning.
 fn table(start: &Start) -> Option<TableKind> {
     *start.table.get_or_init(|| {
         if start.no_text().is_some() || start.delimiters() == 0 {

@@ -8,10 +8,10 @@ use super::records::Records;
 use crate::limits::beginning;
 use std::path::Path;
 
-/// How often dates must follow on the day before to decide (ours).
+/// How often dates must follow on the day before to decide.
 const DECIDING_DAYS: usize = 2;
 
-/// So many rows are looked at where the first ones do not decide (ours).
+/// So many rows are looked at where the first ones do not decide.
 const MOST_ROWS: usize = 2_000_000;
 
 /// The order of day and month, if dates are written in numbers with the year last, and what decides it.

@@ -4,12 +4,12 @@ use super::first_rows::FirstRows;
 use super::options::DecimalMark;
 use crate::limits::beginning;
 
-/// What numbers with marks say of the mark before decimals.
+/// Counts of numbers by their marks.
 #[derive(Default)]
 struct Marks {
-    /// Numbers in which a comma can be before decimals alone, such as `21,5`.
+    /// Numbers such as `21,5`, whose comma is before decimals.
     comma: usize,
-    /// Those in which a point can.
+    /// Numbers such as `21.5`, whose point is before decimals.
     point: usize,
     /// Numbers such as `1,234`, whose comma may part thousands.
     either: usize,
@@ -70,7 +70,7 @@ impl Marks {
     }
 }
 
-/// A number with a decimal comma as one with a point; `None` if it is no such number.
+/// A number with a decimal comma as one with a point; `None` of any other text.
 pub(super) fn with_point(cell: &[u8]) -> Option<Vec<u8>> {
     let digits = cell.strip_prefix(b"-").or(cell.strip_prefix(b"+")).unwrap_or(cell);
     let is_number = digits.iter().all(|byte| byte.is_ascii_digit() || b",.".contains(byte));

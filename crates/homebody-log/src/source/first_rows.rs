@@ -8,10 +8,10 @@ use homebody_core::scenario::logger::LoggerFile;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// So many rows are looked at (ours).
+/// So many rows are looked at.
 const MOST_ROWS: usize = 1000;
 
-/// No more bytes of them are kept (ours): rows of a thousand columns are long.
+/// No more bytes of them are kept: rows of a thousand columns are long.
 const MOST_BYTES: usize = 4 << 20;
 
 /// The first rows of a table.

@@ -9,10 +9,10 @@ use crate::plain::text;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// So many homes are named (ours).
+/// So many homes are named.
 const NAMED: usize = 10;
 
-/// No more homes are counted (ours).
+/// No more homes are counted.
 const MOST_HOMES: usize = 10_000;
 
 /// Decides which rows are read.

@@ -14,7 +14,7 @@ pub enum Instant {
     Utc(Micros),
 }
 
-/// No more spans of one offset are kept (ours): a zone has two a year.
+/// No more spans of one offset are kept: a zone has two a year.
 const MOST_OFFSETS: usize = 400;
 
 /// Reads instants; a day as `2009-03-02` that has been read is known for the lines that follow.
@@ -24,7 +24,7 @@ pub(crate) struct Instants {
     midnight: Micros,
     /// Which number is the day in `02/03/2009`; `None`: such a date is not known.
     pub order: Option<DateOrder>,
-    /// The offsets that instants had, in the order in which they came.
+    /// The offsets of the instants so far, in the order of the rows.
     pub offsets: Vec<OffsetSpan>,
 }
 

@@ -1,12 +1,12 @@
-//! What the columns of a table are, decided by their headings and by the cells of its first rows.
+//! Decides the use of each column of a table by their headings and by the cells of its first rows.
 //!
 //! | rows | evidence |
 //! |---|---|
-//! | events | an instant, a sensor whose name comes again, and a value, a word of two states, or none |
-//! | intervals | two instants of which the second is never earlier, or an instant and a duration |
+//! | events | an instant, a sensor whose name comes again, and a value or not |
+//! | intervals | two instants, the second never earlier, or an instant and a duration |
 //! | wide | an instant, and a number or a state under each other heading |
 //!
-//! A heading decides where its name is known and its cells do not speak against it. A table that is none of these is refused with
+//! A heading decides where its name is known and its cells do not speak against it. Any other table is refused with
 //! what it lacks.
 
 use super::cells::Cells;
@@ -21,7 +21,7 @@ use crate::error::{LogError, place_of};
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
-/// What the columns of a table are.
+/// The use of each column of a table.
 pub(super) struct Layout {
     /// The line of the first row: the heading and all above it come before.
     pub first_line: u64,
@@ -38,7 +38,7 @@ pub(super) struct Layout {
     pub remarks: Vec<String>,
 }
 
-/// What a row is.
+/// The meaning of a row.
 pub(super) enum Rows {
     Events {
         sensor: Sensor,
@@ -60,7 +60,7 @@ pub(super) enum Rows {
     },
 }
 
-/// Where the name of a row's sensor is.
+/// The place of the name of a row's sensor.
 pub(super) enum Sensor {
     /// In these columns, parted by a blank.
     Columns(Vec<usize>),
@@ -250,7 +250,7 @@ fn one_sensor(path: &Path, pick: &mut Pick, value: usize) -> Result<Rows, String
     }
 }
 
-/// So many cells must come again before a column without a known heading names sensors of rows without values (ours).
+/// So many cells must come again before a column without a known heading names sensors of rows without values.
 const MOST_LIKELY: usize = 4;
 
 /// A column for each sensor.
@@ -287,7 +287,7 @@ fn is_number(cells: &Cells) -> bool {
     cells.are_mostly(cells.numbers) && !cells.is_switch()
 }
 
-/// So few words are states (ours).
+/// So few words are states.
 const FEW_WORDS: usize = 12;
 
 fn has_few_words(cells: &Cells) -> bool {

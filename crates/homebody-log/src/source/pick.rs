@@ -18,7 +18,7 @@ pub(super) struct Pick<'f> {
     supplied: Option<String>,
 }
 
-/// Where the instant of a row is.
+/// The place of a row's instant.
 #[derive(Clone, Copy)]
 pub(super) struct Time {
     pub column: usize,
@@ -34,7 +34,7 @@ impl Time {
     }
 }
 
-/// Where the end of an interval is.
+/// The place of an interval's end.
 #[derive(Clone, Copy)]
 pub(super) enum End {
     At(usize),
@@ -42,7 +42,7 @@ pub(super) enum End {
     After(usize, Micros),
 }
 
-/// What a row without a value says: the reader's own word.
+/// The reader's own word for a row without a value.
 pub(super) const FIRING: &str = "ON";
 
 /// Words of rooms in English and German, as they stand in names.
@@ -167,7 +167,7 @@ impl<'f> Pick<'f> {
     /// Takes the column of homes: the one that is asked for, or one with a heading of homes or persons.
     pub fn home(&mut self, asked: Option<&HomeColumn>) -> Result<(), String> {
         let Some(asked) = asked else {
-            // Numbers of which each is another one, or states, are readings.
+            // Numbers that hardly come again, or states, are readings.
             let is_home = |column: &usize| {
                 let cells = self.cells(*column);
                 !cells.is_switch() && (cells.numbers == 0 || cells.come_again())
@@ -187,12 +187,12 @@ impl<'f> Pick<'f> {
     }
 
     fn names(&self) -> String {
-        /// How many characters of headings are quoted (ours).
+        /// How many characters of headings are quoted.
         const LONGEST: usize = 200;
         readable(self.first.names.join(", ").chars().take(LONGEST).collect::<String>())
     }
 
-    /// Why a table is no log: what it lacks.
+    /// Names the columns that a table lacks.
     pub fn lacks(&self, what: &str) -> String {
         match self.first.has_heading {
             true => format!("no columns of {what} are among {}", self.names()),
@@ -235,7 +235,7 @@ impl<'f> Pick<'f> {
         self.seconds_or_none(&headed, date, of_day)
     }
 
-    /// A time as a number of seconds since a start, beside one of ends; or why there is no time.
+    /// A time as a number of seconds since a start, with another of ends; or the reason against one.
     fn seconds_or_none(
         &mut self,
         headed: &[usize],
@@ -265,7 +265,7 @@ impl<'f> Pick<'f> {
         }
     }
 
-    /// Takes what lies beside a reading: other instants, kinds, rooms, units and labels.
+    /// Takes the columns of labels and units.
     pub fn besides(&mut self) {
         for (role, is) in [
             (ColumnRole::Label, (|cells: &Cells| !cells.are_mostly(cells.moments())) as fn(&Cells) -> bool),
@@ -284,7 +284,7 @@ impl<'f> Pick<'f> {
         };
         let is_end =
             |cells: &Cells| cells.are_mostly(cells.moments()) || time.is_since_start && cells.are_mostly(cells.numbers);
-        // Where the time has a start beside it, start and end are those of a query or an export.
+        // A start and an end next to a time are those of a query.
         let is_start = |column: &usize| matches!(plain(&self.first.names[*column]).as_str(), "start" | "begin");
         let is_of_query = self.first.has_heading && self.free().iter().any(is_start) && !time.is_since_start;
         if let Some(column) = headed(self, ColumnRole::End, &is_end).filter(|_| !is_of_query) {
@@ -328,7 +328,7 @@ impl<'f> Pick<'f> {
         !lengths.is_empty() && 20 * before <= lengths.len() && !is_of_zones
     }
 
-    /// Passes over columns of other instants: they are no sensors.
+    /// Passes over columns of other instants.
     pub fn other_instants(&mut self) {
         for column in self.free() {
             let cells = self.cells(column);
@@ -377,7 +377,7 @@ impl<'f> Pick<'f> {
         Some(sensor)
     }
 
-    /// The first free column whose texts come again as names do; one of kinds only if there is no other.
+    /// The first free column whose texts come again as names do; one of kinds only without any other.
     fn named_by_cells(&self) -> Option<usize> {
         let is_name = |column: &usize| {
             let cells = self.cells(*column);
@@ -567,7 +567,7 @@ impl<'f> Pick<'f> {
         }
     }
 
-    /// What each column was taken for.
+    /// The use of each column.
     pub fn uses(&self) -> Vec<ColumnUse> {
         let mut uses: Vec<ColumnUse> = Vec::new();
         for (column, taken) in self.first.names.iter().zip(&self.taken) {

@@ -182,7 +182,7 @@ impl<'t> Reading<'t> {
         Ok(())
     }
 
-    /// Refuses names of which hardly any comes again: they are no sensors.
+    /// Refuses names that hardly come again: sensors do.
     fn few_sensors(&self) -> Result<(), LogError> {
         let (sensors, rows) = (self.log.sensors.len(), self.log.rows);
         if sensors <= FEW_SENSORS || 2 * sensors as u64 <= rows {
@@ -297,7 +297,7 @@ impl<'t> Reading<'t> {
 
     /// Records what a column was taken for, and why.
     pub fn column(&mut self, column: &str, used_as: ColumnRole, because: &str) {
-        // Those of a table beside the log are none of its own.
+        // The log itself has its columns already.
         if self.beside.is_some() {
             return;
         }
@@ -329,7 +329,7 @@ impl<'t> Reading<'t> {
     }
 }
 
-/// A log may have so many sensors with a row or two each (ours).
+/// A log may have so many sensors with a row or two each.
 const FEW_SENSORS: usize = 1000;
 
 /// Why a row is none of the log's.

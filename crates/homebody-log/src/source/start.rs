@@ -9,10 +9,10 @@ use std::cell::OnceCell;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// So many bytes are looked at (ours): a thousand rows and more of most logs.
+/// So many bytes are looked at: a thousand rows and more of most logs.
 const LOOKED_AT_BYTES: u64 = 1 << 18;
 
-/// The mark between cells is found in so many lines (ours).
+/// The mark between cells is found in so many lines.
 const LINES_FOR_DELIMITER: usize = 20;
 
 /// The first bytes of a file.
@@ -20,18 +20,18 @@ pub struct Start {
     /// Which file it is.
     pub path: PathBuf,
     bytes: Vec<u8>,
-    /// What it is as a table, once that has been looked at: several forms ask.
+    /// The kind of table that it is, found once: several forms ask.
     pub(super) table: OnceCell<Option<TableKind>>,
 }
 
-/// What the rows of a table are.
+/// The meaning of a table's rows.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum TableKind {
     Events,
     Intervals,
     Activities,
     Wide,
-    /// It is a table of instants, and no log.
+    /// A table of instants that is refused.
     Refused,
 }
 

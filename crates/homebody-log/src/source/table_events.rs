@@ -42,7 +42,7 @@ impl<'l> Events<'l> {
         if let Some(column) = self.layout.label {
             let label = text(record.get(column).unwrap_or_default().trim_ascii());
             let label = Some(unescaped(&label)).filter(|label| !label.is_empty());
-            // By its place alone a number is no label.
+            // A number behind the value is a reading.
             reading.label(
                 label.filter(|label| Some(column) != place.map(|place| place + 1) || label.parse::<f64>().is_err()),
             );

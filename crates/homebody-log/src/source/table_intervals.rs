@@ -1,5 +1,5 @@
-//! Tables of what begins and ends in one row: pyadlml's activities `start_time,end_time,activity` and its older devices, the
-//! activities of Orange4Home, tables of a start and a duration, and ours beside a log in CSV.
+//! Tables with a start and an end in each row: pyadlml's activities `start_time,end_time,activity` and its older devices, the
+//! activities of Orange4Home, tables of a start and a duration, and ours next to a log in CSV.
 
 use super::cells::is_off;
 use super::in_order::InOrder;

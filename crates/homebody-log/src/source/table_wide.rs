@@ -24,13 +24,13 @@ pub(super) struct Wide<'l> {
     prefix: &'l [usize],
     sensors: &'l [WideSensor],
     time: Vec<u8>,
-    /// What the sensors of rows with this prefix say, by column; the clock of a row is one of two, and the log's is known later.
+    /// The last words of the sensors, by the prefix and the clock of their rows: the log's clock is known later.
     last: BTreeMap<(Vec<u8>, bool), Vec<Said>>,
     last_at: Option<Instant>,
     key: Vec<u8>,
 }
 
-/// What a sensor is called, and what it said last.
+/// The name of a sensor, and its last word.
 struct Said {
     name: String,
     said: Vec<u8>,
@@ -93,7 +93,7 @@ impl<'l> Wide<'l> {
         let mut silent: Vec<&str> = all.map(|of| of.name.as_str()).collect();
         silent.dedup();
         if !silent.is_empty() {
-            /// So many are named (ours).
+            /// So many are named.
             const NAMED: usize = 5;
             let names = silent.iter().take(NAMED).map(|name| beginning(name)).collect::<Vec<_>>().join(", ");
             let more = if silent.len() > NAMED { ", ..." } else { "" };
