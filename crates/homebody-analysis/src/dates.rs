@@ -5,6 +5,7 @@
 
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::source::Clock;
+use homebody_log::source::OffsetSpan;
 use homebody_log::{Activity, Log};
 use jiff::civil::{Date, date};
 use jiff::tz::TimeZone;
@@ -99,6 +100,50 @@ pub fn clocks_set(span: &Range<Micros>, zone: &TimeZone) -> Vec<ClockSet> {
     }
     all.retain(|set| !set.wall.is_empty());
     all
+}
+
+/// Zones whose clocks change in ways of their own: where offsets change, one of them shows how.
+const CHANGING: [&str; 18] = [
+    "Europe/Berlin",
+    "Europe/London",
+    "Europe/Helsinki",
+    "Atlantic/Azores",
+    "America/New_York",
+    "America/Chicago",
+    "America/Denver",
+    "America/Los_Angeles",
+    "America/Anchorage",
+    "America/Halifax",
+    "America/St_Johns",
+    "America/Santiago",
+    "Australia/Sydney",
+    "Australia/Adelaide",
+    "Australia/Lord_Howe",
+    "Pacific/Auckland",
+    "Asia/Jerusalem",
+    "Africa/Cairo",
+];
+
+/// A zone that has these offsets from UTC when they were written: the clock on the wall of the home, whatever it is called. If
+/// no known zone changes as they do, it is the offset that the most time has. `None` without offsets, and of those of UTC.
+pub fn zone_of_offsets(offsets: &[OffsetSpan]) -> Option<TimeZone> {
+    let first = offsets.first()?;
+    if offsets.iter().all(|span| span.ahead == 0) {
+        return None;
+    }
+    let fixed = |ahead: Micros| {
+        let seconds = i32::try_from(ahead / SECOND).ok()?;
+        jiff::tz::Offset::from_seconds(seconds).ok().map(TimeZone::fixed)
+    };
+    if offsets.iter().all(|span| span.ahead == first.ahead) {
+        return fixed(first.ahead);
+    }
+    let has_all = |zone: &TimeZone| {
+        let has = |at: Micros, span: &OffsetSpan| ahead(instant(at), zone) == span.ahead;
+        offsets.iter().all(|span| has(span.from, span) && has(span.to, span))
+    };
+    let changing = CHANGING.iter().filter_map(|name| TimeZone::get(name).ok()).find(has_all);
+    changing.or_else(|| fixed(offsets.iter().max_by_key(|span| span.to - span.from)?.ahead))
 }
 
 /// Puts a log that is told in UTC on the wall of a zone; one in local time stays as it is.

@@ -3,7 +3,7 @@
 
 use crate::error::Error;
 use crate::long_log::{Kept, LongLog, MOST_ROWS, TakeRow};
-use homebody_analysis::dates::{date_of, on_wall, put_on_wall};
+use homebody_analysis::dates::{date_of, on_wall, put_on_wall, zone_of_offsets};
 use homebody_analysis::density::{Asked, Map, Mapping, NoMap};
 use homebody_analysis::look::HomeSensor;
 use homebody_analysis::measures::{Known, Measures, Measuring, Ways};
@@ -83,8 +83,8 @@ pub struct Unended {
 }
 
 impl LogWithRun {
-    /// Reads a log by its URL, by its path alone, or by the folder of its run. One in UTC is put on the wall of `zone`, or
-    /// of its run's; where neither is known, it stays in UTC.
+    /// Reads a log by its URL, by its path alone, or by the folder of its run. One in UTC is put on the wall of `zone`, of its
+    /// run's zone, or of the one that its instants have the offsets of; without any it stays in UTC.
     ///
     /// # Errors
     ///
@@ -156,7 +156,7 @@ impl LogWithRun {
             name_sensors(&mut log, scenario);
         }
         let rooms = scenario.as_ref().map_or_else(|| rooms_told(&log), sensor_rooms);
-        let zone = asked.or(known_zone);
+        let zone = asked.or(known_zone).or_else(|| zone_of_offsets(&log.offsets));
         let told = truth.clone().map(|truth| (truth, zone.clone().filter(|_| log.clock == Clock::Utc)));
         // One that is being lived, or was killed, says how long it is to be, and not how far it has come.
         let lived = run.as_ref().filter(|run| run.is_complete());

@@ -44,6 +44,34 @@ first rows are; rows on the other clock are named. Instants may have fractions o
 Intervals become an ON and an OFF, in the order of time as far as a million rows are apart; one that ends before it begins is named. In
 tables of each second only changes become rows. ARAS tells no dates: its day is told as that of January 1970.
 
+## Tables
+
+A table is read by its headings and by the cells of its first thousand rows. `homebody look` lists for each column what it was taken
+for and why; `--json` has it, too. Other commands say on standard error which columns were found by their cells alone.
+
+| rows | how they are read |
+|---|---|
+| time, sensor, value | an event each; a column of kinds, rooms or units goes with the sensor |
+| time and sensor, without a value | a firing each, with the value `ON`, which is the reader's own |
+| start and end, or start and duration | an ON and an OFF of a sensor, or an activity |
+| time, and a column for each sensor | of a sensor with states each change, of one with numbers each cell |
+
+Date and time of day may stand in two columns, with AM and PM or without. Dates such as `02/03/2009` are read in the order of day and
+month that the rows decide: by a number above 12, by days that follow each other, by points between the numbers, or by AM and PM. A
+comma before decimals is known by the numbers. Numbers since 1970 may be in seconds, milliseconds, microseconds or nanoseconds.
+Instants with an offset from UTC, such as `2009-03-02T07:12:03-06:00`, are put on the wall of the home that has it.
+
+A table is refused with a sentence where nothing decides the order of its dates, where its rows are of several homes or persons, and
+where it is no log: its names hardly come again, its values are sentences, its dates have no time of day. Where the rows do not
+decide, an option does:
+
+| option | meaning |
+|---|---|
+| `--home-column home_id=H12` | the column of homes or persons, and the one to read; `home_id=*` reads all as one home |
+| `--dates day-first`, `--dates month-first` | the number that comes first in a date |
+| `--decimals comma`, `--decimals point` | the mark before decimals |
+| `--wide` | each column is a sensor; `wide:FILE` means the same |
+
 A home that is read from a table with odd names needs a `logger.json` that tells the names of table and columns: `--mapping logger.json`
 (`docs/logger.md`). A folder with `sensors.csv`, as a run leaves it, tells names, kinds and rooms of sensors.
 A person may write it, too: `id,kind` is enough, and a kind is `motion`, `contact`, `used`, `reading` or `other`. It overrides what the

@@ -339,7 +339,7 @@ fn activities_go_with_their_log_into_each_form() {
     for to in ["csv:second.csv", "sqlite:third.db", "csv:fourth.csv", "casas:last.txt"] {
         carry(&from, &folder, to).unwrap();
         from = Source::from(&folder.url(to));
-        assert_eq!(read(&from, &LoggerFile::default()).unwrap(), first, "{to}");
+        assert_eq!(without_columns(read(&from, &LoggerFile::default()).unwrap()), first, "{to}");
     }
     assert_eq!(folder.text("last.txt"), text);
     let labels: Vec<String> =
@@ -360,7 +360,12 @@ fn activities_go_with_their_log_into_each_form() {
         how: How::Replace,
     };
     convert(&transfer, &about, |_| ()).unwrap();
-    assert_eq!(read(&to, &LoggerFile::default()).unwrap(), plain);
+    assert_eq!(without_columns(read(&to, &LoggerFile::default()).unwrap()), plain);
+}
+
+/// A log like one of a form without columns.
+fn without_columns(log: Log) -> Log {
+    Log { columns: Vec::new(), ..log }
 }
 
 #[test]

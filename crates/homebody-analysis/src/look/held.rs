@@ -1,7 +1,7 @@
 //! What a log holds, as plain data.
 
 use crate::signs::{Evidence, Kind};
-use homebody_log::source::{Clock, Skipped};
+use homebody_log::source::{Clock, ColumnUse, Skipped};
 use jiff::civil::Date;
 use serde::Serialize;
 
@@ -14,7 +14,7 @@ pub struct Look {
     pub form: String,
     /// How many rows were understood.
     pub rows: u64,
-    /// The earliest instant of a row or an activity; `None` where there are none.
+    /// The earliest instant of a row, or of an activity in a log without rows; `None` without either.
     pub first: Option<String>,
     /// The latest.
     pub last: Option<String>,
@@ -22,6 +22,8 @@ pub struct Look {
     pub clock: Clock,
     /// The dates of the counts by day, one after the other; none where they are too many.
     pub days: Vec<Date>,
+    /// The use of each column of a table, and why; empty for forms without columns.
+    pub columns: Vec<ColumnUse>,
     /// Sensors, by name, numbers in it by their size.
     pub sensors: Vec<SensorLook>,
     /// What somebody did, by label, as the log itself notes it.

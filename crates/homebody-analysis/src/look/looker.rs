@@ -5,7 +5,7 @@ use super::held::{ActivityLook, HomeSensor, Look, SensorLook, Silence};
 use super::home::of_home;
 use super::sensor::{Course, Recorder};
 use crate::compare::natural;
-use crate::dates::{midnight, on_wall};
+use crate::dates::{midnight, on_wall, zone_of_offsets};
 use crate::signs::{Says, Tally, is_number, says, taken_by};
 use homebody_core::sensed::domain_of;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
@@ -24,6 +24,7 @@ const LISTED: usize = 100;
 /// Takes the rows of a log, part by part.
 pub struct Looker {
     zone: Option<TimeZone>,
+    is_by_offsets: bool,
     /// By value: what it says, and the number that it is.
     values: Vec<(Says, Option<f64>)>,
     sensors: Vec<Course>,
@@ -44,6 +45,7 @@ impl Looker {
     pub fn new(zone: Option<TimeZone>) -> Looker {
         Looker {
             zone,
+            is_by_offsets: false,
             values: Vec::new(),
             sensors: Vec::new(),
             by_day: DayCounts::default(),
@@ -57,8 +59,21 @@ impl Looker {
         }
     }
 
+    /// Puts instants that are written with offsets on the wall that these are of, where no zone is given.
+    pub fn by_offsets(self) -> Looker {
+        Looker { is_by_offsets: true, ..self }
+    }
+
+    /// The zone on whose wall the rows are.
+    pub fn zone(&self) -> Option<&TimeZone> {
+        self.zone.as_ref()
+    }
+
     /// Takes the rows of a part; its sensors and values are all that have come so far.
     pub fn take(&mut self, part: &Log) {
+        if self.is_by_offsets && self.zone.is_none() && self.before.is_none() {
+            self.zone = zone_of_offsets(&part.offsets);
+        }
         let number = |value: &String| value.parse().ok().filter(|_| is_number(value));
         self.values.extend(part.values[self.values.len()..].iter().map(|value| (says(value), number(value))));
         // Home Assistant is such a recorder: its ids begin with their domain.
@@ -125,10 +140,11 @@ impl Looker {
         self.take_gaps(about);
         let clock = if self.zone.is_some() { Clock::Local } else { about.clock };
         let text = |at: Micros| told(at, clock);
-        let spans: Vec<[Micros; 2]> =
-            about.activities.iter().map(|of| [of.begin, of.end].map(|at| self.told(at, about.clock))).collect();
-        let first = spans.iter().map(|[begin, _]| *begin).chain([self.first]).min();
-        let last = spans.iter().map(|[_, end]| *end).chain([self.latest]).max();
+        let (first, last) = match about.rows {
+            // The end of a label is behind the row that it is of.
+            0 => self.of_activities(about),
+            _ => (Some(self.first), Some(self.latest)),
+        };
         let (days, by_day) = std::mem::take(&mut self.by_day).finish(about.sensors.len());
         let mut sensors: Vec<SensorLook> = Vec::new();
         let tallies: Vec<&Tally> = self.sensors.iter().map(|course| &course.tally).collect();
@@ -158,6 +174,7 @@ impl Looker {
             last: last.filter(|&at| at != Micros::MIN).map(text),
             clock,
             days,
+            columns: about.columns.clone(),
             repeated: sum(|sensor| sensor.repeated),
             missing: sum(|sensor| sensor.missing),
             doubled: sum(|sensor| sensor.doubled),
@@ -175,6 +192,15 @@ impl Looker {
             remarks: about.remarks.clone(),
             home,
         }
+    }
+}
+
+impl Looker {
+    /// From when to when there are activities.
+    fn of_activities(&self, about: &Log) -> (Option<Micros>, Option<Micros>) {
+        let told = |at: Micros| self.told(at, about.clock);
+        let begins = about.activities.iter().map(|of| told(of.begin));
+        (begins.min(), about.activities.iter().map(|of| told(of.end)).max())
     }
 }
 

@@ -3,7 +3,7 @@
 use super::held::{Look, OfHome, SensorLook, Trouble};
 use crate::signs::Evidence;
 use homebody_core::problem::counted;
-use homebody_log::source::Clock;
+use homebody_log::source::{Clock, ColumnRole, ColumnUse};
 use std::fmt;
 
 /// So many silences, refused lines and unknown sensors are told to people (ours).
@@ -50,6 +50,7 @@ impl fmt::Display for Look {
             None => format!("line {}: {}", refused.line, refused.why),
         })?;
         self.remarks.iter().try_for_each(|remark| writeln!(f, "{remark}"))?;
+        self.columns(f)?;
         self.sensors(f)?;
         if !self.activities.is_empty() {
             let width = self.activities.iter().map(|of| of.label.chars().count()).max().unwrap_or(0).max(8);
@@ -66,6 +67,23 @@ impl Look {
     /// Whether nothing says anything on a date, by its number in the list.
     pub fn is_silent(&self, day: usize) -> bool {
         self.sensors.iter().all(|sensor| sensor.by_day.get(day).is_none_or(|&count| count == 0))
+    }
+
+    fn columns(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        if self.columns.is_empty() {
+            return Ok(());
+        }
+        let name = |of: &ColumnUse| if of.column.is_empty() { "(none)".to_owned() } else { of.column.clone() };
+        let (of_sensors, others): (Vec<&ColumnUse>, Vec<&ColumnUse>) =
+            self.columns.iter().partition(|of| of.used_as == ColumnRole::OneSensor);
+        let told: Vec<&ColumnUse> = others.into_iter().chain(of_sensors.iter().copied().take(TOLD)).collect();
+        let width = told.iter().map(|of| name(of).chars().count()).max().unwrap_or(0).max(6);
+        writeln!(f, "\n{:width$}  {:10}  why", "column", "is")?;
+        for of in told {
+            writeln!(f, "{:width$}  {:10}  {}", name(of), role(of.used_as), of.because)?;
+        }
+        let more = of_sensors.len().saturating_sub(TOLD);
+        if more > 0 { writeln!(f, "and {more} more columns that are sensors") } else { Ok(()) }
     }
 
     fn sensors(&self, f: &mut fmt::Formatter) -> fmt::Result {
@@ -104,6 +122,24 @@ fn lasted(hours: f64) -> String {
     match hours {
         1.0.. => format!("{hours:.1} h"),
         _ => format!("{:.1} min", hours * 60.0),
+    }
+}
+
+/// The use of a column, in a word or two.
+fn role(role: ColumnRole) -> &'static str {
+    match role {
+        ColumnRole::Time => "time",
+        ColumnRole::End => "end",
+        ColumnRole::Duration => "duration",
+        ColumnRole::Sensor => "sensor",
+        ColumnRole::Value => "value",
+        ColumnRole::Label => "activity",
+        ColumnRole::Home => "home",
+        ColumnRole::Kind => "kind",
+        ColumnRole::Room => "room",
+        ColumnRole::Unit => "unit",
+        ColumnRole::OneSensor => "one sensor",
+        ColumnRole::Unused => "unused",
     }
 }
 

@@ -1,14 +1,315 @@
-//! Which of a table's columns tell time, sensor and value.
+//! Headings of tables, and what columns under them hold: one list of names for all readers.
 
+use super::log::ColumnRole;
 use homebody_core::scenario::logger::LoggerFile;
 
-/// What a column is called in the logs that are known, ours first. Names are compared in lower case.
+/// The names of time, sensor and value that are certain, ours first; they are compared by letters and digits in lower case.
 const TIMES: [&str; 9] =
-    ["fired_at", "time", "timestamp", "datetime", "date_time", "last_changed", "last_changed_ts", "at", "ts"];
-const SENSORS: [&str; 8] = ["sensor", "device", "entity_id", "sensor_id", "device_id", "item", "name", "code"];
-const VALUES: [&str; 5] = ["value", "state", "message", "status", "event"];
-
+    ["firedat", "time", "timestamp", "datetime", "lastchanged", "lastchangedts", "at", "ts", "createdat"];
+const SENSORS: [&str; 9] =
+    ["sensor", "device", "entityid", "sensorid", "deviceid", "item", "name", "code", "sensorname"];
+const VALUES: [&str; 7] = ["value", "state", "message", "status", "event", "val", "reading"];
 const LABELS: [&str; 3] = ["activity", "label", "activities"];
+
+/// More names, in the languages of the plan importer, of what a column may be once its cells say so, too.
+const OTHERS: [(ColumnRole, &[&str]); 11] = [
+    (
+        ColumnRole::Time,
+        &[
+            "date",
+            "eventtime",
+            "recordedat",
+            "receivedat",
+            "measuredat",
+            "loggedat",
+            "observedat",
+            "start",
+            "begin",
+            "starttime",
+            "utc",
+            "utctime",
+            "localtime",
+            "tslocal",
+            "epoch",
+            "unix",
+            "unixtime",
+            "epochms",
+            "when",
+            "timeofday",
+            "clock",
+            "day",
+            "zeit",
+            "datum",
+            "uhrzeit",
+            "zeitstempel",
+            "zeitpunkt",
+            "datumzeit",
+            "datumuhrzeit",
+            "heure",
+            "horodatage",
+            "jour",
+            "fecha",
+            "hora",
+            "fechahora",
+            "data",
+            "ora",
+            "dataora",
+            "tijd",
+            "tijdstip",
+            "lastupdated",
+            "lastupdatedts",
+            "resulttime",
+            "phenomenontime",
+            "sampledat",
+        ],
+    ),
+    (
+        ColumnRole::End,
+        &[
+            "endtime", "end", "stop", "stoptime", "endedat", "finish", "until", "to", "bis", "ende", "endzeit", "fin",
+            "fine", "einde", "offtime", "dateend", "enddate",
+        ],
+    ),
+    (
+        ColumnRole::Duration,
+        &[
+            "duration",
+            "durations",
+            "durationms",
+            "durationmin",
+            "durationsec",
+            "durationseconds",
+            "durationminutes",
+            "length",
+            "lengths",
+            "dauer",
+            "dauers",
+            "duree",
+            "duracion",
+            "durata",
+            "duur",
+            "elapsed",
+            "elapseds",
+            "lasted",
+            "lasteds",
+        ],
+    ),
+    (
+        ColumnRole::Sensor,
+        &[
+            "entity",
+            "devicename",
+            "friendlyname",
+            "displayname",
+            "thing",
+            "node",
+            "nodeid",
+            "nodename",
+            "geraet",
+            "gerät",
+            "geraete",
+            "fuehler",
+            "capteur",
+            "appareil",
+            "dispositivo",
+            "sensore",
+            "apparaat",
+            "signal",
+            "datapoint",
+            "point",
+            "channel",
+            "topic",
+            "itemname",
+            "source",
+            "mac",
+            "addr",
+            "address",
+            "devicetype",
+            "object",
+            "objectid",
+            "tag",
+            "appliance",
+        ],
+    ),
+    (
+        ColumnRole::Value,
+        &[
+            "eventcode",
+            "payload",
+            "measurement",
+            "result",
+            "eventvalue",
+            "sensorvalue",
+            "sensorstate",
+            "newstate",
+            "newvalue",
+            "action",
+            "msg",
+            "wert",
+            "zustand",
+            "messwert",
+            "valeur",
+            "etat",
+            "état",
+            "valor",
+            "estado",
+            "valore",
+            "stato",
+            "waarde",
+            "toestand",
+        ],
+    ),
+    (ColumnRole::Label, &["roomactivity", "aktivitaet", "aktivität", "activite", "activité", "actividad", "attivita"]),
+    (
+        ColumnRole::Home,
+        &[
+            "homeid",
+            "home",
+            "houseid",
+            "house",
+            "household",
+            "householdid",
+            "patientid",
+            "patient",
+            "subjectid",
+            "subject",
+            "participantid",
+            "participant",
+            "personid",
+            "person",
+            "residentid",
+            "resident",
+            "userid",
+            "user",
+            "clientid",
+            "client",
+            "apartment",
+            "apartmentid",
+            "dwelling",
+            "dwellingid",
+            "siteid",
+            "site",
+            "propertyid",
+            "buildingid",
+            "building",
+            "flat",
+            "flatid",
+            "hid",
+            "pid",
+            "wohnung",
+            "wohnungid",
+            "haushalt",
+            "haus",
+            "bewohner",
+            "proband",
+            "foyer",
+            "logement",
+            "maison",
+            "sujet",
+            "vivienda",
+            "hogar",
+            "casa",
+            "paciente",
+            "sujeto",
+            "abitazione",
+            "paziente",
+            "soggetto",
+            "woning",
+            "huis",
+            "huishouden",
+            "deelnemer",
+            "residence",
+            "residenceid",
+            "homename",
+            "housename",
+            "tenant",
+            "tenantid",
+            "username",
+        ],
+    ),
+    (
+        ColumnRole::Kind,
+        &[
+            "kind",
+            "type",
+            "sensortype",
+            "deviceclass",
+            "category",
+            "attribute",
+            "property",
+            "capability",
+            "modality",
+            "art",
+            "typ",
+            "tipo",
+            "domain",
+            "quantity",
+            "measure",
+            "observedproperty",
+        ],
+    ),
+    (
+        ColumnRole::Room,
+        &[
+            "room",
+            "roomname",
+            "location",
+            "locationname",
+            "place",
+            "area",
+            "areaname",
+            "raum",
+            "ort",
+            "zimmer",
+            "piece",
+            "pièce",
+            "habitacion",
+            "habitación",
+            "stanza",
+            "locale",
+            "kamer",
+        ],
+    ),
+    (
+        ColumnRole::Unit,
+        &["unit", "units", "unitofmeasurement", "uom", "einheit", "unidad", "unite", "unité", "eenheid"],
+    ),
+    (
+        ColumnRole::Unused,
+        &["index", "unnamed0", "rowid", "rownumber", "id", "seq", "no", "nr", "record", "recordid", "nummer"],
+    ),
+];
+
+/// A heading by its letters and digits, in lower case: `Start Time` is `starttime`. A unit in brackets is left out.
+pub(super) fn plain(heading: &str) -> String {
+    let without_unit = heading.split(['(', '[']).next().filter(|name| !name.trim().is_empty()).unwrap_or(heading);
+    without_unit.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+}
+
+/// The role of a column with this heading, and the rank of its name among those of the role: less is more certain.
+pub(super) fn role_of(heading: &str) -> Option<(ColumnRole, usize)> {
+    let name = plain(heading);
+    let certain: [(ColumnRole, &[&str]); 4] = [
+        (ColumnRole::Time, &TIMES),
+        (ColumnRole::Sensor, &SENSORS),
+        (ColumnRole::Value, &VALUES),
+        (ColumnRole::Label, &LABELS),
+    ];
+    let find = |lists: &[(ColumnRole, &[&str])], after: usize| {
+        lists
+            .iter()
+            .find_map(|(role, names)| names.iter().position(|known| *known == name).map(|rank| (*role, after + rank)))
+    };
+    find(&certain, 0).or_else(|| find(&OTHERS, CERTAIN))
+}
+
+/// The ranks of names that are certain are below this.
+pub(super) const CERTAIN: usize = 100;
+
+/// Whether a sensor's heading can mean nothing else: `name` and `code` can.
+pub(super) fn is_certain_sensor(heading: &str) -> bool {
+    matches!(plain(heading).as_str(), "sensor" | "device" | "entityid" | "sensorid" | "deviceid" | "sensorname")
+}
 
 /// Where a row's time, sensor and value are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +320,7 @@ pub struct Places {
     pub sensor: usize,
     /// That of what it said.
     pub value: usize,
-    /// Where what somebody did is, if the rows tell it.
+    /// The column of activities, if the rows have them.
     pub label: Option<usize>,
     /// Whether the columns have the names of the mapping: then cells are as they were written, with the blanks at their ends.
     pub is_mapped: bool,
@@ -29,9 +330,8 @@ impl Places {
     /// By the names of a mapping or, failing them, the usual ones.
     pub fn by_name(names: &[String], file: &LoggerFile) -> Option<Places> {
         let exactly = |wanted: &str| names.iter().position(|name| name == wanted);
-        let usual = |wanted: &[&str]| {
-            wanted.iter().find_map(|wanted| names.iter().position(|name| name.trim().eq_ignore_ascii_case(wanted)))
-        };
+        let usual =
+            |wanted: &[&str]| wanted.iter().find_map(|wanted| names.iter().position(|name| plain(name) == *wanted));
         let columns = &file.columns;
         let label = usual(&LABELS);
         let mapped = || {
@@ -48,5 +348,31 @@ impl Places {
             Some(Places { time, sensor, value, label, is_mapped: false })
         };
         mapped().or_else(guessed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn headings_are_compared_by_their_letters() {
+        for (heading, role) in [
+            ("Time", Some(ColumnRole::Time)),
+            ("last_changed", Some(ColumnRole::Time)),
+            ("Start Time", Some(ColumnRole::Time)),
+            ("Sensor-ID", Some(ColumnRole::Sensor)),
+            ("Temperature [°C]", None),
+            ("Room|Activity", Some(ColumnRole::Label)),
+            ("home_id", Some(ColumnRole::Home)),
+            ("patientId", Some(ColumnRole::Home)),
+            ("Dauer (s)", Some(ColumnRole::Duration)),
+            ("Unnamed: 0", Some(ColumnRole::Unused)),
+            ("hall", None),
+            ("", None),
+        ] {
+            assert_eq!(role_of(heading).map(|(role, _)| role), role, "{heading}");
+        }
+        assert!(role_of("sensor").unwrap().1 < role_of("name").unwrap().1);
     }
 }

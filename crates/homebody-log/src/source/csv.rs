@@ -1,121 +1,137 @@
-//! Comma-separated values: ours, pyadlml's `time,device,value`, Home Assistant's `entity_id,state,last_changed`,
-//! and files whose header line is unknown or missing, in which sensor and value come right after the time, and then perhaps what
-//! somebody did.
+//! Comma-separated values: tables of events, of intervals, and of a column for each sensor. `layout.rs` decides which it is.
 
-use super::columns::Places;
 use super::form::{Form, Shows};
+use super::homes::{self, Homes};
 use super::instant::Instants;
+use super::layout::{Layout, Rows};
+use super::options::TableOptions;
 use super::reading::Reading;
 use super::records::{Record, Records};
-use super::start::Start;
-use crate::error::{LogError, place_of};
-use crate::plain::text;
-use crate::spreadsheet::{unescaped, unescaped_bytes};
-use homebody_core::problem::readable;
+use super::start::{Start, TableKind};
+use super::table_events::Events;
+use super::table_intervals::Intervals;
+use super::table_wide::Wide;
+use crate::error::LogError;
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "csv",
-    what: "comma-separated values: time, sensor, value and perhaps an activity, in columns with any of the usual names or ours; \
-           Home Assistant's history and pyadlml's devices, too",
-    shows,
+    what: "comma-separated values with an instant, a sensor and perhaps a value and an activity in each row; Home Assistant's \
+           history and pyadlml's devices, too",
+    shows: |start| Shows::rows_if(matches!(table(start), Some(TableKind::Events | TableKind::Refused))),
     read,
 };
 
-/// How many characters of an unknown header are told (ours).
-const LONGEST_TOLD: usize = 200;
+pub(super) const INTERVALS: Form = Form {
+    name: "pyadlml",
+    what: "comma-separated values with a start and an end or a duration in each row, of activities or sensors, as pyadlml and \
+           Orange4Home have them",
+    shows: |start| match table(start) {
+        Some(TableKind::Activities) => Shows::Activities,
+        Some(TableKind::Intervals) => Shows::Rows,
+        _ => Shows::Nothing,
+    },
+    read,
+};
 
-fn shows(start: &Start) -> Shows {
-    let mut instants = Instants::default();
-    let is_row = |cells: Vec<String>| cells.len() >= 3 && cells.iter().any(|cell| instants.read(cell).is_some());
-    let is_named = |names: Vec<String>| Places::by_name(&names, &LoggerFile::default()).is_some();
-    Shows::rows_if(start.cells().next().is_some_and(is_named) || start.cells().take(2).any(is_row))
-}
+pub(super) const WIDE: Form = Form {
+    name: "wide",
+    what: "comma-separated values with a column for each sensor: of states each change becomes a row, of numbers each cell",
+    shows: |start| Shows::rows_if(table(start) == Some(TableKind::Wide)),
+    read: |path, file, reading| {
+        // A table that is wide by itself may have a column of devices, too.
+        let found = Layout::of(path, file, &reading.options);
+        let is_wide = matches!(found, Ok(Some(Layout { rows: Rows::Wide { .. }, .. })));
+        reading.options.is_wide |= !is_wide;
+        read(path, file, reading)
+    },
+};
 
-/// What is known of the columns as rows come.
-enum Header {
-    /// Nothing has come yet.
-    Awaited,
-    /// Names have come that say nothing; what the rows hold is going to.
-    Unknown(String),
-    Known(Places),
+/// The kind of table that a file is, by its beginning.
+fn table(start: &Start) -> Option<TableKind> {
+    *start.table.get_or_init(|| {
+        if start.no_text().is_some() || start.delimiters() == 0 {
+            return None;
+        }
+        let found = Layout::of(&start.path, &LoggerFile::default(), &TableOptions::default());
+        let has_tabs = start.delimiter() == b'\t';
+        match found {
+            // The text of CASAS has tabs and no heading.
+            Ok(Some(layout)) if has_tabs && layout.first_line == 1 => None,
+            Ok(Some(layout)) => Some(match layout.rows {
+                Rows::Events { .. } => TableKind::Events,
+                Rows::Intervals { is_of_activities: true, .. } => TableKind::Activities,
+                Rows::Intervals { .. } => TableKind::Intervals,
+                Rows::Wide { .. } => TableKind::Wide,
+            }),
+            Err(_) if !has_tabs && start.delimiters() >= 2 && start.has_instants() => Some(TableKind::Refused),
+            _ => None,
+        }
+    })
 }
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let mut records = Records::open(path)?;
-    let mut header = Header::Awaited;
-    let mut instants = Instants::default();
-    let mut time = None;
-    loop {
-        let mut is_row = |alone: &Record| {
-            time.and_then(|time| alone.get(time)).is_some_and(|time| instants.read_bytes(time).is_some())
-        };
-        let Some((line, record)) = records.next(&mut is_row)? else { break };
-        if record.len() == 1 && record.get(0).is_none_or(|cell| cell.trim_ascii().is_empty()) {
-            continue;
+    let Some(layout) = Layout::of(path, file, &reading.options)? else { return Ok(()) };
+    reading.instants.order = layout.order;
+    layout.uses.iter().for_each(|of| reading.column(&of.column, of.used_as, &of.because));
+    reading.log.remarks.extend(layout.remarks.iter().cloned());
+    let mut homes = Homes::of(&layout, &reading.options);
+    match &layout.rows {
+        Rows::Events { .. } => {
+            let mut events = Events::of(&layout);
+            each_row(path, &layout, &mut homes, reading, &mut |line, record, reading| {
+                events.take(line, record, reading)
+            })?;
         }
-        if !matches!(header, Header::Known(_)) {
-            let Some((known, is_a_row)) = learn(&header, record, file, reading) else { break };
-            header = known;
-            time = if let Header::Known(places) = &header { Some(places.time) } else { None };
-            if !is_a_row {
-                continue;
-            }
+        Rows::Intervals { .. } => {
+            let mut intervals = Intervals::of(&layout);
+            let mut take = |line, record: &Record, reading: &mut Reading<'_>| intervals.take(line, record, reading);
+            each_row(path, &layout, &mut homes, reading, &mut take)?;
+            intervals.end(reading)?;
         }
-        if let Header::Known(places) = &header {
-            match record.is_broken {
-                true => reading.skip(line, "a quote in it is never closed".into()),
-                false => take(line, record, places, reading)?,
-            }
+        Rows::Wide { .. } => {
+            let mut wide = Wide::of(&layout);
+            each_row(path, &layout, &mut homes, reading, &mut |line, record, reading| {
+                wide.take(line, record, reading)
+            })?;
+            wide.end(reading);
         }
     }
-    match header {
-        Header::Unknown(names) => {
-            let names: String = names.chars().take(LONGEST_TOLD).collect();
-            let why = readable(format!("no columns of time, sensor and value are among {names}"));
-            Err(LogError::NoLog { place: place_of(path), why })
+    match homes {
+        Homes::Asked { column, home } if reading.log.rows == 0 && reading.log.activities.is_empty() => {
+            Err(homes::without(path, &layout, column, &home))
         }
         _ => Ok(()),
     }
 }
 
-/// What a line tells of the columns, and whether it is a row itself; None where they are told neither by names nor by rows.
-fn learn(known: &Header, record: &Record, file: &LoggerFile, reading: &mut Reading<'_>) -> Option<(Header, bool)> {
-    let cells = record.texts();
-    if let Header::Unknown(_) = known {
-        return by_content(&cells, reading).map(|places| (Header::Known(places), true));
-    }
-    if cells.first().is_some_and(|first| reading.instants.read(first).is_some()) {
-        return Some((Header::Known(after(0)), true));
-    }
-    let named = Places::by_name(&cells, file).map(Header::Known);
-    Some((named.unwrap_or_else(|| Header::Unknown(cells.join(", "))), false))
-}
+/// Takes a row.
+type Take<'t> = dyn FnMut(u64, &Record, &mut Reading<'_>) -> Result<(), LogError> + 't;
 
-fn take(line: u64, record: &Record, places: &Places, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let cell = |place: usize| record.get(place).unwrap_or_default();
-    let (mut sensor, mut value) = (cell(places.sensor), cell(places.value));
-    if !places.is_mapped {
-        (sensor, value) = (sensor.trim_ascii(), value.trim_ascii());
-    }
-    if reading.row_of_bytes(line, cell(places.time), unescaped_bytes(sensor), unescaped_bytes(value))?
-        && let Some(place) = places.label
-    {
-        let label = text(cell(place).trim_ascii());
-        let label = Some(unescaped(&label)).filter(|label| !label.is_empty());
-        // By its place alone a number is no label.
-        reading.label(label.filter(|label| place != places.value + 1 || label.parse::<f64>().is_err()));
+fn each_row(
+    path: &Path,
+    layout: &Layout,
+    homes: &mut Homes,
+    reading: &mut Reading<'_>,
+    take: &mut Take<'_>,
+) -> Result<(), LogError> {
+    let mut records = Records::open(path)?;
+    let mut alone = Instants::with_order(layout.order);
+    let mut buffer = Vec::new();
+    let mut is_row = |record: &Record| alone.read_bytes(layout.time.text(record, &mut buffer)).is_some();
+    while let Some((line, record)) = records.next(&mut is_row)? {
+        if line < layout.first_line
+            || record.len() == 1 && record.get(0).is_none_or(|cell| cell.trim_ascii().is_empty())
+        {
+            continue;
+        }
+        match homes.admit(record) {
+            _ if record.is_broken => reading.skip(line, "a quote in it is never closed".into()),
+            Some(true) => take(line, record, reading)?,
+            Some(false) => {}
+            None => return Err(homes::several(path, layout)),
+        }
     }
     Ok(())
-}
-
-/// The first text that is an instant, or a number since 1970, is the time.
-fn by_content(fields: &[String], reading: &mut Reading<'_>) -> Option<Places> {
-    let time = fields.iter().position(|text| reading.instants.read(text).is_some())?;
-    (time + 2 < fields.len()).then(|| after(time))
-}
-
-fn after(time: usize) -> Places {
-    Places { time, sensor: time + 1, value: time + 2, label: Some(time + 3), is_mapped: false }
 }

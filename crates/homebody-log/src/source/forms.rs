@@ -1,9 +1,10 @@
 //! All forms of logs that are read, and where a log is: in which form, in which file.
 
 use super::form::{Form, Shows};
+use super::options::TableOptions;
 use super::reading::Reading;
 use super::start::Start;
-use super::{casas, csv, each_second, frames, home_assistant, intervals, jsonl, mit, psql, sqlite, xes};
+use super::{casas, csv, each_second, home_assistant, intervals, jsonl, mit, psql, sqlite, xes};
 use crate::elsewhere;
 use crate::error::{LogError, place_of};
 use crate::spans::SPANS;
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// All forms that every build has. A file is of the first whose signs it shows.
-pub const FORMS: [Form; 12] = [
+pub const FORMS: [Form; 13] = [
     home_assistant::FORM,
     sqlite::FORM,
     jsonl::FORM,
@@ -27,7 +28,8 @@ pub const FORMS: [Form; 12] = [
     intervals::FORM,
     each_second::ARAS,
     each_second::OPENSHS,
-    frames::FORM,
+    csv::INTERVALS,
+    csv::WIDE,
     csv::FORM,
     casas::FORM,
 ];
@@ -72,12 +74,25 @@ const MOST_FILES: usize = 200;
 pub struct Source {
     form: &'static Form,
     path: PathBuf,
+    options: TableOptions,
 }
 
 impl Source {
     /// A log in a form.
     pub fn new(form: &'static Form, path: impl Into<PathBuf>) -> Source {
-        Source { form, path: path.into() }
+        Source { form, path: path.into(), options: TableOptions::default() }
+    }
+
+    /// The same log with its table read so, where that is a matter of choice.
+    pub fn with_options(self, options: TableOptions) -> Source {
+        let is_text = !self.is_server() && *self.form != sqlite::FORM && !self.is_columnar();
+        let form = if options.is_wide && is_text { &csv::WIDE } else { self.form };
+        Source { form, options, ..self }
+    }
+
+    /// How its table is read.
+    pub(super) fn options(&self) -> &TableOptions {
+        &self.options
     }
 
     /// The log in a file, by how it begins, or the one in a folder.

@@ -1,7 +1,9 @@
 //! Reads instants as logs write them.
 
-use homebody_core::time::{Micros, SECOND};
-use jiff::civil::{Date, date};
+use super::log::OffsetSpan;
+use super::options::DateOrder;
+use homebody_core::time::{DAY, Micros, SECOND};
+use jiff::civil::{Date, ISOWeekDate, Weekday, date};
 
 /// Microseconds since 1970, by a clock on some wall or by the world's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,16 +14,28 @@ pub enum Instant {
     Utc(Micros),
 }
 
+/// No more spans of one offset are kept: a zone has two a year.
+const MOST_OFFSETS: usize = 400;
+
 /// Reads instants; a day as `2009-03-02` that has been read is known for the lines that follow.
 #[derive(Default)]
 pub(crate) struct Instants {
     day: [u8; 10],
     midnight: Micros,
+    /// Which number is the day in `02/03/2009`; `None`: such a date is not known.
+    pub order: Option<DateOrder>,
+    /// The offsets of the instants so far, in the order of the rows.
+    pub offsets: Vec<OffsetSpan>,
 }
 
 impl Instants {
+    /// One that reads dates in numbers in this order.
+    pub fn with_order(order: Option<DateOrder>) -> Instants {
+        Instants { order, ..Instants::default() }
+    }
+
     /// A date and time with a fraction of any length or none, with a zone or none; or a number since 1970. The date is
-    /// `2009-03-02` or `02-Mar-2009`.
+    /// `2009-03-02`, `2009/03/02`, `20090302`, `2009-W10-1` or `02-Mar-2009`, and in the order that is known `02/03/2009`.
     pub fn read(&mut self, text: &str) -> Option<Instant> {
         self.read_bytes(text.as_bytes())
     }
@@ -34,7 +48,23 @@ impl Instants {
         match rest.trim_ascii() {
             b"" => Some(Instant::Local(at)),
             b"Z" | b"z" => Some(Instant::Utc(at)),
-            zone => Some(Instant::Utc(at - offset(zone)?)),
+            zone => {
+                let ahead = offset(zone).or_else(|| abbreviated(zone))?;
+                // These say that the clock is UTC's, and nothing of the wall.
+                if zone != b"UTC" && zone != b"GMT" {
+                    self.keep_offset(at - ahead, ahead);
+                }
+                Some(Instant::Utc(at - ahead))
+            }
+        }
+    }
+
+    fn keep_offset(&mut self, at: Micros, ahead: Micros) {
+        let is_full = self.offsets.len() >= MOST_OFFSETS;
+        match self.offsets.last_mut() {
+            Some(span) if span.ahead == ahead => (span.from, span.to) = (span.from.min(at), span.to.max(at)),
+            _ if is_full => {}
+            _ => self.offsets.push(OffsetSpan { from: at, to: at, ahead }),
         }
     }
 
@@ -44,24 +74,141 @@ impl Instants {
     pub fn leading<'b>(&mut self, bytes: &'b [u8]) -> Option<(Micros, &'b [u8])> {
         let (midnight, rest) = self.midnight(bytes)?;
         let rest = rest.strip_prefix(b"T").unwrap_or_else(|| rest.trim_ascii_start());
-        let (time, rest) = time_of_day(rest)?;
-        Some((midnight + time, rest))
+        let (time, rest) = time_of_day(rest).or_else(|| short_time(rest))?;
+        match rest {
+            [b' ' | b'A' | b'a' | b'P' | b'p' | 0xe2, _, ..] => half_day(midnight + time, rest),
+            _ => Some((midnight + time, rest)),
+        }
     }
 
     /// The beginning of the day that bytes begin with, and what follows.
     #[inline]
     fn midnight<'b>(&mut self, bytes: &'b [u8]) -> Option<(Micros, &'b [u8])> {
-        if let [_, _, b'-', ..] = bytes {
-            let (day, rest) = bytes.split_at_checked(11)?;
-            return Some((midnight(civil(day)?)?, rest));
+        match bytes.split_first_chunk().filter(|(day, _)| day[4] == b'-') {
+            Some((day, rest)) if *day == self.day => Some((self.midnight, rest)),
+            Some((day, rest)) => match civil(day).and_then(midnight) {
+                Some(at) => {
+                    (self.day, self.midnight) = (*day, at);
+                    Some((at, rest))
+                }
+                None => self.other_date(bytes),
+            },
+            None => self.other_date(bytes),
         }
-        let (day, rest) = bytes.split_first_chunk().filter(|(day, _)| day[4] == b'-')?;
-        if *day != self.day {
-            self.midnight = midnight(civil(day)?)?;
-            self.day = *day;
-        }
-        Some((self.midnight, rest))
     }
+
+    /// The same of a date that is not written as `2009-03-02`.
+    #[cold]
+    fn other_date<'b>(&self, bytes: &'b [u8]) -> Option<(Micros, &'b [u8])> {
+        if let Some((day, rest)) = bytes.split_at_checked(11)
+            && let Some(day) = civil(day)
+        {
+            return Some((midnight(day)?, rest));
+        }
+        let (day, rest) = basic(bytes).or_else(|| iso_week(bytes)).or_else(|| in_numbers(bytes, self.order))?;
+        Some((midnight(day)?, rest.strip_prefix(b",").unwrap_or(rest)))
+    }
+}
+
+/// `20090302`.
+fn basic(bytes: &[u8]) -> Option<(Date, &[u8])> {
+    let (day, rest) = bytes.split_at_checked(8).filter(|(_, rest)| matches!(rest, [b'T' | b' ' | b'\t', ..]))?;
+    let day = Date::new(digits(&day[..4])? as i16, digits(&day[4..6])? as i8, digits(&day[6..])? as i8).ok()?;
+    Some((day, rest))
+}
+
+/// `2009-W10-1`.
+fn iso_week(bytes: &[u8]) -> Option<(Date, &[u8])> {
+    let (day, rest) = bytes.split_at_checked(10)?;
+    let [year @ .., b'-', b'W', tens, ones, b'-', of_week] = day else { return None };
+    let of_week = Weekday::from_monday_one_offset(digits(&[*of_week])? as i8).ok()?;
+    let week = ISOWeekDate::new(digits(year)? as i16, digits(&[*tens, *ones])? as i8, of_week).ok()?;
+    Some((week.date(), rest))
+}
+
+/// Three numbers parted by one of `/`, `.` and `-`: the year first, or day and month in the order that is known.
+fn in_numbers(bytes: &[u8], order: Option<DateOrder>) -> Option<(Date, &[u8])> {
+    let (first, mark, rest) = leading_number(bytes)?;
+    let (second, same, rest) = leading_number(rest)?;
+    let length = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let third = &rest[..length];
+    if mark != same || !b"/.-".contains(&mark) {
+        return None;
+    }
+    let (year, month, day) = match (first.len(), third.len(), order) {
+        (4, 1 | 2, _) => (digits(first)?, second, third),
+        (1 | 2, 4, Some(DateOrder::DayFirst)) => (digits(third)?, second, first),
+        (1 | 2, 4, Some(DateOrder::MonthFirst)) => (digits(third)?, first, second),
+        (1 | 2, 2, Some(DateOrder::DayFirst)) => (of_century(digits(third)?), second, first),
+        (1 | 2, 2, Some(DateOrder::MonthFirst)) => (of_century(digits(third)?), first, second),
+        _ => return None,
+    };
+    let (month, day) = (digits(month).filter(|_| month.len() <= 2)?, digits(day).filter(|_| day.len() <= 2)?);
+    Some((Date::new(year as i16, month as i8, day as i8).ok()?, &rest[length..]))
+}
+
+/// Two digits of a year: `09` is 2009, `98` is 1998.
+fn of_century(year: Micros) -> Micros {
+    if year < 70 { 2000 + year } else { 1900 + year }
+}
+
+/// The digits that bytes begin with, the byte behind them, and what follows.
+fn leading_number(bytes: &[u8]) -> Option<(&[u8], u8, &[u8])> {
+    let length = bytes.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let (number, rest) = bytes.split_at(length);
+    let (mark, rest) = rest.split_first().filter(|_| (1..=4).contains(&length))?;
+    Some((number, *mark, rest))
+}
+
+/// An instant by a clock of twelve hours, where `AM` or `PM` follows in any case, with points or without; else as it stands.
+fn half_day(at: Micros, bytes: &[u8]) -> Option<(Micros, &[u8])> {
+    const HOUR: Micros = 3600 * SECOND;
+    let text = bytes.strip_prefix(b" ").unwrap_or(bytes);
+    // Browsers write a narrow blank before it.
+    let text = text.strip_prefix("\u{202f}".as_bytes()).unwrap_or(text);
+    let word = |word: &[u8]| {
+        let (begin, rest) = text.split_at_checked(word.len())?;
+        let ends = rest.first().is_none_or(|byte| !byte.is_ascii_alphanumeric());
+        (ends && begin.eq_ignore_ascii_case(word)).then_some(rest)
+    };
+    let (is_afternoon, rest) = match text.first() {
+        Some(b'A' | b'a') => (false, word(b"a.m.").or_else(|| word(b"am"))),
+        Some(b'P' | b'p') => (true, word(b"p.m.").or_else(|| word(b"pm"))),
+        _ => (false, None),
+    };
+    let Some(rest) = rest else { return Some((at, bytes)) };
+    match at.rem_euclid(DAY) / HOUR {
+        12 if is_afternoon => Some((at, rest)),
+        12 => Some((at - 12 * HOUR, rest)),
+        1..=11 if is_afternoon => Some((at + 12 * HOUR, rest)),
+        1..=11 => Some((at, rest)),
+        _ => None,
+    }
+}
+
+/// How far zones are ahead that people write by letters: those of Europe and North America.
+fn abbreviated(zone: &[u8]) -> Option<Micros> {
+    const HOURS: [(&[u8], i64); 18] = [
+        (b"UTC", 0),
+        (b"GMT", 0),
+        (b"WET", 0),
+        (b"WEST", 1),
+        (b"BST", 1),
+        (b"CET", 1),
+        (b"CEST", 2),
+        (b"EET", 2),
+        (b"EEST", 3),
+        (b"EST", -5),
+        (b"EDT", -4),
+        (b"CST", -6),
+        (b"CDT", -5),
+        (b"MST", -7),
+        (b"MDT", -6),
+        (b"PST", -8),
+        (b"PDT", -7),
+        (b"AKST", -9),
+    ];
+    HOURS.iter().find(|(name, _)| *name == zone).map(|(_, hours)| hours * 3600 * SECOND)
 }
 
 /// The date of ten or eleven letters, `2009-03-02` or `02-Mar-2009`.
@@ -86,15 +233,16 @@ pub(super) fn midnight(day: Date) -> Option<Micros> {
     Some(i64::from(days) * 24 * 3600 * SECOND)
 }
 
-/// A number since 1970, as a database keeps it: in seconds, milliseconds or microseconds.
+/// A number since 1970, as a database keeps it: in seconds, milliseconds, microseconds or nanoseconds.
 ///
-/// Which of them is told by its size, for instants from 1973 to 5138. Smaller numbers are something else.
+/// Its size says the unit, for instants from 1973 to 5138. Smaller numbers are something else.
 pub fn since_1970(number: f64) -> Option<Instant> {
     let micros = match number {
         ..1e8 => return None,
         ..1e11 => number * 1e6,
         ..1e14 => number * 1e3,
         ..1e17 => number,
+        ..1e20 => number / 1e3,
         _ => return None,
     };
     Some(Instant::Utc(micros.round() as Micros))
@@ -111,6 +259,8 @@ fn number(text: &str) -> Option<Instant> {
             let (micros, rest) = fraction(decimals.as_bytes());
             rest.is_empty().then_some(Instant::Utc(seconds.parse::<i64>().ok()? * SECOND + micros))
         }
+        // A float does not hold all digits of nanoseconds.
+        None if (18..=19).contains(&text.len()) => Some(Instant::Utc((text.parse::<u64>().ok()? / 1000) as Micros)),
         _ => since_1970(text.parse().ok()?),
     }
 }
@@ -138,6 +288,32 @@ fn time_of_day(text: &[u8]) -> Option<(Micros, &[u8])> {
         }
         rest => Some((whole, rest)),
     }
+}
+
+/// A time of day whose parts have one digit each, such as `9:05`, `9:5:3`, or no marks, such as `071203`.
+#[cold]
+fn short_time(text: &[u8]) -> Option<(Micros, &[u8])> {
+    if let Some((time, rest)) = text.split_first_chunk::<6>().filter(|(time, _)| time.iter().all(u8::is_ascii_digit)) {
+        let [h, hh, m, mm, s, ss] = *time;
+        let (time, _) = time_of_day(&[h, hh, b':', m, mm, b':', s, ss])?;
+        return Some((time, rest));
+    }
+    let (hours, mark, rest) = leading_number(text)?;
+    let length = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let (minutes, rest) = rest.split_at(length);
+    let seconds =
+        rest.strip_prefix(b":").map_or(0, |rest| rest.iter().take_while(|byte| byte.is_ascii_digit()).count());
+    let (seconds, rest) = if seconds > 0 { rest[1..].split_at(seconds) } else { (&b"0"[..], rest) };
+    let (hours, minutes, seconds) = (digits(hours)?, digits(minutes)?, digits(seconds)?);
+    let fits = mark == b':' && hours < 24 && minutes < 60 && seconds < 60;
+    let whole = fits.then_some(((hours * 60 + minutes) * 60 + seconds) * SECOND)?;
+    Some(match rest {
+        [b'.', decimals @ ..] => {
+            let (micros, rest) = fraction(decimals);
+            (whole + micros, rest)
+        }
+        rest => (whole, rest),
+    })
 }
 
 fn two_digits(text: &[u8], below: Micros) -> Option<(Micros, &[u8])> {
@@ -213,6 +389,15 @@ mod tests {
             ("1235977923.000001", Instant::Utc(AT + 1)),
             ("1235977923250", Instant::Utc(AT + 250_000)),
             ("1235977923250001", Instant::Utc(AT + 250_001)),
+            ("1235977923250001999", Instant::Utc(AT + 250_001)),
+            ("2009/03/02 07:12:03", Instant::Local(AT)),
+            ("2009/3/2 7:12:03", Instant::Local(AT)),
+            ("20090302T071203", Instant::Local(AT)),
+            ("20090302 07:12:03Z", Instant::Utc(AT)),
+            ("2009-W10-1T07:12:03", Instant::Local(AT)),
+            ("2009-03-02 7:12:03 AM", Instant::Local(AT)),
+            ("2009-03-02 07:12:03 UTC", Instant::Utc(AT)),
+            ("2009-03-02 1:12:03 AM CST", Instant::Utc(AT)),
         ] {
             assert_eq!(read(text), Some(instant), "{text}");
         }
@@ -233,7 +418,10 @@ mod tests {
             "2009-03-02 07:60:03",
             "2009-03-02 07:12:03 x",
             "2009-03-02 07:12:03+25:00",
-            "2009/03/02 07:12:03",
+            "2009/13/02 07:12:03",
+            "2009-03-02 13:12:03 PM",
+            "2009-03-02 0:12:03 PM",
+            "2009-W54-1T07:12:03",
             "-1-",
             "2009-03-02 07:12:03.2x",
             "é009-03-0é 07:12:03",
@@ -247,6 +435,42 @@ mod tests {
         ] {
             assert_eq!(read(text), None, "{text}");
         }
+    }
+
+    #[test]
+    fn dates_in_numbers_are_read_in_the_order_that_is_known() {
+        let (day, month) = (Some(DateOrder::DayFirst), Some(DateOrder::MonthFirst));
+        let wanted = Some(Instant::Local(AT));
+        for (text, order, instant) in [
+            ("02.03.2009 07:12:03", day, wanted),
+            ("2.3.2009, 07:12:03", day, wanted),
+            ("02-03-2009 07:12:03.0", day, wanted),
+            ("02/03/09 7:12:03 am", day, wanted),
+            ("3/2/2009 7:12:03 AM", month, wanted),
+            ("03/02/2009, 7:12:03\u{202f}AM", month, wanted),
+            ("3/2/2009 7:12:03 a.m.", month, wanted),
+            ("3/1/2009 7:12:03 PM", month, Some(Instant::Local(AT - 12 * 3600 * SECOND))),
+            ("31.02.2009 07:12:03", day, None),
+            ("03/28/2009 07:12:03", day, None),
+            ("03/28-2009 07:12:03", month, None),
+            ("3/2/2009 7:12:03 AM", None, None),
+            ("02.03.009 07:12:03", day, None),
+        ] {
+            assert_eq!(Instants::with_order(order).read(text), instant, "{text} in {order:?}");
+        }
+    }
+
+    #[test]
+    fn offsets_are_kept_from_their_first_instant_to_their_last() {
+        let mut instants = Instants::default();
+        for text in
+            ["2009-03-02T07:12:03+01:00", "2009-03-02T07:12:04+0100", "2009-03-02T07:12:05Z", "2009-03-02T08:12:05+02"]
+        {
+            assert!(instants.read(text).is_some(), "{text}");
+        }
+        let hour = 3600 * SECOND;
+        let span = |from, to, hours| OffsetSpan { from: AT + from - hour, to: AT + to - hour, ahead: hours * hour };
+        assert_eq!(instants.offsets, [span(0, SECOND, 1), span(2 * SECOND, 2 * SECOND, 2)]);
     }
 
     #[test]

@@ -25,6 +25,8 @@ pub struct Log {
     pub activities: Vec<Activity>,
     /// What each column of a table was taken for, and why; empty for forms without columns.
     pub columns: Vec<ColumnUse>,
+    /// The offsets from UTC that its instants were written with, in the order of the rows; empty without offsets.
+    pub offsets: Vec<OffsetSpan>,
     /// Spans in which nothing was recorded, in the order of time: what held before such a span is not known within it.
     pub gaps: Vec<(Micros, Micros)>,
     /// What else is left out than lines: a sentence each.
@@ -46,6 +48,17 @@ pub struct Event {
     pub value: u32,
 }
 
+/// From when to when instants were written with one offset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OffsetSpan {
+    /// The first of them.
+    pub from: Micros,
+    /// The last.
+    pub to: Micros,
+    /// How far the clock on the wall was ahead of UTC.
+    pub ahead: Micros,
+}
+
 /// What a reader took a column of a table for.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ColumnUse {
@@ -55,6 +68,16 @@ pub struct ColumnUse {
     pub used_as: ColumnRole,
     /// By which evidence, such as `its heading` or `9 of 10 cells are instants`.
     pub because: String,
+}
+
+impl ColumnUse {
+    /// The reason for a column that its heading decides.
+    pub(crate) const HEADING: &str = "its heading";
+
+    /// Whether the cells decide, and no heading does.
+    pub fn is_guess(&self) -> bool {
+        !matches!(self.used_as, ColumnRole::Unused | ColumnRole::OneSensor) && !self.because.starts_with(Self::HEADING)
+    }
 }
 
 /// What a column of a table may hold.

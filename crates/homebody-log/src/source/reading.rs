@@ -3,6 +3,7 @@
 use super::activities::{Activity, Notes};
 use super::instant::{Instant, Instants};
 use super::log::{Clock, ColumnRole, ColumnUse, Event, Log};
+use super::options::TableOptions;
 use crate::error::{LogError, place_of};
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
 use crate::packed::unpacked;
@@ -39,6 +40,10 @@ pub struct Reading<'t> {
     pub has_spans: bool,
     /// The instant of the last row.
     last: Micros,
+    /// How its table is read.
+    pub(super) options: TableOptions,
+    /// The log that is being read, for errors.
+    pub(super) place: String,
     /// The file beside the log that is being read, if that is not the log itself.
     beside: Option<String>,
     /// Activities beyond the most that are kept.
@@ -58,6 +63,8 @@ impl<'t> Reading<'t> {
             first: Some(Vec::new()),
             has_spans: false,
             last: 0,
+            options: TableOptions::default(),
+            place: String::new(),
             beside: None,
             beyond: 0,
         }
@@ -166,11 +173,24 @@ impl<'t> Reading<'t> {
         if let Some(first) = self.first.take() {
             self.settle_clock(&first);
         }
+        self.few_sensors()?;
+        self.log.offsets.clone_from(&self.instants.offsets);
         if !self.log.events.is_empty() {
             (self.take)(&self.log)?;
             self.log.events.clear();
         }
         Ok(())
+    }
+
+    /// Refuses names that hardly come again: sensors do.
+    fn few_sensors(&self) -> Result<(), LogError> {
+        let (sensors, rows) = (self.log.sensors.len(), self.log.rows);
+        if sensors <= FEW_SENSORS || 2 * sensors as u64 <= rows {
+            return Ok(());
+        }
+        let why =
+            format!("its first {rows} rows have {sensors} sensors: these are no sensors, which come again and again");
+        Err(LogError::NoLog { place: self.place.clone(), why })
     }
 
     /// Settles by which clock the log is told: that of most of its first rows. Those of the other are left out.
@@ -278,11 +298,16 @@ impl<'t> Reading<'t> {
 
     /// Records what a column was taken for, and why.
     pub fn column(&mut self, column: &str, used_as: ColumnRole, because: &str) {
+        // The log itself has its columns already.
+        if self.beside.is_some() {
+            return;
+        }
         self.log.columns.push(ColumnUse { column: column.into(), used_as, because: because.into() });
     }
 
     /// From now on a file beside the log is read.
     pub(super) fn go_beside(&mut self, file: &Path) {
+        self.options = TableOptions { dates: self.options.dates, ..TableOptions::default() };
         self.beside = Some(readable(place_of(file)));
     }
 
@@ -304,6 +329,9 @@ impl<'t> Reading<'t> {
         Ok(self.log)
     }
 }
+
+/// A log may have so many sensors with a row or two each.
+const FEW_SENSORS: usize = 1000;
 
 /// Why a row is none of the log's.
 const OTHER_CLOCK: &str = "some instants have a zone and some have none";

@@ -1,19 +1,38 @@
 //! How a file begins, which says what it holds.
 
+use super::instant::Instants;
+use super::options::DateOrder;
 use super::reading::open;
 use crate::error::LogError;
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// So many bytes are looked at (ours).
-const LOOKED_AT_BYTES: u64 = 4096;
+/// So many bytes are looked at: a thousand rows and more of most logs.
+const LOOKED_AT_BYTES: u64 = 1 << 18;
+
+/// The mark between cells is found in so many lines.
+const LINES_FOR_DELIMITER: usize = 20;
 
 /// The first bytes of a file.
 pub struct Start {
     /// Which file it is.
     pub path: PathBuf,
     bytes: Vec<u8>,
+    /// The kind of table that it is, found once: several forms ask.
+    pub(super) table: OnceCell<Option<TableKind>>,
+}
+
+/// The meaning of a table's rows.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum TableKind {
+    Events,
+    Intervals,
+    Activities,
+    Wide,
+    /// A table of instants that is refused.
+    Refused,
 }
 
 impl Start {
@@ -26,7 +45,7 @@ impl Start {
         let mut bytes = Vec::new();
         let read = open(path)?.take(LOOKED_AT_BYTES).read_to_end(&mut bytes);
         read.map_err(|error| LogError::file(path, error))?;
-        Ok(Start { path: path.into(), bytes })
+        Ok(Start { path: path.into(), bytes, table: OnceCell::new() })
     }
 
     /// Whether it begins with these bytes.
@@ -67,20 +86,31 @@ impl Start {
         self.lines().map(move |line| line.split(delimiter).map(cell).collect())
     }
 
-    /// What parts the cells, if there are several: a semicolon where spreadsheets write decimals with a comma.
+    /// The mark between cells. A semicolon or a tab that each line has as often is one, whatever commas there are: spreadsheets
+    /// write decimals with them.
     pub(super) fn delimiter(&self) -> u8 {
-        if self.count(b';') > self.count(b',') { b';' } else { b',' }
+        let lines: Vec<Cow<'_, str>> = self.lines().take(LINES_FOR_DELIMITER).collect();
+        let counts = |mark: u8| lines.iter().map(move |line| line.bytes().filter(|byte| *byte == mark).count());
+        let is_steady =
+            |mark: u8| counts(mark).next().is_some_and(|first| first > 0 && counts(mark).all(|it| it == first));
+        let first = |mark: u8| counts(mark).next().unwrap_or(0);
+        match () {
+            () if first(b';') > first(b',') || is_steady(b';') && !is_steady(b',') => b';',
+            () if lines.len() > 1 && is_steady(b'\t') && first(b',') == 0 && first(b';') == 0 => b'\t',
+            () => b',',
+        }
+    }
+
+    /// Whether a cell of its first lines is an instant.
+    pub(super) fn has_instants(&self) -> bool {
+        let mut instants = Instants::with_order(Some(DateOrder::DayFirst));
+        let lines = self.cells().take(LINES_FOR_DELIMITER);
+        lines.flatten().any(|cell| instants.read(&cell).is_some())
     }
 
     /// How many delimiters the first line has.
     pub(super) fn delimiters(&self) -> usize {
-        self.count(self.delimiter())
-    }
-
-    /// How often a byte is in the first line that is not blank.
-    fn count(&self, wanted: u8) -> usize {
-        let mut lines = self.bytes.split(|&byte| byte == b'\n');
-        let line = lines.find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
-        line.iter().filter(|&&byte| byte == wanted).count()
+        let delimiter = self.delimiter();
+        self.lines().next().map_or(0, |line| line.bytes().filter(|&byte| byte == delimiter).count())
     }
 }

@@ -1,6 +1,6 @@
 //! `homebody calibrate`: a scenario fitted to the log of its home.
 
-use super::read_log::read_log;
+use super::read_log::{HowRead, read_log};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{json_text, print_json, print_text, tell, write_file};
@@ -41,6 +41,8 @@ scenario as it was.
 pub struct Arguments {
     /// The log: the folder of its run or of a data set, a file, or FORM:FILE
     log: String,
+    #[command(flatten)]
+    how: HowRead,
     /// The folder of a scenario whose home the log is of
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
@@ -106,7 +108,7 @@ impl Arguments {
         }
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
-        let read = read_log(&self.log, Some(&zone))?;
+        let read = read_log(&self.log, Some(&zone), &self.how)?;
         let parts = self.parts(&read.log, read.recorded.as_ref())?;
         let bar = progress::bar(1000, progress::SHARE);
         let seen = parts.of(&read.log, true);

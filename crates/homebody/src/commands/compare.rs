@@ -1,6 +1,6 @@
 //! `homebody compare`: how alike two logs are.
 
-use super::read_log::{tell_remarks, tell_unfinished};
+use super::read_log::{HowRead, tell_remarks, tell_unfinished};
 use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_analysis::compare::{MEASURES, begins, compare};
@@ -24,6 +24,8 @@ pub struct Arguments {
     a: String,
     /// The log to compare with
     b: String,
+    #[command(flatten)]
+    how: HowRead,
     /// A table with the columns id and name: what one log calls a sensor, and what the other does
     #[arg(long, value_name = "FILE")]
     sensors: Option<PathBuf>,
@@ -35,7 +37,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let map = self.sensors.as_deref().map(SensorMap::read).transpose()?.unwrap_or_default();
-        let found = [NamedLog::find(&self.a)?, NamedLog::find(&self.b)?];
+        let found = [self.how.find(&self.a)?, self.how.find(&self.b)?];
         // A run knows what its own log's ids mean, and those of a copy of it.
         let name = |id: &str| found.iter().find_map(|named| named.name_of(id)).unwrap_or(id).to_owned();
         let read = |text: &str, named: &NamedLog| {

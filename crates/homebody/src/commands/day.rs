@@ -1,7 +1,7 @@
 //! `homebody day`: one day of a log.
 
 use super::answer::Answer;
-use super::read_log::read_log;
+use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use homebody_analysis::dates::Asked;
 use homebody_analysis::day::Day;
@@ -16,6 +16,8 @@ use homebody_picture::{DayChart, day_chart};
 pub struct Arguments {
     /// A log: a file, the folder of a run or of a data set, or FORM:FILE
     log: String,
+    #[command(flatten)]
+    how: HowRead,
     /// The day, such as 2009-03-02; or first, or last
     #[arg(value_name = "DATE")]
     date: Asked,
@@ -28,7 +30,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let read = read_log(&self.log, self.time_zone.as_deref())?;
+        let read = read_log(&self.log, self.time_zone.as_deref(), &self.how)?;
         let answer = self.answer.check([""], &read.sources)?;
         let no_rows = || Failure::usage(format!("{}: it has no rows, so no day", self.log));
         let there = read.dates().ok_or_else(no_rows)?;

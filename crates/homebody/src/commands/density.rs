@@ -1,7 +1,7 @@
 //! `homebody density`: how much somebody moves in each hour of each day.
 
 use super::answer::Answer;
-use super::read_log::read_any_length;
+use super::read_log::{HowRead, read_any_length};
 use crate::failure::Failure;
 use crate::length::span;
 use crate::print::tell;
@@ -27,6 +27,8 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// A log: a file, the folder of a run or of a data set, or FORM:FILE
     log: String,
+    #[command(flatten)]
+    how: HowRead,
     /// Hold it against this log: say how far the two maps are apart, and draw both
     #[arg(long, value_name = "LOG")]
     against: Option<String>,
@@ -55,8 +57,8 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let zone = self.time_zone.as_deref();
-        let log = read_any_length(&self.log, zone)?;
-        let other = self.against.as_deref().map(|other| read_any_length(other, zone)).transpose()?;
+        let log = read_any_length(&self.log, zone, &self.how)?;
+        let other = self.against.as_deref().map(|other| read_any_length(other, zone, &self.how)).transpose()?;
         let sources: Vec<PathBuf> =
             [Some(&log), other.as_ref()].into_iter().flatten().flat_map(|log| log.sources.clone()).collect();
         let csv = self.csv.as_deref();

@@ -1,7 +1,7 @@
 //! `homebody find`: when something was so, over a whole log.
 
 use super::answer::Figures;
-use super::read_log::read_log;
+use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::length::span;
 use clap::builder::PossibleValue;
@@ -29,6 +29,8 @@ use std::fmt;
 pub struct Arguments {
     /// A log: a file, the folder of a run or of a data set, or FORM:FILE
     log: String,
+    #[command(flatten)]
+    how: HowRead,
     /// What is looked for
     what: Wanted,
     /// Which room, sensor or activity; of lost messages those of a sensor, of alerts and falls that cameras see those of a rule
@@ -81,7 +83,7 @@ impl clap::ValueEnum for Wanted {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        let read = read_log(&self.log, self.time_zone.as_deref())?;
+        let read = read_log(&self.log, self.time_zone.as_deref(), &self.how)?;
         let answer = self.figures.check(&read.sources)?;
         let what = self.what.0;
         let query = Query { what, name: self.name.clone(), hours: self.between, least: self.at_least.unwrap_or(0) };

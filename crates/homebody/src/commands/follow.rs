@@ -1,6 +1,6 @@
 //! Where everybody is, told as the rows of a log come: `homebody translate --follow`.
 
-use super::read_log::read_log;
+use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::print::{print_json_text, print_text};
 use crate::signals::Signals;
@@ -17,6 +17,8 @@ use std::time::{Duration, Instant};
 pub struct Followed<'a> {
     /// As it was named; one of standard input ends with [`INPUT`].
     pub log: &'a str,
+    /// How its table is read.
+    pub how: &'a HowRead,
     /// The time zone of its home.
     pub zone: &'a str,
     /// How many seconds pass from one look at it to the next.
@@ -53,7 +55,7 @@ impl Followed<'_> {
     /// Looks at a file, or a database, again and again.
     fn file(&self, following: &mut Following, cancel: &Cancel) -> Result<(), Failure> {
         // What cannot be read now is a mistake; later it may be in the middle of being written.
-        let mut looked = Some(read_log(self.log, Some(self.zone))?);
+        let mut looked = Some(read_log(self.log, Some(self.zone), self.how)?);
         while !cancel.is_cancelled() {
             if let Some(read) = looked {
                 self.take(following, &read)?;
@@ -62,7 +64,7 @@ impl Followed<'_> {
             while began.elapsed() < Duration::from_secs(self.every_s) && !cancel.is_cancelled() {
                 thread::sleep(BREATH);
             }
-            looked = LogWithRun::read(self.log, Some(self.zone)).ok();
+            looked = self.how.read(self.log, Some(self.zone)).ok();
         }
         Ok(())
     }
@@ -86,11 +88,11 @@ impl Followed<'_> {
             }
             let is_time = looked.elapsed() >= Duration::from_secs(self.every_s) && is_new;
             if is_over || is_time {
-                let read = LogWithRun::read(&named, Some(self.zone));
+                let read = self.how.read(&named, Some(self.zone));
                 // Lines that are no log yet, as the first of a table, may become one.
                 match read {
                     Ok(read) => self.take(following, &read)?,
-                    Err(error) if is_over => return Err(error.into()),
+                    Err(error) if is_over => return Err(error),
                     Err(_) => {}
                 }
                 (looked, is_new) = (Instant::now(), false);

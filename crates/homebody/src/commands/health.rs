@@ -1,7 +1,7 @@
 //! `homebody health`: what is wrong with the sensors of a home.
 
 use super::answer::Figures;
-use super::read_log::read_log;
+use super::read_log::{HowRead, read_log};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
@@ -26,6 +26,8 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// The log: a file, the folder of a run, or sqlite:FILE, csv:FILE or casas:FILE
     log: String,
+    #[command(flatten)]
+    how: HowRead,
     /// The folder of a scenario whose home the log is of
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
@@ -43,7 +45,7 @@ impl Arguments {
         let answer = self.figures.check(&[])?;
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
-        let read = read_log(&self.log, Some(&zone))?;
+        let read = read_log(&self.log, Some(&zone), &self.how)?;
         let bar = progress::bar(1000, progress::SHARE);
         let health = health(&read.log, home.scenario(), |share| bar.set_position((share * 1000.0) as u64))?;
         bar.finish_and_clear();

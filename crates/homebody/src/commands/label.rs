@@ -1,7 +1,7 @@
 //! `homebody label`: a log with what the truth says of each row.
 
 use super::convert::{LOG_COLUMNS, files_of, forms_of_logs, keep, rows_bar};
-use super::read_log::{go_on, tell_remarks, tell_unfinished};
+use super::read_log::{HowRead, go_on, tell_remarks, tell_unfinished};
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
@@ -43,6 +43,8 @@ a run's folder is replaced.
 pub struct Arguments {
     /// The log: the folder of its run, a file, or sqlite:FILE, csv:FILE or casas:FILE
     log: String,
+    #[command(flatten)]
+    how: HowRead,
     /// The truth of the same run: a database, or csv:FILE and so on; the one beside the log without it
     truth: Option<String>,
     /// Where to: sqlite:FILE, csv:FILE or casas:FILE
@@ -58,7 +60,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         Calendar::zone(&self.time_zone).map_err(Failure::usage)?;
-        let named = NamedLog::find(&self.log)?;
+        let named = self.how.find(&self.log)?;
         let Some(truth) = self.truth.as_deref().map(truth_at).or_else(|| named.truth()) else {
             return Err(Failure::Io(format!("no truth lies beside {}\n  hint: {NAME_IT}", named.place)));
         };

@@ -2,7 +2,7 @@
 
 use super::answer::Answer;
 use super::for_programs::{ForPrograms, row};
-use super::read_log::read_any_length;
+use super::read_log::{HowRead, read_any_length};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_analysis::measures::{Beside, Day, Measures};
@@ -84,6 +84,8 @@ fn records(measures: &Measures) -> Records {
 pub struct Measured {
     /// A log: a file, the folder of a run or of a data set, or FORM:FILE
     log: String,
+    #[command(flatten)]
+    how: HowRead,
     /// The scenario with the home of the log, which tells which room each sensor is in
     #[arg(long, value_name = "SCENARIO")]
     home: Option<PathBuf>,
@@ -109,7 +111,7 @@ impl Measured {
 
     /// Reads the log, with its sensors in their rooms.
     pub fn read(&self) -> Result<LogWithRun, Failure> {
-        let mut read = read_any_length(&self.log, self.time_zone.as_deref())?;
+        let mut read = read_any_length(&self.log, self.time_zone.as_deref(), &self.how)?;
         let Some(home) = &self.home else { return Ok(read) };
         let placed = read.place_in(&homebody_kit::Source::at(home)?.scenario()?);
         let (log, home, sensors) = (&self.log, home.display(), read.log.sensors.len());

@@ -1,6 +1,6 @@
 //! `homebody new`: a scenario of one's own, from one that works, from a picture of a plan, or from the log of a home.
 
-use super::read_log::read_log;
+use super::read_log::{HowRead, read_log};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, write_file};
 use homebody_core::problem::counted;
@@ -46,6 +46,8 @@ pub struct Arguments {
     /// Make a schematic home of what this log tells: a file, the folder of a run or of a data set, or FORM:FILE
     #[arg(long, value_name = "LOG", conflicts_with = "template")]
     from_log: Option<String>,
+    #[command(flatten)]
+    how: HowRead,
     /// A table of the log's sensors: id, room, place, x, y
     #[arg(long, value_name = "FILE", requires = "from_log")]
     sensors: Option<PathBuf>,
@@ -161,7 +163,7 @@ impl Arguments {
         let table = self.sensors.as_deref().map(read_table).transpose()?.unwrap_or_default();
         let time_zone = self.time_zone.as_deref();
         time_zone.map(Calendar::zone).transpose().map_err(Failure::usage)?;
-        let read = read_log(log, time_zone)?;
+        let read = read_log(log, time_zone, &self.how)?;
         let path = Path::new(log);
         let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         let given = GivenLog { named: log, file: &file, read: &read, time_zone, table, picture: picture.as_ref() };

@@ -4,18 +4,17 @@ use crate::failure::Failure;
 use crate::print::tell;
 use crate::progress::Working;
 use homebody_kit::{LogWithRun, NamedLog, Unended};
-use homebody_log::source::Clock;
+use homebody_log::source::{Clock, ColumnRole, DateOrder, DecimalMark, HomeColumn, TableOptions};
 use homebody_log::{Log, read_mapping};
 use std::path::PathBuf;
 
-/// A log, and what its table and columns are called.
+/// A log, and how its table is read.
 #[derive(clap::Args)]
 pub struct Mapped {
     /// The log: the folder of its run or of a data set, a file, or FORM:FILE
     log: String,
-    /// A logger.json that names the table and columns of a database or a CSV file, where they are neither ours nor the usual ones
-    #[arg(long, value_name = "FILE")]
-    mapping: Option<PathBuf>,
+    #[command(flatten)]
+    how: HowRead,
 }
 
 impl Mapped {
@@ -26,26 +25,90 @@ impl Mapped {
 
     /// Finds it.
     pub fn find(&self) -> Result<NamedLog, Failure> {
-        let mut named = NamedLog::find(&self.log)?;
-        if let Some(path) = &self.mapping {
-            named.mapping = read_mapping(path)?;
-        }
-        Ok(named)
+        self.how.find(&self.log)
     }
 }
 
-/// Reads a log on the clock on the wall of its home, and tells what is left out of it.
-pub fn read_log(text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
+/// How the table of a log is read, where its headings and rows do not decide it.
+#[derive(clap::Args, Clone, Default)]
+#[command(next_help_heading = "Tables")]
+pub struct HowRead {
+    /// A logger.json that names the table and columns of a database or a CSV file, where they are neither ours nor the usual ones
+    #[arg(long, value_name = "FILE")]
+    mapping: Option<PathBuf>,
+    /// Each column of the table is a sensor
+    #[arg(long)]
+    wide: bool,
+    /// The column that says which home or person a row is of, and the one to read: all of them as one with NAME=*
+    #[arg(long, value_name = "NAME[=HOME]")]
+    home_column: Option<String>,
+    /// The number that comes first in dates such as 02/03/2009
+    #[arg(long, value_enum, value_name = "ORDER")]
+    dates: Option<Dates>,
+    /// The mark before the decimals of numbers
+    #[arg(long, value_enum, value_name = "MARK")]
+    decimals: Option<Decimals>,
+}
+
+/// The number that comes first in a date.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Dates {
+    DayFirst,
+    MonthFirst,
+}
+
+/// The mark before decimals.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Decimals {
+    Comma,
+    Point,
+}
+
+impl HowRead {
+    /// Finds a log that is read so.
+    pub fn find(&self, text: &str) -> Result<NamedLog, Failure> {
+        let mut named = NamedLog::find(text)?;
+        if let Some(path) = &self.mapping {
+            named.mapping = read_mapping(path)?;
+        }
+        named.place = named.place.with_options(self.table_options());
+        Ok(named)
+    }
+
+    /// Reads a log on the clock on the wall of its home.
+    pub fn read(&self, text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
+        Ok(LogWithRun::of(self.find(text)?, zone)?)
+    }
+
+    fn table_options(&self) -> TableOptions {
+        let home = self.home_column.as_ref().map(|text| match text.split_once('=') {
+            Some((column, home)) => HomeColumn { column: column.to_owned(), home: Some(home.to_owned()) },
+            None => HomeColumn { column: text.clone(), home: None },
+        });
+        let dates = self.dates.map(|dates| match dates {
+            Dates::DayFirst => DateOrder::DayFirst,
+            Dates::MonthFirst => DateOrder::MonthFirst,
+        });
+        let decimals = self.decimals.map(|decimals| match decimals {
+            Decimals::Comma => DecimalMark::Comma,
+            Decimals::Point => DecimalMark::Point,
+        });
+        TableOptions { is_wide: self.wide, home, dates, decimals }
+    }
+}
+
+/// Reads a log on the clock on the wall of its home, and reports on standard error which parts of it are left out or guessed.
+pub fn read_log(text: &str, zone: Option<&str>, how: &HowRead) -> Result<LogWithRun, Failure> {
     let reading = Working::on(format!("reading {text}"));
-    let read = LogWithRun::read(text, zone)?;
+    let read = how.read(text, zone)?;
     drop(reading);
     Ok(remarked(text, read))
 }
 
 /// The same of a log of any length: the rows of a long one are not in memory.
-pub fn read_any_length(text: &str, zone: Option<&str>) -> Result<LogWithRun, Failure> {
+pub fn read_any_length(text: &str, zone: Option<&str>, how: &HowRead) -> Result<LogWithRun, Failure> {
     let reading = Working::on(format!("reading {text}"));
-    let read = LogWithRun::of_any_length(NamedLog::find(text)?, zone)?;
+    let read = LogWithRun::of_any_length(how.find(text)?, zone)?;
     drop(reading);
     Ok(remarked(text, read))
 }
@@ -62,6 +125,31 @@ fn remarked(text: &str, read: LogWithRun) -> LogWithRun {
     read
 }
 
+/// Says which columns were taken for time, sensor and value by their cells, where no heading decides it.
+fn tell_guessed(name: &str, log: &Log) {
+    let guessed = log.columns.iter().filter(|of| of.is_guess() && !of.column.is_empty());
+    let guessed: Vec<String> = guessed
+        .filter_map(|of| {
+            let what = match of.used_as {
+                ColumnRole::Time => "time",
+                ColumnRole::End => "end",
+                ColumnRole::Sensor => "sensor",
+                ColumnRole::Value => "value",
+                ColumnRole::Label => "activity",
+                _ => return None,
+            };
+            Some(format!("{} as the {what}", of.column))
+        })
+        .collect();
+    if !guessed.is_empty() {
+        let why = "homebody look says why";
+        tell(format_args!("{name}: columns were found by their cells: {}; {why}", guessed.join(", ")));
+    }
+    if let Some(supplied) = log.columns.iter().find(|of| of.column.is_empty()) {
+        tell(format_args!("{name}: {}", supplied.because));
+    }
+}
+
 /// Warns of a run that was not lived to its end, so that its log is a part of what it is going to be.
 pub fn tell_unfinished(text: &str, unfinished: Option<&Unended>) {
     if let Some(run) = unfinished {
@@ -74,7 +162,8 @@ pub fn go_on(run: &Unended) -> String {
     format!("homebody run --resume {} goes on with it", run.folder.display())
 }
 
-/// Tells what of a log was left out, but for single lines.
+/// Reports what of a log was guessed, and what was left out but for single lines.
 pub fn tell_remarks(name: &str, log: &Log) {
+    tell_guessed(name, log);
     log.remarks.iter().for_each(|remark| tell(format_args!("{name}: {remark}")));
 }

@@ -1,7 +1,7 @@
 //! `homebody realism`: how near a log is to a real one, and what gives it away.
 
 use super::answer::Answer;
-use super::read_log::read_log;
+use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::progress::Working;
 use homebody_analysis::realism::{MEASURES, NotComparable, Told, realism};
@@ -28,6 +28,8 @@ pub struct Arguments {
     a: String,
     /// The log to hold against it
     b: String,
+    #[command(flatten)]
+    how: HowRead,
     /// Write everything as one page with pictures, which needs no other file
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
@@ -41,7 +43,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let zone = self.time_zone.as_deref();
-        let (a, b) = (read_log(&self.a, zone)?, read_log(&self.b, zone)?);
+        let (a, b) = (read_log(&self.a, zone, &self.how)?, read_log(&self.b, zone, &self.how)?);
         let sources: Vec<PathBuf> = [&a, &b].into_iter().flat_map(|log| log.sources.clone()).collect();
         let answer = self.answer.check_beside([""], self.html.as_deref(), &sources)?;
         let comparing = Working::on(format!("comparing {} with {}", self.b, self.a));

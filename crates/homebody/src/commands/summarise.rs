@@ -3,7 +3,7 @@
 use super::answer::Figures;
 use super::for_programs::{ForPrograms, row};
 use super::measure::Measured;
-use super::read_log::read_log;
+use super::read_log::{HowRead, read_log};
 use crate::failure::{EXIT_CODES, Failure};
 use homebody_analysis::summaries::{About, Sentence, Summary, of_summaries, summarise};
 use homebody_log::records::Records;
@@ -58,7 +58,7 @@ impl Arguments {
         let distance = match &self.beside {
             None => None,
             Some(other) => {
-                let read = read_log(other, None)?;
+                let read = read_log(other, None, &HowRead::default())?;
                 let measures = read.measures().map_err(|why| Failure::usage(format!("{other}: {why}")))?;
                 Some(of_summaries(&summary, &summarise(&measures, about)))
             }

@@ -1,7 +1,7 @@
 //! `homebody translate`: a log walked back through the plan of its home.
 
 use super::follow::Followed;
-use super::read_log::read_log;
+use super::read_log::{HowRead, read_log};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json, print_text, tell};
@@ -49,6 +49,8 @@ Times are those of the clock on the wall of the home.
 pub struct Arguments {
     /// The log: a file, the folder of a run, or sqlite:FILE, csv:FILE or casas:FILE
     log: String,
+    #[command(flatten)]
+    how: HowRead,
     /// The folder of a scenario whose home the log is of
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
@@ -80,10 +82,11 @@ impl Arguments {
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
         let Some(to) = &self.to else {
-            let followed = Followed { log: &self.log, zone: &zone, every_s: self.every, is_json: self.json };
+            let followed =
+                Followed { log: &self.log, how: &self.how, zone: &zone, every_s: self.every, is_json: self.json };
             return followed.follow(home.scenario());
         };
-        let read = read_log(&self.log, Some(&zone))?;
+        let read = read_log(&self.log, Some(&zone), &self.how)?;
         let bar = progress::bar(1000, progress::SHARE);
         let progress = |share| bar.set_position((share * 1000.0) as u64);
         let report = walk_into(to, (&self.log, &read), home.scenario(), &Cancel::new(), progress)?;

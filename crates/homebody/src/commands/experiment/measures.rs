@@ -2,7 +2,7 @@
 
 use super::walk_back::{every_fault, lived, of_homes, of_one};
 use crate::commands::answer::Figures;
-use crate::commands::read_log::read_log;
+use crate::commands::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use homebody_analysis::measures::Measures;
 use homebody_core::scenario::link::LinkFile;
@@ -88,7 +88,8 @@ impl Arguments {
 
 impl Arguments {
     fn of_real_logs(self) -> Result<(), Failure> {
-        let mut read = self.data.iter().map(|log| read_log(log, None)).collect::<Result<Vec<_>, _>>()?;
+        let read = |log: &String| read_log(log, None, &HowRead::default());
+        let mut read = self.data.iter().map(read).collect::<Result<Vec<_>, _>>()?;
         let sources: Vec<PathBuf> = read.iter().flat_map(|read| read.sources.clone()).collect();
         let answer = self.figures.check(&sources)?;
         let of_log = |(log, read): (&String, &mut LogWithRun)| {

@@ -1,7 +1,7 @@
 //! `homebody experiment realism`.
 
 use crate::commands::answer::Answer;
-use crate::commands::read_log::read_log;
+use crate::commands::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use homebody_analysis::dates::midnight;
 use homebody_analysis::realism::{NotComparable, Realism, Told, realism};
@@ -63,7 +63,7 @@ impl Arguments {
             if !path.is_file() {
                 return Err(Failure::io(&path, "there is no such file\n  hint: the logs are not part of this program"));
             }
-            let read = read_log(&path.to_string_lossy(), None)?;
+            let read = read_log(&path.to_string_lossy(), None, &HowRead::default())?;
             let last = read.log.events.iter().map(|event| event.at).max().unwrap_or(0);
             logs.push((read, from.map(|from| midnight(from)..last + 1)));
         }

@@ -1,6 +1,6 @@
 //! `homebody experiment recogniser`.
 
-use crate::commands::read_log::read_log;
+use crate::commands::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::print::{json_text, print_json, print_text, write_file};
 use crate::progress::bar;
@@ -51,7 +51,8 @@ impl Arguments {
             return Err(Failure::io(&self.data, why));
         };
         let refused = |why: NotRecognised| Failure::Usage(format!("{}: {why}", path.display()));
-        let prepared = Prepared::new(&read_log(&path.to_string_lossy(), None)?.log).map_err(refused)?;
+        let prepared =
+            Prepared::new(&read_log(&path.to_string_lossy(), None, &HowRead::default())?.log).map_err(refused)?;
         let progress = bar(u64::from(self.seeds), "{bar:40} {pos} of {len} seeds  {eta} left");
         let seeds: Vec<u64> = (1..=u64::from(self.seeds)).collect();
         let cases: Result<Vec<Case>, NotRecognised> = seeds

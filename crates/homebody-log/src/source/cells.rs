@@ -1,0 +1,477 @@
+//! The cells of a table's column by its first rows: instants, numbers, words, and how often each comes again.
+
+use super::instant::{Instant, Instants};
+use super::options::DateOrder;
+use homebody_core::time::{DAY, Micros};
+use std::collections::BTreeMap;
+
+/// Words of sensors with two states, in lower case.
+const SWITCHES: [&str; 58] = [
+    "on",
+    "off",
+    "open",
+    "opened",
+    "close",
+    "closed",
+    "true",
+    "false",
+    "yes",
+    "no",
+    "0",
+    "1",
+    "0.0",
+    "1.0",
+    "active",
+    "inactive",
+    "detected",
+    "clear",
+    "cleared",
+    "present",
+    "absent",
+    "motion",
+    "no motion",
+    "nomotion",
+    "occupied",
+    "unoccupied",
+    "vacant",
+    "idle",
+    "fire",
+    "fired",
+    "home",
+    "away",
+    "not_home",
+    "not present",
+    "pressed",
+    "released",
+    "push",
+    "wet",
+    "dry",
+    "locked",
+    "unlocked",
+    "start",
+    "stop",
+    "begin",
+    "end",
+    "in",
+    "out",
+    "an",
+    "aus",
+    "offen",
+    "zu",
+    "ein",
+    "movement",
+    "no movement",
+    "triggered",
+    "untriggered",
+    "abierto",
+    "cerrado",
+];
+
+/// Those of them that say that something is over.
+const OFFS: [&str; 26] = [
+    "off",
+    "close",
+    "closed",
+    "false",
+    "no",
+    "0",
+    "0.0",
+    "inactive",
+    "clear",
+    "cleared",
+    "absent",
+    "no motion",
+    "nomotion",
+    "unoccupied",
+    "vacant",
+    "idle",
+    "away",
+    "not_home",
+    "not present",
+    "released",
+    "dry",
+    "out",
+    "aus",
+    "zu",
+    "no movement",
+    "cerrado",
+];
+
+/// Words for kinds of sensors and of what they measure, in lower case.
+const KINDS: [&str; 61] = [
+    "motion",
+    "pir",
+    "presence",
+    "occupancy",
+    "contact",
+    "door",
+    "window",
+    "magnetic",
+    "reed",
+    "pressure",
+    "bed",
+    "seat",
+    "mat",
+    "flush",
+    "electric",
+    "power",
+    "energy",
+    "voltage",
+    "current",
+    "temperature",
+    "temp",
+    "humidity",
+    "light",
+    "illuminance",
+    "illumination",
+    "lux",
+    "luminance",
+    "battery",
+    "vibration",
+    "acceleration",
+    "tilt",
+    "water",
+    "moisture",
+    "leak",
+    "smoke",
+    "gas",
+    "co2",
+    "co",
+    "tvoc",
+    "sound",
+    "noise",
+    "switch",
+    "button",
+    "plug",
+    "outlet",
+    "item",
+    "float",
+    "photocell",
+    "binary",
+    "numeric",
+    "binary_sensor",
+    "sensor",
+    "bewegung",
+    "kontakt",
+    "temperatur",
+    "feuchte",
+    "helligkeit",
+    "radar",
+    "camera",
+    "rssi",
+    "linkquality",
+];
+
+/// Words that say how grave a line of a program's log is.
+const SEVERITIES: [&str; 14] = [
+    "trace",
+    "debug",
+    "info",
+    "information",
+    "informational",
+    "notice",
+    "warn",
+    "warning",
+    "error",
+    "err",
+    "critical",
+    "fatal",
+    "crit",
+    "severe",
+];
+
+/// So many words make a sentence: states have fewer.
+const WORDS_OF_SENTENCE: usize = 4;
+
+/// The cells of one column.
+#[derive(Default)]
+pub(super) struct Cells {
+    /// How many are not empty.
+    pub filled: usize,
+    /// Dates with a time of day.
+    pub instants: usize,
+    /// Numbers since 1970.
+    pub epochs: usize,
+    /// Dates alone.
+    pub dates: usize,
+    /// Times of day alone.
+    pub times: usize,
+    pub numbers: usize,
+    /// Words of two states, 0 and 1 among them.
+    pub switches: usize,
+    pub kinds: usize,
+    pub severities: usize,
+    /// Texts of several words.
+    pub sentences: usize,
+    /// Each text with how often it comes.
+    pub texts: BTreeMap<String, usize>,
+    /// Whether each is the number after the one before.
+    pub is_numbering: bool,
+    pub order: Orders,
+    last: Option<f64>,
+}
+
+impl Cells {
+    /// The cells of a column in the first rows.
+    pub fn of<'r>(column: impl Iterator<Item = &'r str>, read: &mut Reads) -> Cells {
+        let mut cells = Cells { is_numbering: true, ..Cells::default() };
+        column.map(str::trim).filter(|cell| !is_blank(cell)).for_each(|cell| cells.take(cell, read));
+        cells.is_numbering &= cells.filled > 1;
+        cells
+    }
+
+    fn take(&mut self, cell: &str, read: &mut Reads) {
+        self.filled += 1;
+        *self.texts.entry(cell.to_owned()).or_default() += 1;
+        match read.shape(cell) {
+            Shape::Instant(orders) => {
+                self.instants += 1;
+                self.order.add(orders);
+            }
+            Shape::Epoch => self.epochs += 1,
+            Shape::Date(orders) => {
+                self.dates += 1;
+                self.order.add(orders);
+            }
+            Shape::Time { is_of_twelve } => {
+                self.times += 1;
+                self.order.of_twelve += usize::from(is_of_twelve);
+            }
+            Shape::Else => {}
+        }
+        let number = number(cell);
+        self.numbers += usize::from(number.is_some());
+        self.is_numbering &= match (self.last, number) {
+            (None, Some(first)) => first == 0.0 || first == 1.0,
+            (Some(last), Some(next)) => next == last + 1.0,
+            (_, None) => false,
+        };
+        self.last = number;
+        let word = cell.to_lowercase();
+        let is_of = |words: &[&str]| usize::from(words.contains(&word.as_str()));
+        self.switches += is_of(&SWITCHES);
+        self.kinds += is_of(&KINDS);
+        self.severities += is_of(&SEVERITIES);
+        self.sentences += usize::from(cell.split_whitespace().count() >= WORDS_OF_SENTENCE);
+    }
+
+    /// Whether nearly all of the filled cells are such.
+    pub fn are(&self, count: usize) -> bool {
+        self.filled > 0 && 10 * count >= 9 * self.filled
+    }
+
+    /// Whether most of the filled cells are such.
+    pub fn are_mostly(&self, count: usize) -> bool {
+        2 * count > self.filled
+    }
+
+    /// Instants of any kind.
+    pub fn moments(&self) -> usize {
+        self.instants + self.epochs
+    }
+
+    /// Numbers and words of two states.
+    pub fn values(&self) -> usize {
+        let both = self.texts.iter().filter(|(text, _)| matches!(text.as_str(), "0" | "1" | "0.0" | "1.0"));
+        self.numbers + self.switches - both.map(|(_, times)| times).sum::<usize>()
+    }
+
+    /// Whether few texts come again and again, as names of sensors do.
+    pub fn come_again(&self) -> bool {
+        self.filled > 0 && (self.filled < FEW || 2 * self.texts.len() <= self.filled)
+    }
+
+    /// Whether nearly each text is another one, as no names of sensors are.
+    pub fn hardly_come_again(&self) -> bool {
+        self.filled >= ENOUGH && 10 * self.texts.len() >= 7 * self.filled
+    }
+
+    /// Whether each cell is 0 or 1, or a word of two states, and both come.
+    pub fn is_switch(&self) -> bool {
+        self.are(self.switches) && (self.texts.len() > 1 || self.numbers == 0)
+    }
+}
+
+/// Fewer cells do not show how often they come again.
+const FEW: usize = 8;
+
+/// So many cells are enough to say that they do not come again.
+const ENOUGH: usize = 20;
+
+/// Whether a cell says nothing.
+pub(super) fn is_blank(cell: &str) -> bool {
+    matches!(cell, "" | "-" | "NaN" | "nan" | "NA" | "N/A" | "n/a" | "null" | "NULL" | "None")
+}
+
+/// Whether a cell says that what was on is off.
+pub(super) fn is_off(cell: &str) -> bool {
+    OFFS.iter().any(|word| word.eq_ignore_ascii_case(cell))
+}
+
+/// A number with a point or a comma before its decimals.
+fn number(cell: &str) -> Option<f64> {
+    let is_number = cell.bytes().all(|byte| byte.is_ascii_digit() || b"+-.,eE".contains(&byte));
+    if !is_number {
+        return None;
+    }
+    let plain = cell.parse::<f64>().ok().filter(|number| number.is_finite());
+    plain
+        .or_else(|| cell.replace('.', "").replace(',', ".").parse().ok())
+        .or_else(|| cell.replace(',', "").parse().ok())
+}
+
+/// In which orders dates in numbers can be read.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Orders {
+    /// Dates that are one with the day first alone, with the month first alone, and with both.
+    pub day: usize,
+    pub month: usize,
+    pub both: usize,
+    /// Dates parted by points, which all who write them so begin with the day.
+    pub with_points: usize,
+    /// Instants by a clock of twelve hours.
+    pub of_twelve: usize,
+}
+
+impl Orders {
+    pub fn add(&mut self, other: Orders) {
+        self.day += other.day;
+        self.month += other.month;
+        self.both += other.both;
+        self.with_points += other.with_points;
+        self.of_twelve += other.of_twelve;
+    }
+}
+
+/// The part of an instant that a cell may be.
+enum Shape {
+    Instant(Orders),
+    Epoch,
+    Date(Orders),
+    Time { is_of_twelve: bool },
+    Else,
+}
+
+/// Reads cells as instants in each order of day and month.
+pub(super) struct Reads {
+    plain: Instants,
+    day: Instants,
+    month: Instants,
+}
+
+impl Reads {
+    pub fn new() -> Reads {
+        Reads {
+            plain: Instants::default(),
+            day: Instants::with_order(Some(DateOrder::DayFirst)),
+            month: Instants::with_order(Some(DateOrder::MonthFirst)),
+        }
+    }
+
+    fn shape(&mut self, cell: &str) -> Shape {
+        if !cell.starts_with(|first: char| first.is_ascii_digit()) {
+            return Shape::Else;
+        }
+        let has_time = cell.contains(':') || cell.contains('T');
+        if let Some(orders) = self.orders(cell).filter(|_| has_time || cell.contains(' ')) {
+            return Shape::Instant(orders);
+        }
+        match () {
+            () if self.plain.read(cell).is_some() => Shape::Epoch,
+            () if has_time && self.plain.read(&format!("1970-01-01 {cell}")).is_some() => {
+                Shape::Time { is_of_twelve: cell.ends_with(['M', 'm', '.']) }
+            }
+            () => self.orders(&format!("{cell} 00:00")).map_or(Shape::Else, Shape::Date),
+        }
+    }
+
+    fn orders(&mut self, cell: &str) -> Option<Orders> {
+        let ends_in_m = cell.trim_end_matches('.').ends_with(['M', 'm']);
+        let of_twelve = usize::from(ends_in_m);
+        // A number since 1970 has no order.
+        if cell.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.') {
+            return None;
+        }
+        if self.plain.read(cell).is_some() {
+            return Some(Orders { of_twelve, ..Orders::default() });
+        }
+        let (day, month) = (self.day.read(cell).is_some(), self.month.read(cell).is_some());
+        let count = |is: bool| usize::from(is);
+        let orders = Orders {
+            day: count(day && !month),
+            month: count(month && !day),
+            both: count(day && month),
+            with_points: count(cell.split([' ', ',']).next().is_some_and(|date| date.contains('.'))),
+            of_twelve,
+        };
+        (day || month).then_some(orders)
+    }
+
+    /// The instant in a cell, on whatever clock.
+    pub fn moment(&mut self, cell: &str, order: Option<DateOrder>) -> Option<Micros> {
+        let instants = match order {
+            None => &mut self.plain,
+            Some(DateOrder::DayFirst) => &mut self.day,
+            Some(DateOrder::MonthFirst) => &mut self.month,
+        };
+        instants.read(cell.trim()).map(|(Instant::Local(at) | Instant::Utc(at))| at)
+    }
+
+    /// How often a date follows on the day before it, if dates are read in this order.
+    pub fn next_days<'r>(&mut self, column: impl Iterator<Item = &'r str>, order: DateOrder) -> usize {
+        let (mut last, mut next) = (None, 0);
+        for cell in column {
+            let whole = self.moment(cell, Some(order)).or_else(|| self.moment(&format!("{cell} 00:00"), Some(order)));
+            let Some(day) = whole.map(|at| at.div_euclid(DAY)) else { continue };
+            next += usize::from(last.is_some_and(|last| day == last + 1));
+            last = Some(day);
+        }
+        next
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cells(column: &[&str]) -> Cells {
+        Cells::of(column.iter().copied(), &mut Reads::new())
+    }
+
+    #[test]
+    fn cells_are_counted_by_what_they_are() {
+        for (cell, counts) in [
+            ("2009-03-02 07:12:03", [1, 0, 0, 0, 0]),
+            ("26.01.2026 21:00:30", [1, 0, 0, 0, 0]),
+            ("3/28/2026 9:00 PM", [1, 0, 0, 0, 0]),
+            ("1235977923", [0, 1, 0, 0, 1]),
+            ("2009-03-02", [0, 0, 1, 0, 0]),
+            ("28/3/2026", [0, 0, 1, 0, 0]),
+            ("8:00:38 AM", [0, 0, 0, 1, 0]),
+            ("06:00", [0, 0, 0, 1, 0]),
+            ("21,5", [0, 0, 0, 0, 1]),
+            ("-1.234,5", [0, 0, 0, 0, 1]),
+            ("M001", [0, 0, 0, 0, 0]),
+            ("31.02.2026", [0, 0, 0, 0, 0]),
+        ] {
+            let Cells { instants, epochs, dates, times, numbers, .. } = cells(&[cell]);
+            assert_eq!([instants, epochs, dates, times, numbers], counts, "{cell}");
+        }
+    }
+
+    #[test]
+    fn names_come_again_and_keys_do_not() {
+        let keys: Vec<String> = (0..40).map(|key| format!("key{key}")).collect();
+        let keys: Vec<&str> = keys.iter().map(String::as_str).collect();
+        assert!(cells(&keys).hardly_come_again() && !cells(&keys).come_again());
+        let names = ["hall", "kitchen", "bath"].repeat(20);
+        assert!(cells(&names).come_again() && !cells(&names).hardly_come_again());
+    }
+
+    #[test]
+    fn one_hundred_rows_in_order_are_a_numbering() {
+        assert!(cells(&["0", "1", "2", "3"]).is_numbering);
+        assert!(!cells(&["0", "1", "1", "2"]).is_numbering);
+        assert!(!cells(&["3", "4", "5"]).is_numbering);
+    }
+}

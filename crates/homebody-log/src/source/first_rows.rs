@@ -1,0 +1,100 @@
+//! The first rows of a table: where its heading is, and the cells of each column.
+
+use super::cells::{Cells, Reads};
+use super::columns::Places;
+use super::records::{Record, Records};
+use crate::error::LogError;
+use homebody_core::scenario::logger::LoggerFile;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// So many rows are looked at.
+const MOST_ROWS: usize = 1000;
+
+/// No more bytes of them are kept: rows of a thousand columns are long.
+const MOST_BYTES: usize = 4 << 20;
+
+/// The first rows of a table.
+pub(super) struct FirstRows {
+    /// The headings of the columns; without a heading their places, such as `column 2`.
+    pub names: Vec<String>,
+    pub has_heading: bool,
+    /// The line of the first row behind the heading.
+    pub first_line: u64,
+    pub rows: Vec<Vec<String>>,
+    /// By column.
+    pub cells: Vec<Cells>,
+    /// How many of the rows have more cells than the heading has names, with a text in one of them.
+    pub longer: usize,
+}
+
+impl FirstRows {
+    /// Those of a file; `None` of an empty one.
+    pub fn of(path: &Path, file: &LoggerFile) -> Result<Option<FirstRows>, LogError> {
+        let mut records = Records::open(path)?;
+        let mut reads = Reads::new();
+        let (mut rows, mut bytes) = (Vec::new(), 0);
+        let mut is_row = |alone: &Record| alone.texts().iter().any(|cell| reads.moment(cell, None).is_some());
+        while rows.len() <= MOST_ROWS && bytes < MOST_BYTES {
+            let Some((line, record)) = records.next(&mut is_row)? else { break };
+            let cells = record.texts();
+            if cells.iter().any(|cell| !cell.is_empty()) {
+                bytes += cells.iter().map(|cell| cell.len() + size_of::<String>()).sum::<usize>();
+                rows.push((line, cells));
+            }
+        }
+        let width = usual_width(&rows);
+        // A title or a comment above the heading has one cell.
+        let above = rows.iter().take_while(|(_, row)| width > 1 && (row.len() == 1 || row[0].starts_with('#'))).count();
+        let mut rows = rows.into_iter().skip(above);
+        let Some((line, first)) = rows.next() else { return Ok(None) };
+        let rest: Vec<(u64, Vec<String>)> = rows.collect();
+        Ok(Some(FirstRows::parted(line, first, rest, file, &mut reads)))
+    }
+
+    fn parted(
+        line: u64,
+        first: Vec<String>,
+        rest: Vec<(u64, Vec<String>)>,
+        file: &LoggerFile,
+        reads: &mut Reads,
+    ) -> FirstRows {
+        let has_heading = Places::by_name(&first, file).is_some() || !is_row(&first, reads);
+        let (named, first_line) = match has_heading {
+            true => (first.clone(), rest.first().map_or(line + 1, |(line, _)| *line)),
+            false => (Vec::new(), line),
+        };
+        let first = Some(first).filter(|_| !has_heading);
+        let rows: Vec<Vec<String>> = first.into_iter().chain(rest.into_iter().map(|(_, row)| row)).collect();
+        let is_longer = |row: &&Vec<String>| row.iter().skip(named.len()).any(|cell| !cell.is_empty());
+        let longer = if has_heading { rows.iter().filter(is_longer).count() } else { 0 };
+        let width = rows.iter().map(Vec::len).max().unwrap_or(0).max(named.len());
+        let name = |place: usize| match named.get(place) {
+            Some(name) if !name.is_empty() => name.clone(),
+            _ => format!("column {}", place + 1),
+        };
+        let column = |place: usize| rows.iter().map(move |row| row.get(place).map_or("", String::as_str));
+        let cells = (0..width).map(|place| Cells::of(column(place), reads)).collect();
+        FirstRows { names: (0..width).map(name).collect(), has_heading, first_line, cells, rows, longer }
+    }
+
+    /// The cells of a column, row by row.
+    pub fn column(&self, place: usize) -> impl Iterator<Item = &str> {
+        self.rows.iter().map(move |row| row.get(place).map_or("", String::as_str))
+    }
+}
+
+/// The number of cells that most rows have.
+fn usual_width(rows: &[(u64, Vec<String>)]) -> usize {
+    let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
+    rows.iter().for_each(|(_, row)| *counts.entry(row.len()).or_default() += 1);
+    counts.into_iter().max_by_key(|(width, count)| (*count, *width)).map_or(0, |(width, _)| width)
+}
+
+/// Whether a first line is a row: an instant is in it, or a date and a time of day, or numbers are without a name.
+fn is_row(cells: &[String], reads: &mut Reads) -> bool {
+    let of: Vec<Cells> = cells.iter().map(|cell| Cells::of(std::iter::once(cell.as_str()), reads)).collect();
+    let any = |is: fn(&Cells) -> usize| of.iter().any(|cell| is(cell) > 0);
+    let names = of.iter().filter(|cell| cell.filled > 0 && cell.numbers == 0).count();
+    any(Cells::moments) || any(|cell| cell.dates) && any(|cell| cell.times) || names == 0
+}

@@ -1,0 +1,100 @@
+//! The homes of a table's rows: one home alone is read.
+
+use super::layout::{Layout, refused};
+use super::options::TableOptions;
+use super::records::{Record, Records};
+use crate::error::LogError;
+use crate::limits::beginning;
+use crate::plain::text;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// So many homes are named.
+const NAMED: usize = 10;
+
+/// No more homes are counted.
+const MOST_HOMES: usize = 10_000;
+
+/// Decides which rows are read.
+pub(super) enum Homes {
+    /// No column says which home a row is of, or all are read together.
+    All,
+    /// Those of this home alone.
+    Asked { column: usize, home: Vec<u8> },
+    /// There is to be one home alone: the first.
+    One { column: usize, home: Option<Vec<u8>> },
+}
+
+impl Homes {
+    pub fn of(layout: &Layout, options: &TableOptions) -> Homes {
+        let asked = options.home.as_ref().and_then(|home| home.home.as_deref());
+        match (layout.home, asked) {
+            (None, _) | (_, Some("*")) => Homes::All,
+            (Some(column), Some(home)) => Homes::Asked { column, home: home.as_bytes().to_owned() },
+            (Some(column), None) => Homes::One { column, home: None },
+        }
+    }
+
+    /// Whether a row is read; `None` if it is of a second home.
+    #[inline]
+    pub fn admit(&mut self, record: &Record) -> Option<bool> {
+        match self {
+            Homes::All => Some(true),
+            Homes::Asked { column, home } => Some(cell(record, *column) == home),
+            Homes::One { column, home } => match (cell(record, *column), &home) {
+                (b"", _) => Some(true),
+                (cell, Some(home)) => (cell == home).then_some(true),
+                (cell, None) => {
+                    *home = Some(cell.to_owned());
+                    Some(true)
+                }
+            },
+        }
+    }
+}
+
+fn cell(record: &Record, column: usize) -> &[u8] {
+    record.get(column).unwrap_or_default().trim_ascii()
+}
+
+/// Refuses a table of several homes, and names them.
+pub(super) fn several(path: &Path, layout: &Layout) -> LogError {
+    let homes = layout.home.map(|column| homes_in(path, layout, column)).unwrap_or_default();
+    let name = layout.home.map(|column| layout.uses[column].column.clone()).unwrap_or_default();
+    let count = homes.len();
+    let named: Vec<String> = homes.iter().take(NAMED).map(|home| beginning(home)).collect();
+    let more = if count > NAMED { format!(" and {} more", count - NAMED) } else { String::new() };
+    let first = homes.first().map_or("", String::as_str);
+    refused(
+        path,
+        format!(
+            "its rows are of {count} homes or persons, by the column {}: {}{more}\n  hint: --home-column '{name}={first}' reads \
+             one of them, --home-column '{name}=*' all as one home",
+            beginning(&name),
+            named.join(", ")
+        ),
+    )
+}
+
+/// Refuses a table without a row of the home that is asked for.
+pub(super) fn without(path: &Path, layout: &Layout, column: usize, home: &[u8]) -> LogError {
+    let homes = homes_in(path, layout, column);
+    let named: Vec<String> = homes.iter().take(NAMED).map(|home| beginning(home)).collect();
+    let name = beginning(&layout.uses[column].column);
+    refused(path, format!("no row has {} in the column {name}: it has {}", beginning(&text(home)), named.join(", ")))
+}
+
+fn homes_in(path: &Path, layout: &Layout, column: usize) -> BTreeSet<String> {
+    let mut homes = BTreeSet::new();
+    let Ok(mut records) = Records::open(path) else { return homes };
+    while let Ok(Some((line, record))) = records.next(&mut |_| false) {
+        let home = cell(record, column);
+        if line >= layout.first_line && !home.is_empty() && homes.len() < MOST_HOMES {
+            let home = text(home);
+            if !homes.contains(&*home) {
+                homes.insert(home.into_owned());
+            }
+        }
+    }
+    homes
+}

@@ -1,0 +1,299 @@
+//! Decides the use of each column of a table by their headings and by the cells of its first rows.
+//!
+//! | rows | evidence |
+//! |---|---|
+//! | events | an instant, a sensor whose name comes again, and a value or not |
+//! | intervals | two instants, the second never earlier, or an instant and a duration |
+//! | wide | an instant, and a number or a state under each other heading |
+//!
+//! A heading decides where its name is known and its cells do not speak against it. Any other table is refused with
+//! what it lacks.
+
+use super::cells::Cells;
+use super::columns::Places;
+use super::dates_of_table::order_of;
+use super::decimals::decimal_comma;
+use super::first_rows::FirstRows;
+use super::log::{ColumnRole, ColumnUse};
+use super::options::{DateOrder, TableOptions};
+use super::pick::{End, Pick, Time};
+use crate::error::{LogError, place_of};
+use homebody_core::scenario::logger::LoggerFile;
+use std::path::Path;
+
+/// The use of each column of a table.
+pub(super) struct Layout {
+    /// The line of the first row: the heading and all above it come before.
+    pub first_line: u64,
+    pub time: Time,
+    pub order: Option<DateOrder>,
+    pub rows: Rows,
+    pub home: Option<usize>,
+    pub label: Option<usize>,
+    pub kind: Option<usize>,
+    pub room: Option<usize>,
+    pub unit: Option<usize>,
+    pub has_decimal_comma: bool,
+    pub uses: Vec<ColumnUse>,
+    pub remarks: Vec<String>,
+}
+
+/// The meaning of a row.
+pub(super) enum Rows {
+    Events {
+        sensor: Sensor,
+        /// `None`: each row is a firing.
+        value: Option<usize>,
+        /// Whether the columns have the names of a mapping.
+        is_mapped: bool,
+    },
+    Intervals {
+        end: End,
+        sensor: Sensor,
+        value: Option<usize>,
+        is_of_activities: bool,
+    },
+    Wide {
+        /// The columns whose cells stand before the heading in a sensor's name.
+        prefix: Vec<usize>,
+        sensors: Vec<WideSensor>,
+    },
+}
+
+/// The place of the name of a row's sensor.
+pub(super) enum Sensor {
+    /// In these columns, parted by a blank.
+    Columns(Vec<usize>),
+    /// It is the same in all rows.
+    Alone(String),
+}
+
+/// A column that is a sensor.
+pub(super) struct WideSensor {
+    pub column: usize,
+    pub name: String,
+    /// Whether it has two states or a few words, so that only changes are rows.
+    pub has_states: bool,
+}
+
+impl Layout {
+    /// That of a table; `None` of one that has no rows yet.
+    ///
+    /// # Errors
+    ///
+    /// [`LogError::NoLog`] with what speaks against a log of sensors, and what reading the first rows comes to.
+    pub fn of(path: &Path, file: &LoggerFile, options: &TableOptions) -> Result<Option<Layout>, LogError> {
+        let Some(first) = FirstRows::of(path, file)? else { return Ok(None) };
+        let is_ours = |names: &[String]| Places::by_name(names, file).is_some_and(|places| places.is_mapped);
+        match first.rows.is_empty() {
+            true if is_ours(&first.names) => return Ok(None),
+            true => return Err(refused(path, "it has no rows: its only line is a heading".into())),
+            false => {}
+        }
+        decide(path, &first, file, options).map(Some).map_err(|why| refused(path, why))
+    }
+}
+
+pub(super) fn refused(path: &Path, why: String) -> LogError {
+    LogError::NoLog { place: place_of(path), why }
+}
+
+fn decide(path: &Path, first: &FirstRows, file: &LoggerFile, options: &TableOptions) -> Result<Layout, String> {
+    if 2 * first.longer > first.rows.len() {
+        return Err(format!(
+            "its rows have more cells than its heading has names: where a comma parts the cells, no number can have one \
+             before its decimals\n  hint: save it with semicolons between the cells ({} names)",
+            first.names.len()
+        ));
+    }
+    let mut pick = Pick::of(first);
+    pick.home(options.home.as_ref())?;
+    let mapped = Places::by_name(&first.names, file).filter(|places| places.is_mapped && first.has_heading);
+    if let Some(Places { time, sensor, value, label, .. }) = mapped {
+        pick.all_by_name([time, sensor, value], label);
+        let rows = Rows::Events { sensor: Sensor::Columns(vec![sensor]), value: Some(value), is_mapped: true };
+        return finish(path, pick, Time::at(time), rows, options);
+    }
+    let time = pick.time()?;
+    pick.besides();
+    if options.is_wide {
+        pick.other_instants();
+        let rows = wide(&mut pick, Vec::new())?;
+        return finish(path, pick, time, rows, options);
+    }
+    pick.no_program_log()?;
+    let rows = match pick.end(&time) {
+        Some(end) => intervals(path, &mut pick, &time, end)?,
+        None => events_or_wide(path, &mut pick)?,
+    };
+    finish(path, pick, time, rows, options)
+}
+
+fn finish(path: &Path, mut pick: Pick, time: Time, rows: Rows, options: &TableOptions) -> Result<Layout, String> {
+    let (order, because) = order_of(path, pick.first, &time, options.dates)?;
+    if let Some(because) = because {
+        pick.add_reason(time.column, &because);
+    }
+    let numbers: Vec<usize> = match &rows {
+        Rows::Events { value, .. } | Rows::Intervals { value, .. } => value.iter().copied().collect(),
+        Rows::Wide { sensors, .. } => sensors.iter().map(|sensor| sensor.column).collect(),
+    };
+    let has_decimal_comma = decimal_comma(pick.first, &numbers, options.decimals)?;
+    if has_decimal_comma {
+        numbers.iter().for_each(|&column| pick.add_reason(column, "a comma is before decimals"));
+    }
+    let mut remarks = Vec::new();
+    if time.is_since_start {
+        remarks.push("its dates are not known: its seconds are those since 1 January 1970".to_owned());
+    }
+    let of = |role| pick.taken(role);
+    Ok(Layout {
+        first_line: pick.first.first_line,
+        order,
+        home: of(ColumnRole::Home),
+        label: of(ColumnRole::Label),
+        kind: of(ColumnRole::Kind),
+        room: of(ColumnRole::Room),
+        unit: of(ColumnRole::Unit),
+        has_decimal_comma,
+        uses: pick.uses(),
+        remarks,
+        time,
+        rows,
+    })
+}
+
+/// Rows of a start and an end.
+fn intervals(path: &Path, pick: &mut Pick, time: &Time, end: End) -> Result<Rows, String> {
+    let label = pick.taken(ColumnRole::Label);
+    let sensor = pick.by_heading(ColumnRole::Sensor);
+    if let Some(label) = label.or_else(|| sensor.is_none().then(|| pick.activities()).flatten()) {
+        return Ok(Rows::Intervals { end, sensor: Sensor::Columns(vec![label]), value: None, is_of_activities: true });
+    }
+    let sensor = pick.sensor(false).map(|sensor| (sensor, pick.value(sensor)));
+    Ok(match sensor {
+        Some((sensor, value)) => {
+            let sensors = pick.apart(sensor);
+            pick.leftover_room();
+            pick.no_keys(sensor, value)?;
+            let is_reading = |cells: &Cells| is_number(cells) && !cells.are(cells.switches) && !time.is_since_start;
+            match value.filter(|&value| is_reading(&pick.first.cells[value])) {
+                Some(number) => events(sensors, Some(number)),
+                None => Rows::Intervals { end, sensor: Sensor::Columns(sensors), value, is_of_activities: false },
+            }
+        }
+        None => Rows::Intervals { end, sensor: alone(path), value: None, is_of_activities: false },
+    })
+}
+
+/// A sensor that no column names has the name of the file.
+fn alone(path: &Path) -> Sensor {
+    // A packed text has two endings.
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let name = name.split('.').find(|part| !part.is_empty()).unwrap_or("sensor");
+    Sensor::Alone(name.to_owned())
+}
+
+fn events_or_wide(path: &Path, pick: &mut Pick) -> Result<Rows, String> {
+    let columns = pick.value_columns();
+    let named_value = pick.by_heading(ColumnRole::Value);
+    let sensor = pick.sensor(columns.len() > 1);
+    let Some(sensor) = sensor else {
+        return match (named_value, columns.len()) {
+            (Some(value), 0 | 1) if columns.iter().all(|column| *column == value) => one_sensor(path, pick, value),
+            (_, 0) => Err(pick.lacks("sensor and value")),
+            // Without headings two columns of numbers are a sensor and its value.
+            (_, 2) if !pick.first.has_heading && pick.are_numbered_sensors(columns[0]) => {
+                pick.take(columns[0], ColumnRole::Sensor, "its numbers come again, and the value follows");
+                pick.take(columns[1], ColumnRole::Value, "it follows the sensor");
+                Ok(events(vec![columns[0]], Some(columns[1])))
+            }
+            _ => wide(pick, Vec::new()),
+        };
+    };
+    let several = columns.iter().filter(|column| **column != sensor).count() > 1;
+    if named_value.is_none() && several && pick.first.has_heading {
+        return wide(pick, vec![sensor]);
+    }
+    let value = pick.value(sensor);
+    if value.is_none() {
+        pick.firings(sensor)?;
+    }
+    let label = value.and_then(|value| pick.label_behind(value));
+    let sensors = pick.apart(sensor);
+    if label.is_none() {
+        pick.leftover_room();
+    }
+    pick.no_keys(sensor, value)?;
+    Ok(events(sensors, value))
+}
+
+fn events(sensors: Vec<usize>, value: Option<usize>) -> Rows {
+    Rows::Events { sensor: Sensor::Columns(sensors), value, is_mapped: false }
+}
+
+/// A table of a time and a value: a sensor alone.
+fn one_sensor(path: &Path, pick: &mut Pick, value: usize) -> Result<Rows, String> {
+    let cells = &pick.first.cells[value];
+    match cells.are_mostly(cells.values()) {
+        true => {
+            pick.take(value, ColumnRole::Value, ColumnUse::HEADING);
+            Ok(Rows::Events { sensor: alone(path), value: Some(value), is_mapped: false })
+        }
+        // `time,event`: the event names the sensor.
+        false if cells.come_again() && cells.filled >= MOST_LIKELY => {
+            pick.take(value, ColumnRole::Sensor, "its heading is that of events, and their names come again");
+            pick.firings(value)?;
+            Ok(events(vec![value], None))
+        }
+        false => Err(pick.lacks("sensor")),
+    }
+}
+
+/// So many cells must come again before a column without a known heading names sensors of rows without values.
+const MOST_LIKELY: usize = 4;
+
+/// A column for each sensor.
+fn wide(pick: &mut Pick, prefix: Vec<usize>) -> Result<Rows, String> {
+    let free = pick.free();
+    let has_numbers = free.iter().any(|&column| is_number(&pick.first.cells[column]));
+    let mut sensors = Vec::new();
+    for column in free.into_iter().filter(|column| !prefix.contains(column)) {
+        let cells = &pick.first.cells[column];
+        let (numbers, states) = (is_number(cells), cells.is_switch() || has_few_words(cells));
+        // Of an appliance that nothing has switched on yet there are zeros alone.
+        let has_states = states && !numbers || !has_numbers && cells.are(cells.switches);
+        let because = match () {
+            () if has_states => "its heading names the sensor: its cells are states, and each change is a row",
+            () if numbers || cells.are_mostly(cells.values()) => "its heading names the sensor: each cell is a reading",
+            () => continue,
+        };
+        let because =
+            if pick.first.has_heading { because.to_owned() } else { because.replacen("its heading", "its place", 1) };
+        pick.take(column, ColumnRole::OneSensor, &because);
+        sensors.push(WideSensor { column, name: pick.first.names[column].clone(), has_states });
+    }
+    if sensors.is_empty() {
+        return Err(pick.lacks("sensor and value"));
+    }
+    for &column in &prefix {
+        let because = pick.reason_for_sensor(column);
+        pick.take(column, ColumnRole::Sensor, &because);
+    }
+    Ok(Rows::Wide { prefix, sensors })
+}
+
+fn is_number(cells: &Cells) -> bool {
+    cells.are_mostly(cells.numbers) && !cells.is_switch()
+}
+
+/// So few words are states.
+const FEW_WORDS: usize = 12;
+
+fn has_few_words(cells: &Cells) -> bool {
+    cells.filled > 0
+        && cells.numbers == 0
+        && cells.texts.len() <= FEW_WORDS
+        && cells.come_again()
+        && cells.sentences == 0
+}

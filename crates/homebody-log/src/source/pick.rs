@@ -1,0 +1,597 @@
+//! Takes the columns of a table for what they are, one after the other: by headings, then by cells. Each is taken once.
+
+use super::cells::{Cells, Reads, is_blank};
+use super::columns::{CERTAIN, is_certain_sensor, plain, role_of};
+use super::first_rows::FirstRows;
+use super::log::{ColumnRole, ColumnUse};
+use super::options::{DateOrder, HomeColumn};
+use crate::limits::beginning;
+use homebody_core::problem::readable;
+use homebody_core::time::{Micros, SECOND};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The columns that have been taken so far.
+pub(super) struct Pick<'f> {
+    pub first: &'f FirstRows,
+    taken: Vec<Option<(ColumnRole, String)>>,
+    /// A value that the reader supplies where no column has one.
+    supplied: Option<String>,
+}
+
+/// The place of a row's instant.
+#[derive(Clone, Copy)]
+pub(super) struct Time {
+    pub column: usize,
+    /// The time of day, where it has a column of its own.
+    pub of_day: Option<usize>,
+    /// Whether it is a number of seconds since a start that nothing says.
+    pub is_since_start: bool,
+}
+
+impl Time {
+    pub fn at(column: usize) -> Time {
+        Time { column, of_day: None, is_since_start: false }
+    }
+}
+
+/// The place of an interval's end.
+#[derive(Clone, Copy)]
+pub(super) enum End {
+    At(usize),
+    /// A duration in units of so many microseconds, or as hours, minutes and seconds.
+    After(usize, Micros),
+}
+
+/// The reader's own word for a row without a value.
+pub(super) const FIRING: &str = "ON";
+
+/// Words of rooms in English and German, as they stand in names.
+const ROOMS: [&str; 22] = [
+    "kitchen", "bath", "bedroom", "living", "hall", "toilet", "dining", "entrance", "office", "lounge", "corridor",
+    "stairs", "garage", "study", "wc", "küche", "kueche", "bad", "schlaf", "wohn", "flur", "diele",
+];
+
+/// Words of what people do, as they stand in labels.
+const ACTIVITIES: [&str; 34] = [
+    "sleep",
+    "bath",
+    "toilet",
+    "breakfast",
+    "lunch",
+    "dinner",
+    "snack",
+    "leav",
+    "groom",
+    "shower",
+    "spare",
+    "relax",
+    "cook",
+    "eat",
+    "meal",
+    "work",
+    "dress",
+    "medic",
+    "wash",
+    "clean",
+    "watch",
+    "read",
+    "rest",
+    "nap",
+    "walk",
+    "exercis",
+    "hygiene",
+    "away",
+    "prepar",
+    "drink",
+    "iron",
+    "guest",
+    "phone",
+    "laundry",
+];
+
+impl<'f> Pick<'f> {
+    pub fn of(first: &'f FirstRows) -> Pick<'f> {
+        let mut pick = Pick { first, taken: vec![None; first.cells.len()], supplied: None };
+        for (column, cells) in first.cells.iter().enumerate() {
+            match () {
+                () if cells.filled == 0 => pick.take(column, ColumnRole::Unused, "its cells are empty"),
+                () if cells.is_numbering && pick.may_be_a_number(column) => {
+                    pick.take(column, ColumnRole::Unused, "it numbers the rows")
+                }
+                () => {}
+            }
+        }
+        pick
+    }
+
+    /// Whether a column may be that of the numbers of rows: a counter under a heading of its own is a sensor.
+    fn may_be_a_number(&self, column: usize) -> bool {
+        let is_nameless = self.first.names[column] == format!("column {}", column + 1);
+        is_nameless || self.heading(column).is_some_and(|(role, _)| role == ColumnRole::Unused)
+    }
+
+    pub fn take(&mut self, column: usize, role: ColumnRole, because: &str) {
+        self.taken[column] = Some((role, because.to_owned()));
+    }
+
+    pub fn add_reason(&mut self, column: usize, because: &str) {
+        if let Some((_, reason)) = &mut self.taken[column] {
+            *reason = format!("{reason}; {because}");
+        }
+    }
+
+    /// The column that has been taken for this.
+    pub fn taken(&self, role: ColumnRole) -> Option<usize> {
+        self.taken.iter().position(|taken| taken.as_ref().is_some_and(|(taken, _)| *taken == role))
+    }
+
+    /// The columns that nothing has taken, those behind the time first.
+    pub fn free(&self) -> Vec<usize> {
+        let time = self.taken(ColumnRole::Time).unwrap_or(0);
+        let is_free = |column: &usize| self.taken[*column].is_none();
+        let (mut behind, before): (Vec<usize>, Vec<usize>) =
+            (0..self.taken.len()).filter(is_free).partition(|column| *column >= time);
+        behind.extend(before);
+        behind
+    }
+
+    fn cells(&self, column: usize) -> &'f Cells {
+        &self.first.cells[column]
+    }
+
+    fn heading(&self, column: usize) -> Option<(ColumnRole, usize)> {
+        self.first.has_heading.then(|| role_of(&self.first.names[column])).flatten()
+    }
+
+    /// The free columns whose headings say this, the most certain first.
+    fn headed(&self, role: ColumnRole) -> Vec<usize> {
+        let rank = |column: &usize| self.heading(*column).filter(|(of, _)| *of == role).map(|(_, rank)| rank);
+        let mut found: Vec<usize> = self.free().into_iter().filter(|column| rank(column).is_some()).collect();
+        found.sort_by_key(rank);
+        found
+    }
+
+    pub fn by_heading(&self, role: ColumnRole) -> Option<usize> {
+        self.headed(role).first().copied()
+    }
+
+    pub fn all_by_name(&mut self, [time, sensor, value]: [usize; 3], label: Option<usize>) {
+        self.take(time, ColumnRole::Time, ColumnUse::HEADING);
+        self.take(sensor, ColumnRole::Sensor, ColumnUse::HEADING);
+        self.take(value, ColumnRole::Value, ColumnUse::HEADING);
+        if let Some(label) = label {
+            self.take(label, ColumnRole::Label, ColumnUse::HEADING);
+        }
+    }
+
+    /// Takes the column of homes: the one that is asked for, or one with a heading of homes or persons.
+    pub fn home(&mut self, asked: Option<&HomeColumn>) -> Result<(), String> {
+        let Some(asked) = asked else {
+            // Numbers that hardly come again, or states, are readings.
+            let is_home = |column: &usize| {
+                let cells = self.cells(*column);
+                !cells.is_switch() && (cells.numbers == 0 || cells.come_again())
+            };
+            if let Some(column) = self.headed(ColumnRole::Home).into_iter().find(is_home) {
+                self.take(column, ColumnRole::Home, ColumnUse::HEADING);
+            }
+            return Ok(());
+        };
+        let names = &self.first.names;
+        let found = names.iter().position(|name| *name == asked.column);
+        match found.or_else(|| names.iter().position(|name| name.eq_ignore_ascii_case(&asked.column))) {
+            Some(column) => self.take(column, ColumnRole::Home, "--home-column names it"),
+            None => return Err(format!("no column is called {}: it has {}", beginning(&asked.column), self.names())),
+        }
+        Ok(())
+    }
+
+    fn names(&self) -> String {
+        /// How many characters of headings are quoted.
+        const LONGEST: usize = 200;
+        readable(self.first.names.join(", ").chars().take(LONGEST).collect::<String>())
+    }
+
+    /// Names the columns that a table lacks.
+    pub fn lacks(&self, what: &str) -> String {
+        match self.first.has_heading {
+            true => format!("no columns of {what} are among {}", self.names()),
+            false => format!("no columns of {what} are among its {}", self.taken.len()),
+        }
+    }
+
+    /// Takes the column of the time, or the two of date and time of day.
+    pub fn time(&mut self) -> Result<Time, String> {
+        let headed = self.headed(ColumnRole::Time);
+        let with = |is: &dyn Fn(&Cells) -> bool| headed.iter().copied().find(|column| is(self.cells(*column)));
+        let by_heading =
+            with(&|cells| cells.are_mostly(cells.instants)).or(with(&|cells| cells.are_mostly(cells.epochs)));
+        let all = self.free();
+        let find = |is: &dyn Fn(&Cells) -> bool| all.iter().copied().find(|column| is(self.cells(*column)));
+        let date = with(&|cells| cells.are_mostly(cells.dates)).or(find(&|cells| cells.are(cells.dates)));
+        let of_day = with(&|cells| cells.are_mostly(cells.times)).or(find(&|cells| cells.are(cells.times)));
+        let by_cells = find(&|cells| cells.are(cells.instants)).or(find(&|cells| cells.are(cells.epochs)));
+        let by_cells = by_cells.or(find(&|cells| cells.are_mostly(cells.moments())));
+        if let Some(column) = by_heading {
+            self.take(column, ColumnRole::Time, ColumnUse::HEADING);
+            return Ok(Time::at(column));
+        }
+        if let (Some(date), Some(of_day)) = (date, of_day) {
+            for (column, cells) in [(date, "dates"), (of_day, "times of day")] {
+                let because = match headed.contains(&column) {
+                    true => format!("{}; its cells are {cells}", ColumnUse::HEADING),
+                    false => format!("its cells are {cells}"),
+                };
+                self.take(column, ColumnRole::Time, &because);
+            }
+            return Ok(Time { of_day: Some(of_day), ..Time::at(date) });
+        }
+        if let Some(column) = by_cells {
+            let cells = self.cells(column);
+            let because = format!("{} of {} cells are instants", cells.moments(), cells.filled);
+            self.take(column, ColumnRole::Time, &because);
+            return Ok(Time::at(column));
+        }
+        self.seconds_or_none(&headed, date, of_day)
+    }
+
+    /// A time as a number of seconds since a start, with another of ends; or the reason against one.
+    fn seconds_or_none(
+        &mut self,
+        headed: &[usize],
+        date: Option<usize>,
+        of_day: Option<usize>,
+    ) -> Result<Time, String> {
+        let name = |column: usize| beginning(&self.first.names[column]);
+        if let (Some(&begin), Some(end)) = (headed.first(), self.by_heading(ColumnRole::End))
+            && [begin, end].iter().all(|column| self.cells(*column).are(self.cells(*column).numbers))
+        {
+            self.take(begin, ColumnRole::Time, &format!("{}; its cells are seconds since a start", ColumnUse::HEADING));
+            return Ok(Time { is_since_start: true, ..Time::at(begin) });
+        }
+        if let Some(date) = date {
+            return Err(format!("its instants, in the column {}, are dates without a time of day", name(date)));
+        }
+        if let Some(of_day) = of_day {
+            return Err(format!("its instants, in the column {}, are times of day without a date", name(of_day)));
+        }
+        match headed.first().copied().filter(|&column| self.heading(column).is_some_and(|(_, rank)| rank < CERTAIN)) {
+            // Each row is left out with its reason.
+            Some(column) if self.by_heading(ColumnRole::Sensor).is_some() => {
+                self.take(column, ColumnRole::Time, ColumnUse::HEADING);
+                Ok(Time::at(column))
+            }
+            _ => Err(format!("{}: no cell is a date and time", self.lacks("time, sensor and value"))),
+        }
+    }
+
+    /// Takes the columns of labels and units.
+    pub fn besides(&mut self) {
+        for (role, is) in [
+            (ColumnRole::Label, (|cells: &Cells| !cells.are_mostly(cells.moments())) as fn(&Cells) -> bool),
+            (ColumnRole::Unit, |cells| cells.numbers == 0),
+        ] {
+            if let Some(column) = self.headed(role).into_iter().find(|column| is(self.cells(*column))) {
+                self.take(column, role, ColumnUse::HEADING);
+            }
+        }
+    }
+
+    /// Takes the ends of intervals, where the rows have them.
+    pub fn end(&mut self, time: &Time) -> Option<End> {
+        let headed = |pick: &Self, role, is: &dyn Fn(&Cells) -> bool| {
+            pick.headed(role).into_iter().find(|column| is(pick.cells(*column)))
+        };
+        let is_end =
+            |cells: &Cells| cells.are_mostly(cells.moments()) || time.is_since_start && cells.are_mostly(cells.numbers);
+        // A start and an end next to a time are those of a query.
+        let is_start = |column: &usize| matches!(plain(&self.first.names[*column]).as_str(), "start" | "begin");
+        let is_of_query = self.first.has_heading && self.free().iter().any(is_start) && !time.is_since_start;
+        if let Some(column) = headed(self, ColumnRole::End, &is_end).filter(|_| !is_of_query) {
+            self.take(column, ColumnRole::End, ColumnUse::HEADING);
+            self.other_instants();
+            return Some(End::At(column));
+        }
+        let is_length = |cells: &Cells| cells.are_mostly(cells.numbers) || cells.are_mostly(cells.times);
+        if let Some(column) = headed(self, ColumnRole::Duration, &is_length) {
+            let (unit, name) = unit_of_duration(&self.first.names[column]);
+            self.take(column, ColumnRole::Duration, &format!("{}, in {name}", ColumnUse::HEADING));
+            self.other_instants();
+            return Some(End::After(column, unit));
+        }
+        let is_named = self.heading(time.column).is_some_and(|(role, rank)| role == ColumnRole::Time && rank < CERTAIN);
+        let ends: Vec<usize> = self.free().into_iter().filter(|column| self.is_end_of(time.column, *column)).collect();
+        if let Some(&column) = ends.first().filter(|_| !is_named && time.of_day.is_none()) {
+            self.take(column, ColumnRole::End, "its cells are instants, none of them before that of the time");
+            self.other_instants();
+            return Some(End::At(column));
+        }
+        self.other_instants();
+        None
+    }
+
+    /// Whether the cells of a column are instants after those of another, by lengths that differ from those between zones.
+    fn is_end_of(&self, begin: usize, column: usize) -> bool {
+        let cells = self.cells(column);
+        if !cells.are(cells.instants) || self.heading(column).is_some() {
+            return false;
+        }
+        let mut reads = Reads::new();
+        let order = Some(DateOrder::DayFirst).filter(|_| cells.order.day + cells.order.both > 0);
+        let mut moment = |cell: &str| reads.moment(cell, order);
+        let pairs = self.first.column(begin).zip(self.first.column(column));
+        let lengths: Vec<Micros> = pairs.filter_map(|(begin, end)| Some(moment(end)? - moment(begin)?)).collect();
+        const QUARTER: Micros = 15 * 60 * SECOND;
+        let different: BTreeSet<Micros> = lengths.iter().copied().collect();
+        let is_of_zones = different.len() <= 2 && different.iter().all(|length| length % QUARTER == 0);
+        let before = lengths.iter().filter(|length| **length < 0).count();
+        !lengths.is_empty() && 20 * before <= lengths.len() && !is_of_zones
+    }
+
+    /// Passes over columns of other instants.
+    pub fn other_instants(&mut self) {
+        for column in self.free() {
+            let cells = self.cells(column);
+            if cells.are(cells.instants)
+                || cells.are(cells.epochs) && self.heading(column).is_some_and(|(role, _)| role == ColumnRole::Time)
+            {
+                self.take(column, ColumnRole::Unused, "its cells are other instants");
+            }
+        }
+    }
+
+    /// Free columns behind the time that hold values which differ.
+    pub fn value_columns(&self) -> Vec<usize> {
+        let is_value = |column: &usize| {
+            let cells = self.cells(*column);
+            let role = self.heading(*column).map(|(role, _)| role);
+            let is_other = role.is_some_and(|role| !matches!(role, ColumnRole::Value | ColumnRole::Unused));
+            cells.are_mostly(cells.values())
+                && !is_other
+                && (cells.texts.len() > 1 || role == Some(ColumnRole::Value) || self.first.rows.len() < 4)
+        };
+        self.free().into_iter().filter(is_value).collect()
+    }
+
+    /// Whether numbers are names of sensors, as they come again and are whole.
+    pub fn are_numbered_sensors(&self, column: usize) -> bool {
+        let cells = self.cells(column);
+        cells.come_again() && cells.texts.keys().all(|text| text.bytes().all(|byte| byte.is_ascii_digit()))
+    }
+
+    /// Takes the column of the sensor. Beside several columns of values, one without a known heading is one only if it changes
+    /// from row to row: a state such as the weather's stays.
+    pub fn sensor(&mut self, beside_values: bool) -> Option<usize> {
+        let is_sure = |column: &usize| {
+            self.heading(*column).is_some_and(|(_, rank)| rank < CERTAIN) || self.cells(*column).come_again()
+        };
+        let named = self.headed(ColumnRole::Sensor).into_iter().find(is_sure);
+        let by_cells = self.named_by_cells();
+        let by_cells = by_cells.filter(|column| !beside_values || !self.first.has_heading || self.changes(*column));
+        let is_kind = |column: &usize| !self.cells(*column).are_mostly(self.cells(*column).switches);
+        let kind = self.headed(ColumnRole::Kind).into_iter().find(is_kind);
+        let sensor = named.or(by_cells).or(self.by_heading(ColumnRole::Room)).or(kind)?;
+        let because = self.reason_for_sensor(sensor);
+        self.take(sensor, ColumnRole::Sensor, &because);
+        self.kind_and_room();
+        Some(sensor)
+    }
+
+    /// The first free column whose texts come again as names do; one of kinds only without any other.
+    fn named_by_cells(&self) -> Option<usize> {
+        let is_name = |column: &usize| {
+            let cells = self.cells(*column);
+            let is_free = self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Unused);
+            let is_other =
+                [cells.values(), cells.moments(), cells.sentences].iter().any(|count| cells.are_mostly(*count));
+            is_free && !is_other && cells.come_again() && !cells.are(cells.severities)
+        };
+        let names: Vec<usize> = self.free().into_iter().filter(is_name).collect();
+        let is_kind = |column: &usize| self.cells(*column).are(self.cells(*column).kinds);
+        names.iter().copied().find(|column| !is_kind(column)).or(names.first().copied())
+    }
+
+    /// Takes the columns of kinds and rooms that go with a sensor.
+    fn kind_and_room(&mut self) {
+        let is_kind = |column: &usize| !self.cells(*column).are_mostly(self.cells(*column).values());
+        let by_heading = self.headed(ColumnRole::Kind).into_iter().find(is_kind);
+        let may_be = |column: &usize| {
+            let cells = self.cells(*column);
+            cells.are(cells.kinds) && self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Sensor)
+        };
+        let by_cells = self.free().into_iter().find(may_be);
+        match (by_heading, by_cells) {
+            (Some(kind), _) => self.take(kind, ColumnRole::Kind, ColumnUse::HEADING),
+            (None, Some(kind)) => self.take(kind, ColumnRole::Kind, "its cells are kinds of sensors"),
+            _ => {}
+        }
+        if let Some(room) = self.by_heading(ColumnRole::Room) {
+            self.take(room, ColumnRole::Room, ColumnUse::HEADING);
+        }
+    }
+
+    pub fn reason_for_sensor(&self, column: usize) -> String {
+        let cells = self.cells(column);
+        match self.heading(column) {
+            Some((ColumnRole::Sensor | ColumnRole::Room | ColumnRole::Kind, _)) => ColumnUse::HEADING.to_owned(),
+            _ => format!("its texts come again: {} in {} rows", cells.texts.len(), cells.filled),
+        }
+    }
+
+    /// Whether a text is another one than in the row before in a fifth of the rows.
+    fn changes(&self, column: usize) -> bool {
+        let texts: Vec<&str> = self.first.column(column).collect();
+        let changes = texts.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        5 * changes >= texts.len().saturating_sub(1)
+    }
+
+    /// Takes the column of what a sensor says, if there is one.
+    pub fn value(&mut self, sensor: usize) -> Option<usize> {
+        if let Some(column) = self.by_heading(ColumnRole::Value) {
+            self.take(column, ColumnRole::Value, ColumnUse::HEADING);
+            return Some(column);
+        }
+        let free = self.free();
+        let is_value = |column: &usize| self.cells(*column).are_mostly(self.cells(*column).values());
+        let is_open = |column: &usize| self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Kind);
+        let open: Vec<usize> = free.into_iter().filter(is_open).collect();
+        let mut behind = open.iter().copied().filter(|column| *column > sensor);
+        let by_cells = behind.clone().find(is_value).or(open.iter().copied().find(is_value));
+        if let Some(column) = by_cells {
+            let cells = self.cells(column);
+            let because = format!("{} of {} cells are numbers or words of states", cells.values(), cells.filled);
+            self.take(column, ColumnRole::Value, &because);
+            return Some(column);
+        }
+        let is_state = |column: &usize| {
+            let cells = self.cells(*column);
+            cells.come_again() && cells.sentences == 0 && self.heading(*column).is_none()
+        };
+        let column = behind.find(is_state).filter(|column| *column == sensor + 1 || self.first.has_heading)?;
+        self.take(column, ColumnRole::Value, "its few texts come again, and it follows the sensor");
+        Some(column)
+    }
+
+    /// Each row is a firing, where it has no value: that is certain if the sensor has a heading or comes again.
+    pub fn firings(&mut self, sensor: usize) -> Result<(), String> {
+        let cells = self.cells(sensor);
+        let is_known = self.heading(sensor).is_some_and(|(role, _)| role != ColumnRole::Unused);
+        let comes_again = cells.filled >= 4 && 2 * cells.texts.len() <= cells.filled;
+        if !is_known && !comes_again {
+            return Err(self.lacks("time, sensor and value"));
+        }
+        self.supplied =
+            Some(format!("no column has a value: each row is a firing, and {FIRING} is the reader's own word"));
+        Ok(())
+    }
+
+    /// Takes the label that follows the value, where no heading says so.
+    pub fn label_behind(&mut self, value: usize) -> Option<usize> {
+        if let Some(label) = self.taken(ColumnRole::Label) {
+            return Some(label);
+        }
+        let column = value + 1;
+        let is_free = self.taken.get(column).is_some_and(Option::is_none) && !self.first.has_heading;
+        let cells = self.first.cells.get(column).filter(|cells| is_free && cells.numbers == 0 && cells.come_again())?;
+        let because =
+            format!("it follows the value, and its texts come again: {} in {}", cells.texts.len(), cells.filled);
+        self.take(column, ColumnRole::Label, &because);
+        Some(column)
+    }
+
+    /// The column of activities in rows without a heading of them: the words say what people do.
+    pub fn activities(&mut self) -> Option<usize> {
+        if self.first.has_heading {
+            return None;
+        }
+        let free = self.free();
+        let [column] = free[..] else { return None };
+        let does = |text: &String| ACTIVITIES.iter().any(|word| text.to_lowercase().contains(word));
+        let texts = &self.cells(column).texts;
+        let known = texts.keys().filter(|text| does(text)).count();
+        (2 * known > texts.len()).then(|| self.take(column, ColumnRole::Label, "its words are those of activities"))?;
+        Some(column)
+    }
+
+    /// Takes a column of rooms that no heading names.
+    pub fn leftover_room(&mut self) {
+        let is_room = |text: &String| ROOMS.iter().any(|room| text.to_lowercase().contains(room));
+        let are_rooms = |column: &usize| {
+            let texts = &self.cells(*column).texts;
+            self.heading(*column).is_none() && 2 * texts.keys().filter(|text| is_room(text)).count() > texts.len()
+        };
+        if self.taken(ColumnRole::Room).is_none()
+            && let Some(column) = self.free().into_iter().find(are_rooms)
+        {
+            self.take(column, ColumnRole::Room, "its words are those of rooms");
+        }
+    }
+
+    /// The columns that name a sensor together: what stands in several rooms, or measures several things, is several sensors.
+    pub fn apart(&mut self, sensor: usize) -> Vec<usize> {
+        let mut columns = vec![sensor];
+        for (role, what) in [(ColumnRole::Room, "rooms"), (ColumnRole::Kind, "kinds")] {
+            let Some(column) = self.taken(role) else { continue };
+            let mut of: BTreeMap<&str, &str> = BTreeMap::new();
+            let mut pairs = self.first.column(sensor).zip(self.first.column(column)).filter(|(_, of)| !is_blank(of));
+            let several = pairs.find(|(name, text)| *of.entry(name).or_insert(text) != *text);
+            if let Some((name, _)) = several {
+                let because = format!("it stands in the sensor's name, too: {} has several {what}", beginning(name));
+                self.add_reason(column, &because);
+                if role == ColumnRole::Room { columns.insert(0, column) } else { columns.push(column) }
+            }
+        }
+        columns
+    }
+
+    /// Refuses names that hardly come again, and values that are sentences: these are other tables.
+    pub fn no_keys(&self, sensor: usize, value: Option<usize>) -> Result<(), String> {
+        let cells = self.cells(sensor);
+        let is_certain = self.first.has_heading && is_certain_sensor(&self.first.names[sensor]);
+        let name = |column: usize| beginning(&self.first.names[column]);
+        if cells.hardly_come_again() && !is_certain {
+            return Err(format!(
+                "the column {} names no sensors: {} of {} rows have a name of their own, and sensors come again",
+                name(sensor),
+                cells.texts.len(),
+                cells.filled
+            ));
+        }
+        if let Some(value) = value
+            && let cells = self.cells(value)
+            && cells.are_mostly(cells.sentences)
+            && cells.hardly_come_again()
+        {
+            return Err(format!("the column {} holds sentences, and no values of sensors", name(value)));
+        }
+        Ok(())
+    }
+
+    /// Refuses the log of a program.
+    pub fn no_program_log(&self) -> Result<(), String> {
+        let columns = 0..self.taken.len();
+        let is_known = |role| {
+            columns.clone().any(|column| self.heading(column).is_some_and(|(of, rank)| of == role && rank < CERTAIN))
+        };
+        let grave = (0..self.taken.len()).find(|&column| {
+            let cells = self.cells(column);
+            cells.are(cells.severities) && cells.filled > 1
+        });
+        match grave {
+            Some(column) if !(is_known(ColumnRole::Sensor) && is_known(ColumnRole::Value)) => {
+                let words: Vec<&str> = self.cells(column).texts.keys().map(String::as_str).take(3).collect();
+                let name = beginning(&self.first.names[column]);
+                Err(format!("it is the log of a program: the column {name} says {}", readable(words.join(", "))))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The use of each column.
+    pub fn uses(&self) -> Vec<ColumnUse> {
+        let mut uses: Vec<ColumnUse> = Vec::new();
+        for (column, taken) in self.first.names.iter().zip(&self.taken) {
+            let (used_as, because) = match taken {
+                Some((role, because)) => (*role, because.as_str()),
+                None => (ColumnRole::Unused, "nothing says what it is"),
+            };
+            uses.push(ColumnUse { column: column.clone(), used_as, because: because.to_owned() });
+        }
+        if let Some(because) = &self.supplied {
+            uses.push(ColumnUse { column: String::new(), used_as: ColumnRole::Value, because: because.clone() });
+        }
+        uses
+    }
+}
+
+/// The unit of a duration by the ending of its heading, in microseconds, and its name.
+fn unit_of_duration(heading: &str) -> (Micros, &'static str) {
+    let lower = heading.to_lowercase();
+    let ends = |endings: &[&str]| endings.iter().any(|ending| lower.trim_end_matches([')', ']']).ends_with(ending));
+    match () {
+        () if ends(&["_ms", "(ms", "[ms", "millis", "milliseconds"]) => (SECOND / 1000, "milliseconds"),
+        () if ends(&["_min", "(min", "[min", "minutes", "_mins"]) => (60 * SECOND, "minutes"),
+        () if ends(&["_h", "(h", "[h", "hours"]) => (3600 * SECOND, "hours"),
+        () => (SECOND, "seconds"),
+    }
+}

@@ -1,0 +1,73 @@
+//! The parts of a table's row: its instant, the name of its sensor, and what its columns say of that sensor.
+
+use super::layout::{Layout, Sensor};
+use super::pick::Time;
+use super::reading::Reading;
+use super::records::Record;
+use crate::plain::text;
+use crate::sensor_info::SensorInfo;
+use crate::spreadsheet::unescaped;
+
+impl Time {
+    /// The text of a row's instant; `buffer` is where date and time of day are put together.
+    #[inline]
+    pub fn text<'r>(&self, record: &'r Record, buffer: &'r mut Vec<u8>) -> &'r [u8] {
+        let cell = |column: usize| record.get(column).unwrap_or_default();
+        let Some(of_day) = self.of_day else { return cell(self.column) };
+        buffer.clear();
+        buffer.extend_from_slice(cell(self.column).trim_ascii());
+        buffer.push(b' ');
+        buffer.extend_from_slice(cell(of_day).trim_ascii());
+        buffer
+    }
+}
+
+impl Sensor {
+    /// The name of a row's sensor; `buffer` is where the cells of several columns are put together.
+    #[inline]
+    pub fn name<'r>(&'r self, record: &'r Record, buffer: &'r mut Vec<u8>) -> &'r [u8] {
+        match self {
+            Sensor::Alone(name) => name.as_bytes(),
+            Sensor::Columns(columns) => match columns[..] {
+                [column] => record.get(column).unwrap_or_default(),
+                _ => joined(columns, record, buffer),
+            },
+        }
+    }
+}
+
+/// The cells of columns, parted by blanks.
+pub(super) fn joined<'b>(columns: &[usize], record: &Record, buffer: &'b mut Vec<u8>) -> &'b [u8] {
+    buffer.clear();
+    for &column in columns {
+        let cell = record.get(column).unwrap_or_default().trim_ascii();
+        if !buffer.is_empty() && !cell.is_empty() {
+            buffer.push(b' ');
+        }
+        buffer.extend_from_slice(cell);
+    }
+    buffer
+}
+
+/// Keeps what a row says of a sensor that has come for the first time: its kind, room and unit.
+pub(super) fn know(layout: &Layout, record: &Record, reading: &mut Reading<'_>) {
+    if let Some(id) = reading.log.sensors.last().cloned() {
+        know_named(layout, record, &id, reading);
+    }
+}
+
+/// The same of a sensor of this name.
+pub(super) fn know_named(layout: &Layout, record: &Record, id: &str, reading: &mut Reading<'_>) {
+    let Layout { kind, room, unit, .. } = *layout;
+    if kind.or(room).or(unit).is_none() || id.is_empty() || reading.log.known.iter().any(|known| known.id == id) {
+        return;
+    }
+    let cell = |column: Option<usize>| {
+        let cell = text(record.get(column?).unwrap_or_default().trim_ascii());
+        Some(unescaped(&cell).to_owned()).filter(|cell| !cell.is_empty())
+    };
+    let kind = cell(kind).unwrap_or_default();
+    let is_motion = kind.to_lowercase().contains("motion") || kind.eq_ignore_ascii_case("pir");
+    let known = SensorInfo { kind, is_motion, room: cell(room), unit: cell(unit), ..SensorInfo::named(id) };
+    reading.know(known);
+}

@@ -1,0 +1,422 @@
+//! Tables as people keep them: each is read as what its headings and cells show, or refused with the reason. Texts here are ours.
+
+mod stage;
+
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::source::{Clock, ColumnRole, DateOrder, DecimalMark, HomeColumn, TableOptions};
+use homebody_log::{Log, LogError, Source, read};
+use stage::Folder;
+use std::fs;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// 2 March 2009, 07:00.
+const SEVEN: Micros = 1_235_977_200 * SECOND;
+
+fn read_with(folder: &Folder, name: &str, text: &str, options: TableOptions) -> Result<(String, Log), LogError> {
+    let path = folder.path().join(name);
+    fs::write(&path, text).unwrap();
+    let source = Source::recognise(&path)?.with_options(options);
+    Ok((source.form().name.to_owned(), read(&source, &LoggerFile::default())?))
+}
+
+fn read_text(text: &str) -> Result<(String, Log), LogError> {
+    read_with(&folder(), "log.csv", text, TableOptions::default())
+}
+
+/// A folder of its own for each text: tests run at once.
+fn folder() -> Folder {
+    static NEXT: AtomicUsize = AtomicUsize::new(0);
+    Folder::new(&format!("tables{}", NEXT.fetch_add(1, Ordering::Relaxed)))
+}
+
+/// Reads a text as a table, whatever it looks like.
+fn read_as_csv(text: &str) -> Result<Log, LogError> {
+    let folder = folder();
+    let url = folder.url("csv:log.csv");
+    fs::write(folder.path().join("log.csv"), text).unwrap();
+    read(&url, &LoggerFile::default())
+}
+
+/// The error of a text that cannot be read as a log.
+fn why(text: &str) -> String {
+    match read_text(text) {
+        Err(error) => error.to_string(),
+        Ok((form, log)) => panic!("{form} of {} sensors: {text}", log.sensors.len()),
+    }
+}
+
+/// Rows as seconds since seven, sensor, value.
+fn told(log: &Log) -> Vec<(f64, &str, &str)> {
+    let seconds = |at: Micros| (at - SEVEN) as f64 / SECOND as f64;
+    log.events.iter().map(|event| (seconds(event.at), log.sensor(event), log.value(event))).collect()
+}
+
+/// The headings that were taken for this.
+fn taken(log: &Log, role: ColumnRole) -> Vec<&str> {
+    log.columns.iter().filter(|of| of.used_as == role).map(|of| of.column.as_str()).collect()
+}
+
+/// Rows of three sensors that switch, a minute apart; `row` writes one.
+fn rows(count: usize, row: impl Fn(usize, &str, &str) -> String) -> String {
+    let sensors = ["hall", "kitchen", "bath"];
+    (0..count).map(|index| row(index, sensors[index / 2 % 3], ["ON", "OFF"][index % 2]) + "\n").collect()
+}
+
+fn clock(minute: usize) -> String {
+    format!("{:02}:{:02}:00", 7 + minute / 60, minute % 60)
+}
+
+#[test]
+fn headings_of_many_languages_and_none_are_the_same_log() {
+    let first = (0.0, "hall", "ON");
+    for (heading, row) in [
+        ("time,sensor,value", "T,S,V"),
+        ("Zeitstempel;Gerät;Zustand", "T;S;V"),
+        ("horodatage,capteur,valeur", "T,S,V"),
+        ("a,b,c", "T,S,V"),
+        ("note,what,who,when_it_was", ",V,S,T"),
+        (",time,device,val,battery", "N,T,S,V,80"),
+        ("Unnamed: 0,created_at,entity,status", "N,T,S,V"),
+        ("time\tsensor\tvalue", "T\tS\tV"),
+        ("", "T,S,V"),
+    ] {
+        let row = |index: usize, sensor: &str, value: &str| {
+            let (time, number) = (format!("2009-03-02 {}", clock(index)), index.to_string());
+            row.replace('N', &number).replace('T', &time).replace('S', sensor).replace('V', value)
+        };
+        let heading = if heading.is_empty() { String::new() } else { format!("{heading}\n") };
+        let (form, log) = read_text(&format!("{heading}{}", rows(40, row))).unwrap();
+        assert_eq!((form.as_str(), log.rows, log.skipped, log.sensors.len()), ("csv", 40, 0, 3), "{heading}");
+        assert_eq!((told(&log)[0], log.columns.is_empty()), (first, false), "{heading}");
+    }
+}
+
+#[test]
+fn each_column_has_its_use_and_its_reason() {
+    let text =
+        rows(20, |index, sensor, value| format!("{index},2009-03-02 {},{sensor},{value},some room", clock(index)));
+    let (_, log) = read_text(&format!(",when_it_was,thing,says,Room\n{text}")).unwrap();
+    let uses: Vec<(&str, ColumnRole)> = log.columns.iter().map(|of| (of.column.as_str(), of.used_as)).collect();
+    use ColumnRole::{Room, Sensor, Time, Unused, Value};
+    assert_eq!(uses, [("column 1", Unused), ("when_it_was", Time), ("thing", Sensor), ("says", Value), ("Room", Room)]);
+    assert_eq!(log.columns[1].because, "20 of 20 cells are instants");
+    assert!(log.columns[1].is_guess() && !log.columns[2].is_guess() && !log.columns[0].is_guess());
+    assert_eq!(log.known[0].room.as_deref(), Some("some room"));
+}
+
+#[test]
+fn intervals_without_a_heading_are_an_on_and_an_off() {
+    let row = |index: usize, sensor: &str, _: &str| {
+        let kind = ["Magnetic", "PIR"][index % 2];
+        format!(
+            "2009-03-02 {0},2009-03-02 {1}30,{sensor}{2},{kind},Kitchen",
+            clock(index),
+            &clock(index)[..6],
+            index % 2
+        )
+    };
+    let (form, log) = read_text(&rows(60, row)).unwrap();
+    assert_eq!((form.as_str(), log.rows, log.sensors.len(), log.skipped), ("pyadlml", 120, 6, 0));
+    assert_eq!(told(&log)[..2], [(0.0, "hall0", "ON"), (30.0, "hall0", "OFF")]);
+    assert_eq!(taken(&log, ColumnRole::End), ["column 2"]);
+    assert_eq!((log.known[1].kind.as_str(), log.known[1].is_motion), ("PIR", true));
+    // Words of activities are labels.
+    let activities =
+        "2009-03-02 07:00:00,2009-03-02 07:10:00,Sleeping\n2009-03-02 07:20:00,2009-03-02 07:25:00,Breakfast\n";
+    let (_, log) = read_text(&activities.repeat(3)).unwrap();
+    assert_eq!((log.rows, log.activities.len()), (0, 6));
+    // The control: two instants of one event, as in an export with when it came and when it was stored, are one event.
+    let row = |index: usize, sensor: &str, value: &str| {
+        format!("2009-03-02 {0},2009-03-02T{0}.5Z,{sensor},{value}", clock(index))
+    };
+    let (form, log) = read_text(&format!("last_changed,last_updated,entity_id,state\n{}", rows(20, row))).unwrap();
+    assert_eq!((form.as_str(), log.rows, told(&log)[0]), ("csv", 20, (0.0, "hall", "ON")));
+}
+
+#[test]
+fn durations_end_intervals() {
+    for (heading, epoch, duration) in [
+        ("timestamp,duration,sensor", "1235977200", "90"),
+        ("ts,duration_ms,sensor", "1235977200000", "90000"),
+        ("ts,Dauer (min),Sensor", "1235977200000000", "1.5"),
+        ("ts,duration,sensor", "1235977200000000000", "00:01:30"),
+    ] {
+        let (form, log) = read_text(&format!("{heading}\n{epoch},{duration},bed\n")).unwrap();
+        assert_eq!((form.as_str(), log.clock), ("pyadlml", Clock::Utc), "{heading}");
+        assert_eq!(told(&log), [(0.0, "bed", "ON"), (90.0, "bed", "OFF")], "{heading}");
+    }
+    let (_, log) = read_text("start,end,name,index\n4.5,6.25,study,7\n20.5,22,stairs,6\n30,31,study,7\n").unwrap();
+    assert_eq!((log.rows, log.events[0].at), (6, 4_500_000));
+    assert!(log.remarks[0].contains("dates are not known"), "{:?}", log.remarks);
+}
+
+#[test]
+fn a_column_for_each_sensor_becomes_changes_and_readings() {
+    let row = |index: usize| {
+        let hall = usize::from(index % 10 == 1);
+        format!(
+            "2009-03-02 {},{hall},{},0,{}.5,{}\n",
+            clock(index),
+            usize::from(index < 5),
+            20 + index % 3,
+            ["sun", "rain"][index / 30]
+        )
+    };
+    let text: String = (0..60).map(row).collect();
+    let (form, log) = read_text(&format!("timestamp,hall,kitchen,attic door,temperature,weather\n{text}")).unwrap();
+    assert_eq!((form.as_str(), log.skipped), ("wide", 0));
+    let of = |sensor: &str| told(&log).into_iter().filter(|row| row.1 == sensor).collect::<Vec<_>>();
+    assert_eq!((of("hall").len(), of("hall")[0], of("hall")[1]), (12, (60.0, "hall", "ON"), (120.0, "hall", "OFF")));
+    assert_eq!(of("kitchen"), [(0.0, "kitchen", "ON"), (300.0, "kitchen", "OFF")]);
+    assert_eq!((of("temperature").len(), of("temperature")[0].2), (60, "20.5"));
+    assert_eq!(of("weather").len(), 2);
+    assert_eq!(taken(&log, ColumnRole::OneSensor).len(), 5);
+    assert!(log.remarks.iter().any(|remark| remark.contains("columns are sensors")), "{:?}", log.remarks);
+    // --wide takes any columns.
+    let table = "time,sensor,value\n2009-03-02 07:00:00,21,1\n2009-03-02 07:01:00,22,0\n";
+    let wide = TableOptions { is_wide: true, ..TableOptions::default() };
+    let (_, log) = read_with(&folder(), "log.csv", table, wide).unwrap();
+    assert_eq!(told(&log)[0], (0.0, "sensor", "21"));
+    // The control: without it the same table is a log of events.
+    assert_eq!(told(&read_text(table).unwrap().1)[0], (0.0, "21", "1"));
+}
+
+#[test]
+fn energy_tables_of_many_columns_have_a_sensor_each() {
+    let names: String = (1..=120).map(|number| format!(",Appliance{number}")).collect();
+    let row = |index: usize| {
+        let cells: String = (1..=120).map(|number| format!(",{}", number * index % 400)).collect();
+        format!("2009-03-02 {},{}{cells}\n", clock(index), 1_235_977_200 + 60 * index)
+    };
+    let text: String = (0..50).map(row).collect();
+    let (form, log) = read_text(&format!("Time,Unix{names}\n{text}")).unwrap();
+    assert_eq!((form.as_str(), log.sensors.len(), log.rows), ("wide", 120, 6000));
+    assert_eq!((log.sensors[0].as_str(), taken(&log, ColumnRole::Time)), ("Appliance1", vec!["Time"]));
+}
+
+#[test]
+fn several_readings_of_a_device_in_a_row_are_several_sensors() {
+    let row = |index: usize, sensor: &str, _: &str| {
+        format!("2009-03-02 {},{sensor},{}.5,{}", clock(index), 20 + index % 4, 40 + index % 7)
+    };
+    let (form, log) = read_text(&format!("time,device,temperature,humidity\n{}", rows(60, row))).unwrap();
+    assert_eq!((form.as_str(), log.rows, log.sensors.len()), ("wide", 120, 6));
+    assert_eq!(told(&log)[..2], [(0.0, "hall temperature", "20.5"), (0.0, "hall humidity", "40")]);
+    let row = |index: usize, sensor: &str, value: &str| {
+        let (kind, value) = if index % 4 < 2 { ("motion", value) } else { ("battery", "80") };
+        format!("2009-03-02 {} UTC,{kind},{value},,{sensor}", clock(index))
+    };
+    let (form, log) = read_text(&rows(80, row)).unwrap();
+    assert_eq!((form.as_str(), log.rows, log.clock), ("csv", 80, Clock::Utc));
+    assert!(log.sensors.contains(&"hall motion".to_owned()) && log.sensors.contains(&"hall battery".to_owned()));
+}
+
+#[test]
+fn a_table_of_a_time_and_a_value_is_the_sensor_of_its_name() {
+    let folder = folder();
+    let text: String = (0..9).map(|index| format!("2009-03-02 {},{}\n", clock(index), 20 + index)).collect();
+    let read = |heading: &str| {
+        read_with(&folder, "bed temperature.csv", &format!("{heading}\n{text}"), TableOptions::default()).unwrap().1
+    };
+    assert_eq!(
+        (read("time,value").sensors, read("time,Radiator").sensors),
+        (vec!["bed temperature".into()], vec!["Radiator".into()])
+    );
+}
+
+#[test]
+fn homes_in_one_table_are_not_mixed() {
+    let text = rows(60, |index, sensor, value| format!("H{},2009-03-02 {},{sensor},{value}", index / 20, clock(index)));
+    let text = format!("home_id,time,sensor,value\n{text}");
+    let error = why(&text);
+    assert!(
+        error.contains("its rows are of 3 homes or persons, by the column \"home_id\": \"H0\", \"H1\", \"H2\""),
+        "{error}"
+    );
+    assert!(error.contains("--home-column 'home_id=H0'"), "{error}");
+    let folder = folder();
+    let asked = |home: Option<&str>| {
+        let home = HomeColumn { column: "home_id".into(), home: home.map(str::to_owned) };
+        read_with(&folder, "log.csv", &text, TableOptions { home: Some(home), ..TableOptions::default() })
+    };
+    assert_eq!(asked(Some("H1")).unwrap().1.rows, 20);
+    assert_eq!(asked(Some("*")).unwrap().1.rows, 60);
+    assert!(asked(None).is_err());
+    let error = asked(Some("H9")).unwrap_err().to_string();
+    assert!(error.contains("no row has \"H9\"") && error.contains("\"H2\""), "{error}");
+    // A second home is noticed wherever it comes.
+    let late = rows(3000, |index, sensor, value| format!("P{},1235977{index:03},{sensor},{value}", index / 2999));
+    assert!(why(&format!("patient,epoch,sensor,value\n{late}")).contains("2 homes or persons"));
+    // The control: one home alone.
+    let one = rows(20, |index, sensor, value| format!("H1,2009-03-02 {},{sensor},{value}", clock(index)));
+    let (_, log) = read_text(&format!("home_id,time,sensor,value\n{one}")).unwrap();
+    assert_eq!((log.rows, taken(&log, ColumnRole::Home)), (20, vec!["home_id"]));
+}
+
+#[test]
+fn decimal_commas_become_points_and_undecided_ones_are_refused() {
+    let table = |mark: &str, values: [&str; 2]| {
+        let row = |index: usize, sensor: &str, _: &str| {
+            format!("2009-03-02 {}{mark}{sensor}{mark}{}", clock(index), values[index % 2])
+        };
+        format!("time{mark}sensor{mark}value\n{}", rows(12, row))
+    };
+    for (text, first) in [
+        (table(";", ["21,5", "22"]), "21.5"),
+        (table(";", ["1.021,5", "22"]), "1021.5"),
+        (table(",", ["\"21,5\"", "22"]), "21.5"),
+        (table(",", ["21.5", "22"]), "21.5"),
+        (table(";", ["1,021", "22,5"]), "1.021"),
+    ] {
+        assert_eq!(told(&read_text(&text).unwrap().1)[0].2, first, "{text}");
+    }
+    let error = why(&table(";", ["1,021", "1,022"]));
+    assert!(error.contains("\"1,021\" parts thousands or decimals") && error.contains("--decimals comma"), "{error}");
+    let comma = TableOptions { decimals: Some(DecimalMark::Comma), ..TableOptions::default() };
+    let (_, log) = read_with(&folder(), "a.csv", &table(";", ["1,021", "1,022"]), comma).unwrap();
+    assert_eq!(told(&log)[0].2, "1.021");
+    let error = why(&table(",", ["21,5", "22,5"]));
+    assert!(error.contains("more cells than its heading has names"), "{error}");
+}
+
+#[test]
+fn date_and_time_may_stand_in_two_columns() {
+    for (heading, row, form) in [
+        ("date,time,sensor,value", "2009-03-02,T,S,V", "csv"),
+        ("Datum;Uhrzeit;Sensor;Wert", "02.03.2009;T;S;V", "csv"),
+        ("", "3/2/2009,P,S,V,,,", "csv"),
+        ("", "20090302,T,S,V", "csv"),
+        ("value,sensor,time,day", "V,S,T,2009/03/02", "csv"),
+    ] {
+        let row = |index: usize, sensor: &str, value: &str| {
+            let of_twelve = format!("{}{} AM", 7 + index / 60, &clock(index)[2..]);
+            row.replace('T', &clock(index)).replace('S', sensor).replace('V', value).replace('P', &of_twelve)
+        };
+        let heading = if heading.is_empty() { String::new() } else { format!("{heading}\n") };
+        let (read_as, log) = read_text(&format!("{heading}{}", rows(30, row))).unwrap();
+        assert_eq!((read_as.as_str(), log.rows, told(&log)[1]), (form, 30, (60.0, "hall", "OFF")), "{heading}");
+        assert_eq!(taken(&log, ColumnRole::Time).len(), 2, "{heading}");
+    }
+}
+
+#[test]
+fn dates_in_numbers_are_read_in_the_order_that_the_rows_decide() {
+    let table = |date: &dyn Fn(usize) -> String| {
+        format!("time,device,value\n{}", rows(60, |index, sensor, value| format!("{},{sensor},{value}", date(index))))
+    };
+    let first = |text: &str| read_text(text).unwrap().1.events[0].at;
+    let day = |day: i64| SEVEN + (day - 2) * 24 * 3600 * SECOND;
+    assert_eq!(first(&table(&|index| format!("26.03.2009 {}", clock(index)))), day(26));
+    assert_eq!(first(&table(&|index| format!("02.03.2009 {}", clock(index)))), day(2));
+    assert_eq!(first(&table(&|index| format!("27-03-2009 {}", clock(index)))), day(27));
+    assert_eq!(first(&table(&|index| format!("03/28/2009 {}", clock(index)))), day(28));
+    assert_eq!(first(&table(&|index| format!("3/2/2009 {} AM", clock(index % 60)))), day(2));
+    // Days follow each other, if the right number is the day.
+    assert_eq!(first(&table(&|index| format!("{:02}/03/2009 07:00:00", 2 + index / 8))), day(2));
+    assert_eq!(first(&table(&|index| format!("03/{:02}/2009 07:00:00", 2 + index / 8))), day(2));
+    let undecided = table(&|index| format!("02/03/2009 {}", clock(index)));
+    let error = why(&undecided);
+    assert!(error.contains("whether the day or the month is first") && error.contains("--dates day-first"), "{error}");
+    for (order, month) in [(DateOrder::DayFirst, 0), (DateOrder::MonthFirst, -28)] {
+        let options = TableOptions { dates: Some(order), ..TableOptions::default() };
+        let (_, log) = read_with(&folder(), "log.csv", &undecided, options).unwrap();
+        assert_eq!(log.events[0].at, if month == 0 { day(2) } else { day(2) + (month + 1) * 24 * 3600 * SECOND });
+    }
+    // A row far down decides, too.
+    let far = rows(4000, |index, sensor, value| {
+        format!("{}/03/2009 07:00:{:02},{sensor},{value}", if index < 3990 { "02" } else { "13" }, index % 60)
+    });
+    assert_eq!(first(&format!("time,device,value\n{far}")), day(2));
+    let error = why(&table(&|index| format!("{}/2009 07:00:00", ["13/02", "02/13"][index % 2])));
+    assert!(error.contains("have the day first and"), "{error}");
+}
+
+#[test]
+fn a_heading_alone_has_no_rows() {
+    for text in ["time,device,val\n", "time,device,value", "\u{feff}Zeit;Sensor;Wert\r\n"] {
+        let error = why(text);
+        assert!(error.contains("it has no rows"), "{error}");
+    }
+}
+
+#[test]
+fn rows_without_a_value_are_firings() {
+    let text = rows(40, |index, sensor, _| format!("2009-03-02 {},{sensor}", clock(index)));
+    for (heading, text) in [("time,sensor\n", &text), ("date,location_name\n", &text), ("", &text), ("x,y\n", &text)] {
+        let (_, log) = read_text(&format!("{heading}{text}")).unwrap();
+        assert_eq!((log.rows, log.sensors.len(), told(&log)[0]), (40, 3, (0.0, "hall", "ON")), "{heading}");
+        let supplied = log.columns.iter().find(|of| of.column.is_empty()).unwrap();
+        assert!(supplied.because.contains("ON is the reader's own word"), "{supplied:?}");
+    }
+    // The control: a table with values has none of the reader's own.
+    let (_, log) = read_text("time,sensor,value\n2009-03-02 07:00:00,hall,ON\n").unwrap();
+    assert!(log.columns.iter().all(|of| !of.column.is_empty()));
+}
+
+#[test]
+fn offsets_of_instants_are_kept() {
+    let text = "time,sensor,value\n2009-03-29T00:30:00+01:00,hall,ON\n2009-03-29T01:59:00+01:00,hall,OFF\n\
+                2009-03-29T03:01:00+02:00,hall,ON\n2009-03-29T04:00:00+02:00,hall,OFF\n";
+    let (_, log) = read_text(text).unwrap();
+    let hour = 3600 * SECOND;
+    assert_eq!((log.clock, log.rows), (Clock::Utc, 4));
+    assert_eq!(log.offsets.iter().map(|span| span.ahead).collect::<Vec<_>>(), [hour, 2 * hour]);
+    let (_, log) = read_text("time,sensor,value\n2009-03-29T00:30:00Z,hall,ON\n").unwrap();
+    assert!(log.offsets.is_empty());
+}
+
+#[test]
+fn tables_that_are_no_logs_are_refused_with_the_reason() {
+    let lines = |heading: &str, row: &dyn Fn(usize) -> String| {
+        format!("{heading}\n{}", (0..60).map(|index| row(index) + "\n").collect::<String>())
+    };
+    for (text, said) in [
+        (
+            lines("time,level,logger,message", &|index| {
+                format!(
+                    "2009-03-02 {},{},http,handled request {index} in some ms",
+                    clock(index),
+                    ["INFO", "WARN"][index % 2]
+                )
+            }),
+            "it is the log of a program: the column \"level\" says INFO, WARN",
+        ),
+        (
+            lines("invoice_date,supplier,amount,kwh", &|index| {
+                format!("2009-{:02}-01,power,{index}.5,{}", 1 + index % 12, 100 + index)
+            }),
+            "are dates without a time of day",
+        ),
+        (
+            lines("id,name,created_at,status", &|index| {
+                format!("{},person {index},2009-03-02 {},active", 7 * index, clock(index))
+            }),
+            "names no sensors: 60 of 60 rows have a name of their own",
+        ),
+        (
+            lines("time,name,message", &|index| {
+                format!("2009-03-02 {},app,the user number {index} has logged in", clock(index))
+            }),
+            "holds sentences, and no values of sensors",
+        ),
+        (lines("id,name,room", &|index| format!("{index},sensor {index},hall")), "no cell is a date and time"),
+        (lines("time,sensor,value", &|index| format!("{},hall,ON", clock(index))), "times of day without a date"),
+    ] {
+        let error = match read_as_csv(&text) {
+            Err(error) => error.to_string(),
+            Ok(log) => panic!("{} rows of {text}", log.rows),
+        };
+        assert!(error.contains(said), "{error}");
+    }
+}
+
+#[test]
+fn names_of_which_none_comes_again_are_no_sensors() {
+    let text: String = (0..3000).map(|index| format!("2009-03-02 07:00:00,key{index},ON\n")).collect();
+    let error = why(&format!("time,sensor,value\n{text}"));
+    assert!(error.contains("these are no sensors, which come again and again"), "{error}");
+    // The control: so many sensors that come again are a log.
+    let again: String = (0..3000).map(|index| format!("2009-03-02 07:00:00,key{},ON\n", index % 1400)).collect();
+    assert_eq!(read_text(&format!("time,sensor,value\n{again}")).unwrap().1.sensors.len(), 1400);
+}
