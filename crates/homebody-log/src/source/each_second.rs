@@ -286,7 +286,7 @@ pub(super) fn day_of(path: &Path) -> Option<Micros> {
 
 fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let day = day_of(path).unwrap_or(1);
-    let remark = "its dates are not known: its day is told as number";
+    let remark = "its dates are not known: its first day becomes day";
     if reading.log.remarks.iter().all(|told| !told.starts_with(remark)) {
         reading.log.remarks.push(format!("{remark} {day} of 1970"));
     }

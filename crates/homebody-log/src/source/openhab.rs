@@ -97,9 +97,11 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         if event.is_update && last.get(event.item).is_some_and(|last| last == state) {
             continue;
         }
-        if reading.event(number, at, event.item, state)? && last.insert(event.item.into(), state.into()).is_none() {
-            let unit = unit.map(str::to_owned);
-            reading.know(SensorInfo { unit, ..SensorInfo::named(event.item) });
+        if reading.event(number, at, event.item, state)? {
+            last.insert(event.item.into(), state.into());
+            if let Some(unit) = unit.map(str::to_owned) {
+                reading.know(SensorInfo { unit: Some(unit), ..SensorInfo::named(event.item) });
+            }
         }
     }
     for (count, what) in [(others, "no change of an item"), (of_groups, "changes of groups, which their members tell")]
