@@ -110,6 +110,13 @@ impl Packer {
     }
 }
 
+/// Whether a file is packed, so that its end needs a read of the whole file.
+pub(crate) fn is_packed(path: &Path) -> bool {
+    let mut begins = Vec::new();
+    let read = plain::open(path).and_then(|file| file.take(ZSTD.len() as u64).read_to_end(&mut begins));
+    read.is_ok() && (begins.starts_with(GZIP) || begins == ZSTD)
+}
+
 /// What is in a plain file, unpacked if it is packed. It is unpacked as it is read, so that it may unpack to any size.
 ///
 /// # Errors

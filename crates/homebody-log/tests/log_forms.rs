@@ -42,7 +42,18 @@ first rows are; rows on the other clock are named. Instants may have fractions o
 `docs/limits.md` says is no log.
 
 Intervals become an ON and an OFF, in the order of time as far as a million rows are apart; one that ends before it begins is named. In
-tables of each second only changes become rows. ARAS tells no dates: its day is told as that of January 1970.
+tables of each second only changes become rows. A pause of more than a minute in such a table is a gap: sensors and activities end
+with the last row before it. ARAS has no dates: day n becomes day n of 1970.
+
+A form is accepted on evidence. A text is of the form `casas` if few names repeat in its first lines, with states such as ON or with
+numbers. The log of a program is an error that says so. Other files are errors, too, which name their kind and a way to a log: packed
+archives, pictures, pages of the web, dumps of databases, files of MATLAB, NumPy and R, pointers of Git LFS.
+
+In the form `casas` a word between sensor and value is the sensor's room or place, if each sensor has only one. A damaged state such as
+`ONc` is left out and named. Values that are neither states nor numbers are counted, where nearly all others are.
+
+A folder with a file a day is one log: all files have one form, their names differ by numbers, and their spans do not overlap. Numbers
+behind words such as `home` or `patient` count homes, so such files stay apart. A silence of twelve hours between two files is a gap.
 
 ## Tables
 
@@ -79,9 +90,12 @@ log's source and the names of its sensors say; `homebody look` shows by which ev
 
 ## Activities
 
-What a log tells of activities is read with it: notes that they begin and end (`Sleep begin`, `Sleep=\"end\"`), a label on each row, or a
-text or table beside the rows, such as `kasterenActData.txt` beside `kasterenSenseData.txt`, `OrdonezA_ADLs.txt` beside
-`OrdonezA_Sensors.txt`, `activities.csv` beside `devices.csv`. A label holds from its row up to the first row with another.
+Activities are read with the log: from notes of their beginnings and ends (`Sleep begin`, `Sleep=\"end\"`, `1-end`, `Sleep_Begin`,
+`begin Sleep`), from a label on each row, or from a table in the same folder. Some names of such tables are known, such as
+`kasterenActData.txt` for `kasterenSenseData.txt`, `OrdonezA_ADLs.txt` for `OrdonezA_Sensors.txt`, `activities.csv` for `devices.csv`.
+If the log has no activities of its own, a table of any name is read that has a start, an end and a label in each row of the same span
+of time. `look` names it. If several fit, `look` names them all and none is read. A label holds from its row up to the first row
+with another.
 
 `homebody convert` writes them along. Each row has the labels of what goes on in the column `activity`, parted by `|`, and a table has
 them whole, as `start_time,end_time,activity`: in a database it is called `activity`, elsewhere it is a file beside the log, such as

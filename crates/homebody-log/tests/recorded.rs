@@ -319,6 +319,11 @@ fn home_assistants_states_are_read_and_its_database_is_left_as_it_was() {
     }
 }
 
+/// A log without what its form says of its columns.
+fn content(log: Log) -> Log {
+    Log { columns: Vec::new(), ..log }
+}
+
 fn carry(from: &Source, folder: &Folder, to: &str) -> Result<u64, LogError> {
     let mapping = LoggerFile::default();
     let about = survey(from, &mapping)?;
@@ -339,7 +344,7 @@ fn activities_go_with_their_log_into_each_form() {
     for to in ["csv:second.csv", "sqlite:third.db", "csv:fourth.csv", "casas:last.txt"] {
         carry(&from, &folder, to).unwrap();
         from = Source::from(&folder.url(to));
-        assert_eq!(without_columns(read(&from, &LoggerFile::default()).unwrap()), first, "{to}");
+        assert_eq!(content(read(&from, &LoggerFile::default()).unwrap()), content(first.clone()), "{to}");
     }
     assert_eq!(folder.text("last.txt"), text);
     let labels: Vec<String> =
@@ -360,19 +365,18 @@ fn activities_go_with_their_log_into_each_form() {
         how: How::Replace,
     };
     convert(&transfer, &about, |_| ()).unwrap();
-    assert_eq!(without_columns(read(&to, &LoggerFile::default()).unwrap()), plain);
-}
-
-/// A log like one of a form without columns.
-fn without_columns(log: Log) -> Log {
-    Log { columns: Vec::new(), ..log }
+    assert_eq!(content(read(&to, &LoggerFile::default()).unwrap()), content(plain));
 }
 
 #[test]
-fn what_nobody_has_written_yet_is_an_empty_log() {
+fn a_file_without_rows_yet_is_an_empty_log_of_a_form_that_is_named() {
     let folder = Folder::new("empty");
-    let log = from_text(&folder, "casas", "log.txt", "");
-    assert_eq!((log.rows, log.skipped), (0, 0));
+    for text in ["", " \n\n", "\u{feff}"] {
+        let path = folder.path().join("log.txt");
+        fs::write(&path, text).unwrap();
+        let error = Source::recognise(&path).unwrap_err().to_string();
+        assert!(error.contains("it is empty"), "{text:?}: {error}");
+    }
     for form in &FORMS {
         let path = folder.path().join("nothing");
         fs::write(&path, "").unwrap();

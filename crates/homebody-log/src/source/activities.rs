@@ -17,7 +17,7 @@ pub struct Activity {
 #[derive(Default)]
 pub(crate) struct Notes {
     /// Those that have begun.
-    open: Vec<(String, Micros)>,
+    open: Vec<Open>,
     /// That of the rows that have come last.
     label: Option<(String, Micros)>,
     /// Notes whose other end is not there.
@@ -27,20 +27,55 @@ pub(crate) struct Notes {
 /// So many activities go on at once at most (ours): more notes than that are of no use to anybody.
 const MOST_OPEN: usize = 1000;
 
+/// An activity that has begun.
+struct Open {
+    name: String,
+    begin: Micros,
+    /// Whether it has begun once more meanwhile, so that two ends may come.
+    is_doubled: bool,
+    /// Its first end, of one that has begun twice.
+    end: Option<Micros>,
+}
+
 impl Notes {
-    /// A note; gives the activity that it ends. What ends without having begun is passed over, and what begins
-    /// again before it has ended goes on.
+    /// A note; gives the activity that it ends, or that is over by it. An end without a beginning is
+    /// passed over. An activity that begins twice lasts to its second end, if that comes before it begins anew.
     pub fn take(&mut self, name: &str, begins: bool, at: Micros) -> Option<Activity> {
-        let known = self.open.iter().position(|(open, _)| open == name);
-        match known {
-            None if begins && self.open.len() < MOST_OPEN => self.open.push((name.into(), at)),
-            Some(index) if !begins => {
-                let (name, begin) = self.open.swap_remove(index);
-                return Some(Activity { name, begin, end: at.max(begin) });
+        let known = self.open.iter().position(|open| open.name == name);
+        match (known, begins) {
+            (None, true) if self.open.len() < MOST_OPEN => self.begin(name, at),
+            (Some(index), true) => match self.open[index].end {
+                None => {
+                    self.open[index].is_doubled = true;
+                    self.alone += 1;
+                }
+                Some(end) => {
+                    let over = self.open.swap_remove(index);
+                    self.begin(name, at);
+                    return Some(over.until(end));
+                }
+            },
+            (Some(index), false) if self.open[index].is_doubled && self.open[index].end.is_none() => {
+                self.open[index].end = Some(at);
             }
-            _ => self.alone += 1,
+            (Some(index), false) => {
+                let over = self.open.swap_remove(index);
+                // The note that it began once more has its other end by now.
+                self.alone -= u64::from(over.is_doubled);
+                return Some(over.until(at));
+            }
+            (None, _) => self.alone += 1,
         }
         None
+    }
+
+    fn begin(&mut self, name: &str, begin: Micros) {
+        self.open.push(Open { name: name.into(), begin, is_doubled: false, end: None });
+    }
+
+    /// Whether any note or label has come that is not over.
+    pub fn has_any(&self) -> bool {
+        self.alone > 0 || self.label.is_some() || !self.open.is_empty()
     }
 
     /// The label of a row, if it has one; gives the activity that was that of the rows before it.
@@ -56,10 +91,23 @@ impl Notes {
         before.map(|(name, begin)| Activity { name, begin, end: at.max(begin + 1) })
     }
 
-    /// What still goes on after the last row: the activity of its label. What else has begun has no end.
-    pub fn end(&mut self, last: Micros) -> Option<Activity> {
-        self.alone += self.open.len() as u64;
-        self.open.clear();
-        self.label(None, last + 1)
+    /// The activities that the last row ends: that of its label, and those that lack a second end. All others that have
+    /// begun have no end.
+    pub fn end(&mut self, last: Micros) -> Vec<Activity> {
+        let mut over = Vec::new();
+        for open in std::mem::take(&mut self.open) {
+            match open.end {
+                Some(end) => over.push(open.until(end)),
+                None => self.alone += 1,
+            }
+        }
+        over.extend(self.label(None, last + 1));
+        over
+    }
+}
+
+impl Open {
+    fn until(self, end: Micros) -> Activity {
+        Activity { name: self.name, begin: self.begin, end: end.max(self.begin) }
     }
 }

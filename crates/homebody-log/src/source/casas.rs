@@ -1,140 +1,219 @@
 //! The text of the CASAS smart homes: date, time, sensor and value, parted by blanks or tabs, as homes differ.
 //!
 //! Some homes repeat the sensor or tell its room and place before the value, and what kind of sensor it is after
-//! it; all that is passed over. Behind it some note that an activity begins or ends, as `Sleep begin` or `Sleep="end"`; others have
-//! a label on each row.
+//! it. Behind it some note that an activity begins or ends, as `Sleep begin` or `1-end`; others have a label on each row. The
+//! beginning of a text shows which words are what.
 
+use super::casas_layout::{Between, KIND, Layout, PROGRAM, kind, people};
+use super::casas_words::{When, behind_words_of_time, nearly, part, parted_note, when};
 use super::form::{Form, Shows};
-use super::instant::{Instant, Instants};
+use super::instant::Instants;
 use super::lines::Lines;
 use super::reading::Reading;
 use super::start::Start;
 use crate::error::LogError;
+use crate::limits::beginning;
 use crate::plain::text;
+use crate::sensor_info::SensorInfo;
+use foldhash::{HashSet, HashSetExt};
+use homebody_core::names::words;
+use homebody_core::problem::{counted, readable};
 use homebody_core::scenario::logger::LoggerFile;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "casas",
-    what: "the text of the CASAS homes: time, sensor and message, parted by tabs or blanks, with notes of activities or a label on \
-           each row",
+    what: "the text of the CASAS homes: time, sensor and message, parted by tabs or blanks, perhaps with room, place and kind, with \
+           notes of activities or a label on each row",
     shows,
     read,
 };
 
-/// Before the kind of a sensor there is always its value.
-const KIND: &[u8] = b"Control4-";
-
-/// How many of a file's first lines may be something else (ours).
-const LOOKED_AT_LINES: usize = 5;
-
 fn shows(start: &Start) -> Shows {
-    let (mut words, mut instants) = (Vec::new(), Instants::default());
-    let mut is_row = |line: &str| {
-        part(line.as_bytes(), &mut words);
-        words.len() > 3 && instants.read(&line[words[0].start..words[1].end]).is_some()
-            || words.len() > 2 && instants.read(&line[words[0].clone()]).is_some()
+    Shows::rows_if(Layout::of(start.lines()).is_ok())
+}
+
+/// Says why a text that begins with dates and times is not in this form. It finds times in other notations, too.
+pub(super) fn objection(start: &Start) -> Option<String> {
+    let lines = || start.lines().take(LOOKED_AT_LINES);
+    let mut instants = Instants::default();
+    if lines().any(|line| when(line.as_bytes(), &mut instants).is_some()) {
+        return Layout::of(start.lines()).err();
+    }
+    let timed = lines().filter(|line| has_time(line)).count();
+    let first = || beginning(&start.lines().next().unwrap_or_default());
+    (timed > 0 && timed * 2 >= lines().count()).then(|| format!("{PROGRAM}: line 1 is {}", first()))
+}
+
+/// The number of lines it looks at in a text without a form.
+const LOOKED_AT_LINES: usize = 20;
+
+/// Whether a line has a time of day near its beginning.
+fn has_time(line: &str) -> bool {
+    /// A date and perhaps the name of a machine stand before the time.
+    const FIRST_BYTES: usize = 60;
+    let bytes = &line.as_bytes()[..line.len().min(FIRST_BYTES)];
+    let is_time = |bytes: &[u8]| match bytes {
+        [a, b, b':', c, d, b':', e, f] => [a, b, c, d, e, f].iter().all(|byte| byte.is_ascii_digit()),
+        _ => false,
     };
-    Shows::rows_if(start.lines().take(LOOKED_AT_LINES).any(|line| is_row(&line)))
+    bytes.windows(8).any(is_time)
 }
 
 fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    let layout = Layout::said(Start::of(path)?.lines());
+    layout.record(reading);
+    let mut rows = Rows { layout, known: HashSet::new(), doing: BTreeMap::new(), odd: None, parts: Vec::new() };
     let mut lines = Lines::open(path)?;
-    let mut parts = Vec::new();
     while let Some((number, line)) = lines.next()? {
-        understand(number, line, &mut parts, reading)?;
+        rows.take(number, line, reading)?;
     }
+    if let Some((line, value, count)) = &rows.odd {
+        let rows = counted(*count as usize, "row says", "rows say");
+        let remark =
+            format!("{rows} neither a state nor a number, as nearly all do: the first is {value} in line {line}");
+        reading.log.remarks.push(readable(remark));
+    }
+    rows.doing.values().for_each(|name| reading.note(name, false));
     Ok(())
 }
 
-/// Takes a line; `parts` is where its words are put.
-fn understand(
-    number: u64,
-    line: &[u8],
-    parts: &mut Vec<Range<usize>>,
-    reading: &mut Reading<'_>,
-) -> Result<(), LogError> {
-    let line = line.trim_ascii();
-    // Where a line begins with an instant and a blank, its words begin behind it: nothing looks for those of the instant.
-    let leading = reading.instants.leading(line).filter(|(_, rest)| rest.first().is_some_and(u8::is_ascii_whitespace));
-    let behind = match leading {
-        Some((_, rest)) => rest,
-        None => match behind_words_of_time(line) {
-            Some(rest) => rest,
-            None => return Ok(()),
-        },
-    };
-    part(behind, parts);
-    let word = |index: usize| parts.get(index).map(|word| &behind[word.clone()]);
-    let Some(sensor) = word(0) else {
-        reading.skip(number, "there are no date, time, sensor and value".into());
-        return Ok(());
-    };
-    let last = parts.len();
-    let kind = (2..last).find(|&index| word(index).is_some_and(|word| word.starts_with(KIND)));
-    // Where the value is, and what is behind all that tells of the sensor.
-    let (value, rest) = match kind {
-        Some(kind) => (kind - 1, kind + 1),
-        _ if last > 2 && word(1) == Some(sensor) => (2, 3),
-        _ => (1, 2),
-    };
-    let value = word(value).unwrap_or_default();
-    let is_row = match leading {
-        Some((at, _)) => reading.event_of_bytes(number, Instant::Local(at), sensor, value)?,
-        None => reading.row_of_bytes(number, &line[..line.len() - behind.len()], sensor, value)?,
-    };
-    if is_row {
-        match parts.get(rest) {
-            Some(noted) => match parted_note(&text(&behind[noted.start..])) {
-                (name, Some(begins)) => reading.note(name, begins),
-                (label, None) => reading.label(Some(label)),
-            },
-            None => reading.label(None),
+/// The rows of a text on their way.
+struct Rows {
+    layout: Layout,
+    /// The sensors whose places are recorded.
+    known: HashSet<Vec<u8>>,
+    /// The activity of each person, in a text that numbers both.
+    doing: BTreeMap<u8, String>,
+    /// The first value that is odd, its line, and how many are.
+    odd: Option<(u64, String, u64)>,
+    /// The words of the current line.
+    parts: Vec<Range<usize>>,
+}
+
+impl Rows {
+    /// Takes a line.
+    fn take(&mut self, number: u64, line: &[u8], reading: &mut Reading<'_>) -> Result<(), LogError> {
+        let line = line.trim_ascii();
+        let Some(When { at, behind, .. }) = when(line, &mut reading.instants) else {
+            if !line.is_empty() && !(number == 1 && self.layout.is_heading(line)) {
+                reading.skip(number, no_time(line));
+            }
+            return Ok(());
+        };
+        part(behind, self.layout.is_tabbed, &mut self.parts);
+        if self.layout.is_tabbed && self.parts.len() <= self.layout.value {
+            part(behind, false, &mut self.parts);
+        }
+        let word = |index: usize| self.parts.get(index).map(|word| &behind[word.clone()]);
+        let Some(sensor) = word(0) else {
+            reading.skip(number, "there are no date, time, sensor and value".into());
+            return Ok(());
+        };
+        let (place, rest) = self.places(&word, sensor);
+        let value = word(place).unwrap_or_default();
+        let note = self.parts.get(rest).map(|noted| text(&behind[noted.start..]));
+        if let Some(why) = damage(&self.layout, value, note.as_deref()) {
+            reading.skip(number, why);
+            return Ok(());
+        }
+        if !is_usual(value) && self.layout.is_odd(&text(value)) {
+            self.odd.get_or_insert_with(|| (number, beginning(&text(value)), 0)).2 += 1;
+        }
+        if self.layout.tells_of_sensors() && self.known.get(sensor).is_none() {
+            self.known.insert(sensor.to_vec());
+            self.know(&word, place, reading);
+        }
+        if reading.event_of_bytes(number, at, sensor, value)? {
+            match note {
+                Some(note) if self.layout.has_people => {
+                    let words: Vec<&str> = note.split_whitespace().collect();
+                    self.do_all(people(&words).unwrap_or_default(), reading);
+                }
+                Some(note) => match parted_note(&note, !self.layout.is_labelled) {
+                    (name, Some(begins)) => reading.note(name, begins),
+                    (label, None) => reading.label(Some(label)),
+                },
+                None => reading.label(None),
+            }
+        }
+        Ok(())
+    }
+
+    /// Notes the activities of people from this row onwards.
+    fn do_all(&mut self, told: Vec<(u8, u8)>, reading: &mut Reading<'_>) {
+        for (person, activity) in told {
+            let name = format!("R{person} activity {activity}");
+            let before = self.doing.insert(person, name.clone());
+            if before.as_ref() != Some(&name) {
+                before.iter().for_each(|before| reading.note(before, false));
+                reading.note(&name, true);
+            }
         }
     }
-    Ok(())
-}
 
-/// What is behind the words that stand where the time should; None where there is no word.
-fn behind_words_of_time(line: &[u8]) -> Option<&[u8]> {
-    let (date, rest) = first_word(line);
-    // `2009-03-02T07:12:03` is one word, `2009-03-02 07:12:03` two.
-    match date {
-        [] => None,
-        date if date.contains(&b':') => Some(rest),
-        _ => Some(first_word(rest).1),
-    }
-}
-
-fn first_word(text: &[u8]) -> (&[u8], &[u8]) {
-    let text = text.trim_ascii_start();
-    text.split_at(text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len()))
-}
-
-/// What a note names, and whether it says that it begins or ends; a label says neither.
-fn parted_note(note: &str) -> (&str, Option<bool>) {
-    let note = note.trim_matches('"');
-    for (word, begins) in [("begin", true), ("end", false)] {
-        if let Some(name) = note.strip_suffix(word)
-            && let trimmed = name.trim_end_matches([' ', '\t', '=', '"'])
-            && trimmed.len() < name.len()
-            && !trimmed.is_empty()
-        {
-            return (trimmed, Some(begins));
+    /// The places of the value and of the note behind it. A row may differ from most: a kind that only such homes write and a
+    /// repeated sensor show its value.
+    #[inline]
+    fn places<'w>(&self, word: &impl Fn(usize) -> Option<&'w [u8]>, sensor: &[u8]) -> (usize, usize) {
+        let Layout { value, has_kind, between, .. } = self.layout;
+        if !has_kind && self.parts.len() > 2 {
+            let kind = (2..self.parts.len()).find(|&index| word(index).is_some_and(|word| word.starts_with(KIND)));
+            if let Some(kind) = kind {
+                return (kind - 1, kind + 1);
+            }
+            if value == 1 && between == Between::Nothing && word(1) == Some(sensor) {
+                return (2, 3);
+            }
         }
+        (value, value + 1 + usize::from(has_kind))
     }
-    (note, None)
+
+    /// Records the room, the name and the kind that a row gives for its sensor.
+    fn know<'w>(&self, word: &impl Fn(usize) -> Option<&'w [u8]>, value: usize, reading: &mut Reading<'_>) {
+        let said = |index: usize| word(index).map(|word| text(word).into_owned()).unwrap_or_default();
+        let id = said(0);
+        let (room, place) = match self.layout.between {
+            Between::RoomAndPlace => (Some(said(1)), Some(said(2))),
+            Between::Room => (Some(said(1)), None),
+            Between::Nothing | Between::Again => (None, None),
+        };
+        // Homes write `OutsideDoor` where a room should be.
+        let room = room.filter(|room| !room.is_empty() && !words(room).iter().any(|word| word == "door"));
+        let name = place.filter(|place| !place.is_empty()).unwrap_or_else(|| id.clone());
+        let kind = self.layout.has_kind.then(|| kind(&said(value + 1))).flatten().unwrap_or_default();
+        reading.know(SensorInfo { id, room, ..SensorInfo::of_kind(&name, kind, &[]) });
+    }
 }
 
-/// Where the words of a line are.
-fn part(bytes: &[u8], words: &mut Vec<Range<usize>>) {
-    words.clear();
-    let mut at = 0;
-    while let Some(begin) = bytes[at..].iter().position(|byte| !byte.is_ascii_whitespace()).map(|more| at + more) {
-        let end = bytes[begin..].iter().position(u8::is_ascii_whitespace).map_or(bytes.len(), |length| begin + length);
-        words.push(begin..end);
-        at = end;
+/// Whether a value needs no check: the most usual states, and numbers.
+#[inline]
+fn is_usual(value: &[u8]) -> bool {
+    matches!(value, b"ON" | b"OFF" | b"OPEN" | b"CLOSE") || value.first().is_none_or(u8::is_ascii_digit)
+}
+
+/// The damage of a value or of the note behind it, as part of a sentence.
+#[inline]
+fn damage(layout: &Layout, value: &[u8], note: Option<&str>) -> Option<String> {
+    if note.is_some_and(|note| matches!(note, "ON" | "OFF" | "OPEN" | "CLOSE")) {
+        return Some("a value stands where a note should: the line is damaged".into());
+    }
+    if is_usual(value) {
+        return None;
+    }
+    let value = text(value);
+    let state = layout.is_damaged(&value).then(|| nearly(&value)).flatten()?;
+    Some(format!("{} looks like a damaged {state}", beginning(&value)))
+}
+
+/// Says why a line without a time cannot be read.
+fn no_time(line: &[u8]) -> String {
+    let behind = behind_words_of_time(line).map_or(&b""[..], |(behind, _)| behind);
+    match behind.trim_ascii() {
+        b"" => "there are no date, time, sensor and value".into(),
+        _ => format!("{} is no date and time", beginning(&text(&line[..line.len() - behind.len()]))),
     }
 }
 
@@ -142,6 +221,12 @@ fn part(bytes: &[u8], words: &mut Vec<Range<usize>>) {
 mod tests {
     use super::*;
     use crate::source::{Clock, Log};
+    use std::borrow::Cow;
+
+    fn rows(text: &str) -> Rows {
+        let layout = Layout::said(text.lines().map(Cow::Borrowed));
+        Rows { layout, known: HashSet::new(), doing: BTreeMap::new(), odd: None, parts: Vec::new() }
+    }
 
     fn read(text: &str) -> Log {
         let mut events = Vec::new();
@@ -150,9 +235,9 @@ mod tests {
             Ok(())
         };
         let mut reading = Reading::new(&mut take);
-        let mut parts = Vec::new();
+        let mut rows = rows(text);
         for (index, line) in text.lines().enumerate() {
-            understand(index as u64 + 1, line.as_bytes(), &mut parts, &mut reading).unwrap();
+            rows.take(index as u64 + 1, line.as_bytes(), &mut reading).unwrap();
         }
         let log = reading.end().unwrap();
         Log { events, ..log }
@@ -214,7 +299,7 @@ mod tests {
     #[test]
     fn an_instant_that_other_words_follow_at_once_is_read_word_by_word() {
         for (line, told) in [
-            ("2009-03-02 07:12:03 -06:00 ON", Some((Clock::Local, "-06:00"))),
+            ("2009-03-02 07:12:03 -06:00 M001 ON", Some((Clock::Utc, "M001"))),
             ("2009-03-02 07:12:03-06:00 M001 ON", Some((Clock::Utc, "M001"))),
             ("2009-03-02T07:12:03Z\tM001 ON", Some((Clock::Utc, "M001"))),
             (" 02-Mar-2009\t07:12  M001 ON", Some((Clock::Local, "M001"))),
@@ -233,10 +318,10 @@ mod tests {
     fn what_is_no_text_is_replaced_and_is_one_sensor_however_often_it_comes() {
         let mut take = |_: &Log| Ok(());
         let mut reading = Reading::new(&mut take);
-        let mut parts = Vec::new();
+        let mut rows = rows("2009-03-02 07:12:03 M1 ON");
         for (number, sensor) in [&b"M\xff"[..], b"M\xff", "M\u{fffd}".as_bytes(), b"M\xfe", b"M1"].iter().enumerate() {
             let line = [b"2009-03-02 07:12:03 ", *sensor, b" ON"].concat();
-            understand(number as u64 + 1, &line, &mut parts, &mut reading).unwrap();
+            rows.take(number as u64 + 1, &line, &mut reading).unwrap();
         }
         assert_eq!(reading.end().unwrap().sensors, ["M\u{fffd}", "M1"]);
     }

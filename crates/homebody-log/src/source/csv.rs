@@ -1,5 +1,6 @@
 //! Comma-separated values: tables of events, of intervals, and of a column for each sensor. `layout.rs` decides which it is.
 
+use super::foreign::no_text;
 use super::form::{Form, Shows};
 use super::homes::{self, Homes};
 use super::instant::Instants;
@@ -51,7 +52,7 @@ pub(super) const WIDE: Form = Form {
 /// The kind of table that a file is, by its beginning.
 fn table(start: &Start) -> Option<TableKind> {
     *start.table.get_or_init(|| {
-        if start.no_text().is_some() || start.delimiters() == 0 {
+        if no_text(start).is_some() || start.delimiters() == 0 {
             return None;
         }
         let found = Layout::of(&start.path, &LoggerFile::default(), &TableOptions::default());

@@ -1,13 +1,17 @@
 //! Tables with a row for each second and a column for each sensor: OpenSHS, whose rows have times and an activity, and ARAS, whose
 //! rows have neither names nor times, and the activities of two residents by number.
 //!
-//! Of a sensor only changes become rows of the log, ON and OFF, and what is on in the first row. We assume that the first row of a
-//! day of ARAS is its midnight; its dates are not known, so its day n is told as that of January 1970.
+//! Of a sensor only changes become rows of the log, ON and OFF, and what is on in the first row. A pause of more than
+//! a minute is a gap: sensors and activities end with the last row before it, and the next row turns sensors on anew. A column of
+//! OpenSHS whose cells are not 0 and 1 is one of readings. We assume that the first row of a day of ARAS is its midnight. ARAS has
+//! no dates: its day n becomes day n of 1970.
 
+use super::columns::Places;
 use super::form::{Form, Shows};
 use super::in_order::{OFF, ON};
 use super::instant::{Instant, Instants};
 use super::lines::Lines;
+use super::log::ColumnRole;
 use super::reading::Reading;
 use super::records::{Record, Records};
 use super::start::Start;
@@ -15,6 +19,7 @@ use crate::error::{LogError, place_of};
 use crate::limits::beginning;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, Micros, SECOND};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 pub(super) const OPENSHS: Form = Form {
@@ -31,33 +36,93 @@ pub(super) const ARAS: Form = Form {
     read: read_aras,
 };
 
-/// What each sensor said last, in local time and in UTC: which of both the log is told by is known later, and rows on the other
-/// clock say nothing.
-struct Changes([Vec<bool>; 2]);
+/// The last value of each column, in local time and in UTC: the log's clock is known later, and rows on the other clock
+/// do not count. A state begins as OFF, a reading as nothing.
+struct Changes([Vec<String>; 2]);
 
 impl Changes {
-    /// All are off.
-    fn new(sensors: usize) -> Changes {
-        Changes([vec![false; sensors], vec![false; sensors]])
+    /// The last values of the file before, if there was one.
+    fn new(columns: &[Column], reading: &Reading<'_>) -> Changes {
+        let first = |column: &Column| {
+            let begins = if column.is_state { OFF } else { "" };
+            reading.carried.said.get(&column.name).map_or(begins, String::as_str).to_owned()
+        };
+        let said: Vec<String> = columns.iter().map(first).collect();
+        Changes([said.clone(), said])
     }
 
-    /// Takes what the sensors say at an instant.
-    fn take(
+    /// Takes the values of an instant; None is a damaged cell.
+    fn take<'c>(
         &mut self,
         line: u64,
         at: Instant,
-        says: impl Iterator<Item = bool>,
-        names: &[String],
+        says: impl Iterator<Item = Option<&'c str>>,
+        columns: &[Column],
         reading: &mut Reading<'_>,
     ) -> Result<(), LogError> {
-        let clock = usize::from(matches!(at, Instant::Utc(_)));
-        for ((last, is_on), name) in self.0[clock].iter_mut().zip(says).zip(names) {
-            if *last != is_on && reading.event(line, at, name, if is_on { ON } else { OFF })? {
-                *last = is_on;
+        for ((last, says), column) in self.0[clock(at)].iter_mut().zip(says).zip(columns) {
+            if let Some(says) = says.filter(|says| last != says)
+                && reading.event(line, at, &column.name, says)?
+            {
+                last.clear();
+                last.push_str(says);
             }
         }
         Ok(())
     }
+
+    /// Ends a recorded stretch: turns off every state that is on, and forgets readings.
+    fn end_stretch(
+        &mut self,
+        line: u64,
+        at: Instant,
+        columns: &[Column],
+        reading: &mut Reading<'_>,
+    ) -> Result<(), LogError> {
+        let off = columns.iter().map(|column| column.is_state.then_some(OFF));
+        self.take(line, at, off, columns, reading)?;
+        for (last, _) in self.0[clock(at)].iter_mut().zip(columns).filter(|(_, column)| !column.is_state) {
+            last.clear();
+        }
+        Ok(())
+    }
+
+    /// Keeps the last values for the next file of the log.
+    fn carry(self, columns: &[Column], until: Option<Instant>, reading: &mut Reading<'_>) {
+        let Some(until) = until else { return };
+        let [local, utc] = self.0;
+        let said = if clock(until) == 0 { local } else { utc };
+        reading.carried.said = columns.iter().map(|column| column.name.clone()).zip(said).collect();
+        reading.carried.until = Some(until);
+    }
+}
+
+fn clock(at: Instant) -> usize {
+    usize::from(matches!(at, Instant::Utc(_)))
+}
+
+/// A column of a sensor.
+struct Column {
+    name: String,
+    /// Whether its cells are 0 and 1, and not readings.
+    is_state: bool,
+}
+
+/// A longer pause between two rows is a gap: rows are a second apart.
+const LONGEST_PAUSE: Micros = 60 * SECOND;
+
+/// The gap between two rows, if there is one: its beginning as an instant, and both its ends.
+fn pause(last: Option<Instant>, at: Instant) -> Option<(Instant, Micros, Micros)> {
+    let (last, now) = match (last?, at) {
+        (Instant::Local(last), Instant::Local(now)) | (Instant::Utc(last), Instant::Utc(now)) => (last, now),
+        _ => return None,
+    };
+    let end = last + SECOND;
+    (now - end > LONGEST_PAUSE).then_some((
+        if clock(at) == 0 { Instant::Local(end) } else { Instant::Utc(end) },
+        end,
+        now,
+    ))
 }
 
 /// What a cell says of a sensor, if it is one's.
@@ -80,10 +145,36 @@ fn places(names: &[String]) -> Option<(usize, usize, Vec<usize>)> {
 
 fn shows_openshs(start: &Start) -> Shows {
     let mut rows = start.cells();
-    let Some((_, _, sensors)) = rows.next().and_then(|names| places(&names)) else { return Shows::Nothing };
-    let is_state =
-        |row: &Vec<String>, place: usize| row.get(place).is_some_and(|cell| state(cell.as_bytes()).is_some());
-    Shows::rows_if(rows.next().is_some_and(|row| sensors.iter().all(|&place| is_state(&row, place))))
+    let is_log = |names: &Vec<String>| Places::by_name(names, &LoggerFile::default()).is_some();
+    let Some(names) = rows.next().filter(|names| !is_log(names)) else { return Shows::Nothing };
+    let Some((_, _, sensors)) = places(&names) else { return Shows::Nothing };
+    let Some(row) = rows.next() else { return Shows::Nothing };
+    let states = sensors.iter().filter(|&&place| row.get(place).is_some_and(|cell| state(cell.as_bytes()).is_some()));
+    Shows::rows_if(states.count() >= 2)
+}
+
+/// The columns of the sensors, by most cells of the beginning.
+fn columns_of(start: &Start, header: &[String], sensors: &[usize]) -> Vec<Column> {
+    /// Damaged cells have fewer different texts.
+    const FEWEST_READINGS: usize = 3;
+    let mut others: Vec<(usize, BTreeSet<String>)> = vec![Default::default(); sensors.len()];
+    let mut rows = 0;
+    for cells in start.cells().skip(1) {
+        rows += 1;
+        for (&place, (count, different)) in sensors.iter().zip(&mut others) {
+            if let Some(cell) = cells.get(place).filter(|cell| !cell.is_empty() && state(cell.as_bytes()).is_none()) {
+                *count += 1;
+                different.insert(cell.clone());
+            }
+        }
+    }
+    let column = |(&place, (count, different)): (&usize, &(usize, BTreeSet<String>))| {
+        let is_reading =
+            count * 2 > rows || different.len() >= FEWEST_READINGS || (different.len() > 1 && count * 10 >= rows);
+        let is_state = !is_reading;
+        Column { name: header[place].clone(), is_state }
+    };
+    sensors.iter().zip(&others).map(column).collect()
 }
 
 fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
@@ -95,36 +186,64 @@ fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Resul
     let Some((_, header)) = records.next(&mut |_| false)? else { return Ok(()) };
     let header = header.texts();
     let (time, activity, sensors) = places(&header).ok_or_else(no_columns)?;
-    let names: Vec<String> = sensors.iter().map(|&place| header[place].clone()).collect();
-    let mut changes = Changes::new(names.len());
+    let columns = columns_of(&Start::of(path)?, &header, &sensors);
+    reading.column(&header[time], ColumnRole::Time, HEADING);
+    reading.column(&header[activity], ColumnRole::Label, HEADING);
+    for column in &columns {
+        let because = if column.is_state { "its cells are 0 and 1" } else { "its cells are readings" };
+        reading.column(&column.name, ColumnRole::OneSensor, because);
+    }
+    let mut changes = Changes::new(&columns, reading);
     let mut alone = Instants::default();
-    let text = |record: &Record, place: usize| {
-        String::from_utf8_lossy(record.get(place).unwrap_or_default().trim_ascii()).into_owned()
-    };
-    let mut last = None;
+    let mut last = reading.carried.until;
     loop {
-        let mut is_row = |row: &Record| alone.read(&text(row, time)).is_some();
+        let mut is_row = |row: &Record| alone.read(&cell(row, time)).is_some();
         let Some((line, record)) = records.next(&mut is_row)? else { break };
-        if record.len() == 1 && text(record, 0).is_empty() {
+        if record.len() == 1 && cell(record, 0).is_empty() {
             continue;
         }
-        let told = text(record, time);
-        let states: Option<Vec<bool>> = sensors.iter().map(|&place| state(record.get(place)?)).collect();
-        match (reading.instants.read(&told), states) {
-            (None, _) => reading.skip(line, format!("{} is no date and time", beginning(&told))),
-            (_, None) => reading.skip(line, "a sensor says neither 0 nor 1".into()),
-            (Some(at), Some(states)) => {
-                let label = text(record, activity);
-                reading.label_of(at, Some(label.as_str()).filter(|label| !label.is_empty()));
-                changes.take(line, at, states.into_iter(), &names, reading)?;
-                last = Some(at);
-            }
+        let told = cell(record, time);
+        let Some(at) = reading.instants.read(&told) else {
+            reading.skip(line, format!("{} is no date and time", beginning(&told)));
+            continue;
+        };
+        let says: Vec<Option<String>> =
+            sensors.iter().zip(&columns).map(|(&place, column)| said(record, place, column)).collect();
+        if let Some(column) = says.iter().position(Option::is_none) {
+            let value = beginning(&cell(record, sensors[column]));
+            reading.skip(line, format!("{} says {value}, neither 0 nor 1", columns[column].name));
         }
+        if let Some((end, from, until)) = pause(last, at) {
+            reading.label_of(end, None);
+            changes.end_stretch(line, end, &columns, reading)?;
+            reading.gap(from, until);
+        }
+        let label = cell(record, activity);
+        reading.label_of(at, Some(label.as_str()).filter(|label| !label.is_empty()));
+        changes.take(line, at, says.iter().map(Option::as_deref), &columns, reading)?;
+        last = Some(at);
     }
     if let Some(last) = last {
         reading.label_of(later(last), None);
     }
+    changes.carry(&columns, last, reading);
     Ok(())
+}
+
+/// The evidence for a column whose name says its content.
+const HEADING: &str = "its heading";
+
+/// A cell as text.
+fn cell(record: &Record, place: usize) -> String {
+    String::from_utf8_lossy(record.get(place).unwrap_or_default().trim_ascii()).into_owned()
+}
+
+/// The value in a cell of a sensor; None if it is damaged.
+fn said(record: &Record, place: usize, column: &Column) -> Option<String> {
+    match column.is_state {
+        true => state(record.get(place)?).map(|is_on| if is_on { ON } else { OFF }.to_owned()),
+        false => Some(cell(record, place)).filter(|cell| !cell.is_empty()),
+    }
 }
 
 /// The next second.
@@ -158,14 +277,23 @@ fn shows_aras(start: &Start) -> Shows {
     Shows::rows_if(rows.first() == Some(&true))
 }
 
+/// The number of a file's day, by its name.
+pub(super) fn day_of(path: &Path) -> Option<Micros> {
+    let name = path.file_stem()?.to_string_lossy().into_owned();
+    let digits = name.rsplit(|c: char| !c.is_ascii_digit()).next()?;
+    digits.parse().ok().filter(|day| (1..=366).contains(day))
+}
+
 fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let day: Micros =
-        name.rsplit('_').next().and_then(|number| number.parse().ok()).filter(|day| *day <= 366).unwrap_or(1);
-    reading.log.remarks.push(format!("its dates are not known: its day is told as number {day} of 1970"));
-    let names: Vec<String> = (1..=SENSORS).map(|number| format!("sensor {number}")).collect();
+    let day = day_of(path).unwrap_or(1);
+    let remark = "its dates are not known: its first day becomes day";
+    if reading.log.remarks.iter().all(|told| !told.starts_with(remark)) {
+        reading.log.remarks.push(format!("{remark} {day} of 1970"));
+    }
+    let columns: Vec<Column> =
+        (1..=SENSORS).map(|number| Column { name: format!("sensor {number}"), is_state: true }).collect();
     let mut lines = Lines::open(path)?;
-    let mut changes = Changes::new(SENSORS);
+    let mut changes = Changes::new(&columns, reading);
     // Since when each resident has done what.
     let mut doing: [Option<(u8, Micros)>; RESIDENTS] = [None; RESIDENTS];
     let mut at = (day - 1) * DAY;
@@ -178,6 +306,10 @@ fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(
             doing[resident] = now.map(|what| (what, at));
         }
     };
+    if let Some((end, from, until)) = pause(reading.carried.until, Instant::Local(at)) {
+        changes.end_stretch(1, end, &columns, reading)?;
+        reading.gap(from, until);
+    }
     let mut last = 0;
     while let Some((number, line)) = lines.next_text()? {
         last = number;
@@ -186,7 +318,8 @@ fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(
         }
         match aras(&line) {
             Some((states, activities)) => {
-                changes.take(number, Instant::Local(at), states.into_iter(), &names, reading)?;
+                let says = states.into_iter().map(|is_on| Some(if is_on { ON } else { OFF }));
+                changes.take(number, Instant::Local(at), says, &columns, reading)?;
                 for (resident, what) in activities.into_iter().enumerate() {
                     close(reading, number, resident, Some(what), at);
                 }
@@ -196,5 +329,6 @@ fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(
         at += SECOND;
     }
     (0..RESIDENTS).for_each(|resident| close(reading, last, resident, None, at));
+    changes.carry(&columns, Some(Instant::Local(at - SECOND)), reading);
     Ok(())
 }

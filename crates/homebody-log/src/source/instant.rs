@@ -338,7 +338,7 @@ fn fraction(text: &[u8]) -> (Micros, &[u8]) {
 }
 
 /// `-06:00`, `-0600` or `-06`.
-fn offset(zone: &[u8]) -> Option<Micros> {
+pub(super) fn offset(zone: &[u8]) -> Option<Micros> {
     let (sign, rest) = match zone {
         [b'+', rest @ ..] => (1, rest),
         [b'-', rest @ ..] => (-1, rest),

@@ -19,6 +19,7 @@ use crate::sensor_info::SensorInfo;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, Micros, SECOND};
 use jiff::civil::Date;
+use std::borrow::Cow;
 use std::path::Path;
 
 pub(super) const FORM: Form = Form {
@@ -34,11 +35,13 @@ const SENSORS: &str = "sensors.csv";
 /// No such table has more bytes (ours): one of 77 sensors has two thousand.
 const LARGEST_TABLE_BYTES: u64 = 1 << 20;
 
+/// The lines that may hold the first whole record.
+const LOOKED_AT_LINES: usize = 4 * LINES;
+
 fn shows(start: &Start) -> Shows {
-    let mut lines = start.lines();
-    let (first, second) = (lines.next(), lines.next());
-    let is_first = first.is_some_and(|line| heading(&line).is_some());
-    Shows::rows_if(is_first && second.is_some_and(|line| line.split(',').all(is_id)))
+    let lines: Vec<_> = start.lines().take(LOOKED_AT_LINES).collect();
+    let is_record = |pair: &[Cow<str>]| heading(&pair[0]).is_some() && pair[1].split(',').all(is_id);
+    Shows::rows_if(lines.windows(2).any(is_record))
 }
 
 fn is_id(cell: &str) -> bool {
@@ -48,26 +51,54 @@ fn is_id(cell: &str) -> bool {
 /// What the first line of a record says: what was done, on which day, from when to when.
 struct Heading {
     activity: String,
-    midnight: Micros,
-    ends: [Micros; 2],
+    /// The day's midnight and the two ends since then, or the reason why they are unknown.
+    when: Result<(Micros, [Micros; 2]), String>,
 }
 
 fn heading(line: &str) -> Option<Heading> {
     let cells: Vec<&str> = line.split(',').map(str::trim).collect();
     let [activity @ .., day, begin, end] = &cells[..] else { return None };
-    let midnight = midnight(american(day)?)?;
+    let [numbers, begins, ends] = [day.split('/'), begin.split(':'), end.split(':')].map(|parts| three(parts));
+    let (day, _, _) = (numbers?, begins?, ends?);
     let activity = activity.join(",");
     (!activity.is_empty()).then_some(())?;
-    Some(Heading { activity, midnight, ends: following(time(begin)?, time(end)?) })
+    let when = american(day).and_then(|day| {
+        let no_time = |text: &str| format!("{text} is no time of day");
+        let ends = following(time(begin).ok_or_else(|| no_time(begin))?, time(end).ok_or_else(|| no_time(end))?);
+        Ok((midnight(day).ok_or("the day is out of range")?, ends))
+    });
+    Some(Heading { activity, when })
+}
+
+/// Three numbers.
+fn three<'t>(parts: impl Iterator<Item = &'t str>) -> Option<[i16; 3]> {
+    let numbers: Vec<i16> = parts.map(|part| part.trim().parse().ok()).collect::<Option<_>>()?;
+    numbers.try_into().ok()
 }
 
 /// `4/1/2003` is the first of April.
-fn american(day: &str) -> Option<Date> {
-    let numbers: Vec<i16> = day.split('/').map(|part| part.parse().ok()).collect::<Option<_>>()?;
-    let &[month, day, year] = &numbers[..] else { return None };
-    (1..=9999).contains(&year).then_some(())?;
-    Date::new(year, i8::try_from(month).ok()?, i8::try_from(day).ok()?).ok()
+fn american([month, day, year]: [i16; 3]) -> Result<Date, String> {
+    let name = usize::try_from(month).ok().and_then(|month| month.checked_sub(1)).and_then(|month| MONTHS.get(month));
+    let Some(name) = name else { return Err(format!("there is no month {month}: days are written month/day/year")) };
+    let date = i8::try_from(day).ok().and_then(|day| Date::new(year, month as i8, day).ok());
+    date.filter(|_| (1..=9999).contains(&year)).ok_or_else(|| format!("there is no {day} {name} {year}"))
 }
+
+/// How months are called.
+const MONTHS: [&str; 12] = [
+    "January",
+    "February",
+    "March",
+    "April",
+    "May",
+    "June",
+    "July",
+    "August",
+    "September",
+    "October",
+    "November",
+    "December",
+];
 
 /// `9:5:3`, since midnight.
 fn time(text: &str) -> Option<Micros> {
@@ -115,7 +146,14 @@ const LINES: usize = 5;
 /// Takes the lines of a record: its activity, and of its sensors those whose two times are known.
 fn take(record: &[(u64, String)], order: &mut InOrder, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let Some((first, head)) = record.first() else { return Ok(()) };
-    let Some(Heading { activity, midnight, ends }) = heading(head) else { return Ok(()) };
+    let Some(Heading { activity, when }) = heading(head) else { return Ok(()) };
+    let (midnight, ends) = match when {
+        Ok(when) => when,
+        Err(why) => {
+            reading.skip(*first, format!("{why}: its record is left out, which has {} lines", record.len()));
+            return Ok(());
+        }
+    };
     let [begin, end] = ends.map(|at| Instant::Local(midnight + at));
     reading.span(*first, begin, end, &activity);
     let [(_, _), (line, ids), (_, _), (_, begins), (last, ends)] = record else {

@@ -9,6 +9,8 @@
 
 mod activities;
 mod casas;
+mod casas_layout;
+mod casas_words;
 mod causes;
 mod cells;
 mod columns;
@@ -16,8 +18,10 @@ mod csv;
 mod database;
 mod dates_of_table;
 mod decimals;
+mod domoticz;
 mod each_second;
 mod first_rows;
+mod foreign;
 mod form;
 mod forms;
 mod home_assistant;
@@ -27,13 +31,16 @@ mod instant;
 mod intervals;
 mod jsonl;
 mod layout;
+mod labels;
 mod lines;
 mod lives;
+mod located;
 mod log;
 mod mit;
 mod movements;
 mod options;
 mod pick;
+mod openhab;
 mod psql;
 mod reading;
 mod recorded_truth;
@@ -42,6 +49,7 @@ mod registry;
 mod row_parts;
 mod run_clock;
 mod sensors;
+mod sets;
 mod sqlite;
 mod start;
 mod table_events;
@@ -62,12 +70,14 @@ pub(crate) use causes::{Cause, Causes};
 pub use columns::Places;
 pub(crate) use database::{connect, connect_only, first_row, text};
 pub use form::{Form, Shows};
-pub use forms::{FORMS, Source, forms};
-pub(crate) use forms::{activities_of, activities_of_set};
+pub use forms::{FORMS, forms};
+use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
 pub use instant::{Instant, since_1970};
 pub(crate) use lives::lives_of;
 pub use lives::{Life, LifeSpan, SpanKind, activities, life_spans, lives};
+pub use located::Source;
+pub(crate) use located::{activities_of, activities_of_set};
 pub use log::{Clock, ColumnRole, ColumnUse, Event, Log, OffsetSpan};
 pub use movements::{Movement, MovementKind, Movements};
 pub use options::{DateOrder, DecimalMark, HomeColumn, TableOptions};
@@ -77,6 +87,7 @@ pub use recorded_truth::{is_brief, is_truth_set, truth_at, truth_beside, truth_o
 pub use run_clock::RunClock;
 pub use sensors::SensorMap;
 pub use start::Start;
+use std::path::Path;
 pub use tables::{ReadTables, TakeRow, Value};
 pub(crate) use tables_of_text::read_numbers;
 pub use truth_rows::truth_rows;
@@ -114,10 +125,14 @@ pub fn stream(
     reading.log.remarks.extend(table.remark);
     let beside = source.activities_beside();
     reading.has_spans = beside.is_some();
-    (source.form().read)(path, file, &mut reading).map_err(|error| no_log(&source, error))?;
-    if let Some(beside) = beside {
-        reading.go_beside(beside.path());
-        (beside.form().read)(beside.path(), file, &mut reading)?;
+    read_parts(&source, file, &mut reading)?;
+    match beside {
+        Some(beside) => {
+            reading.go_beside(beside.path());
+            (beside.form().read)(beside.path(), file, &mut reading)?;
+        }
+        None if !reading.has_activities() => read_labels(&source, file, &mut reading)?,
+        None => {}
     }
     let mut log = reading.end()?;
     match log.problems.first() {
@@ -133,15 +148,54 @@ pub fn stream(
     }
 }
 
+/// Reads the files of a log, one after the other.
+fn read_parts(source: &Source, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    let parts = source.parts();
+    for part in &parts {
+        if parts.len() > 1 {
+            reading.go_on(&part.path, part.begin);
+        }
+        (source.form().read)(&part.path, file, reading).map_err(|error| no_log(source, error))?;
+    }
+    if let [first, .., last] = &parts[..] {
+        let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let files = format!("{} files, {} to {}", parts.len(), name(&first.path), name(&last.path));
+        reading.log.remarks.push(readable(format!("it is one log in {files}")));
+    }
+    Ok(())
+}
+
+/// Reads the labels for a log without its own, if one file in its folder has them.
+fn read_labels(source: &Source, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    let found = source.labels_beside();
+    let name = |of: &Source| of.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let remark = match &found[..] {
+        [] => return Ok(()),
+        [labels] => {
+            reading.go_beside(labels.path());
+            (labels.form().read)(labels.path(), file, reading)?;
+            format!("its activities are those of {} beside it", name(labels))
+        }
+        several => {
+            let names: Vec<String> = several.iter().map(name).collect();
+            format!(
+                "its activities are not known: {} beside it have some, so leave one of them there",
+                names.join(" and ")
+            )
+        }
+    };
+    reading.log.remarks.push(readable(remark));
+    Ok(())
+}
+
 /// Why a file is no log: where it is no text, what stands in its lines says nothing.
 fn no_log(source: &Source, error: LogError) -> LogError {
     match error {
         // Forms of crates of their own say it themselves.
         error if !FORMS.contains(source.form()) => error,
         LogError::NoLog { place, why } => {
-            let start = Start::of(source.path()).ok();
-            let no_text = start.filter(|start| !start.is_sqlite()).and_then(|start| start.no_text());
-            LogError::NoLog { place, why: no_text.map_or(why, str::to_owned) }
+            let no_text = Start::of(source.path()).ok().and_then(|start| foreign::no_text(&start));
+            LogError::NoLog { place, why: no_text.unwrap_or(why) }
         }
         LogError::Broken { place, source } => {
             LogError::NoLog { place, why: format!("as a database it is damaged or cut short: {source}") }

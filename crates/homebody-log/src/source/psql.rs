@@ -4,10 +4,12 @@
 use super::columns::Places;
 use super::form::{Form, Shows};
 use super::lines::Lines;
+use super::log::ColumnRole;
 use super::reading::Reading;
 use super::start::Start;
 use crate::error::{LogError, place_of};
 use homebody_core::scenario::logger::LoggerFile;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 pub(super) const FORM: Form = Form {
@@ -40,6 +42,84 @@ fn columns(heading: &str, file: &LoggerFile) -> Option<Columns> {
     x10().or_else(|| Places::by_name(&names, file).map(Columns::Usual))
 }
 
+impl Columns {
+    /// Records what each column was taken for.
+    fn record(&self, heading: &str, levels: &Levels, reading: &mut Reading<'_>) {
+        let names: Vec<&str> = heading.split('|').map(str::trim).collect();
+        let mut column = |place: usize, role: ColumnRole, because: &str| reading.column(names[place], role, because);
+        match self {
+            Columns::X10 { time, zone, number, state, level } => {
+                column(*time, ColumnRole::Time, HEADING);
+                column(*zone, ColumnRole::Sensor, HEADING);
+                column(*number, ColumnRole::Sensor, HEADING);
+                column(*state, ColumnRole::Value, "the state of sensors that have several");
+                if let Some(level) = level {
+                    let zones: Vec<&str> = levels.zones.iter().map(String::as_str).collect();
+                    let because = match zones.is_empty() {
+                        true => "where there is no state".to_owned(),
+                        false => format!("in zone {} it varies while the state stays", zones.join(", ")),
+                    };
+                    column(*level, ColumnRole::Value, &because);
+                }
+            }
+            Columns::Usual(places) => {
+                column(places.time, ColumnRole::Time, HEADING);
+                column(places.sensor, ColumnRole::Sensor, HEADING);
+                column(places.value, ColumnRole::Value, HEADING);
+                if let Some(label) = places.label {
+                    column(label, ColumnRole::Label, HEADING);
+                }
+            }
+        }
+    }
+}
+
+/// The evidence for a column whose name says its content.
+const HEADING: &str = "its heading";
+
+/// The sensors of an X10 network whose level is their reading: it varies while their state is always one.
+#[derive(Default)]
+struct Levels {
+    /// By zone and number, whether the level is the reading, for sensors in the beginning.
+    sensors: BTreeMap<(String, String), bool>,
+    /// Zones with only such sensors.
+    zones: BTreeSet<String>,
+}
+
+impl Levels {
+    fn of(start: &Start) -> Levels {
+        let mut lines = start.lines();
+        let known = lines.next().and_then(|heading| columns(&heading, &LoggerFile::default()));
+        let Some(Columns::X10 { zone, number, state, level: Some(level), .. }) = known else {
+            return Levels::default();
+        };
+        let mut said: BTreeMap<(String, String), [BTreeSet<String>; 2]> = BTreeMap::new();
+        for line in lines.filter(|line| !is_rule(line) && !is_count(line)) {
+            let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+            let cell = |place: usize| cells.get(place).copied().unwrap_or_default().to_owned();
+            let of = said.entry((cell(zone), cell(number))).or_default();
+            for (different, cell) in of.iter_mut().zip([cell(state), cell(level)]).filter(|(_, cell)| !cell.is_empty())
+            {
+                different.insert(cell);
+            }
+        }
+        let varied = said.iter().filter(|(_, [states, levels])| states.len() > 1 || levels.len() > 1);
+        let tells = |[states, levels]: &[BTreeSet<String>; 2]| states.len() <= 1 && levels.len() > 1;
+        let sensors: BTreeMap<_, _> = varied.map(|(of, said)| (of.clone(), tells(said))).collect();
+        let zones_where = |tells: bool| {
+            let those = sensors.iter().filter(move |(_, of)| **of == tells);
+            those.map(|((zone, _), _)| zone.clone()).collect::<BTreeSet<_>>()
+        };
+        let zones = zones_where(true).difference(&zones_where(false)).cloned().collect();
+        Levels { sensors, zones }
+    }
+
+    fn tells(&self, zone: &str, number: &str) -> bool {
+        let of = self.sensors.get(&(zone.to_owned(), number.to_owned()));
+        of.copied().unwrap_or_else(|| self.zones.contains(zone))
+    }
+}
+
 fn is_rule(line: &str) -> bool {
     let line = line.trim();
     line.contains('+') && line.bytes().all(|byte| b"-+".contains(&byte))
@@ -54,6 +134,7 @@ fn shows(start: &Start) -> Shows {
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let mut lines = Lines::open(path)?;
     let mut known = None;
+    let levels = Levels::of(&Start::of(path)?);
     while let Some((number, line)) = lines.next_text()? {
         let line = line.trim();
         if line.is_empty() || is_rule(line) || is_count(line) {
@@ -61,6 +142,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         }
         let Some(known) = &known else {
             known = columns(line, file);
+            known.iter().for_each(|known| known.record(line, &levels, reading));
             if known.is_none() {
                 let why = "no columns of time, sensor and value are in its first line".to_owned();
                 return Err(LogError::NoLog { place: place_of(path), why });
@@ -72,8 +154,9 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         match known {
             Columns::X10 { time, zone, number: of, state, level } => {
                 let sensor = format!("{}{}", cell(*zone), cell(*of));
-                let value = Some(cell(*state)).filter(|state| !state.is_empty());
-                let value = value.or_else(|| level.map(cell)).unwrap_or_default();
+                let (state, level) = (cell(*state), level.map(cell).unwrap_or_default());
+                let is_level = state.is_empty() || (!level.is_empty() && levels.tells(cell(*zone), cell(*of)));
+                let value = if is_level { level } else { state };
                 // Either alone names no sensor.
                 let sensor = if cell(*zone).is_empty() || cell(*of).is_empty() { "" } else { &sensor };
                 reading.row(number, cell(*time), sensor, value)?;

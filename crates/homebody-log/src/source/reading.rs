@@ -14,11 +14,18 @@ use foldhash::HashMap;
 use homebody_core::problem::readable;
 use homebody_core::time::{DAY, Micros};
 use jiff::Timestamp;
+use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
 
 /// How many skipped lines are told one by one.
 const MOST_TOLD: usize = 100;
+
+/// A longer silence between two files is a gap: a night is shorter.
+const LONGEST_SILENCE: Micros = DAY / 2;
+
+/// The number of activities before a seam that may continue: people do few things at once.
+const MOST_JOINED: usize = 100;
 
 /// Rows that are handed over together.
 const PART: usize = 8192;
@@ -48,6 +55,19 @@ pub struct Reading<'t> {
     beside: Option<String>,
     /// Activities beyond the most that are kept.
     beyond: u64,
+    /// The state at the end of the last of several files.
+    pub(super) carried: Carried,
+    /// The first instants of further files.
+    seams: Vec<Micros>,
+}
+
+/// The state at the end of a file whose rows contain all sensors.
+#[derive(Default)]
+pub(super) struct Carried {
+    /// The last value of each sensor.
+    pub said: BTreeMap<String, String>,
+    /// The instant of its last row.
+    pub until: Option<Instant>,
 }
 
 impl<'t> Reading<'t> {
@@ -67,6 +87,8 @@ impl<'t> Reading<'t> {
             place: String::new(),
             beside: None,
             beyond: 0,
+            carried: Carried::default(),
+            seams: Vec::new(),
         }
     }
 
@@ -222,6 +244,11 @@ impl<'t> Reading<'t> {
         }
     }
 
+    /// Whether any activity, note or label has come.
+    pub(super) fn has_activities(&self) -> bool {
+        !self.log.activities.is_empty() || self.notes.has_any()
+    }
+
     /// Takes the label of the last row, if it has one. It holds until a row has another.
     pub fn label(&mut self, name: Option<&str>) {
         if self.has_spans {
@@ -267,6 +294,13 @@ impl<'t> Reading<'t> {
         }
     }
 
+    /// Ends open activities at the last row.
+    fn end_notes(&mut self) {
+        for activity in self.notes.end(self.last) {
+            self.keep(Some(activity));
+        }
+    }
+
     fn keep(&mut self, activity: Option<Activity>) {
         match activity {
             Some(_) if self.log.activities.len() >= MOST_ACTIVITIES => self.beyond += 1,
@@ -299,10 +333,43 @@ impl<'t> Reading<'t> {
     /// Records what a column was taken for, and why.
     pub fn column(&mut self, column: &str, used_as: ColumnRole, because: &str) {
         // The log itself has its columns already.
-        if self.beside.is_some() {
+        if self.beside.is_some() && self.seams.is_empty() {
             return;
         }
-        self.log.columns.push(ColumnUse { column: column.into(), used_as, because: because.into() });
+        // Each of several files has the same ones.
+        if self.log.columns.iter().all(|known| (known.column.as_str(), known.used_as) != (column, used_as)) {
+            self.log.columns.push(ColumnUse { column: column.into(), used_as, because: because.into() });
+        }
+    }
+
+    /// Begins a further file of the log, with its first instant. A long silence before it is a gap.
+    pub(super) fn go_on(&mut self, file: &Path, begin: Option<Micros>) {
+        self.go_beside(file);
+        let Some(begin) = begin.filter(|_| self.log.rows > 0) else { return };
+        self.seams.push(begin);
+        // Readers whose rows contain all sensors record gaps themselves.
+        if self.carried.until.is_none() && begin - self.last >= LONGEST_SILENCE {
+            self.end_notes();
+            self.gap(self.last + 1, begin);
+        }
+    }
+
+    /// Joins activities across the seam of two files.
+    fn join_at_seams(&mut self) {
+        if self.seams.is_empty() {
+            return;
+        }
+        let mut joined: Vec<Activity> = Vec::with_capacity(self.log.activities.len());
+        for activity in self.log.activities.drain(..) {
+            let is_further = self.seams.contains(&activity.begin);
+            let before = joined.iter_mut().rev().take(MOST_JOINED).filter(|_| is_further);
+            let before = before.into_iter().find(|of| of.end == activity.begin && of.name == activity.name);
+            match before {
+                Some(before) => before.end = activity.end,
+                None => joined.push(activity),
+            }
+        }
+        self.log.activities = joined;
     }
 
     /// From now on a file beside the log is read.
@@ -314,10 +381,10 @@ impl<'t> Reading<'t> {
     /// Ends the reading: the log without the rows that have been handed over.
     pub(super) fn end(mut self) -> Result<Log, LogError> {
         self.hand_over()?;
-        let last = self.notes.end(self.last);
-        self.keep(last);
+        self.end_notes();
         // Notes are known once they end.
         self.log.activities.sort_by_key(|activity| activity.begin);
+        self.join_at_seams();
         for (count, what) in [
             (self.notes.alone, "notes that an activity begins or ends have no other end"),
             (self.beyond, "activities are left out: they are too many, or their names too long"),

@@ -2,8 +2,8 @@
 //! tables are put, and which is gone as soon as they have been read.
 
 use super::database::{connect, tables as tables_of};
-use super::forms::Source;
 use super::instant::Instant;
+use super::located::Source;
 use super::log::Clock;
 use super::reading::open;
 use super::run_clock::RunClock;

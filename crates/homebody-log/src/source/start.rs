@@ -57,19 +57,9 @@ impl Start {
         self.begins_with(b"SQLite format 3\0")
     }
 
-    /// What it is in words if it is no text in UTF-8.
-    pub(super) fn no_text(&self) -> Option<&'static str> {
-        match () {
-            () if self.begins_with(b"\xff\xfe") || self.begins_with(b"\xfe\xff") => {
-                Some("it is a text in UTF-16: save it in UTF-8")
-            }
-            () if self.begins_with(b"PK\x03\x04") => {
-                Some("it is an archive, or a spreadsheet's own form: take the log out of it, or save it as CSV")
-            }
-            // No text has this byte; in pictures, programs and packed files it comes soon.
-            () if self.bytes.contains(&0) => Some("it is neither a text nor a database"),
-            () => None,
-        }
+    /// All these bytes.
+    pub(super) fn bytes(&self) -> &[u8] {
+        &self.bytes
     }
 
     /// The lines that are not blank, without a byte order mark and blanks at their ends; the last may be cut.

@@ -38,8 +38,9 @@ fn what_a_log_holds_is_told_as_figures_words_and_pictures() {
     // Nothing is replaced that is there, and nothing is written then.
     folder.run("look log.txt --html look.html").fails(1, "look.html exists already");
     folder.write("empty.txt", "");
-    assert!(folder.run("look empty.txt").ok().out.contains("0 rows of 0 sensors"));
-    folder.run("look empty.txt --svg empty.svg").ok();
+    folder.run("look empty.txt").fails(2, "it is empty");
+    assert!(folder.run("look casas:empty.txt").ok().out.contains("0 rows of 0 sensors"));
+    folder.run("look casas:empty.txt --svg empty.svg").ok();
     assert!(folder.read("empty.svg").contains("There is no row."));
     folder.run("look none.txt").fails(1, "none.txt does not exist");
     folder.write("junk.bin", "\u{0}\u{1},\u{2}\n");
