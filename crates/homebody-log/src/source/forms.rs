@@ -3,7 +3,10 @@
 use super::form::{Form, Shows};
 use super::reading::Reading;
 use super::start::Start;
-use super::{casas, csv, each_second, frames, home_assistant, intervals, jsonl, mit, psql, sqlite, xes};
+use super::{
+    casas, csv, each_second, esphome, frames, home_assistant, influx_csv, influx_lines, intervals, json, jsonl, mit,
+    mosquitto, psql, sqlite, tasmota, xes, zigbee2mqtt,
+};
 use crate::elsewhere;
 use crate::error::{LogError, place_of};
 use crate::spans::SPANS;
@@ -17,10 +20,17 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// All forms that every build has. A file is of the first whose signs it shows.
-pub const FORMS: [Form; 12] = [
+pub const FORMS: [Form; 19] = [
     home_assistant::FORM,
     sqlite::FORM,
     jsonl::FORM,
+    json::FORM,
+    zigbee2mqtt::FORM,
+    esphome::FORM,
+    tasmota::FORM,
+    mosquitto::FORM,
+    influx_lines::FORM,
+    influx_csv::FORM,
     xes::FORM,
     psql::FORM,
     mit::FORM,
@@ -173,7 +183,11 @@ fn shown(start: &Start) -> Option<(&'static Form, Shows)> {
 
 /// The form that a text without any sign is most likely of: cells make a table.
 fn likely(start: &Start) -> (&'static Form, Shows) {
-    let form = if start.delimiters() >= 2 { &csv::FORM } else { &casas::FORM };
+    let form = match () {
+        () if json::begins_as_json(start) => &json::FORM,
+        () if start.delimiters() >= 2 => &csv::FORM,
+        () => &casas::FORM,
+    };
     (form, Shows::Rows)
 }
 

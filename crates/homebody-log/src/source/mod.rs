@@ -7,39 +7,55 @@
 //! Whatever is in a file, reading does not fail because of a line: what cannot be understood is skipped and told. Only what is
 //! longer than anything that a log has ends it, before it fills the memory.
 
+mod above;
 mod activities;
 mod casas;
 mod causes;
 mod columns;
 mod csv;
 mod database;
+mod dateless;
 mod each_second;
+mod entity;
+mod esphome;
 mod form;
 mod forms;
 mod frames;
+mod gathered;
 mod home_assistant;
 mod in_order;
+mod influx_csv;
+mod influx_lines;
 mod instant;
 mod intervals;
+mod json;
+mod json_text;
 mod jsonl;
 mod lines;
 mod lives;
 mod log;
 mod mit;
+mod mosquitto;
 mod movements;
+mod object_rows;
+mod payload;
 mod psql;
 mod reading;
 mod recorded_truth;
 mod records;
 mod run_clock;
+mod said;
 mod sensors;
+mod series;
 mod sqlite;
 mod start;
 mod tables;
 mod tables_of_text;
+mod tasmota;
 mod truth_rows;
 mod turns;
 mod xes;
+mod zigbee2mqtt;
 
 use crate::error::{LogError, place_of};
 pub use crate::skipped::Skipped;
