@@ -4,11 +4,14 @@
 //! Left out: that nothing was written for a day or more, which such a log does not show.
 
 use super::instant::{Instant, Instants};
-use homebody_core::time::{DAY, Micros};
+use homebody_core::time::{DAY, Micros, SECOND};
 use std::path::Path;
 
-/// A clock that is this much earlier than before has passed midnight (ours).
-const MIDNIGHT: Micros = DAY / 2;
+/// A clock that is earlier than before by more than this has passed midnight: it is never set back so far.
+const MIDNIGHT: Micros = 2 * 3600 * SECOND;
+
+/// Two clocks that differ by more than this are on the two sides of midnight.
+const HALF: Micros = DAY / 2;
 
 /// Which day it is.
 pub(super) struct Days {
@@ -45,8 +48,8 @@ impl Days {
     pub fn tell(&mut self, time: Micros, told: Micros) {
         let midnight = told - told.rem_euclid(DAY);
         self.midnight = Some(match told - (midnight + time) {
-            later if later > MIDNIGHT => midnight + DAY,
-            later if later < -MIDNIGHT => midnight - DAY,
+            later if later > HALF => midnight + DAY,
+            later if later < -HALF => midnight - DAY,
             _ => midnight,
         });
     }
@@ -96,7 +99,6 @@ fn day_in(name: &str) -> Option<Micros> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use homebody_core::time::SECOND;
 
     const DAY_2: Micros = 1_769_990_400 * SECOND;
 

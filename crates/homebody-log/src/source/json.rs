@@ -158,6 +158,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
             (Some(b'{'), _, _) => self.object(key, Object::new()),
             (Some(b'['), _, _) => self.list(key),
             (None, _, _) => Ok(Passed::End),
+            (_, _, None) if self.text.is_cut() => self.cut(line),
             (_, _, None) => Err(self.text.too_long("a text in it is longer than a row may be".into())),
             (_, None, Some(length)) => {
                 self.text.pass(length);
@@ -187,6 +188,9 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
     /// Takes a list of cells: by the names of columns above it, or a time with a value, or a time with a sensor and a value.
     fn cells(&mut self, line: u64, cells: &[Value]) -> Result<Taken, LogError> {
         if let Some(names) = self.above.columns().filter(|names| names.len() == cells.len()) {
+            if names.iter().zip(cells).all(|(name, cell)| cell == name) {
+                return Ok(Taken::Nothing);
+            }
             let object: Object = names.into_iter().zip(cells.iter().cloned()).collect();
             return self.objects.take(line, &object, &mut self.above, self.file, &mut self.out);
         }
@@ -248,15 +252,15 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
                 Some(b'"') => {
                     let length = self.text.length()?;
                     let Some(length) = length else {
+                        if self.text.is_cut() {
+                            break self.cut(begun)?;
+                        }
                         return Err(self.text.too_long("a key is longer than a row may be".into()));
                     };
                     serde_json::from_slice::<String>(self.text.bytes(length)).ok().map(|key| (key, length))
                 }
                 Some(_) => None,
-                None => {
-                    self.out.reading.skip(begun, "the text ends within what begins here".into());
-                    break Passed::End;
-                }
+                None => break self.cut(begun)?,
             };
             let Some((key, length)) = key else { break self.broken(begun)? };
             self.text.pass(length);
@@ -295,10 +299,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
                     self.broken(line)?
                 }
                 Some(_) => self.value(None)?,
-                None => {
-                    self.out.reading.skip(begun, "the text ends within what begins here".into());
-                    break Passed::End;
-                }
+                None => break self.cut(begun)?,
             };
             if passed == Passed::End {
                 break passed;
@@ -306,6 +307,12 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
         };
         self.above.leave();
         Ok(passed)
+    }
+
+    /// Reports that the text ends within what begins in a line.
+    fn cut(&mut self, begun: u64) -> Result<Passed, LogError> {
+        self.out.reading.skip(begun, "the text ends within what begins here".into());
+        Ok(Passed::End)
     }
 
     /// Reports that what begins in a line is no JSON, and goes to the next line.

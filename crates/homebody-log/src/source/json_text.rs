@@ -120,6 +120,11 @@ impl JsonText {
         }
     }
 
+    /// Whether all that is left has no end because the text has been cut, and not because it is long.
+    pub fn is_cut(&self) -> bool {
+        self.is_read && self.buffer.len() - self.at <= LONGEST_ROW_BYTES
+    }
+
     /// An error that says what is too long here.
     pub fn too_long(&self, what: String) -> LogError {
         LogError::too_long(&self.path, self.line, what)

@@ -250,7 +250,7 @@ impl ObjectRows {
             out.count("values that are null, which report nothing");
             return Ok(());
         }
-        if let Value::Object(inner) = said {
+        if let Some(inner) = said.as_object().filter(|inner| inner.values().any(|said| !said.is_array())) {
             let message = Message { line, instant: at, topic: "", is_zigbee: false };
             return self.payloads.readings(&message, sensor, inner, out);
         }

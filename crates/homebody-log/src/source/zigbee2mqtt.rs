@@ -29,7 +29,7 @@ fn shows(start: &Start) -> Shows {
     let mut instants = Instants::default();
     let is_published = start.lines().any(|line| message(&line, &mut instants).is_some());
     let is_named = || {
-        let named = start.lines().filter(|line| line.starts_with("Zigbee2MQTT:") || line.contains(" z2m")).count();
+        let named = start.lines().filter(|line| line.starts_with("Zigbee2MQTT:") || line.contains("z2m:")).count();
         named >= 2
     };
     Shows::rows_if(is_published || is_named())
