@@ -36,7 +36,7 @@ fn known<'l>(log: &'l Log, sensor: &str) -> &'l SensorInfo {
     log.known.iter().find(|known| known.id == sensor).unwrap_or_else(|| panic!("{sensor} of {:?}", log.known))
 }
 
-/// What a sensor is by what the log says of it: name, kind, unit, room.
+/// A sensor as the log describes it: name, kind, unit, room.
 fn about<'l>(log: &'l Log, sensor: &str) -> [&'l str; 4] {
     let known = known(log, sensor);
     [&known.name, &known.kind, known.unit.as_deref().unwrap_or_default(), known.room.as_deref().unwrap_or_default()]
@@ -239,7 +239,7 @@ fn json_that_is_no_log_is_refused_with_what_would_do() {
         let error = result(&folder, "json", "other.json", text).unwrap_err().to_string();
         assert!(error.contains("it is JSON") && error.contains("jq -c"), "{text}: {error}");
     }
-    // A JSON beside a log does not hide the log.
+    // A folder with a log and another JSON has one log.
     let folder = Folder::new("beside");
     fs::write(folder.path().join("home.json"), r#"{"name": "a home", "sensors": [{"name": "hall", "room": "hall"}]}"#)
         .unwrap();
@@ -315,7 +315,7 @@ fn each_key_of_a_payload_is_a_reading() {
         assert_eq!((told(&log), log.skipped), (rows.to_vec(), 0), "{text}");
         assert!(has_remark(&log, CLOSED), "{:?}", log.remarks);
     }
-    // A contact of somebody else's means what it says.
+    // A contact of another program keeps its value.
     let other = "2026-02-02T06:00:00+0000 home/door {\"contact\":true}\n";
     let other = log(&folder, "mosquitto", "other.txt", other);
     assert_eq!((told(&other), has_remark(&other, CLOSED)), (vec![(0.0, "home/door contact", "true")], false));
@@ -368,7 +368,7 @@ fn a_log_of_esphome_takes_its_day_from_its_name_or_is_refused() {
     assert!(is_used(&dated, "the file's name", ColumnRole::Time));
     let error = result(&folder, "esphome", "hall.log", text).unwrap_err().to_string();
     assert!(error.contains("times without a date\n  hint: put the date"), "{error}");
-    // Where another program has put dates before its lines, they are the dates.
+    // Dates that another program has put before the lines count.
     let before = text.replace("[0", "2026-02-02 [0").replace("2026-02-02 [0;", "[0;");
     assert!(result(&folder, "esphome", "before.log", &before).is_err(), "a date alone is no instant");
     let stamped = "2026-02-02 06:00:01 [23:00:01][D][switch:055]: 'Fan' >> ON\n2026-02-02 06:01:01 [23:01:01][D][switch:055]: 'Fan' >> OFF\n";

@@ -1,4 +1,4 @@
-//! Where in a text of JSON a row stands: the keys and members above it, which name its sensor where the row does not.
+//! The keys and members above a row in a text of JSON: they name its sensor if the row does not.
 
 use super::entity::is_entity;
 use super::said::{Object, member};
@@ -166,7 +166,7 @@ impl Above {
         members.map(|(key, said)| (key.as_str(), said)).find(|(key, said)| is_wanted(key) && !said.is_null())
     }
 
-    /// What the members above a row, and its own, report of its sensor.
+    /// The sensor of a row, by the members above it and its own.
     pub fn info(&self, sensor: &str, row: &Object) -> SensorInfo {
         let datastream = row.get("Datastream").and_then(Value::as_object);
         let objects: Vec<&Object> =
@@ -191,7 +191,7 @@ fn is_generic(key: &str) -> bool {
     GENERIC.iter().any(|generic| generic.eq_ignore_ascii_case(key))
 }
 
-/// What an object is called, and by what it is told from others of that name.
+/// The name of an object, and the id that parts it from others of that name.
 fn named(object: &Object) -> (String, String) {
     let tags = TAGS.iter().filter_map(|key| object.get(*key)?.as_object());
     let tags: Vec<String> = tags.flat_map(|tags| tags.keys().filter_map(|key| member(tags, &[key]))).collect();

@@ -3,7 +3,7 @@
 use super::said::{Object, member};
 use crate::sensor_info::SensorInfo;
 
-/// What is known of an entity by its id and, where they are there, its attributes: its kind is its `device_class` or its domain.
+/// An entity as a sensor, by its id and its attributes: its kind is its `device_class`, or without one its domain.
 pub(super) fn entity(id: &str, attributes: Option<&Object>) -> SensorInfo {
     let attribute = |names: &[&str]| attributes.and_then(|attributes| member(attributes, names));
     let domain = id.split_once('.').map_or("", |(domain, _)| domain);

@@ -1,4 +1,4 @@
-//! What `esphome logs` prints: which state each sensor of a device has sent.
+//! The output of `esphome logs`: each line reports a state that a sensor of a device has sent.
 //!
 //! Its lines tell the time of day alone. The day comes from the file's name or, where another program has put a date before each line, from
 //! there. Lines without a state are about the device itself.
@@ -23,10 +23,10 @@ pub(super) const FORM: Form = Form {
     read,
 };
 
-/// So many lines look like this before a text is one (ours).
+/// A text is one with this many lines that look like it.
 const ENOUGH: usize = 2;
 
-/// What stands between the name of a sensor and its state, in the versions of the program.
+/// The words between the name of a sensor and its state, in the versions of the program.
 const SENDS: [&str; 4] = ["': Sending state ", "': Sending initial state ", "': New state is ", "' >> "];
 
 fn shows(start: &Start) -> Shows {
@@ -42,7 +42,7 @@ fn plain(line: &str) -> String {
     })
 }
 
-/// What stands before the time of day, the time of day, the component, and what it says.
+/// The text before the time of day, the time of day, the component, and its message.
 fn parts(line: &str) -> Option<(&str, &str, &str, &str)> {
     let begin = line
         .match_indices('[')

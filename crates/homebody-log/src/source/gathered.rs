@@ -13,7 +13,7 @@ use homebody_core::time::Micros;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// No more columns are listed (ours): each sensor of a wide table is one.
+/// The most columns that are listed: each sensor of a wide table is one.
 const MOST_COLUMNS: usize = 100;
 
 /// Rows on their way into a log.
@@ -81,7 +81,7 @@ impl<'r, 't> Gathered<'r, 't> {
         order.row(line, instant, [sensor, value], label.flatten(), self.reading)
     }
 
-    /// Keeps what the source reports of a sensor. What comes later adds what was not known before.
+    /// Keeps what the source reports of a sensor. Later reports add to it.
     pub fn know(&mut self, sensor: SensorInfo) {
         let Some(known) = self.known.get_mut(&sensor.id) else {
             self.known.insert(sensor.id.clone(), sensor);

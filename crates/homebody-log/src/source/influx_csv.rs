@@ -45,7 +45,7 @@ fn shows(start: &Start) -> Shows {
 /// A number of nanoseconds since 1970 has so many digits, up to the year 2286.
 const NANOSECONDS: usize = 19;
 
-/// What a column is.
+/// The role of a column.
 #[derive(Clone, Debug, PartialEq)]
 enum Column {
     Unused,
@@ -160,7 +160,7 @@ struct Tables {
     instants: Instants,
 }
 
-/// What a row tells: a point and its time, or what is wrong with it.
+/// A row as a point and its time, or the fault in it.
 type Told = Result<(Point, String), &'static str>;
 
 impl Tables {
@@ -168,7 +168,7 @@ impl Tables {
         Ok(Tables { records: Records::open(path)?, table: Table::default(), instants: Instants::default() })
     }
 
-    /// The next row that is no annotation and no heading, and its line; None at the end.
+    /// The next row of cells with its line, past annotations and headings; None at the end.
     fn next(&mut self) -> Result<Option<(u64, Told)>, LogError> {
         loop {
             let time = self.table.columns.iter().position(|column| *column == Column::Time);
@@ -219,7 +219,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     out.end()
 }
 
-/// What a cell of a time tells.
+/// The instant in a cell.
 fn instant(time: &str, instants: &mut Instants) -> Option<Instant> {
     instants.read(time).or_else(|| since_1970_whole(time.trim().parse().ok()?))
 }

@@ -23,7 +23,7 @@ pub(super) const FORM: Form = Form {
     read,
 };
 
-/// So many lines are looked at (ours).
+/// The form is known by this many lines.
 const LOOKED_AT: usize = 10;
 
 fn shows(start: &Start) -> Shows {
@@ -71,7 +71,7 @@ fn point(line: &str) -> Result<(Point, Instant), &'static str> {
     }
 }
 
-/// What is before the first of these letters that is neither escaped nor in quotes, and where that is.
+/// The text before the first of these letters that is neither escaped nor in quotes, and its length.
 fn until<'t>(text: &'t str, wanted: &[u8]) -> Option<(&'t str, usize)> {
     let (mut is_quoted, mut is_escaped, mut before) = (false, false, b',');
     for (at, &byte) in text.as_bytes().iter().enumerate() {

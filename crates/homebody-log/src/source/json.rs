@@ -1,7 +1,7 @@
 //! JSON in one piece: lists of rows, alone or in objects around them, and what servers answer: Home Assistant's history and logbook,
 //! SensorThings, InfluxDB, Prometheus, Graphite.
 //!
-//! A row is an object with a time, or a list with a time and a value. What stands above a row names its sensor if the row does not:
+//! A row is an object with a time, or a list with a time and a value. If a row names no sensor, the text above it does:
 //! the key of a list, such as an entity's id, or the name in an object around it. Such texts have the rows of each sensor together, so that
 //! they are put into the order of time.
 //!
@@ -31,13 +31,13 @@ pub(super) const FORM: Form = Form {
     read,
 };
 
-/// Lists and objects within each other (ours).
+/// The most lists and objects within each other.
 const DEEPEST: usize = 64;
 
-/// So many rows say that a text is a log (ours): then its beginning is enough.
+/// A text with this many rows at its beginning is a log.
 const ENOUGH: u64 = 2;
 
-/// A list of names with more of them names no columns (ours).
+/// The most names of columns in a list.
 const MOST_NAMES: usize = 100;
 
 fn shows(start: &Start) -> Shows {
@@ -49,9 +49,9 @@ pub(super) fn begins_as_json(start: &Start) -> bool {
     let mut letters = start.lines().next().into_iter().flat_map(|line| line.chars().collect::<Vec<_>>());
     let first = letters.next();
     let second = letters.find(|letter| !letter.is_whitespace());
-    match (first, second) {
-        (Some('{'), None | Some('"' | '}')) => true,
-        (Some('['), None | Some('{' | '[' | '"' | ']')) => true,
+    match first {
+        Some('{') => matches!(second, None | Some('"' | '}')),
+        Some('[') => matches!(second, None | Some('{' | '[' | '"' | ']')),
         _ => false,
     }
 }
@@ -91,11 +91,11 @@ struct Walk<'w, 'r, 't> {
     enough: Option<u64>,
 }
 
-/// What became of a value.
+/// The fate of a value.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Passed {
     Whole,
-    /// Something is in it that is no JSON; the way leads on in what is around it.
+    /// A part of it cannot be parsed as JSON; the walk continues in the list around it.
     Broken,
     /// It is enough, or the text is at its end.
     End,
@@ -158,7 +158,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
             (Some(b'{'), _, _) => self.object(key, Object::new()),
             (Some(b'['), _, _) => self.list(key),
             (None, _, _) => Ok(Passed::End),
-            (_, _, None) if self.text.is_cut() => self.cut(line),
+            (_, _, None) if self.text.is_cut() => self.cut(line, self.rows),
             (_, _, None) => Err(self.text.too_long("a text in it is longer than a row may be".into())),
             (_, None, Some(length)) => {
                 self.text.pass(length);
@@ -236,7 +236,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
     }
 
     fn object(&mut self, key: Option<String>, members: Object) -> Result<Passed, LogError> {
-        let begun = self.text.line;
+        let (begun, before) = (self.text.line, self.rows);
         self.above.enter(Level { key, members, last: None });
         self.text.pass(1);
         let passed = loop {
@@ -253,14 +253,14 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
                     let length = self.text.length()?;
                     let Some(length) = length else {
                         if self.text.is_cut() {
-                            break self.cut(begun)?;
+                            break self.cut(begun, before)?;
                         }
                         return Err(self.text.too_long("a key is longer than a row may be".into()));
                     };
                     serde_json::from_slice::<String>(self.text.bytes(length)).ok().map(|key| (key, length))
                 }
                 Some(_) => None,
-                None => break self.cut(begun)?,
+                None => break self.cut(begun, before)?,
             };
             let Some((key, length)) = key else { break self.broken(begun)? };
             self.text.pass(length);
@@ -281,7 +281,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
     }
 
     fn list(&mut self, key: Option<String>) -> Result<Passed, LogError> {
-        let begun = self.text.line;
+        let (begun, before) = (self.text.line, self.rows);
         self.above.enter(Level { key, ..Level::default() });
         self.text.pass(1);
         let passed = loop {
@@ -299,7 +299,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
                     self.broken(line)?
                 }
                 Some(_) => self.value(None)?,
-                None => break self.cut(begun)?,
+                None => break self.cut(begun, before)?,
             };
             if passed == Passed::End {
                 break passed;
@@ -309,13 +309,17 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
         Ok(passed)
     }
 
-    /// Reports that the text ends within what begins in a line.
-    fn cut(&mut self, begun: u64) -> Result<Passed, LogError> {
-        self.out.reading.skip(begun, "the text ends within what begins here".into());
+    /// Reports that the text ends within what begins in a line, behind which so many rows were before.
+    fn cut(&mut self, begun: u64, before: u64) -> Result<Passed, LogError> {
+        match self.rows > before {
+            // The rows in it are whole.
+            true => self.out.count("lists and objects that have no end, because the text ends"),
+            false => self.out.reading.skip(begun, "the text ends within what begins here".into()),
+        }
         Ok(Passed::End)
     }
 
-    /// Reports that what begins in a line is no JSON, and goes to the next line.
+    /// Reports a value that cannot be parsed as JSON, and passes the rest of its line.
     fn broken(&mut self, begun: u64) -> Result<Passed, LogError> {
         self.out.reading.skip(begun, "it is no JSON".into());
         if self.text.line == begun {

@@ -1,5 +1,4 @@
-//! A text in JSON on its way. Only a value that is no longer than a row may be is ever held as a whole; a longer list or object is
-//! gone through part by part.
+//! A text in JSON on its way. Values up to the length of a row are held as a whole; longer lists and objects are read part by part.
 
 use super::reading::open;
 use crate::error::LogError;
@@ -10,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// How many bytes are asked for at once.
 const AT_ONCE: usize = 1 << 16;
 
-/// What some programs begin a text with.
+/// Some programs begin a text with this mark.
 const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// A text of JSON values.
@@ -56,7 +55,7 @@ impl JsonText {
         Ok(!self.is_read)
     }
 
-    /// What comes next that is no blank; None at the end.
+    /// The next byte past blanks; None at the end.
     pub fn peek(&mut self) -> Result<Option<u8>, LogError> {
         loop {
             while let Some(&byte) = self.buffer.get(self.at) {
@@ -131,7 +130,7 @@ impl JsonText {
     }
 }
 
-/// What a byte says of a value's end.
+/// The end of a value, as far as a byte shows it.
 enum Found {
     More,
     EndsHere,

@@ -22,7 +22,7 @@ pub(super) const FORM: Form = Form {
     read,
 };
 
-/// So many lines are looked at (ours).
+/// The form is known by this many lines.
 const LOOKED_AT: usize = 10;
 
 fn shows(start: &Start) -> Shows {

@@ -17,7 +17,7 @@ use foldhash::HashMap;
 use homebody_core::scenario::logger::LoggerFile;
 use serde_json::Value;
 
-/// Where an object has the parts of a row, by their places among its keys.
+/// The parts of a row, by their places among an object's keys.
 #[derive(Clone, Copy, Debug)]
 enum Shape {
     /// Time, sensor and value.
@@ -45,7 +45,7 @@ enum Names {
     Last,
 }
 
-/// What became of an object.
+/// The fate of an object.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Taken {
     /// It is a row, or several.
@@ -59,7 +59,7 @@ pub(super) enum Taken {
 /// Takes objects as rows.
 #[derive(Default)]
 pub(super) struct ObjectRows {
-    /// By the keys of the last object: nearly all have the same. With the shape it is known by which names it was found.
+    /// By the keys of the last object: nearly all have the same. Beside the shape stand the names that led to it.
     known: Option<(Vec<String>, (Shape, Names))>,
     payloads: Payloads,
     /// The last state of each entity of Home Assistant, and since when it is.
@@ -68,7 +68,7 @@ pub(super) struct ObjectRows {
     home: Option<String>,
 }
 
-/// What other programs call what has a usual name in tables.
+/// Keys of other programs, and the names that tables have for them.
 const ALIASES: [(&str, &str); 14] = [
     ("when", "time"),
     ("tst", "time"),
@@ -86,10 +86,10 @@ const ALIASES: [(&str, &str); 14] = [
     ("_value", "value"),
 ];
 
-/// Keys of which one is enough: where both are there, the second is passed over.
+/// Pairs of keys: if an object has both, the second is passed over.
 const RATHER: [(&str, &str); 2] = [("phenomenonTime", "resultTime"), ("last_changed", "last_updated")];
 
-/// Keys that say of which home or person a row is, by their letters and digits in lower case.
+/// Keys that name the home or the person of a row, by their letters and digits in lower case.
 const HOMES: [&str; 30] = [
     "home",
     "homeid",
@@ -123,11 +123,11 @@ const HOMES: [&str; 30] = [
     "haushalt",
 ];
 
-/// No object within a row lies deeper (ours).
+/// The most objects within each other in a row.
 const DEEPEST: usize = 4;
 
 impl ObjectRows {
-    /// Takes an object as a row, if it is one. Where it names no sensor, what stands `above` it does.
+    /// Takes an object as a row, if it is one. If it names no sensor, the members `above` it do.
     pub fn take(
         &mut self,
         line: u64,
@@ -148,7 +148,7 @@ impl ObjectRows {
             if let Some((shape, names)) = shape {
                 tell(shape, &members(object, names), out);
             }
-            // Whether it is a row may hang on its values: one that is none says nothing of the next.
+            // An object without a shape decides nothing: the next one may have other values under the same keys.
             self.known = shape.map(|shape| (object.keys().cloned().collect(), shape));
         }
         let Some((shape, names)) = self.known.as_ref().map(|(_, shape)| *shape) else {
@@ -352,9 +352,9 @@ fn flatten<'o>(above: &str, object: &'o Object, names: Names, deepest: usize, me
     }
 }
 
-/// What an object with these members is, by the usual names of a table's columns.
+/// The shape of an object with these members, by the usual names of a table's columns.
 fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut Gathered<'_, '_>) -> Option<Shape> {
-    // What has lists of rows in it is none, and neither is one of SensorThings without a result.
+    // An object with lists of rows makes no row of its own, and an entity of SensorThings has to have a result.
     let is_list = |(_, said): &(String, &Value)| {
         said.as_array().is_some_and(|list| list.iter().any(|said| said.is_object() || said.is_array()))
     };
@@ -366,7 +366,7 @@ fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut G
     let is_twice = |name: &String| names.iter().filter(|other| *other == name).count() > 1;
     let with = |more: &[&str]| {
         let names: Vec<String> = names.iter().cloned().chain(more.iter().map(ToString::to_string)).collect();
-        // Which of two keys of one name is meant nobody can know.
+        // Two keys of one name are ambiguous.
         Places::by_name(&names, file)
             .filter(|places| ![places.time, places.sensor, places.value].iter().any(|&at| is_twice(&names[at])))
     };
@@ -405,8 +405,7 @@ fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut G
     }
 }
 
-/// Under names that say nothing: the first value that is an instant is the time, and the two right behind it, which are none, are sensor
-/// and value.
+/// The parts of a row under names that say nothing: the first instant, and right behind it a sensor and a value.
 fn guessed(members: &[(String, &Value)], out: &mut Gathered<'_, '_>) -> Option<Places> {
     let mut is_instant = |said: &Value| instant(said, &mut out.reading.instants).is_some();
     let time = members.iter().position(|(_, said)| is_instant(said))?;

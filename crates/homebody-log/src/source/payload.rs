@@ -1,9 +1,7 @@
-//! Messages of MQTT: a topic, and a payload that is a word, a number or an object of JSON, each of whose keys is a reading of its
-//! own.
+//! Messages of MQTT: a topic and a payload. A payload is a word, a number or an object of JSON; each key of an object is a reading.
 //!
 //! Topics are those of Zigbee2MQTT (`zigbee2mqtt/hall`), Tasmota (`tele/hall/SENSOR`, `stat/hall/POWER`) and any others. Zigbee2MQTT
-//! reports `contact` as true while a door is closed. Messages that ask a device for something, and those of the bridge about itself, are
-//! no readings.
+//! reports `contact` as true while a door is closed. Passed over: messages that ask a device for something, and those of the bridge about itself.
 
 use super::gathered::Gathered;
 use super::instant::Instant;
@@ -13,7 +11,7 @@ use crate::sensor_info::SensorInfo;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What a sensor says of which its device says that it is gone.
+/// The value of all sensors of a device that is gone.
 const UNAVAILABLE: &str = "unavailable";
 
 /// The value of a closed door and of an open one.
@@ -42,10 +40,10 @@ const UNITS: [(&str, &str); 6] = [
     ("temperature", "°C"),
 ];
 
-/// No object of a payload lies deeper (ours).
+/// The most objects within each other in a payload.
 const DEEPEST: usize = 8;
 
-/// What the messages so far have told.
+/// The sensors and readings of the messages so far.
 #[derive(Default)]
 pub(super) struct Payloads {
     /// The sensors of each device.
@@ -183,7 +181,7 @@ impl Payloads {
         is_again
     }
 
-    /// Takes a payload that is no object.
+    /// Takes a payload that is a word or a number.
     fn word(&mut self, message: &Message<'_>, payload: &str, out: &mut Gathered<'_, '_>) -> Result<(), LogError> {
         let topic = message.topic;
         if is_no_reading(topic, out) {
@@ -258,10 +256,10 @@ fn device(topic: &str) -> String {
     parts.join("/")
 }
 
-/// What a key says of its sensor: its kind, and its unit where all devices have the same.
+/// A sensor by its key: its kind, and its unit if all devices have the same.
 fn info(sensor: &str, name: &str) -> SensorInfo {
     let words: Vec<String> = name.split(' ').map(str::to_lowercase).collect();
-    // What belongs to an update is no sensor, whatever the innermost key is called.
+    // All keys below `update` belong to an update, whatever they are called.
     let kind = words.iter().find(|word| *word == "update").or(words.last()).cloned().unwrap_or_default();
     let unit = UNITS.iter().find(|(key, _)| *key == kind).map(|(_, unit)| (*unit).to_owned());
     SensorInfo { is_motion: kind == "motion" || kind == "occupancy", kind, unit, ..SensorInfo::named(sensor) }

@@ -21,13 +21,14 @@ pub(super) fn instant(value: &Value, instants: &mut Instants) -> Option<Instant>
 
 /// A whole number since 1970 in seconds, milliseconds, microseconds or nanoseconds: its size tells which, for instants from 1973 on.
 pub(super) fn since_1970_whole(number: i64) -> Option<Instant> {
-    match number {
-        ..100_000_000 => None,
-        ..100_000_000_000 => Some(Instant::Utc(number * SECOND)),
-        ..100_000_000_000_000 => Some(Instant::Utc(number * 1000)),
-        ..100_000_000_000_000_000 => Some(Instant::Utc(number)),
-        _ => Some(Instant::Utc(number / 1000)),
-    }
+    let micros = match number {
+        ..=99_999_999 => return None,
+        100_000_000..=99_999_999_999 => number * SECOND,
+        100_000_000_000..=99_999_999_999_999 => number * 1000,
+        100_000_000_000_000..=99_999_999_999_999_999 => number,
+        100_000_000_000_000_000.. => number / 1000,
+    };
+    Some(Instant::Utc(micros))
 }
 
 fn instant_of_text(text: &str, instants: &mut Instants) -> Option<Instant> {

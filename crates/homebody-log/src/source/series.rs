@@ -52,14 +52,14 @@ impl Point {
         self.fields.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
     }
 
-    /// What it is one of: all but its fields.
+    /// Its series: all but its fields.
     pub fn series(&self) -> Point {
         let mut tags = self.tags.clone();
         tags.sort();
         Point { measurement: self.measurement.clone(), tags, fields: Vec::new() }
     }
 
-    /// What its sensor is called as far as its series is alone in that.
+    /// The name of its sensor, which another series may have, too.
     fn name(&self) -> String {
         match (self.tag(&["entity_id"]), self.tag(&["domain"])) {
             (Some(entity), Some(domain)) if !entity.contains('.') => format!("{domain}.{entity}"),
@@ -109,7 +109,7 @@ impl Series {
         Ok(())
     }
 
-    /// What the sensor of a series is called, which no other series is.
+    /// The sensor of a series, by a name that no other series has.
     fn sensor(&mut self, series: Point) -> String {
         if let Some(known) = self.named.get(&series) {
             return known.clone();

@@ -25,10 +25,10 @@ pub(super) const FORM: Form = Form {
     read,
 };
 
-/// So many lines look like this before a text is one (ours).
+/// A text is one with this many lines that look like it.
 const ENOUGH: usize = 2;
 
-/// A device that does not know the time yet counts from 1970 on: a day within thirty years of that is none (ours).
+/// A device that does not know the time counts from 1970: an instant within thirty years of that is passed over.
 const FIRST: Micros = 30 * 365 * DAY;
 
 fn shows(start: &Start) -> Shows {

@@ -21,7 +21,7 @@ pub(super) const FORM: Form = Form {
     read,
 };
 
-/// What a line has in it that publishes a message, and what is between topic and payload.
+/// The words before the topic of a published message, and those between topic and payload.
 const PUBLISHES: &str = "MQTT publish: topic '";
 const PAYLOAD: &str = "', payload '";
 
