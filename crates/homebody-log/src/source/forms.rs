@@ -4,7 +4,8 @@ use super::form::{Form, Shows};
 use super::reading::Reading;
 use super::start::Start;
 use super::{
-    casas, csv, domoticz, each_second, home_assistant, intervals, jsonl, labels, mit, openhab, psql, sqlite, xes,
+    casas, csv, domoticz, each_second, esphome, home_assistant, influx_csv, influx_lines, intervals, json, jsonl,
+    labels, mit, mosquitto, openhab, psql, sqlite, tasmota, xes, zigbee2mqtt,
 };
 use crate::elsewhere;
 use crate::error::{LogError, place_of};
@@ -14,11 +15,18 @@ use homebody_core::scenario::scheme::{SCHEMES, Scheme};
 use std::path::Path;
 
 /// All forms that every build has. A file is of the first whose signs it shows.
-pub const FORMS: [Form; 16] = [
+pub const FORMS: [Form; 23] = [
     home_assistant::FORM,
     domoticz::FORM,
     sqlite::FORM,
     jsonl::FORM,
+    json::FORM,
+    zigbee2mqtt::FORM,
+    esphome::FORM,
+    tasmota::FORM,
+    mosquitto::FORM,
+    influx_lines::FORM,
+    influx_csv::FORM,
     xes::FORM,
     psql::FORM,
     mit::FORM,

@@ -1,4 +1,5 @@
-//! Rows that come out of order, put into the order of time: intervals tell an OFF before the next ON.
+//! Rows that come out of order, put into the order of time: intervals tell an OFF before the next ON, and many forms have the rows
+//! of each sensor together.
 //!
 //! So many rows wait that whole files of such forms fit. A larger one is in order as far as its rows are not further apart.
 
@@ -16,12 +17,18 @@ pub(super) struct InOrder {
     /// Instants, and in which order rows came, which they keep at one instant.
     waiting: BinaryHeap<Reverse<(Micros, u64, Row)>>,
     come: u64,
-    sensors: Vec<String>,
+    texts: Vec<String>,
     known: HashMap<String, u32>,
+    /// The instant of the row that was handed over last.
+    handed: Micros,
+    /// Rows that came after a later one had been handed over.
+    late: u64,
+    /// Whether a row has come with a label.
+    has_labels: bool,
 }
 
-/// A row by its line, its sensor, whether it is an ON, and whether it has a zone.
-type Row = (u64, u32, bool, bool);
+/// A row by its line, its sensor, its value, its label, and whether it has a zone. A text stands by its number.
+type Row = (u64, u32, u32, Option<u32>, bool);
 
 /// What the two ends of an interval say.
 pub(super) const ON: &str = "ON";
@@ -29,7 +36,15 @@ pub(super) const OFF: &str = "OFF";
 
 impl InOrder {
     pub fn new() -> InOrder {
-        InOrder { waiting: BinaryHeap::new(), come: 0, sensors: Vec::new(), known: HashMap::new() }
+        InOrder {
+            waiting: BinaryHeap::new(),
+            come: 0,
+            texts: Vec::new(),
+            known: HashMap::new(),
+            handed: Micros::MIN,
+            late: 0,
+            has_labels: false,
+        }
     }
 
     /// Takes an interval of a sensor: an ON and an OFF, or none of them.
@@ -40,44 +55,83 @@ impl InOrder {
         sensor: &str,
         reading: &mut Reading<'_>,
     ) -> Result<(), LogError> {
-        let [(on, is_utc), (off, ends_utc)] = [begin, end].map(|instant| match instant {
-            Instant::Local(at) => (at, false),
-            Instant::Utc(at) => (at, true),
-        });
+        let [(on, is_utc), (off, ends_utc)] = [begin, end].map(parted);
         if off < on || is_utc != ends_utc {
             reading.skip(line, super::reading::ENDS_BEFORE.into());
             return Ok(());
         }
-        let number = match self.known.get(sensor) {
-            Some(&number) => number,
-            None => {
-                let number = self.sensors.len() as u32;
-                self.known.insert(sensor.to_owned(), number);
-                self.sensors.push(sensor.to_owned());
-                number
-            }
-        };
-        for (at, is_on) in [(on, true), (off, false)] {
-            self.waiting.push(Reverse((at, self.come, (line, number, is_on, is_utc))));
-            self.come += 1;
-        }
+        self.row(line, begin, [sensor, ON], None, reading)?;
+        self.row(line, end, [sensor, OFF], None, reading)
+    }
+
+    /// Takes a row: its instant, its sensor and its value, and its label if rows have labels.
+    pub fn row(
+        &mut self,
+        line: u64,
+        instant: Instant,
+        [sensor, value]: [&str; 2],
+        label: Option<&str>,
+        reading: &mut Reading<'_>,
+    ) -> Result<(), LogError> {
+        let (at, is_utc) = parted(instant);
+        let (sensor, value) = (self.number(sensor), self.number(value));
+        self.has_labels |= label.is_some();
+        let label = label.map(|label| self.number(label));
+        self.late += u64::from(at < self.handed);
+        self.waiting.push(Reverse((at, self.come, (line, sensor, value, label, is_utc))));
+        self.come += 1;
         while self.waiting.len() > MOST_WAITING {
             self.first(reading)?;
         }
         Ok(())
     }
 
+    /// The number of a text.
+    fn number(&mut self, text: &str) -> u32 {
+        match self.known.get(text) {
+            Some(&number) => number,
+            None => {
+                let number = self.texts.len() as u32;
+                self.known.insert(text.to_owned(), number);
+                self.texts.push(text.to_owned());
+                number
+            }
+        }
+    }
+
     /// Hands over all that still wait.
     pub fn end(mut self, reading: &mut Reading<'_>) -> Result<(), LogError> {
         while self.first(reading)? {}
+        if self.late > 0 {
+            let remark = format!(
+                "{} rows come more than {MOST_WAITING} rows behind later ones, too far to be put into the order of time",
+                self.late
+            );
+            reading.log.remarks.push(remark);
+        }
         Ok(())
     }
 
     /// Hands over the earliest row, if there is one.
     fn first(&mut self, reading: &mut Reading<'_>) -> Result<bool, LogError> {
-        let Some(Reverse((at, _, (line, sensor, is_on, is_utc)))) = self.waiting.pop() else { return Ok(false) };
+        let Some(Reverse((at, _, (line, sensor, value, label, is_utc)))) = self.waiting.pop() else {
+            return Ok(false);
+        };
+        self.handed = self.handed.max(at);
         let instant = if is_utc { Instant::Utc(at) } else { Instant::Local(at) };
-        reading.event(line, instant, &self.sensors[sensor as usize], if is_on { ON } else { OFF })?;
+        let text = |number: u32| &*self.texts[number as usize];
+        let is_row = reading.event(line, instant, text(sensor), text(value))?;
+        if is_row && self.has_labels {
+            reading.label(label.map(text));
+        }
         Ok(true)
+    }
+}
+
+/// Microseconds, and whether they are the world's.
+fn parted(instant: Instant) -> (Micros, bool) {
+    match instant {
+        Instant::Local(at) => (at, false),
+        Instant::Utc(at) => (at, true),
     }
 }

@@ -7,7 +7,7 @@ use super::labels::{self, LabelTable};
 use super::options::TableOptions;
 use super::sets::{Part, ends, one_log};
 use super::start::Start;
-use super::{casas, csv, intervals, jsonl, sqlite, xes};
+use super::{casas, csv, intervals, json, jsonl, sqlite, xes};
 use crate::error::{LogError, place_of};
 use crate::limits::beginning;
 use crate::spans::SPANS;
@@ -196,6 +196,7 @@ fn form_of(start: &Start) -> Result<&'static Form, LogError> {
     }
     match shown(start) {
         Some((form, _)) => Ok(form),
+        None if json::begins_as_json(start) => Ok(&json::FORM),
         None if start.delimiters() >= 2 => Ok(&csv::FORM),
         None => Err(no_log(no_text(start).or_else(|| casas::objection(start)).unwrap_or_else(|| unknown(start)))),
     }

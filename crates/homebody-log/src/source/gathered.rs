@@ -1,0 +1,162 @@
+//! Rows of forms whose records say more than a row: rows in the order of time if asked for, what is known of their sensors, and
+//! remarks on what was passed over.
+
+use super::in_order::InOrder;
+use super::instant::Instant;
+use super::log::ColumnRole;
+use super::reading::Reading;
+use crate::error::{LogError, place_of};
+use crate::sensor_info::SensorInfo;
+use foldhash::{HashMap, HashMapExt};
+use homebody_core::problem::readable;
+use homebody_core::time::Micros;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The most columns that are listed: each sensor of a wide table is one.
+const MOST_COLUMNS: usize = 100;
+
+/// Rows on their way into a log.
+pub(super) struct Gathered<'r, 't> {
+    pub reading: &'r mut Reading<'t>,
+    place: String,
+    order: Option<InOrder>,
+    known: BTreeMap<String, SensorInfo>,
+    /// The last instant of each sensor, where rows are put into order.
+    last: HashMap<String, Micros>,
+    backward: u64,
+    counts: BTreeMap<&'static str, u64>,
+    /// Since when a recorder has been stopped.
+    stopped: Option<Instant>,
+}
+
+impl<'r, 't> Gathered<'r, 't> {
+    /// Rows that go into the log as they come.
+    pub fn as_they_come(path: &Path, reading: &'r mut Reading<'t>) -> Gathered<'r, 't> {
+        Gathered {
+            reading,
+            place: place_of(path),
+            order: None,
+            known: BTreeMap::new(),
+            last: HashMap::new(),
+            backward: 0,
+            counts: BTreeMap::new(),
+            stopped: None,
+        }
+    }
+
+    /// Rows that are put into the order of time.
+    pub fn in_order(path: &Path, reading: &'r mut Reading<'t>) -> Gathered<'r, 't> {
+        Gathered { order: Some(InOrder::new()), ..Gathered::as_they_come(path, reading) }
+    }
+
+    /// Takes a row with a sensor, a value and perhaps a label.
+    pub fn row(
+        &mut self,
+        line: u64,
+        instant: Instant,
+        [sensor, value]: [&str; 2],
+        label: Option<Option<&str>>,
+    ) -> Result<(), LogError> {
+        let Some(order) = &mut self.order else {
+            let is_row = self.reading.event(line, instant, sensor, value)?;
+            if let (true, Some(label)) = (is_row, label) {
+                self.reading.label(label);
+            }
+            return Ok(());
+        };
+        if value.is_empty() || sensor.is_empty() {
+            let what = if sensor.is_empty() { "sensor" } else { "value" };
+            self.reading.skip(line, format!("there is no {what}"));
+            return Ok(());
+        }
+        let (Instant::Local(at) | Instant::Utc(at)) = instant;
+        match self.last.get_mut(sensor) {
+            Some(last) => {
+                self.backward += u64::from(at < *last);
+                *last = at;
+            }
+            None => drop(self.last.insert(sensor.to_owned(), at)),
+        }
+        order.row(line, instant, [sensor, value], label.flatten(), self.reading)
+    }
+
+    /// Keeps what the source reports of a sensor. Later reports add to it.
+    pub fn know(&mut self, sensor: SensorInfo) {
+        let Some(known) = self.known.get_mut(&sensor.id) else {
+            self.known.insert(sensor.id.clone(), sensor);
+            return;
+        };
+        if known.name == known.id {
+            known.name = sensor.name;
+        }
+        known.unit = known.unit.take().or(sensor.unit);
+        known.room = known.room.take().or(sensor.room);
+        // A domain of Home Assistant, such as `binary_sensor`, says less than a class of devices.
+        let is_domain = known.id.strip_prefix(&known.kind).is_some_and(|rest| rest.starts_with('.'));
+        if known.kind.is_empty() || is_domain {
+            (known.kind, known.is_motion) = (sensor.kind, sensor.is_motion);
+        }
+    }
+
+    /// Whether anything is known of a sensor.
+    pub fn knows(&self, sensor: &str) -> bool {
+        self.known.contains_key(sensor)
+    }
+
+    /// Records what a key or a column was taken for, once.
+    pub fn column(&mut self, column: &str, used_as: ColumnRole, because: &str) {
+        let columns = &self.reading.log.columns;
+        let is_new = columns.iter().all(|known| known.column != column || known.used_as != used_as);
+        if is_new && columns.len() < MOST_COLUMNS {
+            self.reading.column(column, used_as, because);
+        }
+    }
+
+    /// Counts something that a remark at the end reports, such as `values that are null`.
+    pub fn count(&mut self, what: &'static str) {
+        *self.counts.entry(what).or_default() += 1;
+    }
+
+    /// Takes note that the recorder of the log stopped.
+    pub fn stop(&mut self, at: Instant) {
+        self.stopped = Some(at);
+    }
+
+    /// Takes note that the recorder started: between its stop and now nothing was recorded.
+    pub fn start(&mut self, at: Instant) {
+        match (self.stopped.take(), at) {
+            (Some(Instant::Utc(begin)), Instant::Utc(end)) | (Some(Instant::Local(begin)), Instant::Local(end))
+                if begin < end =>
+            {
+                self.reading.gap(begin, end);
+            }
+            _ => {}
+        }
+    }
+
+    /// Why the whole text is refused.
+    pub fn refused(&self, why: String) -> LogError {
+        LogError::NoLog { place: self.place.clone(), why: readable(why) }
+    }
+
+    /// Hands over all that waits, and what is known.
+    pub fn end(self) -> Result<(), LogError> {
+        let reading = self.reading;
+        if let Some(order) = self.order {
+            order.end(reading)?;
+        }
+        for (what, count) in self.counts {
+            reading.log.remarks.push(format!("{what}: {count}"));
+        }
+        if self.backward > 0 {
+            let remark = format!(
+                "rows that are earlier than the row of the same sensor before them, and are put into the order of time: {}",
+                self.backward
+            );
+            reading.log.remarks.push(remark);
+        }
+        self.known.into_values().for_each(|sensor| reading.know(sensor));
+        Ok(())
+    }
+}

@@ -1,0 +1,225 @@
+//! Tables of InfluxDB: the annotated CSV of Influx 2, with a row for each field or with fields as columns, and what
+//! `influx -format csv` prints.
+//!
+//! A text has several tables, each with a heading and those of Influx 2 with annotations above it. They have the rows of each series
+//! together, so that they are put into the order of time.
+
+use super::form::{Form, Shows};
+use super::gathered::Gathered;
+use super::instant::{Instant, Instants};
+use super::log::ColumnRole;
+use super::reading::Reading;
+use super::records::{Record, Records};
+use super::said::since_1970_whole;
+use super::series::{Point, Series};
+use super::start::Start;
+use crate::error::LogError;
+use crate::limits::beginning;
+use homebody_core::scenario::logger::LoggerFile;
+use std::path::Path;
+
+pub(super) const FORM: Form = Form {
+    name: "influx-csv",
+    what: "tables of InfluxDB: the annotated CSV of Influx 2, pivoted or not, and what influx -format csv prints",
+    shows,
+    read,
+};
+
+const GROUP: &str = "#group";
+const TYPES: &str = "#datatype";
+const DEFAULTS: &str = "#default";
+
+fn shows(start: &Start) -> Shows {
+    let mut cells = start.cells();
+    let (first, second) = (cells.next().unwrap_or_default(), cells.next().unwrap_or_default());
+    let is_annotated = first.first().is_some_and(|cell| [GROUP, TYPES, DEFAULTS].contains(&cell.as_str()));
+    let has = |name: &str| first.iter().any(|cell| cell == name);
+    let is_in_nanoseconds = |time: usize| {
+        second.get(time).is_some_and(|time| time.len() >= NANOSECONDS && time.bytes().all(|byte| byte.is_ascii_digit()))
+    };
+    let is_printed = first.first().is_some_and(|cell| cell == "name")
+        && first.iter().position(|cell| cell == "time").is_some_and(|time| has("tags") || is_in_nanoseconds(time));
+    Shows::rows_if(is_annotated || has("_time") && (has("_value") || has("_measurement")) || is_printed)
+}
+
+/// A number of nanoseconds since 1970 has so many digits, up to the year 2286.
+const NANOSECONDS: usize = 19;
+
+/// The role of a column.
+#[derive(Clone, Debug, PartialEq)]
+enum Column {
+    Unused,
+    Time,
+    Measurement,
+    /// The name of the field that a row has.
+    Field,
+    /// Its value.
+    Value,
+    Tag(String),
+    /// A field of this name.
+    Reading(String),
+    /// Tags as one text, such as `room=hall,entity_id=pir`.
+    Tags,
+    /// A tag or a field, which its first cell tells.
+    Either(String),
+}
+
+/// A table on its way.
+#[derive(Default)]
+struct Table {
+    groups: Vec<String>,
+    types: Vec<String>,
+    defaults: Vec<String>,
+    columns: Vec<Column>,
+}
+
+impl Table {
+    /// Takes a row of annotations or of names; whether it is one.
+    fn learn(&mut self, cells: &[String]) -> bool {
+        let annotation = match cells.first().map(String::as_str) {
+            Some(GROUP) => &mut self.groups,
+            Some(TYPES) => &mut self.types,
+            Some(DEFAULTS) => &mut self.defaults,
+            _ => {
+                let is_heading = cells.iter().any(|cell| cell == "_time")
+                    || cells.first().is_some_and(|cell| cell == "name") && cells.iter().any(|cell| cell == "time")
+                    || cells.iter().any(|cell| cell == "error") && cells.iter().any(|cell| cell == "reference");
+                if is_heading {
+                    self.columns = cells.iter().enumerate().map(|(at, name)| self.column(at, name, cells)).collect();
+                }
+                return is_heading;
+            }
+        };
+        *annotation = cells.to_vec();
+        self.columns.clear();
+        true
+    }
+
+    fn column(&self, at: usize, name: &str, all: &[String]) -> Column {
+        let is_printed = all.first().is_some_and(|cell| cell == "name");
+        let has_value = all.iter().any(|cell| cell == "_value");
+        match name {
+            "" | "result" | "table" | "_start" | "_stop" if !is_printed => Column::Unused,
+            "error" | "reference" if !all.iter().any(|cell| cell == "_time") => Column::Unused,
+            "_time" => Column::Time,
+            "time" if is_printed => Column::Time,
+            "name" if is_printed && at == 0 => Column::Measurement,
+            "tags" if is_printed => Column::Tags,
+            "_measurement" => Column::Measurement,
+            "_field" => Column::Field,
+            "_value" => Column::Value,
+            "value" | "state" => Column::Reading(name.into()),
+            name if has_value => Column::Tag(name.into()),
+            name => match (self.groups.get(at).map(String::as_str), self.types.get(at).map(String::as_str)) {
+                (Some("true"), _) => Column::Tag(name.into()),
+                (Some("false"), _) => Column::Reading(name.into()),
+                (_, Some("string")) => Column::Tag(name.into()),
+                (_, Some(_)) => Column::Reading(name.into()),
+                (None, None) => Column::Either(name.into()),
+                (Some(_), None) => Column::Either(name.into()),
+            },
+        }
+    }
+
+    /// The point of a row and what tells its instant; None where no cell tells one.
+    fn point(&mut self, cells: &[String]) -> Option<(Point, String)> {
+        let (mut point, mut time, mut field, mut value) = (Point::default(), None, None, None);
+        for (at, column) in self.columns.iter_mut().enumerate() {
+            let cell = cells.get(at).filter(|cell| !cell.is_empty()).or_else(|| self.defaults.get(at));
+            let Some(cell) = cell.filter(|cell| !cell.is_empty()).cloned() else { continue };
+            if let Column::Either(name) = column {
+                let is_reading = cell.parse::<f64>().is_ok() || ["true", "false"].contains(&cell.as_str());
+                let name = std::mem::take(name);
+                *column = if is_reading || name.ends_with("_str") { Column::Reading(name) } else { Column::Tag(name) };
+            }
+            match column {
+                Column::Unused | Column::Either(_) => {}
+                Column::Time => time = Some(cell),
+                Column::Measurement => point.measurement = cell,
+                Column::Field => field = Some(cell),
+                Column::Value => value = Some(cell),
+                Column::Tag(name) => point.tags.push((name.clone(), cell)),
+                Column::Reading(name) => point.fields.push((name.clone(), cell)),
+                Column::Tags => {
+                    let tags = cell.split(',').filter_map(|tag| tag.split_once('='));
+                    point.tags.extend(tags.map(|(key, value)| (key.to_owned(), value.to_owned())));
+                }
+            }
+        }
+        if let Some(value) = value {
+            point.fields.push((field.unwrap_or_else(|| "value".into()), value));
+        }
+        Some((point, time?))
+    }
+}
+
+/// All tables of a file.
+struct Tables {
+    records: Records,
+    table: Table,
+    instants: Instants,
+}
+
+/// A row as a point and its time, or the fault in it.
+type Told = Result<(Point, String), &'static str>;
+
+impl Tables {
+    fn open(path: &Path) -> Result<Tables, LogError> {
+        Ok(Tables { records: Records::open(path)?, table: Table::default(), instants: Instants::default() })
+    }
+
+    /// The next row of cells with its line, past annotations and headings; None at the end.
+    fn next(&mut self) -> Result<Option<(u64, Told)>, LogError> {
+        loop {
+            let time = self.table.columns.iter().position(|column| *column == Column::Time);
+            let instants = &mut self.instants;
+            let mut is_row = |alone: &Record| {
+                let time = time.and_then(|time| alone.get(time)).map(String::from_utf8_lossy);
+                time.is_some_and(|time| instant(&time, instants).is_some())
+            };
+            let Some((line, record)) = self.records.next(&mut is_row)? else { return Ok(None) };
+            if record.is_broken {
+                return Ok(Some((line, Err("a quote in it is never closed"))));
+            }
+            let cells = record.texts();
+            if cells.iter().all(String::is_empty) || self.table.learn(&cells) {
+                continue;
+            }
+            let told = match self.table.columns.is_empty() {
+                true => Err("no heading with a time is above it"),
+                false => self.table.point(&cells).ok_or("it has no time"),
+            };
+            return Ok(Some((line, told)));
+        }
+    }
+}
+
+fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    let mut series = Series::default();
+    // A state as a word and as a number may be in rows of their own: which fields a series has must be known first.
+    let mut tables = Tables::open(path)?;
+    while let Some((_, told)) = tables.next()? {
+        if let Ok((point, _)) = told {
+            let fields = point.fields.iter().map(|(name, _)| name.clone());
+            series.fields.entry(point.series()).or_default().extend(fields);
+        }
+    }
+    let mut out = Gathered::in_order(path, reading);
+    out.column("_time or time", ColumnRole::Time, "its heading");
+    let mut tables = Tables::open(path)?;
+    while let Some((line, told)) = tables.next()? {
+        match told {
+            Ok((point, time)) => match instant(&time, &mut out.reading.instants) {
+                Some(at) => series.take(line, at, &point, &mut out)?,
+                None => out.reading.skip(line, format!("{} is no date and time", beginning(&time))),
+            },
+            Err(why) => out.reading.skip(line, why.into()),
+        }
+    }
+    out.end()
+}
+
+/// The instant in a cell.
+fn instant(time: &str, instants: &mut Instants) -> Option<Instant> {
+    instants.read(time).or_else(|| since_1970_whole(time.trim().parse().ok()?))
+}

@@ -1,0 +1,470 @@
+//! Rows as objects of JSON have them: what an object's keys are taken for, and the rows that it makes.
+//!
+//! An object has a time, and then a sensor and a value; or a value alone, whose sensor is named above it; or a sensor, whose readings
+//! are all its other keys; or a topic and a payload of MQTT. Keys in inner objects count as keys of their own, such as `device.id`.
+
+use super::above::Above;
+use super::columns::Places;
+use super::entity::{entity, is_entity};
+use super::gathered::Gathered;
+use super::instant::Instant;
+use super::log::ColumnRole;
+use super::payload::{Message, Payloads};
+use super::said::{Object, instant, text};
+use crate::error::LogError;
+use crate::limits::beginning;
+use foldhash::HashMap;
+use homebody_core::scenario::logger::LoggerFile;
+use serde_json::Value;
+
+/// The parts of a row, by their places among an object's keys.
+#[derive(Clone, Copy, Debug)]
+enum Shape {
+    /// Time, sensor and value.
+    Whole(Places),
+    /// The same, by their places alone: sensor and value are right behind the time.
+    Guessed(Places),
+    /// Time and value.
+    Reading(Places),
+    /// Time and sensor: all else are readings.
+    Device { time: usize, sensor: usize },
+    /// Time: all else are sensors.
+    Wide { time: usize },
+    /// A message of MQTT.
+    Message { time: usize, topic: usize, payload: usize },
+}
+
+/// By which names keys are looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Names {
+    /// By their own, and those of inner objects not at all.
+    Own,
+    /// With those of inner objects, all the way down: `device_id` of `{"device": {"id": 1}}`.
+    Whole,
+    /// With those of inner objects, by the last of them alone: `id`.
+    Last,
+}
+
+/// The fate of an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Taken {
+    /// It is a row, or several.
+    Row,
+    /// It was to be a row, and something in it is wrong, which is reported.
+    Broken,
+    /// It is something else.
+    Nothing,
+}
+
+/// Takes objects as rows.
+#[derive(Default)]
+pub(super) struct ObjectRows {
+    /// By the keys of the last object: nearly all have the same. Beside the shape stand the names that led to it.
+    known: Option<(Vec<String>, (Shape, Names))>,
+    payloads: Payloads,
+    /// The last state of each entity of Home Assistant, and since when it is.
+    states: HashMap<String, (Instant, String)>,
+    /// The home or person of the rows so far.
+    home: Option<String>,
+}
+
+/// Keys of other programs, and the names that tables have for them.
+const ALIASES: [(&str, &str); 14] = [
+    ("when", "time"),
+    ("tst", "time"),
+    ("_time", "time"),
+    ("Time", "time"),
+    ("phenomenonTime", "time"),
+    ("resultTime", "time"),
+    ("dateTime", "time"),
+    ("created_at", "time"),
+    ("observed_at", "time"),
+    ("recorded_at", "time"),
+    ("date", "time"),
+    ("last_updated", "last_changed"),
+    ("result", "value"),
+    ("_value", "value"),
+];
+
+/// Pairs of keys: if an object has both, the second is passed over.
+const RATHER: [(&str, &str); 2] = [("phenomenonTime", "resultTime"), ("last_changed", "last_updated")];
+
+/// Keys that name the home or the person of a row, by their letters and digits in lower case.
+const HOMES: [&str; 30] = [
+    "home",
+    "homeid",
+    "house",
+    "houseid",
+    "household",
+    "householdid",
+    "patient",
+    "patientid",
+    "participant",
+    "participantid",
+    "subject",
+    "subjectid",
+    "person",
+    "personid",
+    "resident",
+    "residentid",
+    "userid",
+    "apartment",
+    "apartmentid",
+    "dwelling",
+    "dwellingid",
+    "building",
+    "buildingid",
+    "flat",
+    "flatid",
+    "tenant",
+    "tenantid",
+    "siteid",
+    "wohnung",
+    "haushalt",
+];
+
+/// The most objects within each other in a row.
+const DEEPEST: usize = 4;
+
+impl ObjectRows {
+    /// Takes an object as a row, if it is one. If it names no sensor, the members `above` it do.
+    pub fn take(
+        &mut self,
+        line: u64,
+        object: &Object,
+        above: &mut Above,
+        file: &LoggerFile,
+        out: &mut Gathered<'_, '_>,
+    ) -> Result<Taken, LogError> {
+        if let Some(instant) = of_recorder(object, out) {
+            return Ok(instant);
+        }
+        if let Some(state) = changed(object) {
+            return self.take(line, state, above, file, out);
+        }
+        if !self.known.as_ref().is_some_and(|(keys, _)| keys.iter().eq(object.keys())) {
+            let by_names = |names| Some((shape(&members(object, names), names, file, out)?, names));
+            let shape = [Names::Own, Names::Whole, Names::Last].into_iter().find_map(by_names);
+            if let Some((shape, names)) = shape {
+                tell(shape, &members(object, names), out);
+            }
+            // An object without a shape decides nothing: the next one may have other values under the same keys.
+            self.known = shape.map(|shape| (object.keys().cloned().collect(), shape));
+        }
+        let Some((shape, names)) = self.known.as_ref().map(|(_, shape)| *shape) else {
+            return Ok(Taken::Nothing);
+        };
+        let members = members(object, names);
+        let said = |place: usize| members.get(place).map_or(&Value::Null, |(_, said)| *said);
+        let (Shape::Whole(Places { time, .. })
+        | Shape::Guessed(Places { time, .. })
+        | Shape::Reading(Places { time, .. })
+        | Shape::Device { time, .. }
+        | Shape::Wide { time }
+        | Shape::Message { time, .. }) = shape;
+        let Some(at) = instant_of(&members, time, out) else {
+            out.reading.skip(line, format!("{} is no date and time", beginning(&text(said(time)))));
+            return Ok(Taken::Broken);
+        };
+        self.one_home(&members, above, out)?;
+        match shape {
+            Shape::Whole(places) | Shape::Guessed(places) => {
+                let sensor = text(said(places.sensor)).into_owned();
+                let list = above.innermost().filter(|_| is_entity(&sensor));
+                if let Some(list) = list {
+                    list.last = Some(sensor.clone());
+                }
+                self.state(line, at, &sensor, &members, &places, object, out)?;
+            }
+            Shape::Reading(places) => {
+                let before = above.innermost().and_then(|list| list.last.clone());
+                let Some(sensor) = before.or_else(|| above.sensor(object)) else {
+                    out.reading.skip(line, "nothing names its sensor".into());
+                    return Ok(Taken::Broken);
+                };
+                if !is_entity(&sensor) && !out.knows(&sensor) {
+                    out.know(above.info(&sensor, object));
+                }
+                self.state(line, at, &sensor, &members, &places, object, out)?;
+            }
+            Shape::Message { topic, payload, .. } => {
+                let topic = text(said(topic));
+                let message = Message { line, instant: at, topic: &topic, is_zigbee: false };
+                self.payloads.value(&message, said(payload), out)?;
+            }
+            Shape::Device { sensor, .. } => {
+                let device = text(said(sensor));
+                let message = Message { line, instant: at, topic: "", is_zigbee: false };
+                self.payloads.readings(&message, &device, &without(&members, &[time, sensor]), out)?;
+            }
+            Shape::Wide { .. } => {
+                let message = Message { line, instant: at, topic: "", is_zigbee: false };
+                let device = above.sensor(object).unwrap_or_default();
+                self.payloads.readings(&message, &device, &without(&members, &[time]), out)?;
+            }
+        }
+        Ok(Taken::Row)
+    }
+
+    /// Refuses rows of a second home or person.
+    fn one_home(
+        &mut self,
+        members: &[(String, &Value)],
+        above: &Above,
+        out: &mut Gathered<'_, '_>,
+    ) -> Result<(), LogError> {
+        let own = members.iter().find(|(name, said)| is_home(name) && !said.is_null());
+        let named = own.map(|(name, said)| (name.as_str(), *said)).or_else(|| above.member(&is_home));
+        let Some((key, said)) = named.filter(|(_, said)| said.is_string() || said.is_number()) else { return Ok(()) };
+        let home = text(said);
+        match &self.home {
+            None => {
+                out.column(key, ColumnRole::Home, "its key; all rows are of one");
+                self.home = Some(home.into_owned());
+                Ok(())
+            }
+            Some(first) if *first == home => Ok(()),
+            Some(first) => Err(out.refused(format!(
+                "its rows are of several homes or persons, by the key {key:?}: {}, {} ...\n  hint: make a file of the rows of each, \
+                 such as with jq -c 'select(.{key} == \"{first}\")'",
+                beginning(first),
+                beginning(&home)
+            ))),
+        }
+    }
+
+    /// Takes what a sensor reported; of Home Assistant, what its attributes report of the entity, too.
+    #[expect(clippy::too_many_arguments, reason = "all of them are parts of one row")]
+    fn state(
+        &mut self,
+        line: u64,
+        at: Instant,
+        sensor: &str,
+        members: &[(String, &Value)],
+        places: &Places,
+        object: &Object,
+        out: &mut Gathered<'_, '_>,
+    ) -> Result<(), LogError> {
+        let said = members.get(places.value).map_or(&Value::Null, |(_, said)| *said);
+        if said.is_null() {
+            out.count("values that are null, which report nothing");
+            return Ok(());
+        }
+        if let Some(inner) = said.as_object().filter(|inner| inner.values().any(|said| !said.is_array())) {
+            let message = Message { line, instant: at, topic: "", is_zigbee: false };
+            return self.payloads.readings(&message, sensor, inner, out);
+        }
+        let value = text(said);
+        if is_entity(sensor) {
+            let attributes = object.get("attributes").or_else(|| object.get("a")).and_then(Value::as_object);
+            if attributes.is_some() || !out.knows(sensor) {
+                out.know(entity(sensor, attributes));
+            }
+            // Home Assistant writes a state anew when its attributes change.
+            let is_same = self.states.get(sensor).is_some_and(|(since, state)| *since == at && *state == value);
+            if is_same && members[places.time].0 != "time" {
+                out.count("rows in which only attributes changed, passed over");
+                return Ok(());
+            }
+            self.states.insert(sensor.to_owned(), (at, value.clone().into_owned()));
+        }
+        let label = places.label.map(|place| members.get(place).map_or(&Value::Null, |(_, said)| *said));
+        let label = label.map(text);
+        out.row(line, at, [sensor, &value], label.as_deref().map(|label| Some(label).filter(|label| !label.is_empty())))
+    }
+}
+
+fn is_home(key: &str) -> bool {
+    let plain: String = key.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect();
+    HOMES.contains(&plain.as_str())
+}
+
+/// Takes a row of Home Assistant's logbook that its recorder stopped or started.
+fn of_recorder(object: &Object, out: &mut Gathered<'_, '_>) -> Option<Taken> {
+    let domain = object.get("domain")?.as_str()?;
+    let message = object.get("message")?.as_str()?;
+    if domain != "homeassistant" || object.contains_key("entity_id") {
+        return None;
+    }
+    let at = instant(object.get("when")?, &mut out.reading.instants)?;
+    match message {
+        "stopped" => out.stop(at),
+        "started" => out.start(at),
+        _ => {}
+    }
+    out.count("rows of the logbook that are about Home Assistant itself");
+    Some(Taken::Row)
+}
+
+/// The new state in an event of Home Assistant's that an entity has changed.
+fn changed(object: &Object) -> Option<&Object> {
+    let event = object.get("event").and_then(Value::as_object).unwrap_or(object);
+    event.get("data")?.get("new_state")?.as_object()
+}
+
+/// The instant of a row; a date in a member of its own is put before a time of day.
+fn instant_of(members: &[(String, &Value)], time: usize, out: &mut Gathered<'_, '_>) -> Option<Instant> {
+    let (_, said) = members.get(time)?;
+    instant(said, &mut out.reading.instants).or_else(|| {
+        let (_, date) = members.iter().find(|(name, _)| name.eq_ignore_ascii_case("date"))?;
+        out.reading.instants.read(&format!("{} {}", date.as_str()?, said.as_str()?))
+    })
+}
+
+/// The members of an object, by the names that tables would give them.
+fn members(object: &Object, names: Names) -> Vec<(String, &Value)> {
+    let is_state = object.contains_key("s") && (object.contains_key("lu") || object.contains_key("lc"));
+    let mut members = Vec::with_capacity(object.len());
+    for (key, said) in object {
+        match said {
+            Value::Object(inner) if names != Names::Own => flatten(key, inner, names, DEEPEST, &mut members),
+            said => {
+                let key = match key.as_str() {
+                    "s" if is_state => "state",
+                    "lc" if is_state => "last_changed",
+                    "lu" if is_state && !object.contains_key("lc") => "last_changed",
+                    key => key,
+                };
+                members.push((key.to_owned(), said));
+            }
+        }
+    }
+    for at in 0..members.len() {
+        let has = |name: &str| members.iter().any(|(other, _)| other == name);
+        let key = &*members[at].0;
+        let is_second = RATHER.iter().any(|(first, second)| *second == key && has(first));
+        let alias = ALIASES.iter().find(|(other, usual)| *other == key && !has(usual)).filter(|_| !is_second);
+        if let Some((_, usual)) = alias {
+            (*usual).clone_into(&mut members[at].0);
+        }
+    }
+    members
+}
+
+/// Adds the members of inner objects.
+fn flatten<'o>(above: &str, object: &'o Object, names: Names, deepest: usize, members: &mut Vec<(String, &'o Value)>) {
+    for (key, said) in object {
+        let name = if names == Names::Last { key.clone() } else { format!("{above}_{key}") };
+        match said {
+            Value::Object(inner) if deepest > 0 => flatten(&name, inner, names, deepest - 1, members),
+            said => members.push((name, said)),
+        }
+    }
+}
+
+/// The shape of an object with these members, by the usual names of a table's columns.
+fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut Gathered<'_, '_>) -> Option<Shape> {
+    // An object with lists of rows makes no row of its own, and an entity of SensorThings has to have a result.
+    let is_list = |(_, said): &(String, &Value)| {
+        said.as_array().is_some_and(|list| list.iter().any(|said| said.is_object() || said.is_array()))
+    };
+    let is_thing = |(name, _): &(String, &Value)| name.contains("@iot.");
+    if members.iter().any(is_list) || members.iter().any(is_thing) && members.iter().all(|(name, _)| name != "value") {
+        return None;
+    }
+    let names: Vec<String> = members.iter().map(|(name, _)| name.clone()).collect();
+    let is_twice = |name: &String| names.iter().filter(|other| *other == name).count() > 1;
+    let with = |more: &[&str]| {
+        let names: Vec<String> = names.iter().cloned().chain(more.iter().map(ToString::to_string)).collect();
+        // Two keys of one name are ambiguous.
+        Places::by_name(&names, file)
+            .filter(|places| ![places.time, places.sensor, places.value].iter().any(|&at| is_twice(&names[at])))
+    };
+    let place = |wanted: &str| names.iter().position(|name| name == wanted);
+    let scalar = |place: usize| members.get(place).is_some_and(|(_, said)| !said.is_object() && !said.is_array());
+    let mut is_instant =
+        |place: usize| members.get(place).is_some_and(|(_, said)| instant(said, &mut out.reading.instants).is_some());
+    let time = with(&["sensor", "value"]).map(|places| places.time).filter(|&time| time < names.len());
+    if let (Some(time), Some(topic), Some(payload)) = (time, place("topic"), place("payload")) {
+        return Some(Shape::Message { time, topic, payload });
+    }
+    if let Some(places) = with(&[]).filter(|places| scalar(places.time) && scalar(places.sensor)) {
+        return members.get(places.value).is_some_and(|(_, said)| !said.is_array()).then_some(Shape::Whole(places));
+    }
+    let others = |apart: &[usize]| (0..names.len()).filter(|at| !apart.contains(at)).collect::<Vec<_>>();
+    match time.filter(|&time| is_instant(time)) {
+        None => guessed(members, out).map(Shape::Guessed),
+        Some(time) => {
+            let reading =
+                with(&["sensor"]).filter(|places| places.value < names.len() && !members[places.value].1.is_array());
+            let device = with(&["value"]).map(|places| places.sensor).filter(|&sensor| sensor < names.len());
+            match (reading, device.filter(|&device| scalar(device))) {
+                (Some(places), _) if by == Names::Own => Some(Shape::Reading(places)),
+                (Some(_), _) => None,
+                (None, Some(sensor)) if !others(&[time, sensor]).is_empty() => Some(Shape::Device { time, sensor }),
+                (None, Some(_)) => None,
+                (None, None) => {
+                    let is_reading =
+                        |&at: &usize| matches!(members[at].1, Value::Bool(_) | Value::Number(_) | Value::Null);
+                    let rest = others(&[time]);
+                    let is_wide = !rest.is_empty() && rest.iter().all(is_reading);
+                    if is_wide { Some(Shape::Wide { time }) } else { guessed(members, out).map(Shape::Guessed) }
+                }
+            }
+        }
+    }
+}
+
+/// The parts of a row under names that say nothing: the first instant, and right behind it a sensor and a value.
+fn guessed(members: &[(String, &Value)], out: &mut Gathered<'_, '_>) -> Option<Places> {
+    let mut is_instant = |said: &Value| instant(said, &mut out.reading.instants).is_some();
+    let time = members.iter().position(|(_, said)| is_instant(said))?;
+    let mut behind = members.iter().skip(time + 1).take(2);
+    let ((_, sensor), (_, value)) = (behind.next()?, behind.next()?);
+    let is_log =
+        sensor.is_string() && !is_instant(sensor) && !value.is_object() && !value.is_array() && !is_instant(value);
+    is_log.then_some(Places { time, sensor: time + 1, value: time + 2, label: None, is_mapped: false })
+}
+
+/// Records what the keys were taken for.
+fn tell(shape: Shape, members: &[(String, &Value)], out: &mut Gathered<'_, '_>) {
+    let (parts, because): (Vec<(usize, ColumnRole)>, &str) = match shape {
+        Shape::Whole(Places { time, sensor, value, label, .. }) => {
+            let label = label.map(|label| (label, ColumnRole::Label));
+            let parts = [(time, ColumnRole::Time), (sensor, ColumnRole::Sensor), (value, ColumnRole::Value)];
+            (parts.into_iter().chain(label).collect(), "its key")
+        }
+        Shape::Guessed(Places { time, sensor, value, .. }) => (
+            vec![(time, ColumnRole::Time), (sensor, ColumnRole::Sensor), (value, ColumnRole::Value)],
+            "its place: the first instant, and what is right behind it",
+        ),
+        Shape::Reading(Places { time, value, .. }) => {
+            out.column("the names above the rows", ColumnRole::Sensor, "the rows name no sensor");
+            (vec![(time, ColumnRole::Time), (value, ColumnRole::Value)], "its key")
+        }
+        Shape::Device { time, sensor } => {
+            out.column("all other keys", ColumnRole::OneSensor, "each is a reading of the device");
+            (vec![(time, ColumnRole::Time), (sensor, ColumnRole::Sensor)], "its key")
+        }
+        Shape::Wide { time } => {
+            out.column(
+                "all other keys",
+                ColumnRole::OneSensor,
+                "no key is a sensor, and all values are numbers or booleans",
+            );
+            (vec![(time, ColumnRole::Time)], "its key")
+        }
+        Shape::Message { time, topic, payload } => {
+            out.column("the keys of payloads", ColumnRole::OneSensor, "each is a reading of the device");
+            let parts = [(time, ColumnRole::Time), (topic, ColumnRole::Sensor), (payload, ColumnRole::Value)];
+            (parts.to_vec(), "its key")
+        }
+    };
+    let is_all = matches!(shape, Shape::Device { .. } | Shape::Wide { .. });
+    for (place, (name, _)) in members.iter().enumerate() {
+        match parts.iter().find(|(part, _)| *part == place) {
+            Some((_, role)) => out.column(name, *role, because),
+            None if is_all || is_home(name) => {}
+            None if name == "attributes" || name == "a" => {
+                out.column(name, ColumnRole::Kind, "Home Assistant's attributes, with the class, the unit and the name")
+            }
+            None => out.column(name, ColumnRole::Unused, "it is no part of a row"),
+        }
+    }
+}
+
+/// The members but for some.
+fn without(members: &[(String, &Value)], apart: &[usize]) -> Object {
+    let kept = members.iter().enumerate().filter(|(at, (name, _))| !apart.contains(at) && !is_home(name));
+    kept.map(|(_, (name, said))| (name.clone(), (*said).clone())).collect()
+}
