@@ -65,16 +65,19 @@ fn several_outputs_hold_the_same_rows() {
     assert_eq!(lines("log.csv")[1..], rows(",", "seq fired_at sensor value"));
     assert_eq!(lines("log.txt"), rows("\t", "fired_at sensor value"));
     assert_eq!(lines("second.csv"), lines("log.csv"));
-    assert_eq!(folder.files().iter().filter(|name| !name.starts_with("flat/")).count(), 4, "{:?}", folder.files());
+    assert_eq!(folder.files().iter().filter(|name| !name.starts_with("flat/")).count(), 6, "{:?}", folder.files());
 }
 
 /// Words, each with the files it writes.
 const WRITES: [(&str, &[&str]); 13] = [
-    ("run flat --for 1m --out sqlite:new.db --out csv:kept", &["kept", "new.db"]),
-    ("run flat --for 1m --out csv:new.csv --out sqlite:kept", &["kept", "new.csv"]),
-    ("run flat --for 1m --out csv:new.csv --out casas:kept", &["kept", "new.csv"]),
-    ("run flat --for 1m --out csv:new.csv --truth kept", &["kept", "new.csv"]),
-    ("run flat --for 1m --out csv:new.csv --record kept", &["kept", "new.csv"]),
+    ("run flat --for 1m --out sqlite:new.db --out csv:kept", &["kept", "kept.sensors.csv", "new.db"]),
+    ("run flat --for 1m --out csv:new.csv --out sqlite:kept", &["kept", "new.csv", "new.sensors.csv"]),
+    (
+        "run flat --for 1m --out csv:new.csv --out casas:kept",
+        &["kept", "kept.sensors.csv", "new.csv", "new.sensors.csv"],
+    ),
+    ("run flat --for 1m --out csv:new.csv --truth kept", &["kept", "new.csv", "new.sensors.csv"]),
+    ("run flat --for 1m --out csv:new.csv --record kept", &["kept", "new.csv", "new.sensors.csv"]),
     ("coverage flat --svg new.svg --png kept", &["kept", "new.svg"]),
     ("coverage flat --svg kept --png new.png", &["kept", "new.png"]),
     ("coverage flat --png new.png --json=kept", &["kept", "new.png"]),
