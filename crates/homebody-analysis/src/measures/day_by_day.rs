@@ -16,9 +16,7 @@ use super::silent::Listening;
 use super::timeline::{Timeline, within_h};
 use super::walking::Paces;
 use crate::dates::{MOST_DAYS, date_of};
-use crate::density::{
-    Absence, Asked, Cell, Chosen, Entrance, Leaving, NoMap, SEATED, Signs, apart,
-};
+use crate::density::{Absence, Asked, Cell, Chosen, Entrance, Leaving, NoMap, SEATED, Signs, apart};
 use crate::rows::{Ongoing, Row, Span, Tallies};
 use crate::signs::{Kind, LogSensors, is_seat};
 use homebody_core::time::{DAY, Micros, SECOND};
@@ -287,7 +285,8 @@ impl<'a> Measuring<'a> {
             so_far.has_spoken[sensor] |= gives_signs(sensors.kinds[sensor], &row.said);
         }
         let has_spoken = &so_far.has_spoken;
-        let is_one = |sensor: usize| has_spoken[sensor] && !matches!(sensors.kinds[sensor], Kind::Reading | Kind::Other);
+        let is_one =
+            |sensor: usize| has_spoken[sensor] && !matches!(sensors.kinds[sensor], Kind::Reading | Kind::Other);
         so_far.rooms = self.all_rooms.among(&is_one);
         so_far.entrance = Entrance::find(&self.log.sensors, &sensors, &self.asked.doors);
         so_far.has_motion |= sensors.kinds.contains(&Kind::Motion);

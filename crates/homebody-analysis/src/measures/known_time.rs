@@ -5,7 +5,8 @@
 
 use super::timeline::{joined, within_h};
 use crate::density::{Cell, SILENCE};
-use crate::rows::{Span, without};
+use crate::rows::Span;
+use crate::signs::without;
 use homebody_core::time::{DAY, Micros, SECOND};
 use std::ops::Range;
 

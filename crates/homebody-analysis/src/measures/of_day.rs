@@ -4,7 +4,8 @@ use super::rooms::Purpose;
 use super::timeline::{Timeline, within_h};
 use super::wandering::Wandering;
 use crate::density::{Cell, Sum, apart};
-use crate::rows::{Span, without};
+use crate::rows::Span;
+use crate::signs::without;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 
 /// Who is in the bathroom for less passes through it (ours).

@@ -68,7 +68,8 @@ impl OfSensor {
         let quiet = self.quiet(at, away)?;
         let least = SILENT.max(self.longest * SILENT_TIMES);
         let is_regular = kind == Kind::Motion && self.longest > 0 || self.speaks_on_most_days();
-        let since = self.before.filter(|_| quiet >= least && is_regular && !matches!(kind, Kind::Reading | Kind::Other))?;
+        let since =
+            self.before.filter(|_| quiet >= least && is_regular && !matches!(kind, Kind::Reading | Kind::Other))?;
         Some(Silence { sensor, span: (since, at), told: self.told.unwrap_or(at) })
     }
 }

@@ -114,7 +114,8 @@ fn problems(problems: &[ProblemView]) -> Result<(), String> {
 fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
     let stage = Stage::open(shelf)?;
     let mut seen = Seen::default();
-    says.into_iter().for_each(|say| stage.say(say));
+    let voice = stage.voice();
+    says.into_iter().for_each(|say| drop(voice.say(say)));
     let begun = Instant::now();
     while begun.elapsed() < LONGEST {
         let news = stage.news(&mut seen, 100);

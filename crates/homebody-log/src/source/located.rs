@@ -162,7 +162,9 @@ impl Source {
             foreign_kind(&start).is_none().then_some(())?;
             let form = match shown(&start) {
                 Some((form, Shows::Activities)) if *form != xes::FORM => form,
-                Some((form, Shows::Rows)) if ![csv::FORM, intervals::FORM, csv::INTERVALS].contains(form) => return None,
+                Some((form, Shows::Rows)) if ![csv::FORM, intervals::FORM, csv::INTERVALS].contains(form) => {
+                    return None;
+                }
                 _ => LabelTable::of(&start).map(|_| &labels::FORM)?,
             };
             let (first, last) = ends(path)?;
