@@ -18,6 +18,7 @@ use homebody_log::table::{Batch, Cell, Texts};
 use homebody_log::{Begin, Cancel, Deadline, How, LogError, Url};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// How much goes into one transaction, at most (ours).
 const MOST_AT_ONCE: usize = 20_000;
@@ -135,9 +136,10 @@ impl FleetSink for PostgresFleet {
         if rows.is_empty() {
             return Ok(());
         }
+        let begun = Instant::now();
         match open.transact(&rows) {
-            // A connection may have been lost long ago, without anybody noticing: a new one is tried once.
-            Err(error) if error.passes() && !matches!(error, LogError::Hangs { .. }) => {
+            // The connection may have been lost long ago: a new one is tried once, unless this has taken long already.
+            Err(error) if error.passes() && begun.elapsed() < open.deadline.within() / 2 => {
                 open.connection = None;
                 open.transact(&rows)
             }

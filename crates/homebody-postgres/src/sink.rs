@@ -19,6 +19,7 @@ use homebody_core::time::Micros;
 use homebody_log::table::{Batch, ColumnKind};
 use homebody_log::{Begin, Deadline, How, LogError, RunInfo, Sink, Url, Watermark};
 use std::pin::Pin;
+use std::time::Instant;
 use tokio_postgres::CopyInSink;
 use tokio_postgres::types::ToSql;
 
@@ -244,9 +245,10 @@ impl Open {
                 Sealed { rows, then, end, is_in_doubt: false }
             });
             let is_last = end.is_some() && sealed.end == end;
+            let begun = Instant::now();
             match self.transact() {
-                // A connection may have been lost long ago, without anybody noticing: a new one is tried once.
-                Err(error) if error.passes() && !matches!(error, LogError::Hangs { .. }) => {
+                // The connection may have been lost long ago: a new one is tried once, unless this has taken long already.
+                Err(error) if error.passes() && begun.elapsed() < self.deadline.within() / 2 => {
                     self.disconnect();
                     if let Err(error) = self.transact() {
                         self.disconnect();
