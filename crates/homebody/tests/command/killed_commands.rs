@@ -54,7 +54,6 @@ fn killed_commands_are_given_again() {
         ("-TERM", "convert runs/flat-1 --to csv:out.csv", &["out.csv", "out.sensors.csv"]),
         ("-KILL", "convert runs/flat-1 --to jsonl:out.jsonl.gz", &["out.jsonl.gz", "out.sensors.csv"]),
         ("-KILL", "label runs/flat-1 --to sqlite:labelled.db", &["labelled.db"]),
-        ("-KILL", "translate runs/flat-1 --home flat --to walked", &["walked"]),
     ] {
         killed += killed_and_given_again(&folder, words, made, signal);
     }
