@@ -93,7 +93,10 @@ def main() -> int:
         lives = []
         for plan in sorted(folder.glob("*.sh3d")):
             with tempfile.TemporaryDirectory() as scratch:
-                drawn, furnished = (lived(arguments.homebody.resolve(), plan.resolve(), Path(scratch), *options) for options in ([], ["--furnish"]))
+                given = arguments.homebody.resolve(), plan.resolve(), Path(scratch)
+                drawn = lived(*given)
+                # Nothing is added to a home in which somebody lives.
+                furnished = drawn if drawn.is_lived_in else lived(*given, "--furnish")
             lives.append((drawn, furnished))
             size = drawn.refused or f"{drawn.rooms}, {drawn.doors}, {drawn.pieces}"
             print(f"| {plan.stem} | {size} | {drawn.outcome} | {furnished.outcome} |", flush=True)

@@ -24,7 +24,9 @@ const MOST_ALONE: usize = 24;
 
 /// The steps of a move, and the longest move: people pull a chair out by its own depth.
 const STEP_M: f64 = 0.05;
+/// The longest move of a seat.
 const MOST_SEAT_M: f64 = 1.0;
+/// The longest move of another piece.
 const MOST_OTHER_M: f64 = 0.5;
 
 /// How far beside an edge somebody sits whose chair is pulled out.

@@ -150,7 +150,10 @@ struct Part {
 fn parts(home: &HomeFile, plan: &Plan, mesh: &Mesh) -> Vec<Part> {
     let mut parts: Vec<Part> = Vec::new();
     for room in 0..plan.rooms.len() {
-        let Some(at) = mesh.approach(geometry::inner_point(&plan.rooms[room].outline)) else { continue };
+        let outline = &plan.rooms[room].outline;
+        // A table may stand in the middle.
+        let beside = || grid(plan, room).find(|&at| geometry::contains(outline, at) && mesh.is_free(at));
+        let Some(at) = mesh.approach(geometry::inner_point(outline)).or_else(beside) else { continue };
         match parts.iter_mut().find(|part| mesh.can_reach(part.at, at)) {
             Some(part) => part.rooms.push(room),
             None => parts.push(Part { at, rooms: vec![room] }),
@@ -339,5 +342,23 @@ mod tests {
             assert!(away_m < 2.0 * STEP_M, "{}: {away_m} m, {outline:?}", piece.name);
             home.furniture.push(piece);
         }
+    }
+
+    #[test]
+    fn finds_a_place_in_a_room_with_a_table_in_its_middle() {
+        let home = |size_m: [f64; 2]| -> HomeFile {
+            from_value(json!({
+                "name": "one room",
+                "rooms": [{ "name": "room", "outline": [[0, 0], [6, 0], [6, 5], [0, 5]] }],
+                "walls": [],
+                "furniture": [{ "name": "table", "at": [3, 2.5], "size_m": size_m, "height_m": 0.7 }]
+            }))
+            .unwrap()
+        };
+        let resident: ResidentFile = from_value(json!({ "name": "ann", "driver": { "path": "ann.json" } })).unwrap();
+        let lacking = |size_m: [f64; 2]| lacking(&home(size_m), &[], &resident, &Numbers::default());
+        assert!(NEEDS.iter().all(|&need| lacking([1.5, 1.5]).piece(need).is_some()));
+        // A table as large as the room leaves no place.
+        assert!(NEEDS.iter().all(|&need| lacking([5.8, 4.8]).piece(need).is_none()));
     }
 }

@@ -135,7 +135,8 @@ fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
         assert!(asleep_h >= 4.0 && meals >= 2.0 && visits >= 2.0, "{asleep_h} {meals} {visits}");
         // Nobody lives there without these pieces.
         folder.run(&format!("import plan.sh3d bare-{name}")).ok();
-        folder.run(&format!("check bare-{name}")).fails(2, "nowhere in this home to sleep");
+        let lacks = format!("there is room in {:?}: add to \"furniture\" {{\"name\": {bed:?}", plan_of[1]);
+        folder.run(&format!("check bare-{name}")).fails(2, &lacks);
     }
 }
 
