@@ -43,7 +43,7 @@ struct OfSensor {
     told: Option<Micros>,
 }
 
-/// A silence of a sensor, and the instant from which it is known.
+/// A silence of a sensor. `told` is the first instant at which it is certain.
 struct Silence {
     sensor: usize,
     span: Span,

@@ -27,7 +27,7 @@ const LEAST_WALK_M: f64 = 3.0;
 /// Nobody walks at home faster or slower (ours).
 const SPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=2.0;
 
-/// The pace of ways between sensors in different rooms, beside their first times.
+/// The pace of ways between sensors in different rooms, relative to their first times.
 #[derive(Default)]
 pub struct Paces {
     before: Option<Sign>,
