@@ -385,7 +385,7 @@ fn name_sensors(log: &mut Log, scenario: &Scenario) {
     know_sensors(log, scenario);
 }
 
-/// Keeps what the home of a scenario has of the log's sensors, beside what is known of them.
+/// Adds the names, kinds and rooms that a scenario's home has of the log's sensors.
 fn know_sensors(log: &mut Log, scenario: &Scenario) {
     for sensor in scenario.home.placed_sensors() {
         let info = SensorInfo::in_home(sensor, scenario);

@@ -85,8 +85,8 @@ decide, an option does:
 
 A home that is read from a table with odd names needs a `logger.json` that tells the names of table and columns: `--mapping logger.json`
 (`docs/logger.md`). A folder with `sensors.csv`, as a run leaves it, tells names, kinds and rooms of sensors.
-A person may write it, too: `id,kind` is enough, and a kind is `motion`, `contact`, `used`, `reading` or `other`. It overrides what the
-log's source and the names of its sensors say; `homebody look` shows by which evidence each sensor is taken for what it is.
+A person may write it, too: `id,kind` is enough, and a kind is `motion`, `contact`, `used`, `reading` or `other`. It overrides the
+log's source and the names of its sensors. `homebody look` shows the evidence for the kind of each sensor.
 
 ## Activities
 

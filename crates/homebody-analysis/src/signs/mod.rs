@@ -4,12 +4,12 @@
 //!
 //! | evidence | what it is |
 //! |---|---|
-//! | table | the kind in the table of sensors beside the log: a person or a run wrote it |
-//! | source | what the log's source says: a class of device, a type, a unit, the domain of an id |
-//! | home | the kind in the home that the log is of |
-//! | values | what no other kind says: numbers, `OPEN` and `CLOSE` |
+//! | table | the kind in `sensors.csv` in the log's folder |
+//! | source | a class of device, a type, a unit, the domain of an id |
+//! | home | the kind in the home of the log |
+//! | values | numbers, `OPEN` and `CLOSE` |
 //! | name | words of its name or id, in any language of the plan importer |
-//! | guess | how long it is `ON`; it decides nothing that the others say |
+//! | guess | how long it is `ON` |
 //!
 //! Words of kinds have their meanings in `homebody_core::sensed`, words of names in `homebody_core::vocabulary`.
 //!
