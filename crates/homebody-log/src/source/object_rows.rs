@@ -169,22 +169,7 @@ impl ObjectRows {
         if let Some(state) = changed(object) {
             return self.take(line, state, above, file, out);
         }
-        if !self.known.as_ref().is_some_and(|(keys, _)| keys.iter().eq(object.keys())) {
-            let by_names = |names| Some((shape(&members(object, names), names, file, out)?, names));
-            let mut shape = [Names::Own, Names::Whole, Names::Last].into_iter().find_map(by_names);
-            if shape.is_none() && self.by_place {
-                let places = guessed(&members(object, Names::Own), out);
-                shape = places.map(|places| (Shape::Guessed(places), Names::Own));
-            }
-            if let Some((shape, names)) = shape {
-                tell(shape, &members(object, names), out);
-            }
-            // An object without a shape decides nothing: the next one may have other values under the same keys.
-            self.known = shape.map(|shape| (object.keys().cloned().collect(), shape));
-        }
-        let Some((shape, names)) = self.known.as_ref().map(|(_, shape)| *shape) else {
-            return Ok(Taken::Nothing);
-        };
+        let Some((shape, names)) = self.shape(object, file, out) else { return Ok(Taken::Nothing) };
         let members = members(object, names);
         let said = |place: usize| members.get(place).map_or(&Value::Null, |(_, said)| *said);
         let (Shape::Whole(Places { time, .. })
@@ -238,6 +223,24 @@ impl ObjectRows {
             }
         }
         Ok(Taken::Row)
+    }
+
+    /// The shape of an object, and the names that led to it.
+    fn shape(&mut self, object: &Object, file: &LoggerFile, out: &mut Gathered<'_, '_>) -> Option<(Shape, Names)> {
+        if !self.known.as_ref().is_some_and(|(keys, _)| keys.iter().eq(object.keys())) {
+            let by_names = |names| Some((shape(&members(object, names), names, file, out)?, names));
+            let mut shape = [Names::Own, Names::Whole, Names::Last].into_iter().find_map(by_names);
+            if shape.is_none() && self.by_place {
+                let places = guessed(&members(object, Names::Own), out);
+                shape = places.map(|places| (Shape::Guessed(places), Names::Own));
+            }
+            if let Some((shape, names)) = shape {
+                tell(shape, &members(object, names), out);
+            }
+            // An object without a shape decides nothing: the next one may have other values under the same keys.
+            self.known = shape.map(|shape| (object.keys().cloned().collect(), shape));
+        }
+        self.known.as_ref().map(|(_, shape)| *shape)
     }
 
     /// Refuses rows of a second home or person.
