@@ -170,7 +170,10 @@ rows.replace("\"2026-02-02T06:00:00\"", "1770012000").replace("\"2026-02-02T06:0
         r#"[{"target": "hall", "datapoints": [["on", 1770012000], ["off", 1770012060]]}]"#.into(),
         r#"{"status": "success", "data": {"resultType": "matrix", "result": [{"metric": {"room": "hall"}, "values": [[1770012000, "on"], [1770012060, "off"]]}]}}"#.into(),
         r#"{"results": [{"statement_id": 0, "series": [{"name": "hall", "columns": ["time", "value"], "values": [["2026-02-02T06:00:00", "on"], ["2026-02-02T06:01:00", "off"]]}]}]}"#.into(),
-        r#"{"columns": ["time", "entity", "device", "state"], "data": [["2026-02-02T06:00:00", 1, "hall", "on"], ["2026-02-02T06:01:00", 1, "hall", "off"]]}"#.into(),
+        r#"{"columns": ["time", "number", "device", "state"], "data": [["2026-02-02T06:00:00", 1, "hall", "on"], ["2026-02-02T06:01:00", 1, "hall", "off"]]}"#.into(),
+        r#"{"name": "hall", "datapoints": "2", "data": [{"time": 1770012000000, "state": "on"}, {"time": 1770012060000, "state": "off"}]}"#.into(),
+        r#"{"hall": [{"ts": 1770012000000, "value": "on"}, {"ts": 1770012060000, "value": "off"}]}"#.into(),
+        r#"[{"Zeit": "2026-02-02T06:00:00", "Geraet": "hall", "Zustand": "on"}, {"Zeit": "2026-02-02T06:01:00", "Geraet": "hall", "Zustand": "off"}]"#.into(),
         r#"[{"date": "2026-02-02", "time": "06:00:00", "device": {"name": "hall"}, "state": "on"}, {"date": "2026-02-02", "time": "06:01:00", "device": {"name": "hall"}, "state": "off"}]"#.into(),
     ];
     for (number, text) in others.iter().enumerate() {
@@ -193,6 +196,33 @@ fn rows_without_a_value_have_a_reading_under_each_other_key() {
     let wide = log(&folder, "json", "wide.json", wide);
     assert_eq!(told(&wide), [(0.0, "hall", "1"), (0.0, "stair", "0")]);
     assert!(is_used(&wide, "all other keys", ColumnRole::OneSensor));
+}
+
+#[test]
+fn rows_of_two_homes_are_refused_and_those_of_one_are_read() {
+    let folder = Folder::new("homes");
+    let row = |home: &str, minute: u32| {
+        format!(
+            r#"{{"time": "2026-02-02T06:0{minute}:00Z", "home_id": "{home}", "sensor": "hall", "value": "on", "room": "hall", "kind": "motion"}}"#
+        )
+    };
+    for (form, name, [open, between, close]) in
+        [("json", "homes.json", ["[", ",", "]"]), ("jsonl", "homes.jsonl", ["", "\n", ""])]
+    {
+        let text = |homes: [&str; 2]| format!("{open}{}{between}{}{close}", row(homes[0], 0), row(homes[1], 1));
+        let log = log(&folder, form, name, &text(["A", "A"]));
+        assert_eq!(told(&log), [(0.0, "hall", "on"), (1.0, "hall", "on")]);
+        assert!(is_used(&log, "home_id", ColumnRole::Home) && is_used(&log, "room", ColumnRole::Room));
+        assert_eq!(about(&log, "hall"), ["hall", "motion", "", "hall"]);
+        let error = result(&folder, form, name, &text(["A", "B"])).unwrap_err().to_string();
+        assert!(
+            error.contains("of several homes or persons, by the key \"home_id\": \"A\", \"B\"")
+                && error.contains("hint: "),
+            "{error}"
+        );
+    }
+    let above = r#"[{"home": "A", "rows": [{"time": 1770012000, "sensor": "hall", "value": 1}]}, {"home": "B", "rows": [{"time": 1770012000, "sensor": "hall", "value": 1}]}]"#;
+    assert!(result(&folder, "json", "above.json", above).unwrap_err().to_string().contains("of several homes"));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The keys and members above a row in a text of JSON: they name its sensor if the row does not.
 
 use super::entity::is_entity;
+use super::log::ColumnRole;
 use super::said::{Object, member};
 use crate::sensor_info::SensorInfo;
 use serde_json::Value;
@@ -75,7 +76,19 @@ const IDS: [&str; 3] = ["@iot.id", "id", "uuid"];
 /// Members whose own members name a series: of Prometheus and of InfluxDB.
 const TAGS: [&str; 2] = ["metric", "tags"];
 
+/// Members that describe a sensor.
+const KINDS: [&str; 3] = ["device_class", "kind", "sensor_type"];
+const UNITS: [&str; 3] = ["unit", "unit_of_measurement", "uom"];
+const ROOMS: [&str; 3] = ["room", "area", "location"];
+
 impl Above {
+    /// The role of a member that describes a sensor.
+    pub fn role(name: &str) -> Option<ColumnRole> {
+        let roles: [(&[&str], ColumnRole); 3] =
+            [(&KINDS, ColumnRole::Kind), (&UNITS, ColumnRole::Unit), (&ROOMS, ColumnRole::Room)];
+        roles.into_iter().find(|(names, _)| names.contains(&name)).map(|(_, role)| role)
+    }
+
     pub fn enter(&mut self, level: Level) {
         self.levels.push(level);
     }
@@ -174,14 +187,13 @@ impl Above {
         let first = |names: &[&str]| objects.iter().find_map(|object| member(object, names));
         let inner =
             |key: &str, names: &[&str]| objects.iter().find_map(|object| member(object.get(key)?.as_object()?, names));
-        let kind = first(&["device_class", "kind", "sensor_type"]);
+        let kind = first(&KINDS);
         let kind = kind.or_else(|| inner("ObservedProperty", &["name"])).unwrap_or_default().to_lowercase();
         SensorInfo {
             is_motion: kind.ends_with("motion"),
             kind,
-            unit: inner("unitOfMeasurement", &["symbol", "name"])
-                .or_else(|| first(&["unit", "unit_of_measurement", "uom"])),
-            room: first(&["room", "area", "location"]),
+            unit: inner("unitOfMeasurement", &["symbol", "name"]).or_else(|| first(&UNITS)),
+            room: first(&ROOMS),
             ..SensorInfo::named(sensor)
         }
     }

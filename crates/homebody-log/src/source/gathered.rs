@@ -156,7 +156,10 @@ impl<'r, 't> Gathered<'r, 't> {
             );
             reading.log.remarks.push(remark);
         }
-        self.known.into_values().for_each(|sensor| reading.know(sensor));
+        let is_known = |sensor: &SensorInfo| {
+            !sensor.kind.is_empty() || sensor.unit.is_some() || sensor.room.is_some() || sensor.name != sensor.id
+        };
+        self.known.into_values().filter(is_known).for_each(|sensor| reading.know(sensor));
         Ok(())
     }
 }

@@ -29,7 +29,7 @@ fn shows(start: &Start) -> Shows {
         let mut take = |_: &Log| Ok(());
         let mut reading = Reading::new(&mut take);
         let mut out = Gathered::as_they_come(&start.path, &mut reading);
-        let taken = ObjectRows::default().take(1, object, &mut Above::default(), &LoggerFile::default(), &mut out);
+        let taken = ObjectRows::of_lines().take(1, object, &mut Above::default(), &LoggerFile::default(), &mut out);
         taken.is_ok_and(|taken| taken != Taken::Nothing)
     };
     match first {
@@ -46,7 +46,7 @@ fn is_span(object: &Object) -> bool {
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let mut lines = Lines::open(path)?;
-    let (mut objects, mut above) = (ObjectRows::default(), Above::default());
+    let (mut objects, mut above) = (ObjectRows::of_lines(), Above::default());
     let mut out = Gathered::as_they_come(path, reading);
     while let Some((line, text)) = lines.next()? {
         if text.trim_ascii().is_empty() {

@@ -66,24 +66,44 @@ pub(super) struct ObjectRows {
     states: HashMap<String, (Instant, String)>,
     /// The home or person of the rows so far.
     home: Option<String>,
+    /// Whether the places of keys tell what they are if their names do not.
+    by_place: bool,
 }
 
 /// Keys of other programs, and the names that tables have for them.
-const ALIASES: [(&str, &str); 14] = [
+const ALIASES: [(&str, &str); 32] = [
     ("when", "time"),
     ("tst", "time"),
     ("_time", "time"),
-    ("Time", "time"),
     ("phenomenonTime", "time"),
     ("resultTime", "time"),
-    ("dateTime", "time"),
+    ("event_time", "time"),
     ("created_at", "time"),
     ("observed_at", "time"),
     ("recorded_at", "time"),
     ("date", "time"),
+    ("datum", "time"),
+    ("zeit", "time"),
+    ("zeitstempel", "time"),
     ("last_updated", "last_changed"),
+    ("entity", "sensor"),
+    ("sensor_name", "sensor"),
+    ("sensorName", "sensor"),
+    ("sensorId", "sensor"),
+    ("device_name", "sensor"),
+    ("deviceName", "sensor"),
+    ("deviceId", "sensor"),
+    ("geraet", "sensor"),
+    ("gerät", "sensor"),
+    ("capteur", "sensor"),
     ("result", "value"),
     ("_value", "value"),
+    ("reading", "value"),
+    ("wert", "value"),
+    ("zustand", "value"),
+    ("valeur", "value"),
+    ("newState", "value"),
+    ("new_state", "value"),
 ];
 
 /// Pairs of keys: if an object has both, the second is passed over.
@@ -123,10 +143,17 @@ const HOMES: [&str; 30] = [
     "haushalt",
 ];
 
+const NAMELESS: &str = "nothing names its sensor: no key such as sensor, device or entity_id, and no name above it";
+
 /// The most objects within each other in a row.
 const DEEPEST: usize = 4;
 
 impl ObjectRows {
+    /// Objects of lines: if names say nothing, places do.
+    pub fn of_lines() -> ObjectRows {
+        ObjectRows { by_place: true, ..ObjectRows::default() }
+    }
+
     /// Takes an object as a row, if it is one. If it names no sensor, the members `above` it do.
     pub fn take(
         &mut self,
@@ -142,18 +169,7 @@ impl ObjectRows {
         if let Some(state) = changed(object) {
             return self.take(line, state, above, file, out);
         }
-        if !self.known.as_ref().is_some_and(|(keys, _)| keys.iter().eq(object.keys())) {
-            let by_names = |names| Some((shape(&members(object, names), names, file, out)?, names));
-            let shape = [Names::Own, Names::Whole, Names::Last].into_iter().find_map(by_names);
-            if let Some((shape, names)) = shape {
-                tell(shape, &members(object, names), out);
-            }
-            // An object without a shape decides nothing: the next one may have other values under the same keys.
-            self.known = shape.map(|shape| (object.keys().cloned().collect(), shape));
-        }
-        let Some((shape, names)) = self.known.as_ref().map(|(_, shape)| *shape) else {
-            return Ok(Taken::Nothing);
-        };
+        let Some((shape, names)) = self.shape(object, file, out) else { return Ok(Taken::Nothing) };
         let members = members(object, names);
         let said = |place: usize| members.get(place).map_or(&Value::Null, |(_, said)| *said);
         let (Shape::Whole(Places { time, .. })
@@ -170,6 +186,9 @@ impl ObjectRows {
         match shape {
             Shape::Whole(places) | Shape::Guessed(places) => {
                 let sensor = text(said(places.sensor)).into_owned();
+                if !is_entity(&sensor) && !out.knows(&sensor) {
+                    out.know(above.info(&sensor, object));
+                }
                 let list = above.innermost().filter(|_| is_entity(&sensor));
                 if let Some(list) = list {
                     list.last = Some(sensor.clone());
@@ -179,7 +198,7 @@ impl ObjectRows {
             Shape::Reading(places) => {
                 let before = above.innermost().and_then(|list| list.last.clone());
                 let Some(sensor) = before.or_else(|| above.sensor(object)) else {
-                    out.reading.skip(line, "nothing names its sensor".into());
+                    out.reading.skip(line, NAMELESS.into());
                     return Ok(Taken::Broken);
                 };
                 if !is_entity(&sensor) && !out.knows(&sensor) {
@@ -204,6 +223,24 @@ impl ObjectRows {
             }
         }
         Ok(Taken::Row)
+    }
+
+    /// The shape of an object, and the names that led to it.
+    fn shape(&mut self, object: &Object, file: &LoggerFile, out: &mut Gathered<'_, '_>) -> Option<(Shape, Names)> {
+        if !self.known.as_ref().is_some_and(|(keys, _)| keys.iter().eq(object.keys())) {
+            let by_names = |names| Some((shape(&members(object, names), names, file, out)?, names));
+            let mut shape = [Names::Own, Names::Whole, Names::Last].into_iter().find_map(by_names);
+            if shape.is_none() && self.by_place {
+                let places = guessed(&members(object, Names::Own), out);
+                shape = places.map(|places| (Shape::Guessed(places), Names::Own));
+            }
+            if let Some((shape, names)) = shape {
+                tell(shape, &members(object, names), out);
+            }
+            // An object without a shape decides nothing: the next one may have other values under the same keys.
+            self.known = shape.map(|shape| (object.keys().cloned().collect(), shape));
+        }
+        self.known.as_ref().map(|(_, shape)| *shape)
     }
 
     /// Refuses rows of a second home or person.
@@ -247,7 +284,7 @@ impl ObjectRows {
     ) -> Result<(), LogError> {
         let said = members.get(places.value).map_or(&Value::Null, |(_, said)| *said);
         if said.is_null() {
-            out.count("values that are null, which report nothing");
+            out.reading.skip(line, "there is no value".into());
             return Ok(());
         }
         if let Some(inner) = said.as_object().filter(|inner| inner.values().any(|said| !said.is_array())) {
@@ -333,7 +370,8 @@ fn members(object: &Object, names: Names) -> Vec<(String, &Value)> {
         let has = |name: &str| members.iter().any(|(other, _)| other == name);
         let key = &*members[at].0;
         let is_second = RATHER.iter().any(|(first, second)| *second == key && has(first));
-        let alias = ALIASES.iter().find(|(other, usual)| *other == key && !has(usual)).filter(|_| !is_second);
+        let alias =
+            ALIASES.iter().find(|(other, usual)| other.eq_ignore_ascii_case(key) && !has(usual)).filter(|_| !is_second);
         if let Some((_, usual)) = alias {
             (*usual).clone_into(&mut members[at].0);
         }
@@ -383,7 +421,7 @@ fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut G
     }
     let others = |apart: &[usize]| (0..names.len()).filter(|at| !apart.contains(at)).collect::<Vec<_>>();
     match time.filter(|&time| is_instant(time)) {
-        None => guessed(members, out).map(Shape::Guessed),
+        None => None,
         Some(time) => {
             let reading =
                 with(&["sensor"]).filter(|places| places.value < names.len() && !members[places.value].1.is_array());
@@ -398,7 +436,7 @@ fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut G
                         |&at: &usize| matches!(members[at].1, Value::Bool(_) | Value::Number(_) | Value::Null);
                     let rest = others(&[time]);
                     let is_wide = !rest.is_empty() && rest.iter().all(is_reading);
-                    if is_wide { Some(Shape::Wide { time }) } else { guessed(members, out).map(Shape::Guessed) }
+                    if is_wide { Some(Shape::Wide { time }) } else { None }
                 }
             }
         }
@@ -458,7 +496,10 @@ fn tell(shape: Shape, members: &[(String, &Value)], out: &mut Gathered<'_, '_>) 
             None if name == "attributes" || name == "a" => {
                 out.column(name, ColumnRole::Kind, "Home Assistant's attributes, with the class, the unit and the name")
             }
-            None => out.column(name, ColumnRole::Unused, "it is no part of a row"),
+            None => match Above::role(name) {
+                Some(role) => out.column(name, role, "its key"),
+                None => out.column(name, ColumnRole::Unused, "it is no part of a row"),
+            },
         }
     }
 }

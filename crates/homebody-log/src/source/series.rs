@@ -135,6 +135,8 @@ impl Series {
         }
         out.column("the tags", ColumnRole::Sensor, "they name a series");
         let kind = class.or(domain).unwrap_or(&point.measurement).to_lowercase();
+        // A measurement that is called so says nothing of the sensor.
+        let kind = if kind == STATE { String::new() } else { kind };
         // So Home Assistant calls the measurement of a sensor that has a unit.
         let of_domain = Some(point.measurement.as_str()).filter(|name| domain == Some("sensor") && !is_word(name));
         let named = attribute("friendly_name").map_or_else(|| sensor.to_owned(), str::to_owned);
