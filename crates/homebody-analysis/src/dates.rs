@@ -223,6 +223,20 @@ mod tests {
     }
 
     #[test]
+    fn offsets_show_the_zone_on_whose_wall_they_are() {
+        let hour = 3600 * SECOND;
+        // Clocks in Europe were set on at one in the night of 29 March 2009, in UTC.
+        let change = midnight(date(2009, 3, 29)) + hour;
+        let span = |from, to, hours| OffsetSpan { from, to, ahead: hours * hour };
+        let zone = |offsets: &[OffsetSpan]| zone_of_offsets(offsets);
+        let one = zone(&[span(0, change, -6)]).unwrap();
+        assert_eq!(on_wall(change, &one), change - 6 * hour);
+        let two = zone(&[span(change - DAY, change - SECOND, 1), span(change, change + DAY, 2)]).unwrap();
+        assert_eq!([change - SECOND, change].map(|at| on_wall(at, &two) - at), [hour, 2 * hour]);
+        assert_eq!((zone(&[]), zone(&[span(0, change, 0)])), (None, None));
+    }
+
+    #[test]
     fn a_day_is_asked_for_as_people_write_it() {
         assert_eq!("2009-03-02".parse(), Ok(Asked::On(date(2009, 3, 2))));
         assert_eq!(("first".parse(), "last".parse()), (Ok(Asked::First), Ok(Asked::Last)));

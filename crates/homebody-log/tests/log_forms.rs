@@ -72,9 +72,9 @@ month that the rows decide: by a number above 12, by days that follow each other
 comma before decimals is known by the numbers. Numbers since 1970 may be in seconds, milliseconds, microseconds or nanoseconds.
 Instants with an offset from UTC, such as `2009-03-02T07:12:03-06:00`, are put on the wall of the home that has it.
 
-A table is refused with a sentence where nothing decides the order of its dates, where its rows are of several homes or persons, and
-where it is no log: its names hardly come again, its values are sentences, its dates have no time of day. Where the rows do not
-decide, an option does:
+A table is refused with a sentence if nothing decides the order of its dates, if its rows are of several homes or persons, or if it
+holds no log: its names hardly come again, its values are sentences, its dates have no time of day. An option decides what the rows
+leave open:
 
 | option | meaning |
 |---|---|

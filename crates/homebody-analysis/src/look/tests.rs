@@ -20,6 +20,25 @@ fn sensor<'l>(look: &'l Look, id: &str) -> &'l SensorLook {
 }
 
 #[test]
+fn first_and_last_instants_are_those_of_rows() {
+    let mut log = log(&[(10, "M1", "ON"), (20, "M1", "OFF")]);
+    log.rows = 2;
+    let (begin, end) = (log.events[0].at - 5, log.events[1].at + 1);
+    log.activities.push(homebody_log::Activity { name: "sleep".into(), begin, end });
+    let look = |log: &homebody_log::Log| {
+        let mut looker = Looker::new(None);
+        looker.take(log);
+        looker.look("a log", "csv", log, &|_| None, None)
+    };
+    let rows = look(&log);
+    assert_eq!(rows.last.as_ref(), Some(&sensor(&rows, "M1").last));
+    assert_eq!(rows.first.as_ref(), Some(&sensor(&rows, "M1").first));
+    // A log of activities alone has theirs.
+    let alone = homebody_log::Log { events: Vec::new(), sensors: Vec::new(), rows: 0, ..log };
+    assert_ne!(look(&alone).last, rows.last);
+}
+
+#[test]
 fn what_is_odd_is_counted() {
     let look = look_of(
         &[

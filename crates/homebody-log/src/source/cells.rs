@@ -6,7 +6,7 @@ use homebody_core::time::{DAY, Micros};
 use std::collections::BTreeMap;
 
 /// Words of sensors with two states, in lower case.
-const SWITCHES: [&str; 58] = [
+const SWITCHES: [&str; 57] = [
     "on",
     "off",
     "open",
@@ -38,7 +38,6 @@ const SWITCHES: [&str; 58] = [
     "fire",
     "fired",
     "home",
-    "away",
     "not_home",
     "not present",
     "pressed",
@@ -68,7 +67,7 @@ const SWITCHES: [&str; 58] = [
 ];
 
 /// Those of them that say that something is over.
-const OFFS: [&str; 26] = [
+const OFFS: [&str; 25] = [
     "off",
     "close",
     "closed",
@@ -85,7 +84,6 @@ const OFFS: [&str; 26] = [
     "unoccupied",
     "vacant",
     "idle",
-    "away",
     "not_home",
     "not present",
     "released",
@@ -314,10 +312,15 @@ fn number(cell: &str) -> Option<f64> {
     if !is_number {
         return None;
     }
-    let plain = cell.parse::<f64>().ok().filter(|number| number.is_finite());
-    plain
-        .or_else(|| cell.replace('.', "").replace(',', ".").parse().ok())
-        .or_else(|| cell.replace(',', "").parse().ok())
+    if let Ok(number) = cell.parse::<f64>() {
+        return Some(number).filter(|number| number.is_finite());
+    }
+    let count = |mark: char| cell.matches(mark).count();
+    match (count(','), count('.')) {
+        (1, _) => cell.replace('.', "").replace(',', ".").parse().ok(),
+        (_, 0 | 1) => cell.replace(',', "").parse().ok(),
+        _ => None,
+    }
 }
 
 /// In which orders dates in numbers can be read.
@@ -453,6 +456,7 @@ mod tests {
             ("-1.234,5", [0, 0, 0, 0, 1]),
             ("M001", [0, 0, 0, 0, 0]),
             ("31.02.2026", [0, 0, 0, 0, 0]),
+            ("1,234,567.5", [0, 0, 0, 0, 1]),
         ] {
             let Cells { instants, epochs, dates, times, numbers, .. } = cells(&[cell]);
             assert_eq!([instants, epochs, dates, times, numbers], counts, "{cell}");

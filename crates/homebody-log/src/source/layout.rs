@@ -241,7 +241,7 @@ fn one_sensor(path: &Path, pick: &mut Pick, value: usize) -> Result<Rows, String
             Ok(Rows::Events { sensor: alone(path), value: Some(value), is_mapped: false })
         }
         // `time,event`: the event names the sensor.
-        false if cells.come_again() && cells.filled >= MOST_LIKELY => {
+        false if cells.come_again() && cells.filled >= LEAST_CELLS => {
             pick.take(value, ColumnRole::Sensor, "its heading is that of events, and their names come again");
             pick.firings(value)?;
             Ok(events(vec![value], None))
@@ -251,7 +251,7 @@ fn one_sensor(path: &Path, pick: &mut Pick, value: usize) -> Result<Rows, String
 }
 
 /// So many cells must come again before a column without a known heading names sensors of rows without values.
-const MOST_LIKELY: usize = 4;
+const LEAST_CELLS: usize = 4;
 
 /// A column for each sensor.
 fn wide(pick: &mut Pick, prefix: Vec<usize>) -> Result<Rows, String> {

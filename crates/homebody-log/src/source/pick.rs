@@ -52,7 +52,7 @@ const ROOMS: [&str; 22] = [
 ];
 
 /// Words of what people do, as they stand in labels.
-const ACTIVITIES: [&str; 34] = [
+const ACTIVITIES: [&str; 33] = [
     "sleep",
     "bath",
     "toilet",
@@ -80,13 +80,12 @@ const ACTIVITIES: [&str; 34] = [
     "walk",
     "exercis",
     "hygiene",
-    "away",
     "prepar",
     "drink",
     "iron",
     "guest",
     "phone",
-    "laundry",
+    "laundr",
 ];
 
 impl<'f> Pick<'f> {

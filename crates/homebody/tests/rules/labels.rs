@@ -8,13 +8,14 @@ use homebody_core::activity::ACTIVITIES;
 const TABLE: [&str; 2] = ["crates/homebody-core/src/activity.rs", "web/src/activities.ts"];
 
 /// Words that are labels, too, and mean something else where they stand.
-const OTHER_MEANINGS: [(&str, &str, &str); 14] = [
+const OTHER_MEANINGS: [(&str, &str, &str); 15] = [
     ("crates/homebody-analysis/src/density/entrance.rs", "laundry", "a room"),
     ("crates/homebody-core/src/sensed.rs", "reading", "what a sensor measures"),
     ("crates/homebody-core/src/role.rs", "laundry", "a room"),
     ("crates/homebody-experiment/src/daily_life/published.rs", "reading", "a line of a table for people"),
     ("crates/homebody-import/src/from_log/words.rs", "laundry", "a room"),
     ("crates/homebody-import/src/from_log/words.rs", "washing", "a word of the names of machines"),
+    ("crates/homebody-log/src/source/columns.rs", "reading", "a heading over readings of sensors"),
     ("crates/homebody-log/src/source/movements.rs", "away", "a motion state"),
     ("crates/homebody-log/src/truth/mod.rs", "away", "a motion state"),
     ("crates/homebody-log/src/truth/mod.rs", "reading", "what a sensor measures"),
