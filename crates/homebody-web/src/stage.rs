@@ -21,7 +21,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tokio::sync::watch;
-pub(crate) use wishes::Voice;
+pub use wishes::Voice;
 use wishes::{Heard, Next, Speakers, Wish, wishes};
 
 /// How often the run is advanced, and looked at.

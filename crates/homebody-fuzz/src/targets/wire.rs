@@ -115,7 +115,9 @@ fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
     let stage = Stage::open(shelf)?;
     let mut seen = Seen::default();
     let voice = stage.voice();
-    says.into_iter().for_each(|say| drop(voice.say(say)));
+    for say in says {
+        voice.say(say);
+    }
     let begun = Instant::now();
     while begun.elapsed() < LONGEST {
         let news = stage.news(&mut seen, 100);

@@ -28,7 +28,7 @@ pub(super) struct Speakers(Arc<Last>);
 struct Last(Arc<Queue>);
 
 /// One speaker to a stage, such as a page.
-pub(crate) struct Voice {
+pub struct Voice {
     speakers: Speakers,
     /// How many of its wishes wait.
     waiting: Arc<AtomicUsize>,

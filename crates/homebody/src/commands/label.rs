@@ -7,7 +7,6 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
-use homebody_kit::NamedLog;
 use homebody_log::{Labelled, Transfer, Url, label, truth_at};
 
 /// What to do where the truth is not found.
