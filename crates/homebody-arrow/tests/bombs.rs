@@ -10,6 +10,7 @@ use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::elsewhere::install;
 use homebody_log::{Source, read};
 use parquet::arrow::ArrowWriter;
+use parquet::arrow::arrow_writer::ArrowWriterOptions;
 use parquet::basic::{Compression, Encoding, ZstdLevel};
 use parquet::file::properties::{WriterProperties, WriterPropertiesBuilder};
 use std::fs::File;
@@ -44,7 +45,9 @@ fn write_parquet(
 ) {
     let zstd = Compression::ZSTD(ZstdLevel::default());
     let properties = set(WriterProperties::builder().set_compression(zstd)).build();
-    let mut writer = ArrowWriter::try_new(File::create(path).unwrap(), rows.schema(), Some(properties)).unwrap();
+    // Without it a reader does not know that texts were dictionaries.
+    let options = ArrowWriterOptions::new().with_properties(properties).with_skip_arrow_metadata(true);
+    let mut writer = ArrowWriter::try_new_with_options(File::create(path).unwrap(), rows.schema(), options).unwrap();
     writer.write(rows).unwrap();
     writer.close().unwrap();
 }
@@ -74,9 +77,7 @@ fn small_files_that_unpack_to_much_take_little_memory() {
     let (count, text) = (4_000, "y".repeat(MB));
     let keys = Int32Array::from(vec![0; count]);
     let repeated = DictionaryArray::new(keys, Arc::new(StringArray::from_iter_values([&text])));
-    write_parquet(&path("repeated.parquet"), &rows(Arc::new(repeated)), |builder| {
-        builder.set_skip_arrow_metadata(true)
-    });
+    write_parquet(&path("repeated.parquet"), &rows(Arc::new(repeated)), |builder| builder);
     let beginnings = StringArray::from_iter_values((0..200).map(|_| &text));
     write_parquet(&path("beginnings.parquet"), &rows(Arc::new(beginnings)), |builder| {
         builder.set_dictionary_enabled(false).set_column_encoding("sensor".into(), Encoding::DELTA_BYTE_ARRAY)

@@ -70,6 +70,16 @@ impl UnknownStates {
         UnknownStates { sensors: vec![UnknownState::default(); sensors], last: None }
     }
 
+    /// Of all rows of a log.
+    pub fn of(log: &Log) -> UnknownStates {
+        let values: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Unknown).collect();
+        let mut states = UnknownStates::new(log.sensors.len());
+        for event in log.in_order() {
+            states.take(event.at, event.sensor as usize, values[event.value as usize]);
+        }
+        states
+    }
+
     /// Takes a row.
     pub fn take(&mut self, at: Micros, sensor: usize, is_unknown: bool) {
         let of = &mut self.sensors[sensor];
@@ -110,12 +120,7 @@ impl UnknownStates {
 
 /// When the state of each sensor of a log is not known.
 pub fn unknown(log: &Log) -> Vec<Spans> {
-    let values: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Unknown).collect();
-    let mut states = UnknownStates::new(log.sensors.len());
-    for event in log.in_order() {
-        states.take(event.at, event.sensor as usize, values[event.value as usize]);
-    }
-    states.spans(&log.gaps)
+    UnknownStates::of(log).spans(&log.gaps)
 }
 
 /// Spans in order; those that touch become one.

@@ -246,11 +246,11 @@ fn nothing_is_known_where_no_sensor_is() {
         (40, "M2", "off"),
         (50, "T1", "21"),
     ]);
-    let of = |asks: &dyn Fn(usize) -> bool| unknown_of_all(&log, asks);
+    let of = |asks: &dyn Fn(usize) -> bool| UnknownStates::of(&log).of_all(&log.gaps, asks);
     assert_eq!(of(&|sensor| sensor < 2), [(20 * SECOND, 30 * SECOND)]);
     assert_eq!(of(&|sensor| sensor == 0), [(10 * SECOND, 30 * SECOND)]);
     assert_eq!(of(&|_| true), [(20 * SECOND, 30 * SECOND)], "the temperature is not known before its first row");
     // Without a word that a state is not known, all is known.
     let plain = crate::sample::log(&[(0, "T1", "21"), (500, "M1", "on"), (510, "M1", "off")]);
-    assert_eq!(unknown_of_all(&plain, &|sensor| sensor == 1), []);
+    assert_eq!(UnknownStates::of(&plain).of_all(&plain.gaps, &|sensor| sensor == 1), []);
 }

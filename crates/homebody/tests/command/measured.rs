@@ -256,8 +256,15 @@ fn nothing_is_known_of_what_no_sensor_tells() {
 fn notes_of_a_log_stand_beside_what_its_sensors_tell() {
     let folder = Folder::new();
     // The resident leaves the bed an hour before the note. Only notes have meals.
+    let meal = |day: u32| {
+        format!(
+            "2024-03-0{day} 08:00:00 FrontDoor CLOSE Sleep end\n2024-03-0{day} 18:00:00 FrontDoor CLOSE Eating begin\n\
+             2024-03-0{day} 18:30:00 FrontDoor CLOSE Eating end\n"
+        )
+    };
+    let meals: String = (1..=5).map(meal).collect();
     let log = noted("Leaving_home").replace("07:00:00 bed_pressure OFF Sleep end", "07:00:00 bed_pressure OFF")
-        + &(1..=5).map(|day| format!("2024-03-0{day} 08:00:00 FrontDoor CLOSE Sleep end\n2024-03-0{day} 18:00:00 FrontDoor CLOSE Eating begin\n2024-03-0{day} 18:30:00 FrontDoor CLOSE Eating end\n")).collect::<String>();
+        + meals.as_str();
     let mut rows: Vec<&str> = log.lines().collect();
     rows.sort_unstable();
     folder.write("log.txt", rows.join("\n") + "\n");
