@@ -121,19 +121,19 @@ fn waiting(scenario: &Scenario, resident: usize) -> Vec<Problem> {
 fn closed_rooms(scenario: &Scenario) -> Option<Problem> {
     /// So many are named.
     const NAMED: usize = 8;
-    let (home, plan) = (&scenario.home, scenario.home.plan());
-    if home.walls.len() > MOST_WALLS || home.rooms.len() < 2 {
+    if scenario.home.walls.len() > MOST_WALLS || scenario.home.rooms.len() < 2 {
         return None;
     }
+    // A door that is shut may be opened.
+    let mut home = HomeFile::clone(&scenario.home);
+    home.doors.iter_mut().for_each(|door| door.open = true);
+    let plan = &Plan::new(&home);
     let radius_m = scenario.residents.first().map_or(Build::adult().radius_m, |resident| resident.file.radius_m);
-    let mesh = Mesh::with_numbers(plan, radius_m, home.numbers());
-    let closed: Vec<usize> = Places::new(home, plan, &mesh, "").closed_rooms().collect();
+    let mesh = Mesh::with_numbers(plan, radius_m, scenario.home.numbers());
+    let closed: Vec<usize> = Places::new(&home, plan, &mesh, "").closed_rooms().collect();
     let named: Vec<String> = closed.iter().take(NAMED).map(|&room| format!("{:?}", home.rooms[room].name)).collect();
     let more = if closed.len() > NAMED { format!(" and {} more", closed.len() - NAMED) } else { String::new() };
     let what = format!("nobody gets into {}{more}", named.join(", "));
-    let hint =
-        "add a door to \"doors\", open one that is closed, or move what is in the way; where nobody is to get in, \
-        leave it"
-            .to_owned();
+    let hint = "add a door to \"doors\", or move what is in the way; where nobody is to get in, leave it".to_owned();
     (!closed.is_empty()).then(|| Problem::of_file(&scenario.file.home, what, Some(hint)))
 }

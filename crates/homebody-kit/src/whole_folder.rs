@@ -27,7 +27,7 @@ pub(crate) fn whole_folder<T, E: From<Error>>(
     hidden.push(name);
     hidden.push(".part");
     let part = folder.with_file_name(hidden);
-    let _lock = take(&part)?;
+    let _lock = take(&part, folder)?;
     let made = write(&part, &name.to_string_lossy()).and_then(|made| {
         fs::rename(&part, folder).map_err(|error| match error.kind() {
             ErrorKind::AlreadyExists | ErrorKind::DirectoryNotEmpty | ErrorKind::NotADirectory => exists(),
@@ -42,8 +42,8 @@ pub(crate) fn whole_folder<T, E: From<Error>>(
     made
 }
 
-/// Makes the folder anew, and keeps others from it.
-fn take(part: &Path) -> Result<FolderLock, Error> {
+/// Makes the folder anew that becomes `folder`, and keeps others from it.
+fn take(part: &Path, folder: &Path) -> Result<FolderLock, Error> {
     loop {
         match fs::create_dir(part) {
             Ok(()) => {
@@ -61,7 +61,7 @@ fn take(part: &Path) -> Result<FolderLock, Error> {
                 let _left = FolderLock::take(part)?;
                 fs::remove_dir_all(part).map_err(|error| Error::io(part, error))?;
             }
-            Err(error) => return Err(Error::io(part, error)),
+            Err(error) => return Err(Error::io(folder, error)),
         }
     }
 }

@@ -236,8 +236,7 @@ impl Places {
     pub fn files(&self) -> Vec<PathBuf> {
         let logs = self.log.iter().filter_map(Url::file).map(Path::to_owned);
         let truth = self.truth.iter().flat_map(|truth| truth.files(&self.kept.tables()));
-        let names = self.tables_of_sensors();
-        logs.chain(truth).chain(self.recording.clone()).chain(self.sensors.clone()).chain(names).collect()
+        logs.chain(truth).chain(self.recording.clone()).chain(self.sensors.clone()).collect()
     }
 
     /// The tables of sensors of the logs, each once; none in a run's folder, which has its own.

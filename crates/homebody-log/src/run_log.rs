@@ -11,7 +11,7 @@ use crate::meter::Meter;
 use crate::places::{Places, SILHOUETTES};
 use crate::plain;
 use crate::run_info::RunInfo;
-use crate::sensor_table;
+use crate::sensor_table::{self, SensorTable};
 use crate::silhouettes::{SilhouetteLog, cameras};
 use crate::sink::How;
 use crate::sink::database::remove_database;
@@ -139,6 +139,9 @@ impl RunLog {
             // A program that died on its way has left some.
             begun.remove();
             (truth_url, truth_how, anew) = (Some(beside), How::New, Some(begun));
+        }
+        for path in places.tables_of_sensors() {
+            SensorTable::of(path, &info)?.may_be_written(how != How::New)?;
         }
         if let (Some(path), false) = (&places.recording, how == How::GoOn) {
             // Before all else: whatever becomes of the run from now on, it can be gone on with.

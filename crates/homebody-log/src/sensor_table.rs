@@ -3,7 +3,7 @@
 //! A run's folder has one, `sensors.csv`. Any other log has its own, such as `week.sensors.csv` of `week.csv`. A database has a
 //! table instead, and files of Parquet and Arrow say it in their own words.
 
-use crate::error::LogError;
+use crate::error::{LogError, place_of};
 use crate::fresh::FreshFile;
 use crate::plain;
 use crate::run_info::RunInfo;
@@ -63,6 +63,14 @@ impl SensorTable {
     /// Whether the file has these bytes already, as a killed program may have left it.
     pub fn is_there(&self) -> bool {
         plain::read(&self.path, self.bytes.len() as u64).is_ok_and(|found| found == self.bytes)
+    }
+
+    /// Refuses where another file is in its place, unless `force` allows to replace it. Logs of one name share their table.
+    pub fn may_be_written(&self, force: bool) -> Result<(), LogError> {
+        match force || !self.path.exists() || self.is_there() {
+            true => Ok(()),
+            false => Err(LogError::Exists { place: place_of(&self.path) }),
+        }
     }
 
     /// Writes the file; `force` allows to replace another.

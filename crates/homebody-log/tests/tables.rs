@@ -101,7 +101,7 @@ fn each_column_has_its_use_and_its_reason() {
     use ColumnRole::{Room, Sensor, Time, Unused, Value};
     assert_eq!(uses, [("column 1", Unused), ("when_it_was", Time), ("thing", Sensor), ("says", Value), ("Room", Room)]);
     assert_eq!(log.columns[1].because, "20 of 20 cells are instants");
-    assert!(log.columns[1].is_guess() && !log.columns[2].is_guess() && !log.columns[0].is_guess());
+    assert!(log.columns[1].is_guess && !log.columns[2].is_guess && !log.columns[0].is_guess);
     assert_eq!(log.known[0].room.as_deref(), Some("some room"));
 }
 

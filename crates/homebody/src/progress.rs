@@ -4,6 +4,7 @@ use crate::print::tell;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle, TermLike};
 use std::io::{self, IsTerminal, stderr};
 use std::sync::{Mutex, PoisonError};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// Off a terminal the first line comes after this time: shorter work needs none.
@@ -28,7 +29,10 @@ pub fn bar(length: impl Into<Option<u64>>, template: &str) -> ProgressBar {
     let template = if is_terminal { template.to_owned() } else { without_bar(template) };
     let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
     let bar = ProgressBar::with_draw_target(length.into(), target).with_style(style);
-    bar.enable_steady_tick(TICK);
+    // Where no thread is to be had, the bar moves with the work alone.
+    if thread::Builder::new().spawn(|| ()).is_ok() {
+        bar.enable_steady_tick(TICK);
+    }
     bar
 }
 

@@ -75,7 +75,7 @@ fn table(start: &Start) -> Option<TableKind> {
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let Some(layout) = Layout::of(path, file, &reading.options)? else { return Ok(()) };
     reading.instants.order = layout.order;
-    layout.uses.iter().for_each(|of| reading.column(&of.column, of.used_as, &of.because));
+    layout.uses.iter().for_each(|of| reading.column_use(of.clone()));
     reading.log.remarks.extend(layout.remarks.iter().cloned());
     let mut homes = Homes::of(&layout, &reading.options);
     match &layout.rows {

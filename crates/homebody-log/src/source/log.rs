@@ -68,15 +68,20 @@ pub struct ColumnUse {
     pub used_as: ColumnRole,
     /// By which evidence, such as `its heading` or `9 of 10 cells are instants`.
     pub because: String,
+    /// Whether the cells of a table decide, and neither a heading nor the form does.
+    #[serde(skip)]
+    pub is_guess: bool,
 }
 
 impl ColumnUse {
     /// The reason for a column that its heading decides.
     pub(crate) const HEADING: &str = "its heading";
 
-    /// Whether the cells decide, and no heading does.
-    pub fn is_guess(&self) -> bool {
-        !matches!(self.used_as, ColumnRole::Unused | ColumnRole::OneSensor) && !self.because.starts_with(Self::HEADING)
+    /// The use of a column of a table, whose heading decides where the reason begins so.
+    pub(crate) fn of_table(column: String, used_as: ColumnRole, because: String) -> ColumnUse {
+        let has_heading = because.starts_with(Self::HEADING);
+        let is_guess = !has_heading && !matches!(used_as, ColumnRole::Unused | ColumnRole::OneSensor);
+        ColumnUse { column, used_as, because, is_guess }
     }
 }
 

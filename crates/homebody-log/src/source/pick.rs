@@ -574,10 +574,10 @@ impl<'f> Pick<'f> {
                 Some((role, because)) => (*role, because.as_str()),
                 None => (ColumnRole::Unused, "nothing says what it is"),
             };
-            uses.push(ColumnUse { column: column.clone(), used_as, because: because.to_owned() });
+            uses.push(ColumnUse::of_table(column.clone(), used_as, because.to_owned()));
         }
         if let Some(because) = &self.supplied {
-            uses.push(ColumnUse { column: String::new(), used_as: ColumnRole::Value, because: because.clone() });
+            uses.push(ColumnUse::of_table(String::new(), ColumnRole::Value, because.clone()));
         }
         uses
     }

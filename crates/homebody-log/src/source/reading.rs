@@ -332,13 +332,18 @@ impl<'t> Reading<'t> {
 
     /// Records what a column was taken for, and why.
     pub fn column(&mut self, column: &str, used_as: ColumnRole, because: &str) {
+        self.column_use(ColumnUse { column: column.into(), used_as, because: because.into(), is_guess: false });
+    }
+
+    /// The same of a column whose use is decided.
+    pub(super) fn column_use(&mut self, of: ColumnUse) {
         // The log itself has its columns already.
         if self.beside.is_some() && self.seams.is_empty() {
             return;
         }
         // Each of several files has the same ones.
-        if self.log.columns.iter().all(|known| (known.column.as_str(), known.used_as) != (column, used_as)) {
-            self.log.columns.push(ColumnUse { column: column.into(), used_as, because: because.into() });
+        if self.log.columns.iter().all(|known| (&known.column, known.used_as) != (&of.column, of.used_as)) {
+            self.log.columns.push(of);
         }
     }
 

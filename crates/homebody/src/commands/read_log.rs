@@ -127,7 +127,7 @@ fn remarked(text: &str, read: LogWithRun) -> LogWithRun {
 
 /// Says which columns were taken for time, sensor and value by their cells, where no heading decides it.
 fn tell_guessed(name: &str, log: &Log) {
-    let guessed = log.columns.iter().filter(|of| of.is_guess() && !of.column.is_empty());
+    let guessed = log.columns.iter().filter(|of| of.is_guess && !of.column.is_empty());
     let guessed: Vec<String> = guessed
         .filter_map(|of| {
             let what = match of.used_as {

@@ -102,7 +102,7 @@ fn what_is_asked_wrongly_is_refused() {
     }
     // A seed that is the largest there is, and a span as long as allowed, are fine.
     folder.run("run flat --seed 18446744073709551615 --for 1s --quiet --out csv:log.csv").ok();
-    fs::remove_file(folder.path("log.csv")).unwrap();
+    ["log.csv", "log.sensors.csv"].iter().for_each(|name| fs::remove_file(folder.path(name)).unwrap());
     assert_eq!(folder.files(), given);
 }
 

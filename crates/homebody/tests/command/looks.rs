@@ -112,7 +112,8 @@ fn a_log_becomes_nobodys() {
     let said = folder.run("anonymise log.txt --out csv:nobodys.csv --key key.csv").ok();
     let rows = "seq,fired_at,sensor,value\n0,2001-01-01 07:00:00.000000,motion1,ON\n1,2001-01-01 07:00:04.000000,motion1,OFF\n\
         2,2001-01-01 07:01:00.000000,contact1,OPEN\n3,2001-01-01 07:00:30.000000,contact1,CLOSE\n\
-        4,2001-01-02 21:00:00.000000,reading1,21.5\n5,2001-01-02 21:00:05.000000,motion1,OFF\n";
+        4,2001-01-02 21:00:00.000000,reading1,21.5\n5,2001-01-02 21:00:00.000000,reading1,unavailable\n\
+        6,2001-01-02 21:00:05.000000,motion1,OFF\n";
     assert_eq!(folder.read("nobodys.csv"), rows, "{}", said.err);
     assert!(said.err.contains("1 rows of other text are left out"), "{}", said.err);
     assert_eq!(folder.read("key.csv"), "id,name\nmotion1,M1\ncontact1,D1\nreading1,T1\n");

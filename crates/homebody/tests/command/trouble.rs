@@ -104,7 +104,7 @@ fn where_no_room_is_left_nothing_is_half_written() {
         (1, "plan flat --svg plan.svg", "plan.svg: "),
         (4, "coverage flat --png map.png", "map.png: "),
         (1, "coverage flat --json=figures.json", "figures.json: "),
-        (4, "convert given.csv --to sqlite:log.db", "log.db: "),
+        (4, "convert given.csv --to sqlite:log.db", "log.db.part: "),
         (4, "convert given.csv --to csv:log.csv", "log.csv: "),
         (4, "new home", "home/"),
     ] {

@@ -8,7 +8,7 @@ use homebody_core::activity::ACTIVITIES;
 const TABLE: [&str; 2] = ["crates/homebody-core/src/activity.rs", "web/src/activities.ts"];
 
 /// Words that are labels, too, and mean something else where they stand.
-const OTHER_MEANINGS: [(&str, &str, &str); 15] = [
+const OTHER_MEANINGS: [(&str, &str, &str); 16] = [
     ("crates/homebody-analysis/src/density/entrance.rs", "laundry", "a room"),
     ("crates/homebody-core/src/sensed.rs", "reading", "what a sensor measures"),
     ("crates/homebody-core/src/role.rs", "laundry", "a room"),
@@ -16,6 +16,7 @@ const OTHER_MEANINGS: [(&str, &str, &str); 15] = [
     ("crates/homebody-import/src/from_log/words.rs", "laundry", "a room"),
     ("crates/homebody-import/src/from_log/words.rs", "washing", "a word of the names of machines"),
     ("crates/homebody-log/src/source/columns.rs", "reading", "a heading over readings of sensors"),
+    ("crates/homebody-log/src/source/object_rows.rs", "reading", "a key over readings of sensors"),
     ("crates/homebody-log/src/source/movements.rs", "away", "a motion state"),
     ("crates/homebody-log/src/truth/mod.rs", "away", "a motion state"),
     ("crates/homebody-log/src/truth/mod.rs", "reading", "what a sensor measures"),
