@@ -7,9 +7,7 @@ use crate::spells::{Ill, Spell, spells};
 use crate::watch::{Day, Watch};
 use homebody_core::geometry::Point;
 use homebody_core::time::{DAY, Micros};
-use rayon::prelude::*;
 use serde::Serialize;
-use std::sync::{Mutex, PoisonError};
 
 /// What is wrong with a sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -86,36 +84,27 @@ const CLOCK_S: f64 = 15.0;
 ///
 /// What a sensor says moves the people whom it is held against. So some sensors at a time are left out as well, and are held
 /// against what all others tell. `progress` gets the share that is done, from 0 to 1.
-pub fn health(bodies: &[Senses], messages: &[Message], end: Micros, progress: impl FnMut(f64) + Send) -> Vec<Finding> {
+pub fn health(bodies: &[Senses], messages: &[Message], end: Micros, mut progress: impl FnMut(f64)) -> Vec<Finding> {
     let Some(first) = bodies.first() else { return Vec::new() };
     let sensors = first.timing.len();
     let spells = spells(messages.iter().copied(), sensors, end);
     let mut own = vec![Vec::new(); sensors];
     messages.iter().for_each(|message| own[message.sensor].push(*message));
-    let feel: Vec<usize> = (0..sensors).filter(|&sensor| first.timing[sensor].feels).collect();
-    let parts = (0..PARTS).map(|part| feel.iter().copied().skip(part).step_by(PARTS).collect());
-    // By pass over the log: the sensors that are left out of it. The first pass leaves out none.
-    let passes: Vec<Vec<usize>> = std::iter::once(Vec::new()).chain(parts).collect();
-    let shares = Mutex::new((vec![0.0; passes.len()], progress));
-    let days = |(pass, left_out): (usize, &Vec<usize>)| {
+    let mut passes = 0.0;
+    let mut days = |left_out: &[usize]| {
         let left_out = left_out.iter().map(|&sensor| Spell { sensor, from: 0, to: end, ill: Ill::Dead });
         let spells: Vec<Spell> = spells.iter().copied().chain(left_out).collect();
         let mut watch = Watch::new(&first.timing, &own);
-        let mut day = 0;
         translate(bodies, &spells, messages.iter().copied(), end, |instant| {
             watch.see(&instant);
-            if instant.at / DAY != day {
-                day = instant.at / DAY;
-                let (shares, progress) = &mut *shares.lock().unwrap_or_else(PoisonError::into_inner);
-                shares[pass] = instant.at as f64 / end.max(1) as f64;
-                progress(shares.iter().sum::<f64>() / shares.len() as f64);
-            }
+            progress((passes + instant.at as f64 / end.max(1) as f64) / (1 + PARTS) as f64);
         });
+        passes += 1.0;
         watch.finish()
     };
-    let by_pass: Vec<Vec<Vec<Day>>> = passes.par_iter().enumerate().map(days).collect();
     let mut findings: Vec<Finding> = spells.iter().map(Finding::of_spell).collect();
-    let all = &by_pass[0];
+    let all = days(&[]);
+    let feel: Vec<usize> = (0..sensors).filter(|&sensor| first.timing[sensor].feels).collect();
     for &sensor in &feel {
         // What is known by the messages alone is known to the second.
         let known: Vec<Finding> = findings.iter().filter(|finding| finding.sensor == sensor).copied().collect();
@@ -131,8 +120,10 @@ pub fn health(bodies: &[Senses], messages: &[Message], end: Micros, progress: im
         }
     }
     let mut clocks = Vec::new();
-    for (left_out, of_others) in passes.iter().zip(&by_pass).skip(1) {
-        for &sensor in left_out {
+    for part in 0..PARTS {
+        let left_out: Vec<usize> = feel.iter().copied().skip(part).step_by(PARTS).collect();
+        let of_others = days(&left_out);
+        for sensor in left_out {
             let days = &of_others[sensor];
             clocks.extend(clock(days).map(|ailment| Finding { sensor, from: 0, to: end, ailment }));
             let is_doubtful = findings.iter().any(|finding| finding.sensor == sensor);

@@ -43,7 +43,7 @@ pub struct Found {
 /// # Errors
 ///
 /// [`Error::Translation`] where the home has nobody by whose body its sensors are known, or none of the log's sensors.
-pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64) + Send) -> Result<Health, Error> {
+pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64)) -> Result<Health, Error> {
     let names: Vec<String> = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect();
     let heard = Heard::new(log, scenario, &names)?;
     let (bodies, _) = bodies(scenario)?;

@@ -98,7 +98,8 @@ impl Rows {
     fn take(&mut self, number: u64, line: &[u8], reading: &mut Reading<'_>) -> Result<(), LogError> {
         let line = line.trim_ascii();
         let Some(When { at, behind, .. }) = when(line, &mut reading.instants) else {
-            if !line.is_empty() && !(number == 1 && self.layout.is_heading(line)) {
+            let is_heading = number == 1 && self.layout.is_heading(line);
+            if !line.is_empty() && !is_heading {
                 reading.skip(number, no_time(line));
             }
             return Ok(());
@@ -122,7 +123,7 @@ impl Rows {
         if !is_usual(value) && self.layout.is_odd(&text(value)) {
             self.odd.get_or_insert_with(|| (number, beginning(&text(value)), 0)).2 += 1;
         }
-        if self.layout.tells_of_sensors() && self.known.get(sensor).is_none() {
+        if self.layout.tells_of_sensors() && !self.known.contains(sensor) {
             self.known.insert(sensor.to_vec());
             self.know(&word, place, reading);
         }

@@ -351,7 +351,7 @@ const MOST_PEOPLE: usize = 8;
 pub(super) fn people(words: &[impl AsRef<str>]) -> Option<Vec<(u8, u8)>> {
     let numbers: Vec<u8> = words.iter().map(|word| word.as_ref().parse().ok()).collect::<Option<_>>()?;
     let pairs: Vec<(u8, u8)> = numbers.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect();
-    (!pairs.is_empty() && numbers.len() % 2 == 0).then_some(pairs)
+    (!pairs.is_empty() && numbers.len().is_multiple_of(2)).then_some(pairs)
 }
 
 /// How a text is called that a program wrote for its readers.

@@ -107,7 +107,7 @@ fn label_column(heading: &[String], delimiter: Option<char>, rows: &[Row], most:
         None => line.split('\t').map(str::trim).filter(|name| !name.is_empty()).collect(),
     });
     let has_labels = |name: &&str| name.split(|c: char| !c.is_alphanumeric()).any(|word| OF_LABELS.contains(&word));
-    let named = names.iter().position(|name| has_labels(name)).and_then(|place| {
+    let named = names.iter().position(has_labels).and_then(|place| {
         // The two ends are before it, or one of them is not.
         place.checked_sub(names.len().checked_sub(most)?)
     });

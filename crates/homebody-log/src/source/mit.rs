@@ -58,7 +58,7 @@ struct Heading {
 fn heading(line: &str) -> Option<Heading> {
     let cells: Vec<&str> = line.split(',').map(str::trim).collect();
     let [activity @ .., day, begin, end] = &cells[..] else { return None };
-    let [numbers, begins, ends] = [day.split('/'), begin.split(':'), end.split(':')].map(|parts| three(parts));
+    let [numbers, begins, ends] = [day.split('/'), begin.split(':'), end.split(':')].map(three);
     let (day, _, _) = (numbers?, begins?, ends?);
     let activity = activity.join(",");
     (!activity.is_empty()).then_some(())?;
