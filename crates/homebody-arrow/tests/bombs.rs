@@ -73,8 +73,8 @@ fn small_files_that_unpack_to_much_take_little_memory() {
     writer.write(&one).unwrap();
     writer.finish().unwrap();
     drop((one, long));
-    // A text of 1 MB that 4,000 rows repeat.
-    let (count, text) = (4_000, "y".repeat(MB));
+    // A text of half a megabyte that 4,000 rows repeat: a dictionary holds it.
+    let (count, text) = (4_000, "y".repeat(MB / 2));
     let keys = Int32Array::from(vec![0; count]);
     let repeated = DictionaryArray::new(keys, Arc::new(StringArray::from_iter_values([&text])));
     write_parquet(&path("repeated.parquet"), &rows(Arc::new(repeated)), |builder| builder);

@@ -34,12 +34,12 @@ fn no_server_is_told_soon_and_may_pass() {
     let closed = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let silent = closed.local_addr().unwrap().port();
     for (url, told) in [
-        ("postgresql://ann@127.0.0.1:1/homes".to_owned(), "no server answers"),
-        (format!("postgresql://ann@127.0.0.1:{silent}/homes"), "has not answered for 4 s"),
-        ("postgresql://ann@/homes?host=/nowhere".to_owned(), "no server answers"),
+        ("postgresql://ann@127.0.0.1:1/homes".to_owned(), ["no server answers", "start the server"]),
+        (format!("postgresql://ann@127.0.0.1:{silent}/homes"), ["does not answer", "what it confirmed before is safe"]),
+        ("postgresql://ann@/homes?host=/nowhere".to_owned(), ["no server answers", "start the server"]),
     ] {
         let began = Instant::now();
-        let error = refused(&url, How::New, &[told, "start the server", &url]);
+        let error = refused(&url, How::New, &[told[0], told[1], &url]);
         assert!(error.passes() && began.elapsed() < Duration::from_secs(30), "{:?}", began.elapsed());
     }
 }

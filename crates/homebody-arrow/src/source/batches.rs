@@ -106,7 +106,7 @@ fn parquet_rows(
     metadata: ArrowReaderMetadata,
     columns: Option<&[usize]>,
 ) -> Result<ParquetRecordBatchReader, String> {
-    let shares = pages::check(&file, metadata.metadata(), columns)?;
+    let shares = guarded(|| pages::check(&file, metadata.metadata(), columns))?;
     let rows_at_once = if shares { ROWS_THAT_SHARE } else { ROWS_AT_ONCE };
     guarded(|| {
         let metadata = match columns {

@@ -35,6 +35,11 @@ fn shows(start: &Start) -> Shows {
     Shows::rows_if(Layout::of(start.lines()).is_ok())
 }
 
+/// Whether the first line is the heading that CASAS gives its tables, with the translations of a sensor's place.
+pub(super) fn has_own_heading(start: &Start) -> bool {
+    start.lines().next().is_some_and(|line| line.contains("Translate01"))
+}
+
 /// Says why a text that begins with dates and times is not in this form. It finds times in other notations, too.
 pub(super) fn objection(start: &Start) -> Option<String> {
     let lines = || start.lines().take(LOOKED_AT_LINES);

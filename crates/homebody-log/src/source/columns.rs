@@ -330,8 +330,9 @@ impl Places {
     /// By the names of a mapping or, failing them, the usual ones.
     pub fn by_name(names: &[String], file: &LoggerFile) -> Option<Places> {
         let exactly = |wanted: &str| names.iter().position(|name| name == wanted);
+        let plain_names: Vec<String> = names.iter().map(|name| plain(name)).collect();
         let usual =
-            |wanted: &[&str]| wanted.iter().find_map(|wanted| names.iter().position(|name| plain(name) == *wanted));
+            |wanted: &[&str]| wanted.iter().find_map(|wanted| plain_names.iter().position(|name| name == wanted));
         let columns = &file.columns;
         let label = usual(&LABELS);
         let mapped = || {

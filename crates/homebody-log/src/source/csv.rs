@@ -1,5 +1,6 @@
 //! Comma-separated values: tables of events, of intervals, and of a column for each sensor. `layout.rs` decides which it is.
 
+use super::casas;
 use super::foreign::no_text;
 use super::form::{Form, Shows};
 use super::homes::{self, Homes};
@@ -58,8 +59,8 @@ fn table(start: &Start) -> Option<TableKind> {
         let found = Layout::of(&start.path, &LoggerFile::default(), &TableOptions::default());
         let has_tabs = start.delimiter() == b'\t';
         match found {
-            // The text of CASAS has tabs and no heading.
-            Ok(Some(layout)) if has_tabs && layout.first_line == 1 => None,
+            // The text of CASAS has tabs and no heading, or its own.
+            Ok(Some(layout)) if has_tabs && (layout.first_line == 1 || casas::has_own_heading(start)) => None,
             Ok(Some(layout)) => Some(match layout.rows {
                 Rows::Events { .. } => TableKind::Events,
                 Rows::Intervals { is_of_activities: true, .. } => TableKind::Activities,

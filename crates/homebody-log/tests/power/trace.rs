@@ -108,7 +108,10 @@ fn event(call: &str, before: usize, folder: &Path, places: &mut HashMap<String, 
     match name {
         "openat" => {
             places.remove(result);
-            arguments.contains("O_CREAT").then(|| named(parts[1]).map(Event::Create))?
+            // The name is below the folder of the descriptor before it.
+            let below = parts[0].split_once('<').map_or("", |(_, below)| below.trim_end_matches('>'));
+            let created = || of_folder(Path::new(below).join(path(quoted(parts[1])?))).map(Event::Create);
+            arguments.contains("O_CREAT").then(created)?
         }
         "lseek" => {
             places.insert(parts[0].to_owned(), result.parse().ok()?);
