@@ -14,6 +14,7 @@ const BODY_M: f64 = 0.22;
 /// Homes with more are not looked at: each round looks for ways through the whole home.
 const MOST_WALLS: usize = 400;
 const MOST_PIECES: usize = 400;
+const MOST_ROOMS: usize = 100;
 
 /// So many pieces that nobody gets to are looked at.
 const MOST_UNREACHED: usize = 40;
@@ -45,7 +46,7 @@ struct Move {
 /// Moves what people use and do not get to, where a move is enough, and says which rooms there is no way to. Nothing is moved
 /// that there is a way to, and no way is lost.
 pub fn mended(home: &mut HomeFile, remarks: &mut Vec<String>) {
-    if home.walls.len() > MOST_WALLS || home.furniture.len() > MOST_PIECES {
+    if home.walls.len() > MOST_WALLS || home.furniture.len() > MOST_PIECES || home.rooms.len() > MOST_ROOMS {
         return;
     }
     if home.rooms.len() < 2 && !home.furniture.iter().any(is_used) {

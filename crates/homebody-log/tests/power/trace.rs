@@ -110,7 +110,7 @@ fn event(call: &str, before: usize, folder: &Path, places: &mut HashMap<String, 
             places.remove(result);
             // The name is below the folder of the descriptor before it.
             let below = parts[0].split_once('<').map_or("", |(_, below)| below.trim_end_matches('>'));
-            let created = || of_folder(Path::new(below).join(path(quoted(parts[1])?))).map(Event::Create);
+            let created = || of_folder(path(below).join(path(quoted(parts[1])?))).map(Event::Create);
             arguments.contains("O_CREAT").then(created)?
         }
         "lseek" => {

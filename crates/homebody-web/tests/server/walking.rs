@@ -124,7 +124,7 @@ fn what_cannot_be_walked_back_is_said_and_leaves_nothing() {
     for (body, said) in [
         (strange.as_bytes(), "none of the log's sensors is one of the home's\n  hint: the log has"),
         (header.as_bytes(), "no rows"),
-        (&b""[..], "no rows"),
+        (&b""[..], "it is empty"),
         (&b"Dear reader,\nthis is no log.\n"[..], "line"),
         (&[0, 159, 146, 150, 0, 0][..], ""),
     ] {

@@ -115,16 +115,13 @@ fn a_log_becomes_nobodys() {
         4,2001-01-02 21:00:00.000000,reading1,21.5\n5,2001-01-02 21:00:00.000000,reading1,unavailable\n\
         6,2001-01-02 21:00:05.000000,motion1,OFF\n";
     assert_eq!(folder.read("nobodys.csv"), rows, "{}", said.err);
-    assert!(said.err.contains("1 rows of other text are left out"), "{}", said.err);
+    assert!(!said.err.contains("rows of other text"), "{}", said.err);
     assert_eq!(folder.read("key.csv"), "id,name\nmotion1,M1\ncontact1,D1\nreading1,T1\n");
     assert!(folder.run("look nobodys.csv --sensors key.csv").ok().out.contains("motion1 (M1)"));
     folder.run("anonymise log.txt --out sqlite:kept.db --activities --weeks -1").ok();
     let spans = folder.query("kept.db", "SELECT start_time || ' ' || end_time || ' ' || activity FROM activity");
     assert_eq!(spans, ["2009-02-23 07:00:00.000000 2009-02-23 07:00:30.000000 Cook"]);
     let everything = folder.dump("kept.db");
-    assert!(
-        !everything.contains("M1") && !everything.contains("log.txt") && !everything.contains("unavailable"),
-        "{everything}"
-    );
+    assert!(!everything.contains("M1") && !everything.contains("log.txt"), "{everything}");
     folder.run("anonymise log.txt --out casas:log.txt --force").fails(1, "cannot become itself");
 }

@@ -106,7 +106,7 @@ fn where_no_room_is_left_nothing_is_half_written() {
         (1, "coverage flat --json=figures.json", "figures.json: "),
         (4, "convert given.csv --to sqlite:log.db", "log.db.part: "),
         (4, "convert given.csv --to csv:log.csv", "log.csv: "),
-        (4, "new home", "home/"),
+        (4, "new home", ".home.part/"),
     ] {
         cramped(&folder, kib, words).fails(1, said);
         let left: Vec<String> = folder.files().into_iter().filter(|name| !given.contains(name)).collect();
