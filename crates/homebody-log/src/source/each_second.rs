@@ -2,7 +2,7 @@
 //! rows have neither names nor times, and the activities of two residents by number.
 //!
 //! Of a sensor only changes become rows of the log, ON and OFF, and what is on in the first row. A pause of more than
-//! a minute is a gap: sensors and activities end with the last row before it, and the next row turns sensors on anew. A column of
+//! a minute is a gap: sensors and activities end with the last row before it, and the next row stores their states anew. A column of
 //! OpenSHS whose cells are not 0 and 1 is one of readings. We assume that the first row of a day of ARAS is its midnight. ARAS has
 //! no dates: its day n becomes day n of 1970.
 
@@ -71,20 +71,13 @@ impl Changes {
         Ok(())
     }
 
-    /// Ends a recorded stretch: turns off every state that is on, and forgets readings.
-    fn end_stretch(
-        &mut self,
-        line: u64,
-        at: Instant,
-        columns: &[Column],
-        reading: &mut Reading<'_>,
-    ) -> Result<(), LogError> {
-        let off = columns.iter().map(|column| column.is_state.then_some(OFF));
-        self.take(line, at, off, columns, reading)?;
-        for (last, _) in self.0[clock(at)].iter_mut().zip(columns).filter(|(_, column)| !column.is_state) {
-            last.clear();
+    /// Ends a recorded stretch: what was on, and readings, are stored anew with the next row.
+    fn end_stretch(&mut self, at: Instant, columns: &[Column]) {
+        for (last, column) in self.0[clock(at)].iter_mut().zip(columns) {
+            if !column.is_state || last != OFF {
+                last.clear();
+            }
         }
-        Ok(())
     }
 
     /// Keeps the last values for the next file of the log.
@@ -215,7 +208,7 @@ fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Resul
         }
         if let Some((end, from, until)) = pause(last, at) {
             reading.label_of(end, None);
-            changes.end_stretch(line, end, &columns, reading)?;
+            changes.end_stretch(end, &columns);
             reading.gap(from, until);
         }
         let label = cell(record, activity);
@@ -307,7 +300,7 @@ fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(
         }
     };
     if let Some((end, from, until)) = pause(reading.carried.until, Instant::Local(at)) {
-        changes.end_stretch(1, end, &columns, reading)?;
+        changes.end_stretch(end, &columns);
         reading.gap(from, until);
     }
     let mut last = 0;
