@@ -205,6 +205,7 @@ fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Resul
         if let Some(column) = says.iter().position(Option::is_none) {
             let value = beginning(&cell(record, sensors[column]));
             reading.skip(line, format!("{} says {value}, neither 0 nor 1", columns[column].name));
+            continue;
         }
         if let Some((end, from, until)) = pause(last, at) {
             reading.label_of(end, None);
