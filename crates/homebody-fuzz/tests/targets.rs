@@ -48,9 +48,8 @@ macro_rules! each {
         $(#[test]
         fn $test() {
             let outcome = fuzzed($target);
-            // The mutants reach both sides of the border, unless there was time for a few only.
-            assert!(outcome.accepted > 0, "{outcome:?}");
-            assert!(outcome.refused > 0 || outcome.cases < 2_000, "{outcome:?}");
+            // The mutants reach both sides of the border.
+            assert!(outcome.accepted > 0 && outcome.refused > 0, "{outcome:?}");
         })*
 
         #[test]
