@@ -40,7 +40,7 @@ class Life:
     pieces: int = 0
     remarks: list[str] = field(default_factory=list)
     lacks: list[str] = field(default_factory=list)
-    #: Hours asleep, meals and visits to the bathroom; `None` where nobody can live.
+    #: Hours asleep, meals and visits to the bathroom; `None` if the home lacks furniture for that.
     day: tuple[float, int, int] | None = None
 
     @property
@@ -95,7 +95,7 @@ def main() -> int:
             with tempfile.TemporaryDirectory() as scratch:
                 given = arguments.homebody.resolve(), plan.resolve(), Path(scratch)
                 drawn = lived(*given)
-                # Nothing is added to a home in which somebody lives.
+                # A home with all the furniture gets no more.
                 furnished = drawn if drawn.is_lived_in else lived(*given, "--furnish")
             lives.append((drawn, furnished))
             size = drawn.refused or f"{drawn.rooms}, {drawn.doors}, {drawn.pieces}"

@@ -52,7 +52,7 @@ fn write_parquet(
     writer.close().unwrap();
 }
 
-/// What reading a file says is wrong with it.
+/// The error of reading a file.
 fn refusal(path: &Path) -> String {
     let read = Source::recognise(path).and_then(|source| read(&source, &LoggerFile::default()));
     read.expect_err("the file is no log").to_string()

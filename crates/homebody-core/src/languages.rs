@@ -1,10 +1,10 @@
-//! What the names of rooms say in many languages, and what the things that a life needs are called there: one table.
+//! One table of words in many languages: the names of rooms, and the names of the things that a life needs.
 
 use crate::names::words;
 use crate::role::Role;
 use crate::vocabulary::has_any;
 
-/// What a room is for, as its name says.
+/// The use of a room, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RoomUse {
     /// People sleep there.
@@ -27,7 +27,7 @@ const USES: [RoomUse; 6] =
 /// The words of a language; those for rooms as [`has_any`] reads them, in the order of [`USES`].
 struct Language {
     rooms: [&'static str; 6],
-    /// What things are called, in the order of [`NAMED`].
+    /// The names of things, in the order of [`NAMED`].
     things: [&'static str; 8],
 }
 
@@ -201,7 +201,7 @@ const LANGUAGES: [Language; 14] = [
     },
 ];
 
-/// What a room of this name is for, if its words say so in any language.
+/// The use of a room of this name, if its words say so in any language.
 pub fn room_use(name: &str) -> Option<RoomUse> {
     let words = words(name);
     let says =
@@ -209,8 +209,7 @@ pub fn room_use(name: &str) -> Option<RoomUse> {
     USES.iter().enumerate().find(says).map(|(_, room_use)| *room_use)
 }
 
-/// What a thing of a role is called in the language in which most of these rooms are named; nothing for a role that has no name
-/// here.
+/// The name of a thing of a role, in the language of most of these rooms. `None` for a role without a name here.
 pub fn called<'a>(role: Role, rooms: impl Iterator<Item = &'a str>) -> Option<&'static str> {
     let rooms: Vec<Vec<String>> = rooms.map(words).collect();
     let known = |language: &Language| {
@@ -264,7 +263,7 @@ mod tests {
         assert_eq!(bed(&["Wohnzimmer", "Küche", "WC"]), Some("Bett"));
         assert_eq!(bed(&["Soggiorno", "Bagno"]), Some("letto"));
         assert_eq!(bed(&["Room", "Kitchen"]), Some("bed"));
-        // What no language knows is English.
+        // Rooms that no language knows count as English.
         assert_eq!(bed(&["A", "B"]), Some("bed"));
         assert_eq!(called(Role::Telephone, ["Bad"].into_iter()), None);
     }

@@ -61,16 +61,16 @@ pub fn home_xml(bytes: &[u8]) -> Result<String, NotImported> {
     text(xml)
 }
 
-/// What to do with a plan that is larger than one of a home.
+/// The hint for a plan that is larger than one of a home.
 const SAVE_AGAIN: &str = "a plan of one home is smaller: open it in Sweet Home 3D and save it again";
 
 /// Whether the bytes are the text of a plan, without an archive around it.
 fn is_unpacked(bytes: &[u8]) -> bool {
-    /// So far in, the root element begins (ours).
+    /// The root element begins within this many bytes (our choice).
     const HEAD: usize = 4_096;
     let head = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD)]).into_owned();
     let head = head.trim_start_matches('\u{feff}').trim_start();
-    // What a plan says of itself follows; an empty element is no plan.
+    // A plan has attributes in its root element.
     let has_root = || ["<home ", "<home\t", "<home\n", "<home\r"].iter().any(|root| head.contains(root));
     head.starts_with('<') && has_root()
 }

@@ -13,9 +13,9 @@ pub enum NotImported {
     /// The file is of another form.
     #[error("this is no Sweet Home 3D file: it is {form}\n  hint: {hint}")]
     OtherForm {
-        /// What it is, such as a picture in PNG.
+        /// Its form, such as a picture in PNG.
         form: &'static str,
-        /// What takes it.
+        /// The command that takes it.
         hint: &'static str,
     },
     /// The archive has no plan in it.

@@ -13,7 +13,7 @@ const MOST_COUNTED: usize = 100;
 /// Of more levels with something on them, those with the most walls are looked at (ours).
 const MOST_STOREYS: usize = 8;
 
-/// Nobody stands in a lower one (ours): it is a ceiling, a roof or a floor's thickness.
+/// A lower level is a ceiling, a roof or the thickness of a floor (our choice).
 const LEAST_HEIGHT_M: f64 = 1.2;
 
 /// The levels of a plan that may be imported, from below.

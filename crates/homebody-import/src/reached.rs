@@ -1,4 +1,4 @@
-//! Moves out chairs under a table and pieces that stand into a wall, where nobody gets to them as they are drawn.
+//! Moves unreachable pieces: chairs under a table, and pieces that stand into a wall.
 
 use homebody_core::geometry::{self, At, Point, overlap};
 use homebody_core::home::plan::{Origin, Plan, Solid, furniture_outline};
@@ -16,7 +16,7 @@ const MOST_WALLS: usize = 400;
 const MOST_PIECES: usize = 400;
 const MOST_ROOMS: usize = 100;
 
-/// So many pieces that nobody gets to are looked at.
+/// The most unreachable pieces that are tried.
 const MOST_UNREACHED: usize = 40;
 
 /// So many places are tried for each piece, and so many pieces one by one where they are in each other's way.
@@ -30,7 +30,7 @@ const MOST_SEAT_M: f64 = 1.0;
 /// The longest move of another piece.
 const MOST_OTHER_M: f64 = 0.5;
 
-/// How far beside an edge somebody sits whose chair is pulled out.
+/// How far from the edge of a table a chair stands that is pulled out.
 const BEYOND_EDGE_M: f64 = 0.1;
 
 /// The overlap of two pieces that counts as none, in square metres.
@@ -43,7 +43,7 @@ struct Move {
     by_m: f64,
 }
 
-/// Moves what people use and do not get to, where a move is enough, and says which rooms there is no way to. Nothing is moved
+/// Moves unreachable furniture that people use, and names the rooms without a way in. Nothing is moved
 /// that there is a way to, and no way is lost.
 pub fn mended(home: &mut HomeFile, remarks: &mut Vec<String>) {
     if home.walls.len() > MOST_WALLS || home.furniture.len() > MOST_PIECES || home.rooms.len() > MOST_ROOMS {
@@ -172,7 +172,7 @@ fn moves(home: &HomeFile, plan: &Plan, index: usize) -> Vec<Move> {
     found
 }
 
-/// Whether a piece would stand on no seat besides those that it stands on as it is drawn.
+/// Whether a piece keeps clear of all seats that it does not already cover in the drawing.
 fn is_apart(home: &HomeFile, index: usize, moved: &[Point]) -> bool {
     let drawn = furniture_outline(&home.furniture[index]);
     let others = home.furniture.iter().enumerate().filter(|(other, piece)| *other != index && piece.enterable);
@@ -203,7 +203,7 @@ fn told(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
     (!moved.is_empty()).then(|| format!("{what}: {named}{more}"))
 }
 
-/// Names the rooms that nobody gets into.
+/// Names the rooms without a way in.
 fn closed_rooms(home: &HomeFile) -> Option<String> {
     let plan = Plan::new(home);
     let places = Places::new(home, &plan, &Mesh::new(&plan, BODY_M), "");

@@ -18,7 +18,7 @@ const APART_M: f64 = 1.5;
 /// Stairs that rise less than this share of what lies between two levels lead to none (ours).
 const LEAST_RISE: f64 = 0.6;
 
-/// Levels nearer to each other are two drawings of one (ours): no stairs lead from one to the other.
+/// Levels nearer to each other are two drawings of one level (our choice), without stairs between them.
 const LEAST_APART_M: f64 = 0.5;
 
 /// How much longer a passage may be for a floor that is not turned, is turned by a half, by a quarter, by anything else (ours):

@@ -1,5 +1,5 @@
-//! Warnings of a scenario that has no life or no log although its files are right: nobody lives there, somebody waits for ever,
-//! it has no sensors or no way out, or nobody gets into a room.
+//! Warnings of a scenario whose files are right but whose run has no life or no log: no residents, a resident that waits forever,
+//! no sensors, no way out, or a room without a way in.
 
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::Build;
@@ -83,7 +83,7 @@ fn waits(scenario: &Scenario, resident: usize) -> bool {
     path.is_some_and(|path| !path.steps.iter().any(does_something))
 }
 
-/// Whether somebody walks in a step, goes out or does what has a name.
+/// Whether a step walks, goes out or is a named activity.
 fn does_something(step: &Step) -> bool {
     match step {
         Step::Go(_) | Step::Away(_) | Step::Activity(_) => true,
@@ -117,7 +117,7 @@ fn waiting(scenario: &Scenario, resident: usize) -> Vec<Problem> {
     std::iter::once(first).chain(lacks.into_iter().flatten().map(lack)).collect()
 }
 
-/// Names the rooms that nobody gets into from the rest of the home.
+/// Names the rooms without a way in from the rest of the home.
 fn closed_rooms(scenario: &Scenario) -> Option<Problem> {
     /// So many are named.
     const NAMED: usize = 8;

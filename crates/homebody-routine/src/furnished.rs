@@ -1,4 +1,4 @@
-//! The furniture that a home needs besides its own, so that people live there by routines.
+//! The furniture that the routines of the residents need and the home lacks.
 
 use crate::household::RoutineLanguage;
 use crate::needs_of_home;
@@ -6,8 +6,8 @@ use homebody_core::problem::Problems;
 use homebody_core::scenario::home::FurnitureFile;
 use homebody_core::scenario::load::{Files, Scenario};
 
-/// The pieces that the first resident who lacks something needs, each in a free place. Empty where nobody lacks anything, or
-/// nothing more fits.
+/// The pieces that the first resident lacks for its routine, each in a free place. Empty if no resident lacks anything, or if
+/// no piece fits.
 ///
 /// # Errors
 ///

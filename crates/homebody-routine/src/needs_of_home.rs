@@ -42,8 +42,8 @@ pub fn check(
     check.problems
 }
 
-/// The pieces that a home lacks for a resident who lives by a routine, each in a place where it can stand: with all of them
-/// added, everybody's needs are met. None where nothing is out of reach.
+/// The pieces that the routine of a resident needs and the home lacks, each in a free place. With all of them added, the home meets
+/// the needs of all residents. `None` if the resident can reach everything.
 pub fn additions(
     scenario: &Scenario,
     resident: &ResidentFile,
@@ -222,8 +222,8 @@ impl Check<'_> {
         }
     }
 
-    /// Reports each thing that everybody needs and the home does not have, with a place for it. A home with all of them added
-    /// can be lived in.
+    /// Reports each thing that everybody needs and the home does not have, with a place for it. With all of them added,
+    /// each routine can run.
     fn missing(&mut self, places: &Places) {
         for (role, what, hint) in [NO_BED, NO_TOILET, NO_SEAT, NO_KITCHEN] {
             if places.of(role).is_none() {
@@ -251,7 +251,7 @@ impl Check<'_> {
 
     /// Why no place is named for a piece.
     fn no_room(&self) -> String {
-        /// So many are named (ours).
+        /// The most names in one message (our choice).
         const NAMED: usize = 6;
         let rooms = &self.lacking.rooms;
         let named: Vec<String> = rooms.iter().take(NAMED).map(|room| format!("{room:?}")).collect();

@@ -88,7 +88,7 @@ pub const NEEDS: [Role; 4] = [Role::Bed, Role::Toilet, Role::Armchair, Role::Fri
 /// The pieces that a home lacks.
 #[derive(Clone, Debug, Default)]
 pub struct Lacking {
-    /// By role, a piece that can be added, beside those before it; nothing where there is no room for it.
+    /// By role, a new piece that fits next to those before it; `None` if none fits.
     pub pieces: Vec<(Role, Option<FurnitureFile>)>,
     /// The names of the rooms for that life.
     pub rooms: Vec<String>,
@@ -246,8 +246,8 @@ fn free_name(home: &HomeFile, wanted: &str) -> String {
     names.into_iter().find(|name| !taken.contains(name)).unwrap_or_default()
 }
 
-/// The rooms of a part in the order in which they are tried for a piece. Its usual rooms come first, then rooms of unknown use,
-/// for a toilet from the smallest, else from the largest. Halls and rooms where nobody lives come last.
+/// The rooms of a part, in the order of the tries for a piece. Its usual rooms come first, then rooms of unknown use,
+/// for a toilet from the smallest, else from the largest. Halls, garages and other side rooms come last.
 fn in_order(home: &HomeFile, plan: &Plan, needed: &Needed, part: &Part) -> Vec<usize> {
     let area = |room: usize| geometry::signed_area(&plan.rooms[room].outline).abs();
     let rank = |room: usize| match languages::room_use(&home.rooms[room].name) {

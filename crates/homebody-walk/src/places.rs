@@ -164,7 +164,7 @@ impl Places {
         &self.spots
     }
 
-    /// The rooms that nobody gets into, as indices of the plan's.
+    /// The rooms without a way in, as indices into the plan's rooms.
     pub fn closed_rooms(&self) -> impl Iterator<Item = usize> + '_ {
         self.spots.iter().filter(|spot| spot.is_room && !spot.is_reachable).filter_map(|spot| spot.room)
     }

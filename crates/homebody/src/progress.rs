@@ -29,7 +29,7 @@ pub fn bar(length: impl Into<Option<u64>>, template: &str) -> ProgressBar {
     let template = if is_terminal { template.to_owned() } else { without_bar(template) };
     let style = ProgressStyle::with_template(&template).unwrap_or_else(|_| ProgressStyle::default_bar());
     let bar = ProgressBar::with_draw_target(length.into(), target).with_style(style);
-    // Where no thread is to be had, the bar moves with the work alone.
+    // Without a thread the bar moves only with the work.
     if thread::Builder::new().spawn(|| ()).is_ok() {
         bar.enable_steady_tick(TICK);
     }

@@ -8,7 +8,7 @@ use parquet::basic::Encoding;
 use parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaData};
 use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom};
 
-/// No page unpacks to more. Writers make pages of 1 MiB unless they are told otherwise.
+/// No page unpacks to more. Writers make pages of 1 MiB by default.
 const LARGEST_PAGE_BYTES: u64 = 64 << 20;
 
 /// No page unpacks to more where values share beginnings: each value of a page may then be as long as all of it.

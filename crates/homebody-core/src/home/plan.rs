@@ -88,7 +88,7 @@ pub struct Plan {
 /// How far off a wall's middle line a door's jamb may be, in metres.
 pub const JAMB_TOLERANCE_M: f64 = 0.01;
 
-/// A shorter rest of a wall beside a door comes from rounding, in metres: its outline would be a point, which cuts every line.
+/// In metres. A shorter piece of wall next to a door comes from rounding. Its outline would be a point.
 const LEAST_WALL_M: f64 = 1e-9;
 
 /// Furniture that is no higher, such as a carpet, stops nobody, in metres (ours): people step over it.

@@ -1,4 +1,4 @@
-//! Chairs under a table, pieces that stand into a wall, and rooms without a door: nobody gets to them as they are drawn.
+//! Unreachable as drawn: chairs under a table, pieces that stand into a wall, and rooms without a door.
 
 use crate::plan::{Home, door, piece, room, two_rooms, two_rooms_walls};
 use homebody_core::geometry;
@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 const CHAIR: [f64; 3] = [40.0, 40.0, 90.0];
 const TABLE: [f64; 3] = [100.0, 100.0, 75.0];
 
-/// The names of the places that nobody gets to.
+/// The names of the unreachable places.
 fn unreached(home: &Home) -> Vec<String> {
     let places = Places::new(&home.file, &home.plan, &Mesh::new(&home.plan, 0.22), "anna");
     places.all().iter().filter(|spot| !spot.is_reachable).map(|spot| spot.name.clone()).collect()
@@ -52,7 +52,7 @@ fn chairs_that_people_get_to_stay_where_they_are() {
     for chair in &home.file.furniture[1..] {
         assert!((geometry::point(chair.at.unwrap()).distance(table) - 0.6).abs() < 1e-9);
     }
-    // A piece that nobody uses stays, too.
+    // A piece without a use stays, too.
     let boxed = two_rooms() + &piece("Tisch", [330.0, 300.0], TABLE, "") + &piece("Box", [330.0, 300.0], CHAIR, "");
     let home = Home::of(&boxed);
     assert_eq!(home.file.furniture[0].at, home.file.furniture[1].at);

@@ -23,11 +23,11 @@ pub struct Log {
     pub clock: Clock,
     /// What residents did, where the log notes it.
     pub activities: Vec<Activity>,
-    /// What each column of a table was taken for, and why; empty for forms without columns.
+    /// The role of each column of a table, and the evidence; empty for forms without columns.
     pub columns: Vec<ColumnUse>,
     /// The offsets from UTC that its instants were written with, in the order of the rows; empty without offsets.
     pub offsets: Vec<OffsetSpan>,
-    /// Spans in which nothing was recorded, in the order of time: what held before such a span is not known within it.
+    /// Spans without a record, in the order of time. The state before such a span is unknown within it.
     pub gaps: Vec<(Micros, Micros)>,
     /// What else is left out than lines: a sentence each.
     pub remarks: Vec<String>,
@@ -59,12 +59,12 @@ pub struct OffsetSpan {
     pub ahead: Micros,
 }
 
-/// What a reader took a column of a table for.
+/// The role that a reader gave to a column of a table.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct ColumnUse {
     /// Its heading; without one its place, such as `column 2`.
     pub column: String,
-    /// What it was taken for.
+    /// Its role.
     pub used_as: ColumnRole,
     /// By which evidence, such as `its heading` or `9 of 10 cells are instants`.
     pub because: String,
@@ -85,7 +85,7 @@ impl ColumnUse {
     }
 }
 
-/// What a column of a table may hold.
+/// The role of a column of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ColumnRole {
@@ -97,13 +97,13 @@ pub enum ColumnRole {
     Duration,
     /// Which sensor reported.
     Sensor,
-    /// What the sensor reported.
+    /// The value that the sensor reported.
     Value,
-    /// What somebody did.
+    /// The activity of a person.
     Label,
     /// Which home or person the row belongs to.
     Home,
-    /// What kind of sensor reported.
+    /// The kind of the sensor.
     Kind,
     /// In which room the sensor is.
     Room,

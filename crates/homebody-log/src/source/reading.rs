@@ -316,8 +316,8 @@ impl<'t> Reading<'t> {
         }
     }
 
-    /// Keeps what the source reports of a sensor: its name, kind, unit and room. What a table of sensors beside the log has of
-    /// it, or what came first, stays, and gains what it lacks.
+    /// Keeps what the source reports of a sensor: its name, kind, unit and room. Values from a table of
+    /// sensors next to the log and earlier values stay; new ones fill the gaps.
     pub fn know(&mut self, sensor: SensorInfo) {
         match self.log.known.iter_mut().find(|known| known.id == sensor.id) {
             Some(known) => known.fill(sensor),

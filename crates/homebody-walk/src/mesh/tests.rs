@@ -246,7 +246,7 @@ fn tangled_walls_break_nothing() {
     }
 }
 
-/// A door as wide as its wall leaves a rest of no length beside it, by rounding.
+/// A door as wide as its wall leaves a piece of wall of length zero, by rounding.
 #[test]
 fn a_door_as_wide_as_its_wall_keeps_nobody_from_a_seat() {
     let home = |to: f64| {

@@ -12,9 +12,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// Begins a scenario of your own in a new folder, from a plan drawn with Sweet Home 3D: rooms, walls, doors and furniture; of
-/// several levels those that stairs join, beside each other. Says what was left out or guessed. Anna lives an ordinary life there as
-/// soon as the home has the furniture for it. Names what it lacks with a line for home.json, or adds it with --furnish. Sensors are
-/// yours to add.
+/// several levels those that stairs join, beside each other. Says what was left out or guessed. Its resident is Anna, with an
+/// ordinary routine. Names the furniture that the routine needs and the home lacks, each piece with a line for home.json, or adds it
+/// with --furnish. Add sensors yourself.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody import flat.sh3d my-home && homebody check my-home
@@ -32,12 +32,12 @@ pub struct Arguments {
     /// stairs join to it
     #[arg(long, value_name = "NAME")]
     level: Option<String>,
-    /// Add the furniture that an ordinary life needs and the plan lacks, or that nobody gets to
+    /// Add the furniture that an ordinary routine needs and the plan lacks or makes unreachable
     #[arg(long)]
     furnish: bool,
 }
 
-/// What came of a plan.
+/// A scenario that was made of a plan.
 struct Made {
     remarks: Vec<String>,
     scenario: Scenario,

@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 /// Begins a scenario of your own in a new folder: from a template that works, empty, or from the log of a home of which nobody has a
 /// plan.
 ///
-/// An empty home is drawn in the page of homebody serve, over a picture of its plan where there is one. Anna lives an ordinary life
-/// there as soon as it has what that needs; until then homebody check says what is missing.
+/// Draw the plan of an empty home in the page of homebody serve, over a picture of it if you have one. Its resident is Anna, with an
+/// ordinary routine; homebody check names the furniture that the routine needs and the home lacks.
 ///
 /// From a log comes a schematic home: rooms, things and places by the names of its sensors and by what was done as they spoke;
 /// which rooms are beside each other, and what is near what, by who follows whom and how soon. It is a guess, and says so. With

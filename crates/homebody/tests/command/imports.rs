@@ -71,7 +71,7 @@ fn a_home_that_lacks_something_says_so_until_it_is_there() {
     folder.run("check full").fails(2, "nowhere in this home to sleep");
 }
 
-/// Hours asleep, meals and visits to the bathroom on the first day of somebody's life.
+/// Hours asleep, meals and visits to the bathroom on the first day of a run.
 fn day(folder: &Folder, home: &str) -> [f64; 3] {
     folder.run(&format!("run {home} --for 1d --quiet --out csv:{home}.csv --truth sqlite:{home}.db")).ok();
     let number = |sql: &str| folder.query(&format!("{home}.db"), sql)[0].parse().unwrap_or(0.0);
@@ -82,7 +82,7 @@ fn day(folder: &Folder, home: &str) -> [f64; 3] {
     ]
 }
 
-/// Three rooms beside each other, each with a door to the next and one out of the first; of a fourth the door is missing.
+/// Three rooms in a row, each with a door to the next, and a door out of the first. A fourth room has no door.
 fn four_rooms(names: [&str; 4]) -> String {
     let wall = |[x, y]: [u32; 2], [to_x, to_y]: [u32; 2]| {
         format!("<wall xStart='{x}' yStart='{y}' xEnd='{to_x}' yEnd='{to_y}' thickness='20'/>")
@@ -133,7 +133,7 @@ fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
         assert!(checked.contains(&format!("nobody gets into {:?}", plan_of[3])), "{checked}");
         let [asleep_h, meals, visits] = day(&folder, &name);
         assert!(asleep_h >= 4.0 && meals >= 2.0 && visits >= 2.0, "{asleep_h} {meals} {visits}");
-        // Nobody lives there without these pieces.
+        // The routine needs these pieces.
         folder.run(&format!("import plan.sh3d bare-{name}")).ok();
         let lacks = format!("there is room in {:?}: add to \"furniture\" {{\"name\": {bed:?}", plan_of[1]);
         folder.run(&format!("check bare-{name}")).fails(2, &lacks);
@@ -169,7 +169,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     folder.write("mine/home.json", home.replace("\n  ]\n}", &format!("\n  ],\n  \"sensors\": [{{{sensor}}}]\n}}")));
     let said = folder.run("check mine").ok().err;
     assert!(said.contains("mine: nothing is wrong. 1 room, 1 door, 3 pieces of furniture, 1 sensor"), "{said}");
-    // Who waits for ever is named, with what makes them live.
+    // The check names a resident that waits forever, with the line that gives it a life.
     let wait = r#"{ "start": [3, 2], "steps": [{ "repeat": { "steps": [{ "wait": { "for_s": 60 } }] } }] }"#;
     folder.write("mine/anna.path.json", wait);
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
