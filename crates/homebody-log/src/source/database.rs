@@ -2,7 +2,7 @@
 //!
 //! Only tables are read: a view can compute without an end, or make gigabytes of nothing.
 
-use super::instant::{Instant, Instants, since_1970};
+use super::instant::{Instant, Instants, since_1970, since_1970_whole};
 use crate::limits::LONGEST_ROW_BYTES;
 use crate::plain;
 use homebody_core::time::Micros;
@@ -91,7 +91,7 @@ pub(crate) fn first_row<E>(last: i64, mut is_before: impl FnMut(i64) -> Result<b
 /// What a cell of a row tells as an instant: microseconds since 1970, on whichever clock.
 pub(super) fn instant(row: &Row, column: usize, instants: &mut Instants) -> rusqlite::Result<Option<Micros>> {
     let instant = match row.get_ref(column)? {
-        ValueRef::Integer(number) => since_1970(number as f64),
+        ValueRef::Integer(number) => since_1970_whole(number),
         ValueRef::Real(number) => since_1970(number),
         other => instants.read(&text(other)),
     };

@@ -10,10 +10,12 @@
 //! power was lost, ended with its last row: the recorder writes the beginning of the next run as its end.
 
 use super::database::{connect, instant as micros, tables, text};
+use super::entity::entity as of_entity;
 use super::form::{Form, Shows};
 use super::instant::{Instant, Instants, since_1970};
 use super::reading::{Reading, open};
 use super::registry::Registry;
+use super::said::{Object, member};
 use super::start::Start;
 use crate::error::{LogError, place_of};
 use crate::sensor_info::SensorInfo;
@@ -22,7 +24,6 @@ use homebody_core::sensed::domain_of;
 use homebody_core::time::Micros;
 use rusqlite::types::{Value as Cell, ValueRef};
 use rusqlite::{Connection, OptionalExtension};
-use serde::Deserialize;
 use std::path::Path;
 
 pub(super) const FORM: Form = Form {
@@ -151,14 +152,6 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     Ok(())
 }
 
-/// The attributes that describe an entity.
-#[derive(Default, Deserialize)]
-struct Attributes {
-    device_class: Option<String>,
-    friendly_name: Option<String>,
-    unit_of_measurement: Option<String>,
-}
-
 /// Keeps what the database and the registries say of entities: of each by its last state that was known, or else by its last.
 fn know_entities(
     connection: &Connection,
@@ -178,23 +171,18 @@ fn know_entities(
     let mut rows = statement.query([])?;
     while let Some(row) = rows.next()? {
         let id = text(row.get_ref(0)?).into_owned();
-        let attributes: Attributes = serde_json::from_str(&text(row.get_ref(1)?)).unwrap_or_default();
+        let attributes: Object = serde_json::from_str(&text(row.get_ref(1)?)).unwrap_or_default();
+        let told = of_entity(&id, Some(&attributes));
         let entry = registry.entity(&id);
-        let said = |text: Option<String>| text.filter(|text| !text.is_empty());
-        let class = entry.and_then(|entry| entry.class.clone()).or(said(attributes.device_class));
+        let class = entry.and_then(|entry| entry.class.clone()).or(member(&attributes, &["device_class"]));
         let category = entry.and_then(|entry| entry.category.clone());
         // People do not use the switch of a setting. A class says more than `diagnostic`.
         let kind = match category {
             Some(category) if class.is_none() || category == "config" => category,
             _ => class.unwrap_or_else(|| domain_of(&id).unwrap_or_default().to_owned()),
         };
-        reading.know(SensorInfo {
-            name: said(attributes.friendly_name).unwrap_or_else(|| id.clone()),
-            kind,
-            unit: said(attributes.unit_of_measurement),
-            room: entry.and_then(|entry| entry.area.clone()),
-            ..SensorInfo::named(&id)
-        });
+        let room = entry.and_then(|entry| entry.area.clone()).or_else(|| told.room.clone());
+        reading.know(SensorInfo { is_motion: kind == "motion", kind, room, ..told });
     }
     Ok(())
 }

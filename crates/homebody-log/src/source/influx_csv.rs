@@ -6,11 +6,10 @@
 
 use super::form::{Form, Shows};
 use super::gathered::Gathered;
-use super::instant::{Instant, Instants};
+use super::instant::{Instant, Instants, since_1970_whole};
 use super::log::ColumnRole;
 use super::reading::Reading;
 use super::records::{Record, Records};
-use super::said::since_1970_whole;
 use super::series::{Point, Series};
 use super::start::Start;
 use crate::error::LogError;

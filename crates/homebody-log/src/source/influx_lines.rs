@@ -5,11 +5,10 @@
 
 use super::form::{Form, Shows};
 use super::gathered::Gathered;
-use super::instant::Instant;
+use super::instant::{Instant, since_1970_whole};
 use super::lines::Lines;
 use super::log::ColumnRole;
 use super::reading::Reading;
-use super::said::since_1970_whole;
 use super::series::{Point, Series};
 use super::start::Start;
 use crate::error::LogError;

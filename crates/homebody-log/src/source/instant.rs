@@ -248,6 +248,18 @@ pub fn since_1970(number: f64) -> Option<Instant> {
     Some(Instant::Utc(micros.round() as Micros))
 }
 
+/// The same of a whole number, to the digit.
+pub(super) fn since_1970_whole(number: i64) -> Option<Instant> {
+    let micros = match number {
+        ..100_000_000 => return None,
+        ..100_000_000_000 => number * SECOND,
+        ..100_000_000_000_000 => number * 1000,
+        ..100_000_000_000_000_000 => number,
+        _ => number / 1000,
+    };
+    Some(Instant::Utc(micros))
+}
+
 /// A number since 1970 as text: a fraction as floats cannot hold it is read to the digit.
 fn number(text: &str) -> Option<Instant> {
     let fits = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
@@ -259,9 +271,8 @@ fn number(text: &str) -> Option<Instant> {
             let (micros, rest) = fraction(decimals.as_bytes());
             rest.is_empty().then_some(Instant::Utc(seconds.parse::<i64>().ok()? * SECOND + micros))
         }
-        // A float does not hold all digits of nanoseconds.
-        None if (18..=19).contains(&text.len()) => Some(Instant::Utc((text.parse::<u64>().ok()? / 1000) as Micros)),
-        _ => since_1970(text.parse().ok()?),
+        None => since_1970_whole(text.parse().ok()?),
+        Some(_) => since_1970(text.parse().ok()?),
     }
 }
 

@@ -1,7 +1,6 @@
 //! Values of JSON as instants and as texts that a sensor reported.
 
-use super::instant::{Instant, Instants, since_1970};
-use homebody_core::time::SECOND;
+use super::instant::{Instant, Instants, since_1970, since_1970_whole};
 use serde_json::{Map, Value};
 use std::borrow::Cow;
 
@@ -17,18 +16,6 @@ pub(super) fn instant(value: &Value, instants: &mut Instants) -> Option<Instant>
         },
         _ => None,
     }
-}
-
-/// A whole number since 1970 in seconds, milliseconds, microseconds or nanoseconds: its size tells which, for instants from 1973 on.
-pub(super) fn since_1970_whole(number: i64) -> Option<Instant> {
-    let micros = match number {
-        ..=99_999_999 => return None,
-        100_000_000..=99_999_999_999 => number * SECOND,
-        100_000_000_000..=99_999_999_999_999 => number * 1000,
-        100_000_000_000_000..=99_999_999_999_999_999 => number,
-        100_000_000_000_000_000.. => number / 1000,
-    };
-    Some(Instant::Utc(micros))
 }
 
 fn instant_of_text(text: &str, instants: &mut Instants) -> Option<Instant> {

@@ -3,7 +3,7 @@
 use super::columns::Places;
 use super::database::{connect, tables, text};
 use super::form::{Form, Shows};
-use super::instant::since_1970;
+use super::instant::{since_1970, since_1970_whole};
 use super::reading::{Reading, open};
 use super::start::Start;
 use crate::error::{LogError, place_of};
@@ -63,7 +63,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         let (sensor, value) = (said(1)?, said(2)?);
         let time = row.get_ref(0).map_err(database)?;
         let number = match time {
-            ValueRef::Integer(number) => Some(since_1970(number as f64)),
+            ValueRef::Integer(number) => Some(since_1970_whole(number)),
             ValueRef::Real(number) => Some(since_1970(number)),
             _ => None,
         };
@@ -181,7 +181,7 @@ fn by_first_row(connection: &Connection, table: &str, reading: &mut Reading<'_>)
     for column in 0..columns {
         let is_key = key.get(column).is_some_and(|&is_key| is_key);
         let (is_text, is_instant) = match row.get_ref(column)? {
-            ValueRef::Integer(number) => (false, !is_key && since_1970(number as f64).is_some()),
+            ValueRef::Integer(number) => (false, !is_key && since_1970_whole(number).is_some()),
             ValueRef::Real(number) => (false, !is_key && since_1970(number).is_some()),
             value => (true, reading.instants.read(&text(value)).is_some()),
         };
