@@ -120,7 +120,7 @@ pub fn case(home: &Home, seed: u64, length: u32) -> Result<Case, NotWalked> {
     }
     let lived = Lived::new(home, seed, end)?;
     let names: Vec<&str> = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.as_str()).collect();
-    let findings = health(&bodies, &lived.messages, end, |_| ());
+    let findings = health(&bodies, &lived.messages, end);
     let faults = scenario.link.iter().flat_map(|link| &link.faults);
     let faults: Vec<(&FaultFile, Planted)> =
         faults.filter_map(|fault| Some((fault, planted(fault, &names, &findings)?))).collect();

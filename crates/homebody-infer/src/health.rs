@@ -80,61 +80,94 @@ const TOGETHER_M: f64 = 2.0;
 const CLOCK_DAYS: usize = 4;
 const CLOCK_S: f64 = 15.0;
 
-/// What is wrong with the sensors of a log, of messages in order of time and up to `end`, in which these bodies are told of.
+/// An examination of the sensors of a log: passes over the log, which are independent of each other, and the findings of all passes.
 ///
-/// What a sensor says moves the people whom it is held against. So some sensors at a time are left out as well, and are held
-/// against what all others tell. `progress` gets the share that is done, from 0 to 1.
-pub fn health(bodies: &[Senses], messages: &[Message], end: Micros, mut progress: impl FnMut(f64)) -> Vec<Finding> {
-    let Some(first) = bodies.first() else { return Vec::new() };
-    let sensors = first.timing.len();
-    let spells = spells(messages.iter().copied(), sensors, end);
-    let mut own = vec![Vec::new(); sensors];
-    messages.iter().for_each(|message| own[message.sensor].push(*message));
-    let mut passes = 0.0;
-    let mut days = |left_out: &[usize]| {
-        let left_out = left_out.iter().map(|&sensor| Spell { sensor, from: 0, to: end, ill: Ill::Dead });
-        let spells: Vec<Spell> = spells.iter().copied().chain(left_out).collect();
-        let mut watch = Watch::new(&first.timing, &own);
-        translate(bodies, &spells, messages.iter().copied(), end, |instant| {
+/// A sensor's messages move the people whom it is compared with. So the first pass hears all sensors, and each later pass leaves
+/// some of them out and compares these with the people of all others.
+pub struct Examination<'a> {
+    bodies: &'a [Senses],
+    messages: &'a [Message],
+    end: Micros,
+    /// By sensor, its messages.
+    own: Vec<Vec<Message>>,
+    spells: Vec<Spell>,
+    /// The sensors that notice people.
+    feel: Vec<usize>,
+}
+
+/// What one pass counted: the days of each sensor.
+pub struct Counted(Vec<Vec<Day>>);
+
+impl<'a> Examination<'a> {
+    /// The number of passes.
+    pub const PASSES: usize = 1 + PARTS;
+
+    /// Examines messages in order of time and up to `end`, by these bodies. `None` without a body.
+    pub fn new(bodies: &'a [Senses], messages: &'a [Message], end: Micros) -> Option<Examination<'a>> {
+        let sensors = bodies.first()?.timing.len();
+        let mut own = vec![Vec::new(); sensors];
+        messages.iter().for_each(|message| own[message.sensor].push(*message));
+        let feel = (0..sensors).filter(|&sensor| bodies[0].timing[sensor].feels).collect();
+        Some(Examination { bodies, messages, end, own, spells: spells(messages.iter().copied(), sensors, end), feel })
+    }
+
+    /// The sensors that a pass leaves out.
+    fn left_out(&self, pass: usize) -> Vec<usize> {
+        let of_part = |part: usize| self.feel.iter().copied().skip(part).step_by(PARTS).collect();
+        pass.checked_sub(1).map(of_part).unwrap_or_default()
+    }
+
+    /// Runs one pass. `progress` gets the share of it that is done, from 0 to 1.
+    pub fn pass(&self, pass: usize, mut progress: impl FnMut(f64)) -> Counted {
+        let dead = |sensor: usize| Spell { sensor, from: 0, to: self.end, ill: Ill::Dead };
+        let spells: Vec<Spell> = self.spells.iter().copied().chain(self.left_out(pass).into_iter().map(dead)).collect();
+        let mut watch = Watch::new(&self.bodies[0].timing, &self.own);
+        translate(self.bodies, &spells, self.messages.iter().copied(), self.end, |instant| {
             watch.see(&instant);
-            progress((passes + instant.at as f64 / end.max(1) as f64) / (1 + PARTS) as f64);
+            progress(instant.at as f64 / self.end.max(1) as f64);
         });
-        passes += 1.0;
-        watch.finish()
-    };
-    let mut findings: Vec<Finding> = spells.iter().map(Finding::of_spell).collect();
-    let all = days(&[]);
-    let feel: Vec<usize> = (0..sensors).filter(|&sensor| first.timing[sensor].feels).collect();
-    for &sensor in &feel {
-        // What is known by the messages alone is known to the second.
-        let known: Vec<Finding> = findings.iter().filter(|finding| finding.sensor == sensor).copied().collect();
-        for finding in of_days(&all[sensor]).into_iter().map(|of_days| Finding::of_days(sensor, of_days)) {
-            match known.iter().find(|known| known.from < finding.to && finding.from < known.to) {
-                Some(known) if finding.ailment == Ailment::Fading => {
-                    findings.retain(|one| one != known);
-                    findings.push(Finding { to: known.to, ..finding });
+        Counted(watch.finish())
+    }
+
+    /// The findings of all passes, in order of time.
+    pub fn findings(&self, passes: &[Counted]) -> Vec<Finding> {
+        let mut findings: Vec<Finding> = self.spells.iter().map(Finding::of_spell).collect();
+        let Some((Counted(all), others)) = passes.split_first() else { return findings };
+        for &sensor in &self.feel {
+            // The messages alone tell a spell to the second.
+            let known: Vec<Finding> = findings.iter().filter(|finding| finding.sensor == sensor).copied().collect();
+            for finding in of_days(&all[sensor]).into_iter().map(|of_days| Finding::of_days(sensor, of_days)) {
+                match known.iter().find(|known| known.from < finding.to && finding.from < known.to) {
+                    Some(known) if finding.ailment == Ailment::Fading => {
+                        findings.retain(|one| one != known);
+                        findings.push(Finding { to: known.to, ..finding });
+                    }
+                    Some(_) => {}
+                    None => findings.push(finding),
                 }
-                Some(_) => {}
-                None => findings.push(finding),
             }
         }
-    }
-    let mut clocks = Vec::new();
-    for part in 0..PARTS {
-        let left_out: Vec<usize> = feel.iter().copied().skip(part).step_by(PARTS).collect();
-        let of_others = days(&left_out);
-        for sensor in left_out {
-            let days = &of_others[sensor];
-            clocks.extend(clock(days).map(|ailment| Finding { sensor, from: 0, to: end, ailment }));
-            let is_doubtful = findings.iter().any(|finding| finding.sensor == sensor);
-            let moved = moved(days).filter(|_| is_doubtful).map(|found| Finding::of_days(sensor, found));
-            moved.into_iter().for_each(|moved| moved.put_into(&mut findings));
+        let mut clocks = Vec::new();
+        for (part, Counted(of_others)) in others.iter().enumerate() {
+            for sensor in self.left_out(part + 1) {
+                let days = &of_others[sensor];
+                clocks.extend(clock(days).map(|ailment| Finding { sensor, from: 0, to: self.end, ailment }));
+                let is_doubtful = findings.iter().any(|finding| finding.sensor == sensor);
+                let moved = moved(days).filter(|_| is_doubtful).map(|found| Finding::of_days(sensor, found));
+                moved.into_iter().for_each(|moved| moved.put_into(&mut findings));
+            }
         }
+        odd_clocks(clocks).into_iter().for_each(|clock| clock.put_into(&mut findings));
+        findings.sort_by_key(|finding| (finding.from, finding.sensor));
+        findings
     }
-    let off = odd_clocks(clocks);
-    off.into_iter().for_each(|clock| clock.put_into(&mut findings));
-    findings.sort_by_key(|finding| (finding.from, finding.sensor));
-    findings
+}
+
+/// Examines the sensors of a log, one pass after the other.
+pub fn health(bodies: &[Senses], messages: &[Message], end: Micros) -> Vec<Finding> {
+    let Some(examination) = Examination::new(bodies, messages, end) else { return Vec::new() };
+    let passes: Vec<Counted> = (0..Examination::PASSES).map(|pass| examination.pass(pass, |_| ())).collect();
+    examination.findings(&passes)
 }
 
 impl Finding {

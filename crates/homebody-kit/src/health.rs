@@ -4,10 +4,12 @@ use crate::error::Error;
 use crate::translation::{Heard, bodies, misfits};
 use homebody_core::problem::counted;
 use homebody_core::scenario::load::Scenario;
-use homebody_infer::{Ailment, Finding};
+use homebody_infer::{Ailment, Counted, Examination, Finding};
 use homebody_log::Log;
+use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt;
+use std::sync::Mutex;
 
 /// What is wrong with the sensors of a home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -43,7 +45,7 @@ pub struct Found {
 /// # Errors
 ///
 /// [`Error::Translation`] where the home has nobody by whose body its sensors are known, or none of the log's sensors.
-pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64)) -> Result<Health, Error> {
+pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64) + Send) -> Result<Health, Error> {
     let names: Vec<String> = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect();
     let heard = Heard::new(log, scenario, &names)?;
     let (bodies, _) = bodies(scenario)?;
@@ -54,7 +56,8 @@ pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64)) -> Resu
         to: wall(finding.to.min(heard.length)),
         ailment: finding.ailment,
     };
-    let findings = homebody_infer::health(&bodies, &heard.messages, heard.length, progress);
+    let examination = Examination::new(&bodies, &heard.messages, heard.length);
+    let findings = examination.map(|examination| findings(&examination, progress)).unwrap_or_default();
     Ok(Health {
         sensors: names.len() - heard.unheard.len(),
         from: wall(0),
@@ -62,6 +65,22 @@ pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64)) -> Resu
         findings: findings.into_iter().map(found).collect(),
         remarks: misfits([heard.messages.len() as u64, log.events.len() as u64], &heard.strangers, &heard.unheard),
     })
+}
+
+/// Runs the passes of an examination at the same time, as far as there are processors.
+fn findings(examination: &Examination, progress: impl FnMut(f64) + Send) -> Vec<Finding> {
+    let done = Mutex::new((vec![0.0; Examination::PASSES], progress));
+    let pass = |pass: usize| {
+        examination.pass(pass, |share| {
+            // An instant that finds another at it leaves the share to the next one.
+            let Ok(mut done) = done.try_lock() else { return };
+            let (shares, progress) = &mut *done;
+            shares[pass] = share;
+            progress(shares.iter().sum::<f64>() / Examination::PASSES as f64);
+        })
+    };
+    let passes: Vec<Counted> = (0..Examination::PASSES).into_par_iter().map(pass).collect();
+    examination.findings(&passes)
 }
 
 impl fmt::Display for Found {
