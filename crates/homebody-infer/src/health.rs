@@ -95,7 +95,7 @@ pub struct Examination<'a> {
     feel: Vec<usize>,
 }
 
-/// What one pass counted: the days of each sensor.
+/// The days of each sensor that one pass counted.
 pub struct Counted(Vec<Vec<Day>>);
 
 impl<'a> Examination<'a> {

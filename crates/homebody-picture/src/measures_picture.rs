@@ -13,6 +13,8 @@ const TOP: f64 = 122.0;
 /// Height of a measure, and of the gap below it.
 const ROW: f64 = 20.0;
 const GAP: f64 = 3.0;
+/// The right edges of the columns of quantiles.
+const QUANTILES: [f64; 3] = [RIGHT + 52.0, RIGHT + 100.0, RIGHT + 144.0];
 const AXIS: Type = Type::new(12.0, MUTED);
 const HATCH: &str = "unknown";
 
@@ -54,11 +56,14 @@ fn legend(svg: &mut Svg) {
     svg.rectangle(Point::new(40.0, Y - BOX.y / 2.0), BOX, &Paint::fill(&format!("url(#{HATCH})")).outlined(MUTED, 0.8));
     svg.text("not known", Point::new(74.0, Y), &Type::new(13.0, INK));
     let left = RIGHT - BOX.x * DENSITY.len() as f64;
-    svg.text("its lowest twentieth", Point::new(left - 10.0, Y), &Type::new(13.0, INK).anchored(Anchor::End));
+    svg.text("low", Point::new(left - 10.0, Y), &Type::new(13.0, INK).anchored(Anchor::End));
     for (place, colour) in DENSITY.iter().enumerate() {
         svg.rectangle(Point::new(left + BOX.x * place as f64, Y - BOX.y / 2.0), BOX, &Paint::fill(colour));
     }
-    svg.text("its highest; beside: tenth, median, nine tenths", Point::new(RIGHT + 10.0, Y), &Type::new(9.0, INK));
+    svg.text("high", Point::new(RIGHT + 10.0, Y), &Type::new(13.0, INK));
+    for (head, right) in ["10 %", "median", "90 %"].into_iter().zip(QUANTILES) {
+        svg.text(head, Point::new(right, TOP - 14.0), &Type::new(11.0, INK).anchored(Anchor::End));
+    }
 }
 
 fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
@@ -93,8 +98,10 @@ fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
     }
     svg.rectangle(Point::new(LEFT, top), Point::new(RIGHT - LEFT, bottom - top), &Paint::line(HAIRLINE, 1.0));
     svg.text(measure.title, Point::new(LEFT - 8.0, middle), &Type::new(13.0, INK).anchored(Anchor::End));
-    // What is small is told to the hundredth.
+    // Small values have two decimals.
     let decimals = if at(0.9) < 3.0 { 2 } else { 1 };
-    let usual = format!("{:.decimals$}  {:.decimals$}  {:.decimals$} {}", at(0.1), at(0.5), at(0.9), measure.unit);
-    svg.text(&usual, Point::new(RIGHT + 10.0, middle), &AXIS);
+    for (share, right) in [0.1, 0.5, 0.9].into_iter().zip(QUANTILES) {
+        svg.text(&format!("{:.decimals$}", at(share)), Point::new(right, middle), &AXIS.anchored(Anchor::End));
+    }
+    svg.text(measure.unit, Point::new(QUANTILES[2] + 8.0, middle), &AXIS);
 }

@@ -39,7 +39,7 @@ impl fmt::Display for Measures {
         writeln!(
             f,
             "  {:24}{:10}{:>6}{:>9}{:>9}{:>9}   last days",
-            "measure", "unit", "days", "tenth", "median", "nine tenths"
+            "measure", "unit", "days", "10 %", "median", "90 %"
         )?;
         for (number, measure) in MEASURES.iter().enumerate() {
             let known = self.known(number);

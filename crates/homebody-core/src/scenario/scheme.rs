@@ -173,6 +173,13 @@ impl SchemeRow {
         let name = if name == "postgres" { "postgresql" } else { name };
         SCHEMES.iter().find(|row| row.name == name)
     }
+
+    /// The row whose files end like this one, such as `week.csv`.
+    fn by_ending(file: &str) -> Option<&'static SchemeRow> {
+        let ending = |name: &str| Some(name.rsplit_once('.')?.1.to_ascii_lowercase());
+        let wanted = ending(file)?;
+        SCHEMES.iter().find(|row| ending(row.usual).as_ref() == Some(&wanted))
+    }
 }
 
 /// A place as it may be repeated to people: what stands as a password in it is left out.
@@ -218,9 +225,10 @@ impl Scheme {
         let (scheme, at) = place.split_once(':').filter(|(scheme, _)| scheme.len() > 1).unwrap_or((place, ""));
         let Some(row) = SchemeRow::named(scheme) else {
             let at = without_password(at);
-            return Err(nowhere(match nearest(scheme, SCHEMES.map(|row| row.name)) {
-                Some(near) => format!("did you mean \"{near}:{at}\"?"),
-                None => format!("write {}", forms()),
+            return Err(nowhere(match (nearest(scheme, SCHEMES.map(|row| row.name)), SchemeRow::by_ending(place)) {
+                (Some(near), _) => format!("did you mean \"{near}:{at}\"?"),
+                (None, Some(row)) => format!("did you mean \"{}:{told}\"?", row.name),
+                (None, None) => format!("write {}", forms()),
             }));
         };
         let form = || format!("write {}:{}", row.name, row.at);

@@ -199,7 +199,7 @@ fn the_logger() {
         ("logger.json", r#""sqlite:log.db""#, r#""sqlit:log.db""#,
             r#"logger.json:2:10: "sqlit:log.db" is nowhere a log can go; did you mean "sqlite:log.db"?"#),
         ("logger.json", r#""sqlite:log.db""#, r#""log.db""#,
-            r#"logger.json:2:10: "log.db" is nowhere a log can go; write sqlite:FILE, csv:FILE, casas:FILE, jsonl:FILE, parquet:FOLDER or arrow:FILE"#),
+            r#"logger.json:2:10: "log.db" is nowhere a log can go; did you mean "sqlite:log.db"?"#),
         ("logger.json", r#""sqlite:log.db""#, r#""sqlite:""#,
             r#"logger.json:2:10: "sqlite:" names no file; write sqlite:FILE"#),
         ("logger.json", r#""sqlite:log.db""#, r#""csv:/srv/start.sh""#,
