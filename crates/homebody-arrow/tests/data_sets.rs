@@ -9,7 +9,7 @@ use homebody_core::time::{DAY, SECOND};
 use homebody_log::elsewhere::install;
 use homebody_log::logger::destinations;
 use homebody_log::table::{Batch, Cell, Texts};
-use homebody_log::{Begin, Cancel, How, LogError, Logger, RunInfo, Source, TruthLog, Url, read};
+use homebody_log::{Begin, Cancel, How, LogError, Logger, RunInfo, Sink, Source, TruthLog, Url, read};
 use stage::Folder;
 use std::collections::BTreeMap;
 use std::fs;
@@ -272,34 +272,70 @@ fn each_table_of_the_truth_has_a_folder_even_one_without_rows() {
 fn rows_in_no_order_of_time_keep_their_own_order() {
     let folder = ready("order");
     let url = folder.url("parquet:lives");
-    let run = stage::run();
-    let tables = [homebody_log::truth::tables().remove(3), log_table()];
-    let begin = Begin {
-        run: &run,
-        tables: &tables[1..],
-        time: Default::default(),
-        run_column: "run_id",
-        spreadsheet_safe: false,
-        how: How::New,
-        cancel: &Cancel::new(),
-        deadline: &homebody_log::Deadline::default(),
-    };
-    let mut sink = homebody_log::sink::open(&url);
-    sink.begin(&begin).unwrap();
-    let mut texts = Texts::default();
-    let text = Cell::Text(texts.id("hall"));
-    let at = |row: i64| (row * 7 % 10) * DAY + row * SECOND;
-    let mut batch = Batch::default();
-    for row in 0..500 {
-        batch.push(0, [Cell::Integer(row), Cell::Instant(at(row)), text, Cell::Thousandths(row as i32 * 10)]);
-    }
-    sink.write(&batch.with(&texts)).unwrap();
-    sink.finish(0).unwrap();
+    written(&url, How::New, false, |row| (row * 7 % 10) * DAY + row * SECOND).unwrap().finish(0).unwrap();
     assert!(names(url.path()).len() > 10);
     let log = read(Source::recognise(url.path()).unwrap(), &LoggerFile::default()).unwrap();
     let values: Vec<String> = log.events.iter().map(|event| log.value(event).to_owned()).collect();
     let wanted: Vec<String> = (0..500).map(|row| format!("{}", f64::from(row) / 100.0)).collect();
     assert_eq!(values, wanted);
+}
+
+/// A sink at a place with 500 rows, which is not finished.
+fn written(url: &Url, how: How, is_whole: bool, at: impl Fn(i64) -> i64) -> Result<Box<dyn Sink>, LogError> {
+    let run = stage::run();
+    let begin = Begin {
+        run: &run,
+        tables: &[log_table()],
+        time: Default::default(),
+        run_column: "run_id",
+        spreadsheet_safe: false,
+        how,
+        is_whole,
+        cancel: &Cancel::new(),
+        deadline: &homebody_log::Deadline::default(),
+    };
+    let mut sink = homebody_log::sink::open(url);
+    sink.begin(&begin)?;
+    let mut texts = Texts::default();
+    let text = Cell::Text(texts.id("hall"));
+    let mut batch = Batch::default();
+    for row in 0..500 {
+        batch.push(0, [Cell::Integer(row), Cell::Instant(at(row)), text, Cell::Thousandths(row as i32 * 10)]);
+    }
+    sink.write(&batch.with(&texts))?;
+    Ok(sink)
+}
+
+#[test]
+fn a_whole_log_has_its_name_only_once_all_rows_are_in_it() {
+    let folder = ready("whole");
+    let at = |row: i64| row * DAY / 100;
+    for place in ["parquet:lives", "jsonl:lives.jsonl"] {
+        let url = folder.url(place);
+        let rows = || Source::recognise(url.path()).and_then(|source| read(source, &LoggerFile::default()));
+        // A killed program drops nothing.
+        std::mem::forget(written(&url, How::New, true, at).unwrap());
+        assert!(rows().is_err(), "{place}");
+        drop(written(&url, How::New, true, at).unwrap());
+        assert!(rows().is_err(), "{place}");
+        written(&url, How::New, true, at).unwrap().finish(0).unwrap();
+        assert_eq!(rows().unwrap().events.len(), 500, "{place}");
+        assert!(matches!(written(&url, How::New, true, at), Err(LogError::Exists { .. })), "{place}");
+        // The old rows stay until the new ones are whole.
+        let first = rows().unwrap().events[0].at;
+        drop(written(&url, How::Replace, true, |row| at(row) + DAY).unwrap());
+        assert_eq!(rows().unwrap().events[0].at, first, "{place}");
+        written(&url, How::Replace, true, |row| at(row) + DAY).unwrap().finish(0).unwrap();
+        let replaced = rows().unwrap();
+        assert_eq!((replaced.events.len(), replaced.events[0].at), (500, first + DAY), "{place}");
+        let hidden = fs::read_dir(folder.path()).unwrap().chain(fs::read_dir(url.path()).into_iter().flatten());
+        let hidden = hidden.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        assert_eq!(hidden.filter(|name| name.ends_with(".part")).count(), 0, "{place}");
+    }
+    // The control: a run's log can be followed.
+    let url = folder.url("parquet:run");
+    std::mem::forget(written(&url, How::New, false, at).unwrap());
+    assert!(!names(url.path()).is_empty());
 }
 
 fn log_table() -> homebody_log::table::Table {

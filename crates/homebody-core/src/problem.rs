@@ -171,6 +171,7 @@ pub fn readable(mut text: String) -> String {
 pub fn is_unseen(c: char) -> bool {
     c.is_control()
         || matches!(c, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
+        || matches!(c, '\u{115f}' | '\u{1160}' | '\u{3164}' | '\u{ffa0}')
         || matches!(c, '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fff9}'..='\u{fffb}' | '\u{e0000}'..='\u{e007f}')
 }
 
@@ -185,7 +186,9 @@ mod tests {
 
     #[test]
     fn what_nobody_sees_is_known() {
-        for c in ['\u{1b}', '\u{9b}', '\u{200b}', '\u{202e}', '\u{2066}', '\u{2028}', '\u{feff}', '\u{e0041}'] {
+        for c in
+            ['\u{1b}', '\u{9b}', '\u{200b}', '\u{202e}', '\u{2066}', '\u{2028}', '\u{feff}', '\u{e0041}', '\u{3164}']
+        {
             assert!(is_unseen(c), "{}", c.escape_unicode());
         }
         assert!(!"Öz 好 é ‘a’ – → █ ° 👵".contains(is_unseen));

@@ -49,6 +49,12 @@ pub enum Error {
         /// The folder.
         path: PathBuf,
     },
+    /// The name of a new folder has an invisible character.
+    #[error("{:?} has a character that is invisible\n  hint: write the name without it", path.display().to_string())]
+    UnseenName {
+        /// The folder.
+        path: PathBuf,
+    },
     /// Of what was given no scenario can be begun: all that is wrong.
     #[error("{0}")]
     Unbeginnable(String),

@@ -95,6 +95,7 @@ impl Logger {
             run_column: columns.run,
             spreadsheet_safe: file.spreadsheet_safe,
             how,
+            is_whole: false,
             cancel: Cancel::new(),
             deadline: Deadline::default(),
         };

@@ -8,6 +8,7 @@ use crate::sensor_table;
 use crate::sink::How;
 use crate::truth::TruthKept;
 use crate::url::Url;
+use crate::written;
 use homebody_core::recording::Recording;
 pub use homebody_core::scenario::inside::{LIST, RECORDING, SENSORS, SILHOUETTES, TRUTH};
 use homebody_core::scenario::load::Scenario;
@@ -221,6 +222,9 @@ impl Places {
     fn make(&mut self, folder: &Path) -> Result<(), LogError> {
         let is_missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.is_dir();
         let missing: Vec<&Path> = folder.ancestors().take_while(is_missing).collect();
+        if !missing.is_empty() && written::leads_out(folder) {
+            return Err(LogError::LeadsOut { place: place_of(folder) });
+        }
         for folder in missing.into_iter().rev() {
             match fs::create_dir(folder) {
                 Ok(()) => self.made.push(folder.into()),

@@ -276,6 +276,8 @@ impl RunLog {
         match done {
             Err(error @ LogError::StoppedAway { .. }) => {
                 (self.truth, self.away) = (None, Some(error));
+                // From here on the rows of the log alone are counted.
+                self.settled.0 = self.logger.as_ref().map_or(0, Logger::rows);
                 Ok(())
             }
             done => done,

@@ -111,7 +111,9 @@ impl Transfer<'_> {
         }
         let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
         let (how, cancel, deadline) = (self.how, &Cancel::new(), &Deadline::default());
-        let begin = |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, cancel, deadline };
+        let is_whole = true;
+        let begin =
+            |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, is_whole, cancel, deadline };
         let whole = Whole::begin(self.to, how)?;
         let mut sink = sink::open(whole.part());
         sink.begin(&begin(&tables))?;

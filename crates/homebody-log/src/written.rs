@@ -92,6 +92,13 @@ fn beneath(path: &Path) -> io::Result<(PathBuf, PathBuf)> {
     Ok((here(folder), inner))
 }
 
+/// Whether a folder, which need not be there, lies behind a link in the folder of a run or cohort.
+pub(crate) fn leads_out(folder: &Path) -> bool {
+    let mut above = folder.ancestors();
+    let Some(root) = above.find(|folder| is_of_run_or_cohort(folder)) else { return false };
+    folder.ancestors().take_while(|folder| *folder != root).any(Path::is_symlink)
+}
+
 /// Whether a folder is that of a run or of a cohort, by what it holds. A recording alone may lie in any folder.
 fn is_of_run_or_cohort(folder: &Path) -> bool {
     let has = |name: &str| folder.join(name).is_file();
@@ -250,6 +257,15 @@ mod tests {
         for open_as in ["way/logs/log.csv", "own/log.csv"] {
             assert!(open(&folder.path().join(open_as), Opening::New).is_ok(), "{open_as}");
         }
+    }
+
+    #[test]
+    fn a_folder_behind_a_link_of_a_run_leads_out() {
+        let (folder, run) = run();
+        symlink("../elsewhere", run.join("out")).unwrap();
+        symlink("elsewhere", folder.path().join("own")).unwrap();
+        assert!(leads_out(&run.join("out/member=0001")) && leads_out(&run.join("out")));
+        assert!(!leads_out(&run.join("logs/member=0001")) && !leads_out(&folder.path().join("own/new")));
     }
 
     #[test]

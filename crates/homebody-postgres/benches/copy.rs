@@ -158,6 +158,7 @@ fn sink(server: &Server, batches: &[Batch]) -> f64 {
         run_column: "run_id",
         spreadsheet_safe: false,
         how: How::New,
+        is_whole: false,
         cancel: &Cancel::new(),
         deadline: &homebody_log::Deadline::default(),
     };

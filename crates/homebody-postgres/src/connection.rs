@@ -76,7 +76,7 @@ impl Connection {
             .application_name(&server.application)
             .connect_timeout(connect_within)
             .tcp_user_timeout(deadline.within())
-            .keepalives_idle(deadline.within())
+            .keepalives_idle(deadline.within().max(Duration::from_secs(1)))
             .keepalives_interval((deadline.within() / KEEPALIVES).max(Duration::from_secs(1)))
             .keepalives_retries(KEEPALIVES);
         match &server.host {

@@ -95,6 +95,7 @@ impl FleetSink for PostgresFleet {
                 run_column: &layout.run_column,
                 spreadsheet_safe: false,
                 how: How::GoOn,
+                is_whole: false,
                 cancel: &Cancel::new(),
                 deadline,
             };

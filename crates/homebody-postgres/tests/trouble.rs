@@ -77,6 +77,7 @@ fn a_wrong_user_password_or_database_is_told_and_no_password_is_shown() {
         run_column: "run_id",
         spreadsheet_safe: false,
         how: How::New,
+        is_whole: false,
         cancel: &homebody_log::Cancel::new(),
         deadline: &homebody_log::Deadline::default(),
     };

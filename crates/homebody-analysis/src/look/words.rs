@@ -9,6 +9,9 @@ use std::fmt;
 /// So many silences, refused lines and unknown sensors are told to people (ours).
 const TOLD: usize = 10;
 
+/// The most characters of a column's name that are shown: a wider table cannot be printed.
+const LONGEST_NAME: usize = 80;
+
 impl fmt::Display for Look {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let clock = if self.clock == Clock::Utc { "UTC" } else { "local time" };
@@ -73,7 +76,10 @@ impl Look {
         if self.columns.is_empty() {
             return Ok(());
         }
-        let name = |of: &ColumnUse| if of.column.is_empty() { "(none)".to_owned() } else { of.column.clone() };
+        let name = |of: &ColumnUse| match of.column.as_str() {
+            "" => "(none)".to_owned(),
+            name => name.chars().take(LONGEST_NAME).collect(),
+        };
         let (of_sensors, others): (Vec<&ColumnUse>, Vec<&ColumnUse>) =
             self.columns.iter().partition(|of| of.used_as == ColumnRole::OneSensor);
         let told: Vec<&ColumnUse> = others.into_iter().chain(of_sensors.iter().copied().take(TOLD)).collect();

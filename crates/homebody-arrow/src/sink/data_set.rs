@@ -5,7 +5,7 @@
 //! leaves whole days. Gone on with, all days are written anew, and those that are there are held against them. Other runs in the folder
 //! stay as they are.
 
-use super::days::{Days, parquet_files};
+use super::days::{Days, parquet_files, remove};
 use crate::encoded::{Format, Layout};
 use homebody_core::time::Micros;
 use homebody_log::clock::Clock;
@@ -25,10 +25,14 @@ pub(crate) struct DataSet {
 
 struct Open {
     tables: Vec<Days>,
+    /// Where the files are until all rows are in them; empty if they are written in place.
+    hidden: Vec<Hidden>,
     clock: Clock,
     texts: Vec<Arc<str>>,
     /// Files that are replaced: they go when the first new one is whole.
     replaced: Vec<PathBuf>,
+    /// Those that go when all new ones are whole.
+    replaced_last: Vec<PathBuf>,
     how: How,
     /// Given back last.
     _lock: FileLock,
@@ -36,6 +40,47 @@ struct Open {
 
 /// What no program reads that reads a data set, and what keeps a second one of ours away.
 const LOCK: &str = ".homebody";
+
+/// A folder `.run=5.part` that becomes `run=5`: no reader of data sets looks into it.
+struct Hidden {
+    folder: PathBuf,
+    partition: PathBuf,
+}
+
+impl Hidden {
+    /// Makes the folder, without the files that a killed program has left there. The partition is locked.
+    fn begin(partition: &Path) -> Result<Hidden, LogError> {
+        let name = partition.file_name().unwrap_or_default().to_string_lossy();
+        let folder = partition.with_file_name(format!(".{name}.part"));
+        let hidden = Hidden { folder, partition: partition.to_owned() };
+        make(&hidden.folder, false)?;
+        for left in parquet_files(&hidden.folder)? {
+            fs::remove_file(&left).map_err(|error| LogError::file(&left, error))?;
+        }
+        Ok(hidden)
+    }
+
+    /// Moves all files to where they belong.
+    fn name(&self) -> Result<(), LogError> {
+        for file in parquet_files(&self.folder)? {
+            let inner = file.strip_prefix(&self.folder).unwrap_or(&file);
+            let to = self.partition.join(inner);
+            if let Some(day) = to.parent() {
+                make(day, false)?;
+            }
+            fs::rename(&file, &to).map_err(|error| LogError::file(&to, error))?;
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Hidden {
+    fn drop(&mut self) {
+        if self.folder.is_dir() && !self.folder.is_symlink() {
+            let _ = fs::remove_dir_all(&self.folder);
+        }
+    }
+}
 
 impl DataSet {
     pub fn new(folder: PathBuf) -> DataSet {
@@ -59,8 +104,7 @@ impl Sink for DataSet {
         if self.folder.to_string_lossy().contains("://") {
             return Err(crate::fault::no_store(&self.folder));
         }
-        let mut tables = Vec::new();
-        let mut replaced = Vec::new();
+        let (mut tables, mut hidden, mut replaced) = (Vec::new(), Vec::new(), Vec::new());
         let mut lock = None;
         for table in begin.tables {
             let folders = self.partition(table, begin);
@@ -80,11 +124,19 @@ impl Sink for DataSet {
                 How::Replace => replaced.extend(there),
                 _ => {}
             }
-            tables.push(Days::new(partition, Layout::new(Format::Parquet, table, begin, false), table, begin));
+            let layout = Layout::new(Format::Parquet, table, begin, false);
+            let folder = if begin.is_whole {
+                hidden.push(Hidden::begin(&partition)?);
+                hidden.last().map_or(partition, |hidden| hidden.folder.clone())
+            } else {
+                partition
+            };
+            tables.push(Days::new(folder, layout, table, begin));
         }
         let lock = lock.ok_or_else(|| LogError::Stopped { place: self.folder.display().to_string() })?;
         let (clock, texts, how) = (begin.clock(), Vec::new(), begin.how);
-        self.open = Some(Open { tables, clock, texts, replaced, how, _lock: lock });
+        let (replaced, replaced_last) = if begin.is_whole { (Vec::new(), replaced) } else { (replaced, Vec::new()) };
+        self.open = Some(Open { tables, hidden, clock, texts, replaced, replaced_last, how, _lock: lock });
         Ok(Watermark::none())
     }
 
@@ -102,7 +154,9 @@ impl Sink for DataSet {
     }
 
     fn finish(&mut self, _end: Micros) -> Result<(), LogError> {
-        let Some(Open { tables, mut replaced, how, _lock, .. }) = self.open.take() else { return Ok(()) };
+        let Some(Open { tables, hidden, mut replaced, replaced_last, how, _lock, .. }) = self.open.take() else {
+            return Ok(());
+        };
         for table in tables {
             let (partition, named) = table.end(&mut replaced)?;
             if how == How::GoOn
@@ -112,7 +166,8 @@ impl Sink for DataSet {
                 return Err(LogError::Changed { place: more.display().to_string(), what });
             }
         }
-        Ok(())
+        replaced_last.iter().try_for_each(|old| remove(old))?;
+        hidden.iter().try_for_each(Hidden::name)
     }
 }
 

@@ -189,7 +189,7 @@ fn date_of(day: i64) -> Date {
 }
 
 /// Removes a file, and its folder if nothing else is in it.
-fn remove(file: &Path) -> Result<(), LogError> {
+pub(super) fn remove(file: &Path) -> Result<(), LogError> {
     match fs::remove_file(file) {
         Err(error) if error.kind() != ErrorKind::NotFound => return Err(LogError::file(file, error)),
         _ => {}

@@ -17,6 +17,7 @@ pub use traced::{Known, Traced};
 use crate::error::Error;
 use crate::source::Template;
 use crate::whole_folder::whole_folder;
+use homebody_core::problem::is_unseen;
 use homebody_core::scenario::schema::schemas;
 use homebody_log::fresh::FreshFile;
 use serde_json::json;
@@ -37,6 +38,9 @@ pub type Texts = BTreeMap<String, String>;
 pub fn begin<T, E: From<Error>>(folder: &Path, write: impl FnOnce(&Path, &str) -> Result<T, E>) -> Result<T, E> {
     if fs::symlink_metadata(folder).is_ok() {
         return Err(Error::Exists { path: folder.into() }.into());
+    }
+    if folder.file_name().is_some_and(|name| name.to_string_lossy().contains(is_unseen)) {
+        return Err(Error::UnseenName { path: folder.into() }.into());
     }
     whole_folder(folder, |part, name| {
         write_schemas(part)?;

@@ -109,6 +109,8 @@ impl Database {
             replaced,
             _lock: lock,
         };
+        // A new database has no companions: SQLite would write into those that are there.
+        remove_companions(path);
         // The database's own way to create a file does not tell why it could not.
         open(path, Opening::New).map_err(|error| LogError::file(path, error))?;
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
@@ -143,6 +145,14 @@ impl Database {
             _ => {
                 remove_database(path);
                 return Ok(None);
+            }
+        }
+        for companion in companions(path) {
+            match open(&companion, Opening::Left) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    return Err(LogError::reading(&companion, error));
+                }
+                _ => {}
             }
         }
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
@@ -404,16 +414,43 @@ pub(crate) fn remove_database(path: &Path) {
 
 /// Removes the files a database has beside itself.
 fn remove_companions(path: &Path) {
-    for ending in ["-wal", "-shm", "-journal"] {
+    for companion in companions(path) {
+        let _ = fs::remove_file(companion);
+    }
+}
+
+/// The files that SQLite keeps next to a database while it is open.
+fn companions(path: &Path) -> [PathBuf; 3] {
+    ["-wal", "-shm", "-journal"].map(|ending| {
         let mut name = path.as_os_str().to_owned();
         name.push(ending);
-        let _ = fs::remove_file(name);
-    }
+        PathBuf::from(name)
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    #[cfg(unix)]
+    fn another_file_under_the_name_of_a_companion_is_not_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, mine) = (folder.path().join("log.db"), folder.path().join("mine"));
+        let create = || Database::create(&path, true, &["CREATE TABLE line (run INTEGER)"], |_| Ok(()));
+        drop(create().unwrap());
+        for companion in companions(&path) {
+            let _ = fs::remove_file(&companion);
+            fs::write(&mine, "letter").unwrap();
+            fs::hard_link(&mine, &companion).unwrap();
+            assert!(Database::reopen(&path).is_err(), "{}", companion.display());
+            assert_eq!(fs::read_to_string(&mine).unwrap(), "letter");
+            // A new database does not take them over.
+            drop(create().unwrap());
+            assert_eq!(fs::read_to_string(&mine).unwrap(), "letter");
+        }
+        assert!(Database::reopen(&path).unwrap().is_some());
+    }
 
     #[test]
     fn a_full_disk_keeps_what_was_stored() {

@@ -70,6 +70,8 @@ pub struct Begin<'a> {
     pub spreadsheet_safe: bool,
     /// What becomes of what is there already.
     pub how: How,
+    /// Whether files have their names only once all rows are in them. Otherwise those that others can follow have them earlier.
+    pub is_whole: bool,
     /// Once it says so, a destination that is away is not to be waited for any more, in this call and in later ones.
     pub cancel: &'a Cancel,
     /// How long one request may take. A sink that makes several in a call says so there.
@@ -85,6 +87,7 @@ pub(crate) struct Beginning {
     pub run_column: String,
     pub spreadsheet_safe: bool,
     pub how: How,
+    pub is_whole: bool,
     pub cancel: Cancel,
     pub deadline: Deadline,
 }
@@ -98,6 +101,7 @@ impl Beginning {
             run_column: begin.run_column.to_owned(),
             spreadsheet_safe: begin.spreadsheet_safe,
             how: begin.how,
+            is_whole: begin.is_whole,
             cancel: begin.cancel.clone(),
             deadline: begin.deadline.clone(),
         }
@@ -111,6 +115,7 @@ impl Beginning {
             run_column: &self.run_column,
             spreadsheet_safe: self.spreadsheet_safe,
             how: self.how,
+            is_whole: self.is_whole,
             cancel: &self.cancel,
             deadline: &self.deadline,
         }

@@ -152,7 +152,8 @@ impl Layout {
 fn heading(line: &str) -> Vec<String> {
     const NAMES: [&str; 9] =
         ["date", "time", "datetime", "timestamp", "sensor", "message", "value", "translate01", "sensortype"];
-    let delimiter = |c: char| if line.contains('\t') { c == '\t' } else { c.is_whitespace() };
+    let has_tabs = line.contains('\t');
+    let delimiter = |c: char| if has_tabs { c == '\t' } else { c.is_whitespace() };
     let words: Vec<String> = line.split(delimiter).map(|word| word.trim().trim_matches('"').to_owned()).collect();
     let known = words.iter().filter(|word| NAMES.contains(&word.to_ascii_lowercase().as_str())).count();
     if known >= 2 { words } else { Vec::new() }

@@ -5,6 +5,7 @@
 use super::instant::{Instant, Instants, since_1970, since_1970_whole};
 use crate::limits::LONGEST_ROW_BYTES;
 use crate::plain;
+use crate::written::{self, Opening};
 use homebody_core::time::Micros;
 use rusqlite::limits::Limit;
 use rusqlite::types::ValueRef;
@@ -17,9 +18,13 @@ use std::time::Duration;
 /// The database in a file.
 pub(crate) fn connect(path: &Path) -> rusqlite::Result<Connection> {
     match connect_only(path) {
-        // A run that was killed has left a transaction half written: it has to be undone before anything is read.
+        // A run that was killed has left a transaction half written: it has to be undone before anything is read. That changes the
+        // file, so it may be no other file of the user.
         Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::ReadOnly) => {
-            open(path, OpenFlags::SQLITE_OPEN_READ_WRITE)
+            match written::open(path, Opening::Left) {
+                Ok(_) => open(path, OpenFlags::SQLITE_OPEN_READ_WRITE),
+                Err(_) => Err(error),
+            }
         }
         Err(_) => open(path, OpenFlags::SQLITE_OPEN_READ_ONLY),
         connected => connected,

@@ -317,7 +317,7 @@ fn short_time(text: &[u8]) -> Option<(Micros, &[u8])> {
     let (seconds, rest) = if seconds > 0 { rest[1..].split_at(seconds) } else { (&b"0"[..], rest) };
     let (hours, minutes, seconds) = (digits(hours)?, digits(minutes)?, digits(seconds)?);
     let fits = mark == b':' && hours < 24 && minutes < 60 && seconds < 60;
-    let whole = fits.then_some(((hours * 60 + minutes) * 60 + seconds) * SECOND)?;
+    let whole = fits.then(|| ((hours * 60 + minutes) * 60 + seconds) * SECOND)?;
     Some(match rest {
         [b'.', decimals @ ..] => {
             let (micros, rest) = fraction(decimals);

@@ -119,6 +119,7 @@ impl TruthLog {
             run_column: RUN_COLUMN.into(),
             spreadsheet_safe: file.spreadsheet_safe,
             how,
+            is_whole: false,
             cancel: Cancel::new(),
             deadline: Deadline::default(),
         };
