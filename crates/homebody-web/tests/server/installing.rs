@@ -106,6 +106,12 @@ fn places_are_suggested_for_a_number_of_sensors_and_a_device() {
     assert!(!motion.is_empty() && motion.iter().all(|sensor| sensor["preset"] == "fibaro"), "{sensors:?}");
     assert!(motion.iter().all(|sensor| sensor["height_m"] == json!(2.4)), "{sensors:?}");
 
+    // Once the whole floor is seen, another sensor adds nothing, and none is suggested.
+    let many = ask(30, &["falls"], None);
+    let scores: Vec<f64> = many["steps"].as_array().unwrap().iter().filter_map(|step| step["score"].as_f64()).collect();
+    assert!((1..30).contains(&scores.len()), "{scores:?}");
+    assert!(scores.windows(2).all(|two| two[0] < two[1]), "{scores:?}");
+
     // By what the log would tell: people live there.
     let lived = ask(1, &["night-bathroom"], None);
     assert!(lived["refused"].is_null() && lived["steps"].as_array().unwrap().len() == 1, "{lived}");
