@@ -462,6 +462,16 @@ test('a run that ended with its server is told of, with how far it came; one tha
   expect(notes[0]).toContain('--resume');
 });
 
+test('a new run does not go on as fast as it goes because the one before did', () => {
+  show({ speed: null });
+  button('New run').click();
+  expect(sent.map(({ say }) => say)).toEqual(['speed', 'start']);
+  sent.length = 0;
+  show({ speed: 100 });
+  button('New run').click();
+  expect(sent.map(({ say }) => say)).toEqual(['start']);
+});
+
 test('what is hatched leads to Playback, which has all of it', () => {
   show({ now_us: 90_000e6, told: 900, firings: [firing(899, 90_000e6 - 1)] });
   button('All of it').click();
