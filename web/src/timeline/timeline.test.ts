@@ -45,7 +45,7 @@ test('times are as far apart as there is room for, from seconds to months', () =
   expect(year.length).toBeLessThan(14);
   expect(year).toEqual(expect.arrayContaining(['1 Apr 2009', '1 May', '2010']));
   expect(labels(0, 5 * DAY)[0]).toBe('2 Mar 2009');
-  // Of one year no year is said.
+  // Days of a single year need no year.
   expect(ticksOf({ days: daysFrom('2009-03-02', 60 * DAY) }, { from_us: 0, to_us: 60 * DAY }, 800).map(({ label }) => label)).toEqual(['2 Mar', '9 Mar', '16 Mar', '23 Mar', '30 Mar', '6 Apr', '13 Apr', '20 Apr', '27 Apr']);
 });
 

@@ -69,7 +69,7 @@ fn file(files: &dyn Files, entry: &str) -> Result<(String, String), Vec<Problem>
     Ok((name.to_owned(), text))
 }
 
-/// The home of a file, in a scenario of nobody.
+/// The home of a file, in a scenario without residents.
 fn alone(name: &str, text: String) -> Result<ResolvedHome, Vec<Problem>> {
     let nobody = json!({ "name": "home", "start": "2009-03-02T00:00:00", "days": 1, "home": name, "residents": [] });
     let around = if name == "scenario.json" { "around.json" } else { "scenario.json" };

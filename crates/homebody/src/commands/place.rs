@@ -149,7 +149,8 @@ struct Found {
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Some(first) = self.proposed.placed.steps.first() else {
-            return writeln!(f, "No sensor tells anything of what is to be seen.");
+            let hint = if self.asked == 1 { " by itself; ask for more than one" } else { "" };
+            return writeln!(f, "No sensor tells anything of what is to be seen{hint}.");
         };
         writeln!(f, "Where sensors go, the most telling first\n")?;
         write!(f, "{:>2}  {:32} {:>6}", "", "sensor", "score")?;

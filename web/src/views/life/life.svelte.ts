@@ -77,7 +77,7 @@ export class Life {
       async ({ without, text, draft, ...of }) => {
         const month = (draft: Draft, without: string[]) => server.packed<MonthView>('/api/month', { ...of, draft, without } satisfies Month);
         const written = await month(draft, []);
-        // What was drawn before stays in sight while a sentence is being mended; where nothing was, one wrong line does not keep the others back.
+        // Days that are drawn stay while a sentence is written. Before any are drawn, wrong lines are left out.
         const isThere = this.lived !== null && this.lived.lacks.length === 0 && this.lived.from === of.from && this.lived.days === of.days;
         const rest = written.problems.length === 0 || isThere ? null : withoutLines(draft, written.problems, text);
         const whole = rest === null ? written : await month(rest, []);

@@ -476,7 +476,7 @@ test('what is hatched leads to Playback, which has all of it', () => {
   show({ now_us: 90_000e6, told: 900, firings: [firing(899, 90_000e6 - 1)] });
   button('All of it').click();
   flushSync();
-  expect(document.querySelector<HTMLAnchorElement>('.tools a')!.getAttribute('href')).toBe(`#/playback/${encodeURIComponent(live.run!.id!)}`);
+  expect(document.querySelector<HTMLAnchorElement>('.hatched a')!.getAttribute('href')).toBe(`#/playback/${encodeURIComponent(live.run!.id!)}`);
 });
 
 test('a click that reaches nobody is said so', () => {

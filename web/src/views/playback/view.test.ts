@@ -67,6 +67,7 @@ test('zooming and looking elsewhere leave the clock and the address as they are'
   for (let turn = 0; turn < 20; turn++) press('ArrowRight', line);
   for (let turn = 0; turn < 4; turn++) await settle();
   expect([said(), window.location.hash]).toEqual([time, address]);
+  expect(document.querySelector('.tools .title')!.textContent).not.toBe('Day 3 of 30');
   // The way back, and a time that is gone to comes into sight.
   button('◂ 4 March, 08:00:00').click();
   for (let turn = 0; turn < 4; turn++) await settle();
