@@ -95,7 +95,9 @@ test('a home is drawn from nothing to a lived day', { timeout: 240_000 }, async 
   }
   await picture();
 
+  const [place, size] = [await spot([1, 1]), await page.getByRole('application').boundingBox()];
   await press('Furniture');
+  assert.deepEqual([await spot([1, 1]), await page.getByRole('application').boundingBox()], [place, size], 'the plan stays where it is');
   const FURNITURE = [
     ['bed', [9.1, 5.6]], ['armchair', [0.9, 1.8]], ['toilet', [9, 0.9]], ['washbasin', [7.4, 0.8]],
     ['stove', [1.2, 6.2]], ['fridge', [2.2, 6.2]], ['sink', [3.2, 6.2]], ['table', [3.4, 3.4]], ['chair', [3.4, 2.7]],

@@ -31,6 +31,11 @@ export function dayMonth(ms: number): string {
   return Number.isFinite(ms) ? short.format(ms) : '';
 }
 
+/** `2009`. */
+export function year(ms: number): string {
+  return Number.isFinite(ms) ? String(new Date(ms).getUTCFullYear()) : '';
+}
+
 /** `07:12:03`. */
 export function time(ms: number): string {
   return Number.isFinite(ms) ? new Date(ms).toISOString().slice(11, 19) : '';

@@ -19,6 +19,8 @@ export class Drafts {
   texts = $state.raw<Record<string, string>>({});
   /** What is wrong with all of it; of a moment ago, while somebody writes. */
   check = $state.raw<CheckView | null>(null);
+  /** The drafts that it is of. */
+  private checkedTexts = $state.raw<Draft['texts'] | null>(null);
   /** Files that another program has changed while there are drafts of them, as they are on disk now; without a version where they are gone. */
   changed = $state.raw<FileView[]>([]);
   saving = $state(false);
@@ -40,7 +42,7 @@ export class Drafts {
     this.checks = new Latest(
       PAUSE_MS,
       (draft) => this.server.post<CheckView>('/api/check', draft),
-      (check) => (this.check = check),
+      (check, { texts }) => ([this.check, this.checkedTexts] = [check, texts]),
       (why) => this.note(`The files cannot be checked: ${why}`, true),
     );
   }
@@ -62,6 +64,11 @@ export class Drafts {
 
   get draft(): Draft {
     return { texts: this.texts };
+  }
+
+  /** Whether what is known to be wrong is wrong with what is written now. */
+  get isChecked(): boolean {
+    return this.checkedTexts === this.texts;
   }
 
   /** Loads what is on disk, and looks at it until the function that is returned is called. */

@@ -1,9 +1,11 @@
 // The run that is being lived, as this page knows it. All views share it, and it goes on while another view is looked at.
 
 import { Announcer } from './announce';
+import { date, time } from './clock';
 import { Drafts } from './drafts.svelte';
 import { Firings } from './firings';
 import { Lived } from './lived';
+import { clockOf } from './localtime';
 import { Throttle } from './plan/glow';
 import { Server } from './server';
 import { Socket, type Status, type Wire, dial } from './socket';
@@ -43,6 +45,8 @@ export class Live {
   private readonly texts = new Throttle(TEXT_MS);
   private readonly announcer = new Announcer();
   private noted = 0;
+  /** Whether the connection was gone since the run was told of. */
+  private wasCut = false;
   /** Is told whether the run that was asked for has begun. */
   private begun: ((has: boolean) => void) | null = null;
   private timer: ReturnType<typeof setInterval> | undefined;
@@ -59,7 +63,10 @@ export class Live {
         status: (status) => {
           this.status = status;
           if (status === 'refused') onWrongToken();
-          else if (status !== 'open') for (const cut of this.cuts) cut();
+          else if (status !== 'open') {
+            this.wasCut = true;
+            for (const cut of this.cuts) cut();
+          }
         },
         frame: (frame) => this.take(frame),
         tell: (tell) => this.hear(tell),
@@ -149,6 +156,7 @@ export class Live {
       this.note(tell.text, tell.bad);
       return;
     }
+    this.tellOfEnd(tell.run);
     this.run = tell.run;
     this.unbegun = null;
     this.frame = null;
@@ -157,6 +165,16 @@ export class Live {
     this.lived.clear(tell.run);
     this.announcer.clear();
     this.heard += 1;
+  }
+
+  /** Another run after a cut: the server was ended, and the run with it. */
+  private tellOfEnd(next: RunView): void {
+    const { run, latest, wasCut } = this;
+    this.wasCut = false;
+    if (!wasCut || run === null || run.replay || run.id === null || run.id === next.id || latest === null || latest.state === 'over') return;
+    const clock = clockOf(run, latest.now_us);
+    const far = Number.isFinite(clock) ? ` at ${date(clock)}, ${time(clock)}` : '';
+    this.note(`The server was ended, and ${run.id} with it${far}. It is kept that far and listed in Playback; “homebody run --resume” with its folder goes on with it. This is another run.`, true);
   }
 
   private take(frame: Frame): void {

@@ -19,6 +19,14 @@ pub fn direction(angle_deg: f64) -> Point {
     Point::new(libm::cos(angle), libm::sin(angle))
 }
 
+/// The direction of a vector in one of eight words, such as `north-east`.
+pub fn compass(towards: Point) -> &'static str {
+    /// From east against the clock.
+    const WORDS: [&str; 8] = ["east", "north-east", "north", "north-west", "west", "south-west", "south", "south-east"];
+    let turn = libm::atan2(towards.y, towards.x).to_degrees().rem_euclid(360.0);
+    WORDS[libm::round(turn / 45.0) as usize % WORDS.len()]
+}
+
 /// The point of segment `a b` nearest to `p`.
 pub fn nearest_on_segment(p: Point, a: Point, b: Point) -> Point {
     let along = b - a;

@@ -187,8 +187,9 @@ pub struct Trial<'a> {
 
 impl Trial<'_> {
     /// The layouts with one sensor of the candidates, two, and so on: each the best that one more sensor makes of the last, or two
-    /// more where one adds nothing. Of the last, sensors are exchanged as long as another tells more. `told` hears what is
-    /// tried next, and of how many sensors there are by now; where it says that nobody waits any more, there is no answer.
+    /// more where one adds nothing. The search ends where two add nothing either. Of the last, sensors are exchanged as long as another
+    /// tells more. `told` hears what is tried next, and of how many sensors there are by now. The search is given up where
+    /// it answers no.
     pub fn best(&self, candidates: &[String], count: usize, told: &dyn Fn(Trying, usize) -> bool) -> Option<Placed> {
         let coverage = self.coverage();
         let count = count.min(candidates.len());
@@ -221,7 +222,8 @@ impl Trial<'_> {
                     continue;
                 }
             }
-            if ones.is_empty() {
+            // A sensor that adds nothing is not needed.
+            if ones.first().is_none_or(|one| one.score <= score + ADDS) {
                 break;
             }
             steps.push(ones.swap_remove(0));

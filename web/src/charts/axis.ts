@@ -1,6 +1,6 @@
 // The time from left to right: where an instant is, and which times of the clock are written.
 
-import { dayMonth, read, time } from '../clock';
+import { dayMonth, read, time, year } from '../clock';
 import { type Calendar, clockOf, dayAt, sinceMidnight } from '../localtime';
 import type { Palette } from '../plan/palette';
 import { FONT, type Ink } from '../plan/pen';
@@ -45,9 +45,11 @@ export function firstFrom(all: ArrayLike<number>, at_us: number): number {
 
 const SECOND_US = 1e6;
 const DAY_US = 86_400 * SECOND_US;
-/** Round times within a day, and how many days are a round number of them. */
+/** Round times within a day, and how many days and months are a round number of them. */
 const STEPS_US = [1, 2, 5, 10, 30, 60, 120, 300, 600, 1800, 3600, 7200, 10_800, 21_600, 43_200].map((seconds) => seconds * SECOND_US);
-const STEPS_DAYS = [1, 2, 7, 14, 28, 56, 91, 182, 364, 728];
+const STEPS_DAYS = [1, 2, 7, 14];
+const STEPS_MONTHS = [1, 2, 3, 6, 12, 24, 60, 120];
+const MONTH_US = 30.44 * DAY_US;
 /** A label has so much room, in pixels. */
 const ROOM = 62;
 
@@ -61,13 +63,15 @@ export function ticksOf(calendar: Days, { from_us, to_us }: Sight, wide: number)
   const step = STEPS_US.find(has_room);
   const ticks: Tick[] = [];
   if (step === undefined) {
-    const days = STEPS_DAYS.find((count) => has_room(count * DAY_US)) ?? Math.ceil(((span / DAY_US) * ROOM) / Math.max(wide, 1));
+    const days = STEPS_DAYS.find((count) => has_room(count * DAY_US));
+    const months = STEPS_MONTHS.find((count) => has_room(count * MONTH_US)) ?? Math.ceil(((span / MONTH_US) * ROOM) / Math.max(wide, 1));
     for (let number = first; number <= last; number++) {
       const day = calendar.days[number];
-      if (day === undefined || number % days !== 0 || day.begin_us < from_us || day.begin_us > to_us) continue;
-      ticks.push({ at_us: day.begin_us, label: dayMonth(read(`${day.date} 00:00:00`)), isDay: true });
+      if (day === undefined || day.begin_us < from_us || day.begin_us > to_us) continue;
+      const isRound = days !== undefined ? number % days === 0 : day.date.endsWith('-01') && monthsSinceNought(day.date) % months === 0;
+      if (isRound) ticks.push({ at_us: day.begin_us, label: dayMonth(read(`${day.date} 00:00:00`)), isDay: true });
     }
-    return ticks;
+    return withYears(calendar, ticks);
   }
   for (let number = first; number <= last; number++) {
     const day = calendar.days[number];
@@ -84,7 +88,25 @@ export function ticksOf(calendar: Days, { from_us, to_us }: Sight, wide: number)
       ticks.push({ at_us: at, label: isDay && span > DAY_US ? dayMonth(clock) : shown.slice(0, step < 60 * SECOND_US ? 8 : 5), isDay });
     }
   }
-  return ticks;
+  return withYears(calendar, ticks);
+}
+
+function monthsSinceNought(date: string): number {
+  return Number(date.slice(0, 4)) * 12 + Number(date.slice(5, 7)) - 1;
+}
+
+/** Where the days are of more than one year, the first date in sight and the first of each year have theirs; the first of a year is its number. */
+function withYears(calendar: Days, ticks: Tick[]): Tick[] {
+  const yearAt = (number: number) => calendar.days.at(number)?.date.slice(0, 4);
+  if (yearAt(0) === yearAt(-1)) return ticks;
+  let before = '';
+  return ticks.map((tick) => {
+    if (!tick.isDay || !/ /.test(tick.label)) return tick;
+    const now = year(clockOf(calendar, tick.at_us));
+    const isNew = now !== before;
+    before = now;
+    return isNew ? { ...tick, label: tick.label === '1 Jan' ? now : `${tick.label} ${now}` } : tick;
+  });
 }
 
 /** Marks at round times of the clock, across the whole drawing, and the times in its first row. */

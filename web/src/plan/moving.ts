@@ -180,21 +180,14 @@ export function drawTrails(pen: Pen, view: View, trails: Step[][], now_ms: numbe
   pen.lineCap = 'round';
   trails.forEach((steps, index) => {
     pen.strokeStyle = colourOf(index);
-    pen.fillStyle = colourOf(index);
     for (let at = 1; at < steps.length; at++) {
       const [before, step] = [steps[at - 1]!, steps[at]!];
       const left = Trails.left(step, now_ms);
       pen.globalAlpha = 0.65 * left;
-      const [x, y] = toScreen(view, step.at);
       pen.beginPath();
-      if (step.leap) {
-        pen.arc(x, y, 2, 0, 2 * Math.PI);
-        pen.fill();
-      } else {
-        pen.lineWidth = 1 + 2.5 * left;
-        line(pen, toScreen(view, before.at), [x, y]);
-        pen.stroke();
-      }
+      pen.lineWidth = 1 + 2.5 * left;
+      line(pen, toScreen(view, before.at), toScreen(view, step.at));
+      pen.stroke();
     }
   });
   pen.globalAlpha = 1;

@@ -5,6 +5,7 @@ import type { Frame } from '../wire';
 import { usual } from './layers';
 import { light } from './palette';
 import { type Scene, Stage } from './stage';
+import { Trails } from './trails';
 import { toScreen } from './transform';
 
 type Call = { canvas: HTMLCanvasElement; name: string; args: unknown[] };
@@ -169,6 +170,27 @@ test('the plan stays where it is while words in the clock come and go', () => {
   }
   stage.past({ width: 120, height: 200 });
   expect(stage.view).not.toEqual(view);
+});
+
+test('once the clock says something else the plan stands as it did before', () => {
+  stage.past({ width: 120, height: 80 });
+  const { view } = stage;
+  stage.past({ width: 500, height: 150 });
+  expect(stage.view).not.toEqual(view);
+  stage.forgetClock();
+  stage.past({ width: 120, height: 80 });
+  expect(stage.view).toEqual(view);
+});
+
+test('who was taken somewhere leaves no trail on the way', () => {
+  const trails = new Trails();
+  const go = (x: number) => trails.take(frame({ bodies: [{ ...body(0), at: [x, 1] }] }), 0);
+  for (const x of [1, 1.3, 1.6]) go(x);
+  expect(trails.of[0]!.map(({ at }) => at[0])).toEqual([1, 1.3, 1.6]);
+  for (const x of [6, 2, 9]) go(x);
+  expect(trails.of[0]!.map(({ at }) => at[0])).toEqual([9]);
+  go(9.3);
+  expect(trails.of[0]!.map(({ at }) => at[0])).toEqual([9, 9.3]);
 });
 
 test('names of people and of sensors stay inside the picture', () => {

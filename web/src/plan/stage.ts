@@ -23,6 +23,9 @@ export function waysPast({ width, height }: Size): Insets[] {
   ];
 }
 
+/** How large the clock is until it is told. */
+const CLOCK: Size = { width: 150, height: 92 };
+
 /** How near the pointer must come to a sensor to be told its name, in pixels. */
 const NEAR = 14;
 
@@ -41,7 +44,7 @@ export class Stage {
   private dpr = 1;
   private scene: Scene | null = null;
   /** How large the clock was at most, or is until it is told. */
-  private clock: Size = { width: 150, height: 92 };
+  private clock = CLOCK;
   private fitted = true;
   private sides: number[] = [];
   private lain: Lain[] = [];
@@ -103,6 +106,12 @@ export class Stage {
     const clock = { width: Math.max(width, this.clock.width), height: Math.max(height, this.clock.height) };
     if (clock.width === this.clock.width && clock.height === this.clock.height) return;
     this.clock = clock;
+    if (this.fitted) this.fit();
+  }
+
+  /** The clock says something else from now on: how large it was is no longer so. */
+  forgetClock(): void {
+    this.clock = CLOCK;
     if (this.fitted) this.fit();
   }
 

@@ -7,10 +7,10 @@ const KEPT_MS = 9000;
 const LONGEST = 400;
 /** Nearer steps add nothing that one could see. */
 const STEP_M = 0.04;
-/** A body that is this far from where it was has been taken there: no line leads through the walls between. */
+/** A body that is this far from where it was has been taken there: it has left no trail, and what was before is over. */
 const LEAP_M = 0.8;
 
-export type Step = { at: At; since_ms: number; leap: boolean };
+export type Step = { at: At; since_ms: number };
 
 export class Trails {
   /** By resident, the oldest first. */
@@ -25,7 +25,8 @@ export class Trails {
       }
       const last = steps.at(-1);
       const far = last === undefined ? Infinity : distance(last.at, body.at);
-      if (far > STEP_M) steps.push({ at: body.at, since_ms: now_ms, leap: far > LEAP_M });
+      if (far > LEAP_M) steps.length = 0;
+      if (far > STEP_M) steps.push({ at: body.at, since_ms: now_ms });
       // In a hidden tab frames come, but nothing is drawn that would fade them.
       if (steps.length > LONGEST) steps.splice(0, steps.length - LONGEST);
     });

@@ -39,10 +39,20 @@ export function following(sight: Sight, at_us: number, whole: Sight): Sight {
   return within({ from_us: from, to_us: from + span }, whole);
 }
 
-/** `3 d 4 h`, `12 min`, `40 s`: how much is in sight. */
+/**
+ * What is in sight once the time is another one. It follows a time that somebody went to, and one that runs out of it; who looks
+ * elsewhere goes on looking there.
+ */
+export function kept(sight: Sight, before_us: number, now_us: number, went: boolean, whole: Sight): Sight {
+  const wasIn = before_us >= sight.from_us && before_us <= sight.to_us;
+  return went || wasIn ? following(sight, now_us, whole) : sight;
+}
+
+/** `3.5 years`, `3 d 4 h`, `12 min`, `40 s`: how much is in sight. */
 export function lengthOf(sight: Sight): string {
   const seconds = Math.round(spanOf(sight) / 1e6);
   const [days, hours, minutes] = [Math.floor(seconds / 86_400), Math.floor(seconds / 3600) % 24, Math.floor(seconds / 60) % 60];
+  if (days >= 731) return `${Number((days / 365.25).toFixed(1))} years`;
   if (days >= 1) return days >= 10 ? `${Math.round(seconds / 86_400)} d` : hours === 0 ? `${days} d` : `${days} d ${hours} h`;
   if (hours >= 1) return minutes === 0 ? `${hours} h` : `${hours} h ${minutes} min`;
   return minutes >= 1 ? (seconds % 60 === 0 ? `${minutes} min` : `${minutes} min ${seconds % 60} s`) : `${seconds} s`;

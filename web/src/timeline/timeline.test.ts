@@ -8,7 +8,7 @@ import { captionHeight, drawCaption } from './caption';
 import { SvgInk } from './ink';
 import { ordered } from './order';
 import { bandAt, laneAt, neighbour } from './read';
-import { following, lengthOf, moved, within, zoomed } from './sight';
+import { following, kept, lengthOf, moved, within, zoomed } from './sight';
 import { tableOf } from './table';
 
 const [SECOND, HOUR, DAY] = [1e6, 3_600e6, 86_400e6];
@@ -43,6 +43,26 @@ test('times are as far apart as there is room for, from seconds to months', () =
   const year = labels(0, 365 * DAY);
   expect(year.length).toBeGreaterThan(5);
   expect(year.length).toBeLessThan(14);
+  expect(year).toEqual(expect.arrayContaining(['1 Apr 2009', '1 May', '2010']));
+  expect(labels(0, 5 * DAY)[0]).toBe('2 Mar 2009');
+  // Days of a single year need no year.
+  expect(ticksOf({ days: daysFrom('2009-03-02', 60 * DAY) }, { from_us: 0, to_us: 60 * DAY }, 800).map(({ label }) => label)).toEqual(['2 Mar', '9 Mar', '16 Mar', '23 Mar', '30 Mar', '6 Apr', '13 Apr', '20 Apr', '27 Apr']);
+});
+
+test('ten years have their years, and are told in years', () => {
+  const length = 3650 * DAY;
+  const labels = ticksOf({ days: daysFrom('2009-03-02', length) }, { from_us: 0, to_us: length }, 800).map(({ label }) => label);
+  expect(labels).toEqual(['2010', '2011', '2012', '2013', '2014', '2015', '2016', '2017', '2018', '2019']);
+  expect([lengthOf({ from_us: 0, to_us: length }), lengthOf({ from_us: 0, to_us: 1000 * DAY }), lengthOf({ from_us: 0, to_us: 700 * DAY })]).toEqual(['10 years', '2.7 years', '700 d']);
+});
+
+test('who looks elsewhere goes on looking there, until somebody goes to another time or time runs out of what is in sight', () => {
+  const sight = { from_us: 0, to_us: HOUR };
+  // Zoomed away from the time, which stands, or plays on out of sight.
+  expect(kept(sight, 5 * HOUR, 5 * HOUR, false, whole)).toBe(sight);
+  expect(kept(sight, 5 * HOUR, 5 * HOUR + SECOND, false, whole)).toBe(sight);
+  expect(kept(sight, HOUR, HOUR + SECOND, false, whole)).toEqual({ from_us: HOUR, to_us: 2 * HOUR });
+  expect(kept(sight, 5 * HOUR, 10 * HOUR, true, whole)).toEqual({ from_us: 9.5 * HOUR, to_us: 10.5 * HOUR });
 });
 
 test('lanes stand by the home, by room, by how busy they are in sight, or by name; silent ones may be left out', () => {

@@ -11,10 +11,6 @@ const SHORTEST_M: f64 = 0.3;
 /// Who looks so much aside still looks straight out, in degrees (ours).
 const STRAIGHT_DEG: f64 = 3.0;
 
-/// The names of directions, from east against the clock.
-const DIRECTIONS: [&str; 8] =
-    ["east", "north-east", "north", "north-west", "west", "south-west", "south", "south-east"];
-
 /// A wall as seen from a point in a room.
 struct Wall {
     /// Straight into the wall.
@@ -24,18 +20,12 @@ struct Wall {
 
 impl Wall {
     fn name(&self) -> &'static str {
-        direction(self.towards)
+        geometry::compass(self.towards)
     }
 
     fn words(&self) -> String {
         format!("{:.2} m from the {} wall", self.distance_m, self.name())
     }
-}
-
-/// The direction of a vector in one of eight words.
-fn direction(towards: Point) -> &'static str {
-    let turn = towards.y.atan2(towards.x).to_degrees().rem_euclid(360.0);
-    DIRECTIONS[(turn / 45.0).round() as usize % DIRECTIONS.len()]
 }
 
 /// How far a place is from the two nearest walls that are not side by side; empty where it is in no room.
@@ -62,7 +52,7 @@ pub fn on_wall(plan: &Plan, at: Point) -> String {
 /// Where a lens looks: by the compass, and from the wall that it hangs on.
 pub fn looks(plan: &Plan, at: Point, facing_deg: f64) -> String {
     let ahead = geometry::direction(facing_deg);
-    let compass = direction(ahead);
+    let compass = geometry::compass(ahead);
     let Some(wall) = two_walls(plan, at).into_iter().next().filter(|wall| wall.distance_m <= ON_WALL_M) else {
         return compass.into();
     };

@@ -98,7 +98,7 @@ fn sensors_and_times_of_a_link() {
             r#"link.json:11:75: the sensor "bedroom motion" at (4.1, 12.5) is outside the home; mount it on the surface, on the side from which it should see"#),
         ("link.json", r#""facing_deg": 0"#, r#""facing_deg": 180"#, ""),
         ("link.json", r#"[4.1, 2.5], "facing_deg": 0"#, r#"[4.06, 2.5], "facing_deg": 180"#,
-            r#"link.json:11:102: the sensor "bedroom motion" faces into the wall from (4, 0) to (4, 3); 0 is east, 90 north, 180 west, 270 south"#),
+            r#"link.json:11:102: the sensor "bedroom motion" faces into the wall between "bedroom" and "kitchen"; 0 is east, 90 north, 180 west, 270 south"#),
     ]);
 }
 

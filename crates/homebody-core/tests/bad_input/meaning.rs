@@ -153,13 +153,13 @@ fn places_and_sensors() {
         ("home.json", r#""at": [0.5, 1.5]"#, r#""at": [2, 2.2]"#,
             r#"home.json:23:29: the place "sink" is inside "table"; put it beside, where a person can stand"#),
         ("home.json", r#""at": [0.5, 1.5]"#, r#""at": [0.02, 1.5]"#,
-            r#"home.json:23:29: the place "sink" is inside the wall from (0, 3) to (0, 0); put it beside, where a person can stand"#),
+            r#"home.json:23:29: the place "sink" is inside the west wall of "kitchen"; put it beside, where a person can stand"#),
         ("home.json", r#""at": [0.05, 1.5]"#, r#""at": [0, 1.5]"#,
-            r#"home.json:27:57: the sensor "kitchen motion" is inside the wall from (0, 3) to (0, 0); mount it on the surface, on the side from which it should see"#),
+            r#"home.json:27:57: the sensor "kitchen motion" is inside the west wall of "kitchen"; mount it on the surface, on the side from which it should see"#),
         ("home.json", r#""at": [0.05, 1.5]"#, r#""at": [-0.05, 1.5]"#,
             r#"home.json:27:57: the sensor "kitchen motion" at (-0.05, 1.5) is outside the home; mount it on the surface, on the side from which it should see"#),
         ("home.json", r#""at": [0.05, 1.5], "facing_deg": 0"#, r#""at": [0.05, 1.5], "facing_deg": 180"#,
-            r#"home.json:27:84: the sensor "kitchen motion" faces into the wall from (0, 3) to (0, 0); 0 is east, 90 north, 180 west, 270 south"#),
+            r#"home.json:27:84: the sensor "kitchen motion" faces into the west wall of "kitchen"; 0 is east, 90 north, 180 west, 270 south"#),
         ("home.json", r#""area": [[6, 1.5], [7.9, 1.5], [7.9, 2.9], [6, 2.9]]"#,
             r#""area": [[6, 1.5], [7.9, 1.5], [6.5, 1.8], [6, 2.9]]"#,
             r#"home.json:30:56: the area of "bed" must be convex; make it of several convex pieces"#),
@@ -242,7 +242,7 @@ fn residents() {
         ("bob.json", r#""start": [5, 1]"#, r#""start": [2, 2.2]"#,
             r#"bob.json:3:59: Bob starts inside "table""#),
         ("bob.json", r#""start": [5, 1]"#, r#""start": [4.2, 0.5]"#,
-            "bob.json:3:59: Bob has no room to stand so near to the wall from (4, 0) to (4, 3); the body's radius is 0.22 m: move the start away"),
+            "bob.json:3:59: Bob has no room to stand so near to the wall between \"bedroom\" and \"kitchen\"; the body's radius is 0.22 m: move the start away"),
         ("bob.json", r#""bob.keys.json""#, r#""bob.json""#,
             r#"bob.json:3:33: "bob.json" is already used as a resident; it cannot be a file of live input too"#),
         ("bob.json", r#""bob.keys.json""#, r#""ann.path.json""#,
@@ -269,20 +269,20 @@ fn paths() {
         ("ann.path.json", r#""start": "bed""#, r#""start": [2, -1]"#,
             "ann.path.json:2:12: Ann starts at (2, -1), outside the home"),
         ("ann.path.json", r#""start": "bed""#, r#""start": [4, 0.5]"#,
-            "ann.path.json:2:12: Ann starts inside the wall from (4, 0) to (4, 3)"),
+            "ann.path.json:2:12: Ann starts inside the wall between \"bedroom\" and \"kitchen\""),
         ("ann.path.json", r#""start": "bed""#, r#""start": [1.5, 0]"#,
             r#"ann.path.json:2:12: Ann starts inside the closed door "front door""#),
         ("ann.path.json", r#"[[5, 1.5], "sink"]"#, r#"["sink", [2, 7]]"#,
             "ann.path.json:7:32: this waypoint is at (2, 7), outside the home"),
         ("ann.path.json", r#"[[5, 1.5], "sink"]"#, r#"["window", "sink"]"#,
-            r#"ann.path.json:7:34: the way from (5, 0.5) to "sink" runs through the wall from (4, 0) to (4, 3); add waypoints around it, such as one in a door"#),
+            r#"ann.path.json:7:34: the way from (5, 0.5) to "sink" runs through the wall between "bedroom" and "kitchen"; add waypoints around it, such as one in a door"#),
         ("ann.path.json", r#"[[5, 1.5], "sink"]"#, r#"[[5, 1.5], [3, 1.5], [2.8, 2.8], [1, 2.3], "sink"]"#,
             r#"ann.path.json:7:56: the way from (2.8, 2.8) to (1, 2.3) runs through "table"; add waypoints around it, such as one in a door"#),
         ("ann.path.json", r#"[[5, 1.5], "bed"]"#, "[[1.5, 1], [1.5, -0.5]]",
             "ann.path.json:10:34: this waypoint is at (1.5, -0.5), outside the home"),
         ("ann.path.json", r#"{ "go": { "to": [[5, 1.5], "bed"], "in_s": 30 } }"#,
             r#"{ "go": { "to": [[2.5, 0.2]] } }"#,
-            "ann.path.json:7:24: the way from (2.5, 0.2) to (5, 1.5) runs through the wall from (4, 0) to (4, 3) when it is repeated; add waypoints around it, such as one in a door"),
+            "ann.path.json:7:24: the way from (2.5, 0.2) to (5, 1.5) runs through the wall between \"bedroom\" and \"kitchen\" when it is repeated; add waypoints around it, such as one in a door"),
         ("ann.path.json", r#"{ "activity": "breakfast" }"#,
             r#"{ "repeat": { "times": 1000000, "steps": [{ "wait": { "for_s": 1e-6 } }] } }"#,
             "ann.path.json:8:19: 1 move in 0.000001 s, again and again: nobody makes more than 100 a second; let them take longer, or repeat them less often"),
@@ -399,7 +399,7 @@ fn an_area_does_not_reach_through_a_wall() {
     assert_eq!(
         over(r#""area": [[3.5, 0.2], [4.5, 0.2], [4.5, 0.8], [3.5, 0.8]]"#),
         "home.json:30:56: the area of \"bed\" \
-        reaches through the wall from (4, 0) to (4, 3); a sensor on the ceiling sees one side of a wall: let its area end there"
+        reaches through the wall between \"bedroom\" and \"kitchen\"; a sensor on the ceiling sees one side of a wall: let its area end there"
     );
     // Into the wall and up to its middle is no harm; nor is through a door that stands open.
     assert_eq!(over(r#""area": [[4, 0], [5, 0], [5, 0.8], [4, 0.8]]"#), "");

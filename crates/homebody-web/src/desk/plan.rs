@@ -11,8 +11,8 @@ use homebody_core::problem::Problem;
 use homebody_core::scenario::load::{Files, Scenario};
 use homebody_core::scenario::resident::ResidentFile;
 use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
-use serde_json::json;
-use std::collections::BTreeMap;
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// So many cells are looked at in a tenth of a second or two (ours): those of a home of 20 by 20 m.
 const MOST_CELLS: f64 = 160_000.0;
@@ -24,14 +24,18 @@ impl Desk {
     /// The home of a draft.
     pub fn plan(&self, draft: Draft) -> PlanView {
         let files = self.with(draft);
-        match home(&files, &self.shelf.entry) {
-            Ok(home) => {
-                let seen = coverage::of_home(&home, build(&files, &self.shelf.entry), step_m(home.plan()));
-                let view = draw::home(&home, home.plan(), home.placed_sensors());
-                PlanView { problems: Vec::new(), home: Some(view), coverage: Some(covered(&seen)) }
-            }
-            Err(wrong) => PlanView { problems: problems(&wrong), home: None, coverage: None },
-        }
+        let (home, wrong) = match file(&files, &self.shelf.entry) {
+            Ok((name, text)) => match alone(&name, text.clone()) {
+                Ok(home) => (Some(home), Vec::new()),
+                // A name that two things have keeps no sensor from seeing.
+                Err(wrong) => (shapes(&text).and_then(|text| alone(&name, text).ok()), wrong),
+            },
+            Err(wrong) => (None, wrong),
+        };
+        let Some(home) = home else { return PlanView { problems: problems(&wrong), home: None, coverage: None } };
+        let seen = coverage::of_home(&home, build(&files, &self.shelf.entry), step_m(home.plan()));
+        let view = draw::home(&home, home.plan(), home.placed_sensors());
+        PlanView { problems: problems(&wrong), home: Some(view), coverage: Some(covered(&seen)) }
     }
 }
 
@@ -51,16 +55,55 @@ impl Desk {
 
 /// A scenario's home by itself: what is wrong with other files is not asked.
 pub fn home(files: &dyn Files, entry: &str) -> Result<ResolvedHome, Vec<Problem>> {
+    let (name, text) = file(files, entry)?;
+    alone(&name, text)
+}
+
+/// The file of a scenario's home: its name and its text.
+fn file(files: &dyn Files, entry: &str) -> Result<(String, String), Vec<Problem>> {
     let of_entry = |what: String| vec![Problem::of_file(entry, what, None)];
     let text = files.read(entry).map_err(|why| of_entry(format!("cannot be read: {why}")))?;
     let root: serde_json::Value = serde_json::from_str(&text).map_err(|error| of_entry(error.to_string()))?;
     let name = root["home"].as_str().ok_or_else(|| of_entry("links no home".into()))?;
     let text = files.read(name).map_err(|why| of_entry(format!("{name:?} cannot be read: {why}")))?;
-    // Around it a scenario of nobody.
+    Ok((name.to_owned(), text))
+}
+
+/// The home of a file, in a scenario without residents.
+fn alone(name: &str, text: String) -> Result<ResolvedHome, Vec<Problem>> {
     let nobody = json!({ "name": "home", "start": "2009-03-02T00:00:00", "days": 1, "home": name, "residents": [] });
     let around = if name == "scenario.json" { "around.json" } else { "scenario.json" };
     let alone: BTreeMap<String, String> = [(around.to_owned(), nobody.to_string()), (name.to_owned(), text)].into();
     Scenario::load(&alone, around).map(|scenario| scenario.home).map_err(|problems| problems.0)
+}
+
+/// A home's file as far as sensors see it: without places and roles, and with a name of its own for each thing. Of those with the same
+/// name the first keeps it, as sensors may be on it.
+fn shapes(text: &str) -> Option<String> {
+    let mut home: Value = serde_json::from_str(text).ok()?;
+    let folded = |name: &str| name.trim().to_lowercase();
+    home.as_object_mut()?.remove("places");
+    let mut rooms = BTreeSet::new();
+    for list in ["rooms", "doors", "furniture", "sensors"] {
+        let mut known = BTreeSet::new();
+        for (number, thing) in home[list].as_array_mut().into_iter().flatten().enumerate() {
+            let is_entered = list == "furniture" && thing["enterable"] == true;
+            if list == "furniture" && !is_entered {
+                thing.as_object_mut()?.remove("role");
+            }
+            let name = folded(thing["name"].as_str()?);
+            let is_taken = name.is_empty() || known.contains(&name) || is_entered && rooms.contains(&name);
+            if is_taken {
+                thing["name"] = json!(format!("{} {}", &list[..4], number + 1));
+            } else {
+                known.insert(name);
+            }
+        }
+        if list == "rooms" {
+            rooms = known;
+        }
+    }
+    Some(home.to_string())
 }
 
 /// The body of the first resident, as far as their file can be read.

@@ -259,6 +259,32 @@ fn a_plan_is_told_with_its_coverage_and_a_sensor_that_sees_more_leaves_less_dead
     assert_eq!(told.problems[0]["line"], 1);
 }
 
+#[test]
+fn a_problem_that_is_of_no_shape_and_no_sensor_leaves_the_coverage_as_it_is() {
+    let served = Served::scenario("studio");
+    let text = fs::read_to_string(served.file("studio", "home.json")).unwrap();
+    let whole = served.plan(&draft("home.json", &text)).coverage.unwrap().whole.seen_by;
+    let changed = |change: &dyn Fn(&mut Value)| {
+        let mut home: Value = serde_json::from_str(&text).unwrap();
+        change(&mut home);
+        served.plan(&draft("home.json", &home.to_string()))
+    };
+    // Two pieces with one name, in the same place, and a place in the middle of a piece.
+    let twice = changed(&|home| {
+        let first = home["furniture"][0].clone();
+        home["furniture"].as_array_mut().unwrap().push(first);
+        home["places"] = json!([{ "name": "far away", "at": [900.0, 900.0] }]);
+    });
+    assert!(twice.problems.len() >= 2, "{:?}", twice.problems);
+    assert_eq!(twice.coverage.unwrap().whole.seen_by, whole);
+    // The control: a sensor outside.
+    let outside = changed(&|home| {
+        let sensors = home["sensors"].as_array_mut().unwrap();
+        sensors.iter_mut().find(|sensor| sensor["kind"] == "motion").unwrap()["at"] = json!([900.0, 900.0]);
+    });
+    assert!(!outside.problems.is_empty() && outside.coverage.is_none());
+}
+
 /// A plan as a page reads it, as far as it is looked at here.
 #[derive(Deserialize)]
 struct Plan {

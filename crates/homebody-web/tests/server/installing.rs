@@ -106,10 +106,17 @@ fn places_are_suggested_for_a_number_of_sensors_and_a_device() {
     assert!(!motion.is_empty() && motion.iter().all(|sensor| sensor["preset"] == "fibaro"), "{sensors:?}");
     assert!(motion.iter().all(|sensor| sensor["height_m"] == json!(2.4)), "{sensors:?}");
 
+    // Once the whole floor is seen, another sensor adds nothing, and none is suggested.
+    let many = ask(30, &["falls"], None);
+    let scores: Vec<f64> = many["steps"].as_array().unwrap().iter().filter_map(|step| step["score"].as_f64()).collect();
+    assert!((1..30).contains(&scores.len()), "{scores:?}");
+    assert!(scores.windows(2).all(|two| two[0] < two[1]), "{scores:?}");
+
     // By what the log would tell: people live there.
-    let lived = ask(1, &["night-bathroom"], None);
-    assert!(lived["refused"].is_null() && lived["steps"].as_array().unwrap().len() == 1, "{lived}");
-    assert_eq!(lived["steps"][0]["reached"][0]["goal"], "bathroom_night");
+    let lived = ask(4, &["night-bathroom"], None);
+    let last = lived["steps"].as_array().unwrap().last().unwrap();
+    assert!(lived["refused"].is_null() && last["score"].as_f64() > Some(0.0), "{lived}");
+    assert_eq!(last["reached"][0]["goal"], "bathroom_night");
     let unknown = ask(1, &["yesterday"], None);
     assert!(unknown["refused"].as_str().unwrap().contains("yesterday"), "{unknown}");
     let unmade = ask(1, &["falls"], Some("abacus"));

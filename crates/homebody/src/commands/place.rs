@@ -77,8 +77,8 @@ impl Arguments {
         let progress = Progress::new(&ask);
         let found = proposal::propose(home, &ask, opened, &|doing| progress.tell(doing));
         progress.bar.lock().expect("nothing panics while it is held").finish_and_clear();
-        let found = Found(found?);
-        let drawn = HomeFile { sensors: found.0.sensors.clone(), ..HomeFile::clone(home) };
+        let found = Found { proposed: found?, asked: sensors };
+        let drawn = HomeFile { sensors: found.proposed.sensors.clone(), ..HomeFile::clone(home) };
         answer.give(&found, [&|| floor_plan(&drawn)])
     }
 }
@@ -140,11 +140,18 @@ fn goals(names: &[String]) -> Result<Vec<Goal>, Failure> {
 /// What was found, as words.
 #[derive(Serialize)]
 #[serde(transparent)]
-struct Found(Proposed);
+struct Found {
+    proposed: Proposed,
+    #[serde(skip)]
+    asked: usize,
+}
 
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Some(first) = self.0.placed.steps.first() else { return Ok(()) };
+        let Some(first) = self.proposed.placed.steps.first() else {
+            let hint = if self.asked == 1 { " by itself; ask for more than one" } else { "" };
+            return writeln!(f, "No sensor tells anything of what is to be seen{hint}.");
+        };
         writeln!(f, "Where sensors go, the most telling first\n")?;
         write!(f, "{:>2}  {:32} {:>6}", "", "sensor", "score")?;
         for Reached { goal, .. } in &first.goals {
@@ -165,17 +172,21 @@ impl fmt::Display for Found {
             }
             writeln!(f)
         };
-        for (number, layout) in self.0.placed.steps.iter().enumerate() {
+        for (number, layout) in self.proposed.placed.steps.iter().enumerate() {
             let name = layout.sensors.last().map_or("", String::as_str);
             row(f, &(number + 1).to_string(), name, layout)?;
         }
-        for swap in &self.0.placed.swapped {
+        for swap in &self.proposed.placed.swapped {
             row(f, "", &format!("{} for {}", swap.come, swap.gone), &swap.layout)?;
         }
-        if let Some(own) = &self.0.own {
+        if let Some(own) = &self.proposed.own {
             row(f, "", &format!("the {} that the home has", own.sensors.len()), own)?;
         }
-        match self.0.own.as_ref().zip(self.0.placed.last()) {
+        let count = self.proposed.placed.steps.len();
+        if count < self.asked {
+            writeln!(f, "\n{count} of the {} sensors that were asked for: another one adds nothing.", self.asked)?;
+        }
+        match self.proposed.own.as_ref().zip(self.proposed.placed.last()) {
             Some((own, proposed)) if own.score < proposed.score => write_why_less(f, own, proposed),
             _ => Ok(()),
         }

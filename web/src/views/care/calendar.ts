@@ -60,9 +60,10 @@ export function monthsOf(care: Pick<CareView, 'days' | 'alerts'>, notes: readonl
   return months;
 }
 
-/** Whether a usual is known of anything, on a day or at all: without it nothing can be unusual. */
-export function hasUsual(care: Pick<CareView, 'charts'>, day: string | null = null): boolean {
-  return care.charts.some((chart) => chart.days.some((point) => point.usual !== null && (day === null || point.day === day)));
+/** Whether a usual is known of anything, on a day or at all, or of a measure that has a chart: without it nothing can be unusual. */
+export function hasUsual(care: Pick<CareView, 'charts'>, day: string | null = null, measure: string | null = null): boolean {
+  const own = care.charts.filter((chart) => chart.measure === measure);
+  return (own.length > 0 ? own : care.charts).some((chart) => chart.days.some((point) => point.usual !== null && (day === null || point.day === day)));
 }
 
 /** A day's marks in words. */

@@ -199,6 +199,13 @@ test('without a usual nothing is called usual or unusual', async () => {
   expect(text()).toContain('What is usual is not known yet');
   expect(text()).toContain('Too little is known to say what has changed');
   expect(text()).not.toContain('All was as usual');
+  // Neither good nor bad is drawn.
+  const drawn = () => [...one('[aria-label="How the day was"] ul').children].map((row) => row.className.match(/odd|unknown/)?.[0] ?? 'usual');
+  expect(drawn()).toEqual(['odd', 'unknown']);
+  await unmount(view);
+  answers['/api/runs/a/care'] = care('a');
+  await begin();
+  expect(drawn()).toEqual(['odd', 'usual']);
 });
 
 test('with an alert nothing is said to be as usual, or not to stand out, without it', async () => {

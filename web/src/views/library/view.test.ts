@@ -79,6 +79,12 @@ test('of a run that is being lived no length is told', async () => {
   expect([...document.querySelectorAll('article li .quiet')].map((one) => one.textContent)).toEqual(['being lived', '3 days']);
 });
 
+test('of twins it is said which was lived without what', async () => {
+  card = { ...CARD, runs: 2, latest: [{ ...stored('flat-2'), without: ['cognitive_decline'] }, stored('flat-1')] };
+  await open();
+  expect([...document.querySelectorAll('article li .quiet')].map((one) => one.textContent)).toEqual(['3 days, without cognitive decline', '3 days']);
+});
+
 test('a home that is deleted leaves its place, from which it is put back', async () => {
   const homes = ['attic', 'flat', 'hut'].map((name) => ({ name, title: name, about: '', changed_ms: 0 }));
   await open({ homes, aside: [{ key: 'old~1', name: 'old' }] });

@@ -8,11 +8,34 @@ const EXPLAIN_MS = 250;
 const MONTH_MS = 400;
 
 /** The days that are drawn: as they are written, and if something is left out, without that. */
-type Asked = { draft: Draft; from: number; days: number; without: string[] };
+type Asked = { draft: Draft; from: number; days: number; without: string[]; text: (name: string) => string | undefined };
 type Lived = { whole: MonthView; less: MonthView | null };
+/** What is drawn: which days, what is left out of them, and the wrong lines that they are drawn without. */
+type Drawn = Lived & Pick<Asked, 'from' | 'days' | 'without'> & { lacks: readonly ProblemView[] };
 
 /** What one drawing shows. */
 export type Side = { title: string; view: MonthView };
+
+/** The drafts with wrong lines of routines left empty; nothing where anything else is wrong. */
+export function withoutLines(draft: Draft, problems: readonly ProblemView[], text: Asked['text']): Draft | null {
+  const texts = { ...draft.texts };
+  for (const { file, line } of problems) {
+    const lines = text(file) === undefined ? [] : (texts[file] ?? text(file)!).split('\n');
+    if (line <= 0 || line > lines.length) return null;
+    texts[file] = lines.with(line - 1, '').join('\n');
+  }
+  return { texts };
+}
+
+/** Which lines of a file problems are in, or which other file: `Line 3`, `Lines 3 and 7`, `home.json`. */
+export function whereOf(problems: readonly Pick<ProblemView, 'file' | 'line'>[], file: string): string {
+  const own = problems.every((problem) => problem.file === file && problem.line > 0);
+  if (!own) return [...new Set(problems.map((problem) => problem.file.slice(0, 100)))].slice(0, 3).join(', ');
+  const lines = [...new Set(problems.map(({ line }) => line))].sort((a, b) => a - b);
+  if (lines.length === 1) return `Line ${lines[0]}`;
+  const first = lines.length > 4 ? [...lines.slice(0, 3), `${lines.length - 3} more`] : lines;
+  return `Lines ${first.slice(0, -1).join(', ')} and ${first.at(-1)}`;
+}
 
 export class Life {
   explain = $state.raw<ExplainView | null>(null);
@@ -25,7 +48,7 @@ export class Life {
   /** Conditions that are left out. */
   without = $state.raw<string[]>([]);
   sideBySide = $state(true);
-  lived = $state.raw<(Lived & Pick<Asked, 'from' | 'without'>) | null>(null);
+  lived = $state.raw<Drawn | null>(null);
   /** Why these days cannot be lived. */
   problems = $state.raw<ProblemView[]>([]);
   monthTrouble = $state('');
@@ -35,7 +58,7 @@ export class Life {
   day = $state<number | null>(null);
 
   private readonly explains: Latest<Explain & { text: string }, ExplainView>;
-  private readonly months: Latest<Asked, Lived>;
+  private readonly months: Latest<Asked, Lived & { problems: ProblemView[] }>;
   private file = '';
 
   constructor({ server }: Pick<Live, 'server'>) {
@@ -51,17 +74,20 @@ export class Life {
     );
     this.months = new Latest(
       MONTH_MS,
-      async ({ without, ...of }) => {
-        const month = (without: string[]) => server.packed<MonthView>('/api/month', { ...of, without } satisfies Month);
-        const whole = await month([]);
-        return { whole, less: without.length > 0 && whole.problems.length === 0 ? await month(without) : null };
+      async ({ without, text, draft, ...of }) => {
+        const month = (draft: Draft, without: string[]) => server.packed<MonthView>('/api/month', { ...of, draft, without } satisfies Month);
+        const written = await month(draft, []);
+        // Days that are drawn stay while a sentence is written. Before any are drawn, wrong lines are left out.
+        const isThere = this.lived !== null && this.lived.lacks.length === 0 && this.lived.from === of.from && this.lived.days === of.days;
+        const rest = written.problems.length === 0 || isThere ? null : withoutLines(draft, written.problems, text);
+        const whole = rest === null ? written : await month(rest, []);
+        return { problems: written.problems, whole, less: without.length > 0 && whole.problems.length === 0 ? await month(rest ?? draft, without) : null };
       },
-      ({ whole, less }, { from, without }) => {
+      ({ problems, whole, less }, { from, days, without }) => {
         [this.waiting, this.monthTrouble] = [this.months.wants, ''];
-        this.problems = [...whole.problems, ...(less?.problems ?? [])];
-        // What was drawn before stays in sight while a sentence is being mended.
-        if (this.problems.length > 0) return;
-        this.lived = { whole, less, from, without };
+        this.problems = [...problems, ...(less?.problems ?? [])];
+        if (whole.problems.length > 0 || (less !== null && less.problems.length > 0)) return;
+        this.lived = { whole, less, from, days, without, lacks: problems };
         if (this.day !== null && this.day >= whole.days.length) this.day = null;
       },
       (why) => ([this.waiting, this.monthTrouble] = [this.months.wants, why]),
@@ -87,9 +113,10 @@ export class Life {
     this.explains.want({ draft, file, text });
   }
 
-  draw(draft: Draft): void {
+  /** @param text of a routine's file as it is written; nothing for another. */
+  draw(draft: Draft, text: Asked['text']): void {
     this.waiting = true;
-    this.months.want({ draft, from: this.from, days: this.days, without: this.without });
+    this.months.want({ draft, text, from: this.from, days: this.days, without: this.without });
   }
 
   leaveOut(condition: string, out: boolean): void {

@@ -8,6 +8,7 @@ import { frame } from '../../testing/frames';
 import { madeUpRun } from '../../testing/home';
 import { Drafts } from '../../drafts.svelte';
 import type { Month, Say } from '../../wire';
+import { whereOf, withoutLines } from './life.svelte';
 import LifeView from './Life.svelte';
 
 const EVIL = '<img src=x onerror="globalThis.broken=1"><script>globalThis.broken=1</script>';
@@ -74,13 +75,43 @@ test('what is wrong is underlined and told, and so is that the days are those of
   expect(region('How it was understood').textContent).not.toContain('about 06:45');
   expect(region('Problems').textContent).toContain('1 problem');
   expect(region('Problems').textContent).toContain('did you mean "watches television"?');
-  expect(region('Days').textContent).toContain('Drawn as it was before the mistake.');
+  expect(region('Days').textContent).toContain('is not understood: these days are drawn as they were before.');
+  expect(button('Go to line')).toBeTruthy();
   expect([button('Watch it').disabled, button('Live all of it').disabled]).toEqual([true, true]);
+  // A problem that is older than the text is grey, and its button is dead.
+  live.drafts.write('0.routine', `${ROUTINE.replace('gets up', 'wtches')}\n`);
+  await settle(0);
+  expect([button('Write “watches television”').disabled, region('Problems').querySelector('ul')!.className]).toEqual([true, expect.stringContaining('old')]);
+  for (let turn = 0; turn < 12; turn++) await settle();
+  expect([button('Write “watches television”').disabled, region('Problems').querySelector('ul')!.className]).toEqual([false, expect.not.stringContaining('old')]);
+  live.drafts.write('0.routine', ROUTINE.replace('gets up', 'wtches'));
+  for (let turn = 0; turn < 12; turn++) await settle();
   button('Write “watches television”').click();
   flushSync();
   expect(live.drafts.text('0.routine')).toBe(ROUTINE.replace('gets up', 'watches television'));
   button('Undo: Write').click();
   expect(live.drafts.text('0.routine')).toBe(ROUTINE.replace('gets up', 'wtches'));
+});
+
+test('a page that opens on a wrong line draws the days without it, and says which it is', async () => {
+  const lines = ROUTINE.split('\n');
+  const line = lines.findIndex((one) => one.includes('gets up')) + 1;
+  await begin(fakeLives(['Agnes'], new Map([['0.routine', ROUTINE.replace('gets up', 'wtches')]])));
+  expect(region('Days').textContent).toContain(`Line ${line} is not understood: these days are drawn without it.`);
+  expect(options().length).toBeGreaterThan(0);
+  expect(months().at(-1)!.draft.texts['0.routine']!.split('\n')).toEqual(lines.with(line - 1, ''));
+  expect(live.drafts.unsaved).toEqual([]);
+});
+
+test('lines that are wrong are left out only of routines, and are named', () => {
+  const at = (file: string, line: number) => ({ file, line, column: 1, width: 1, what: '', hint: null });
+  const text = (name: string) => (name === 'a.routine' ? 'one\ntwo\nthree' : undefined);
+  expect(withoutLines({ texts: {} }, [at('a.routine', 2)], text)).toEqual({ texts: { 'a.routine': 'one\n\nthree' } });
+  expect(withoutLines({ texts: { 'a.routine': 'eins\nzwei' } }, [at('a.routine', 1), at('a.routine', 2)], text)).toEqual({ texts: { 'a.routine': '\n' } });
+  expect(withoutLines({ texts: {} }, [at('a.routine', 2), at('home.json', 2)], text)).toBeNull();
+  expect(withoutLines({ texts: {} }, [at('a.routine', 0)], text)).toBeNull();
+  expect([[3], [7, 3, 7], [1, 2, 3, 4, 5, 6]].map((lines) => whereOf(lines.map((line) => at('a.routine', line)), 'a.routine'))).toEqual(['Line 3', 'Lines 3 and 7', 'Lines 1, 2, 3 and 3 more']);
+  expect(whereOf([at('a.routine', 1), at('home.json', 4)], 'a.routine')).toBe('a.routine, home.json');
 });
 
 test('where the days are not lived to their end, it is said until when', async () => {

@@ -437,6 +437,48 @@ test('hostile names are text', () => {
   expect((globalThis as { broken?: number }).broken).toBeUndefined();
 });
 
+test('a run that ended with its server is told of, with how far it came; one that goes on is not', () => {
+  const old = live.run!.id!;
+  const told = (run: Partial<RunView>) => {
+    wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: { ...live.run, ...run } }) });
+    return live.notes.map(({ text }) => text);
+  };
+  const cut = () => {
+    wire.onclose!({ code: 1006 });
+    vi.advanceTimersByTime(60_000);
+    wire.onopen!();
+  };
+  show({ now_us: 3_600e6 });
+  expect(told({ id: 'another' })).toEqual([]);
+  told({ id: old });
+  show({ now_us: 3_600e6 });
+  cut();
+  expect(told({ id: old })).toEqual([]);
+  show({ now_us: 7_200e6 });
+  cut();
+  const notes = told({ id: 'next' });
+  expect(notes).toHaveLength(1);
+  expect(notes[0]).toMatch(new RegExp(`^The server was ended, and ${old} with it at .*\\d{4}, \\d\\d:55:00\\. It is kept that far and listed in Playback`));
+  expect(notes[0]).toContain('--resume');
+});
+
+test('a new run does not go on as fast as it goes because the one before did', () => {
+  show({ speed: null });
+  button('New run').click();
+  expect(sent.map(({ say }) => say)).toEqual(['speed', 'start']);
+  sent.length = 0;
+  show({ speed: 100 });
+  button('New run').click();
+  expect(sent.map(({ say }) => say)).toEqual(['start']);
+});
+
+test('what is hatched leads to Playback, which has all of it', () => {
+  show({ now_us: 90_000e6, told: 900, firings: [firing(899, 90_000e6 - 1)] });
+  button('All of it').click();
+  flushSync();
+  expect(document.querySelector<HTMLAnchorElement>('.hatched a')!.getAttribute('href')).toBe(`#/playback/${encodeURIComponent(live.run!.id!)}`);
+});
+
 test('a click that reaches nobody is said so', () => {
   wire.onclose!({ code: 1006 });
   button('1 s on').click();

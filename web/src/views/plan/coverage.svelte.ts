@@ -18,6 +18,8 @@ export class Coverage {
   stale = $state(false);
   /** Of the home's file; nothing before the first answer. */
   problems = $state.raw<ProblemView[] | null>(null);
+  /** The drafts in which these were found. */
+  of = $state.raw<Draft['texts'] | null>(null);
   trouble = $state('');
   private readonly questions: Latest<Question, void>;
 
@@ -26,7 +28,7 @@ export class Coverage {
       0,
       async ({ draft, alone }) => {
         const { problems, home, coverage } = await server.packed<PlanView>('/api/plan', draft);
-        this.problems = problems;
+        [this.problems, this.of] = [problems, draft.texts];
         if (home && coverage) this.seen = { home, coverage };
         this.stale = home === null;
         const single = alone && home ? await server.packed<PlanView>('/api/plan', alone) : null;

@@ -16,11 +16,13 @@ let files: FakeFiles;
 let live: Live;
 let view: Record<string, unknown>;
 let problems: ProblemView[];
+/** Whether the problems keep no sensor from seeing. */
+let isSeen = false;
 
 const PLAN = (): PlanView => ({
   problems,
-  home: problems.length > 0 ? null : madeUpHome(3),
-  coverage: problems.length > 0 ? null : {
+  home: problems.length > 0 && !isSeen ? null : madeUpHome(3),
+  coverage: problems.length > 0 && !isSeen ? null : {
     step_m: 1, corner: [0, 0], columns: 2, cells: new Uint8Array([0, 1, 2, 255]),
     whole: { name: 'flat', floor_m2: 15, seen_by: [0.25, 0.25, 0.5, 0] },
     rooms: [{ name: 'room', floor_m2: 10, seen_by: [0.3, 0.7, 0, 0] }],
@@ -31,7 +33,7 @@ const PLAN = (): PlanView => ({
 });
 
 async function begin(home: string | null, answers: Record<string, (body: never) => unknown> = {}): Promise<void> {
-  problems = [];
+  [problems, isSeen] = [[], false];
   files = new FakeFiles(home === null ? { 'scenario.json': '{}' } : { 'home.json': home, 'scenario.json': '{}' }, { home: home === null ? null : 'home.json', logger: null, lives: [] }, answers);
   const fetch: Fetch = async (path, init) => {
     const answer = await files.fetch(path, init);
@@ -384,12 +386,55 @@ test('what the sensors see is in figures, and is old while there is a problem, w
   key('PageDown');
   key('ArrowLeft');
   await settle();
-  expect(document.body.textContent).toContain('this is what was seen before it');
+  expect(document.body.textContent).toContain('These figures are as of before');
   click('Problems');
   expect(document.body.textContent).toContain('move it');
   click('Show stove');
   expect(document.querySelector('#tab-panel h2')!.textContent).toBe('stove');
   expect(document.getElementById('form-furniture/1')!.getAttribute('aria-label')).toContain('has a problem');
+});
+
+test('a problem that keeps no sensor from seeing leaves what is seen as it is', async () => {
+  await begin(FLAT);
+  click('Coverage');
+  problems = [{ file: 'home.json', line: 3, column: 7, width: 4, what: 'another piece of furniture is named "bed" too', hint: null }];
+  isSeen = true;
+  plan().focus();
+  key('PageDown');
+  key('ArrowLeft');
+  await settle();
+  expect(document.querySelector('tbody')!.textContent).toContain('All');
+  expect(document.body.textContent).not.toContain('as of before');
+  expect(document.querySelector('#tab-problems')!.textContent).toContain('1');
+});
+
+test('what mends a problem is done once: its button is dead until the home is checked anew', async () => {
+  const toilet = '{"name": "toilet", "at": [5, 2.5], "size_m": [0.4, 0.6], "height_m": 0.4, "enterable": true}';
+  const lacks = { file: 'home.json', line: 0, column: 0, width: 0, what: 'nobody can use a toilet', hint: `give it one; there is room in "bath": add to "furniture" ${toilet}` };
+  await begin(FLAT, { '/api/mends': () => [] });
+  files.check = { problems: [lacks], warnings: [] };
+  live.drafts.write('home.json', `${FLAT}\n`);
+  await settle();
+  click('Problems');
+  const count = () => value().furniture.filter(({ name }: { name: string }) => name === 'toilet').length;
+  click('Put “toilet” into “bath”');
+  expect([count(), button('Put “toilet” into “bath”').disabled]).toEqual([1, true]);
+  click('Put “toilet” into “bath”');
+  expect(count()).toBe(1);
+  files.check = { problems: [], warnings: [] };
+  await settle();
+  expect(button('Put “toilet”')).toBeUndefined();
+});
+
+test('what is drawn over the image is named among its fields', async () => {
+  await begin(FLAT);
+  const tab = () => document.querySelector('[role="tab"][aria-selected="true"]')!.textContent!.trim();
+  click('Image');
+  click('Wall');
+  expect(tab()).toBe('Element');
+  // The image can be looked for while it is drawn over.
+  click('Image');
+  expect(tab()).toBe('Image');
 });
 
 test('suggested sensors take the places of those of their kind, which are named, in one step', async () => {
@@ -404,6 +449,7 @@ test('suggested sensors take the places of those of their kind, which are named,
   await settle();
   click('Suggest places');
   await settle();
+  expect(document.querySelector('[aria-label="What is suggested"]')!.textContent).toContain('1 sensor of the 6 that you asked for: another one adds nothing.');
   expect(document.querySelector('#suggest-goes')!.textContent!.replaceAll(/\s+/g, ' ').trim()).toBe('Put in their place, that makes 5 sensors: room motion goes; the 4 others stay.');
   // Not all of it is seen.
   expect([...document.querySelectorAll('[aria-label="What is suggested"] strong')].map((one) => one.textContent)).toEqual(['99.9 %', '99.9 %', '0.0 %']);

@@ -6,7 +6,12 @@ import type { StoredView } from '../../wire';
 /** A run's own name, behind the one that somebody gave it, and the conditions that it was lived without. */
 export function calledOf({ name, about, without }: Pick<StoredView, 'name' | 'about' | 'without'>): string {
   const own = about.title !== '' ? `${about.title.slice(0, 60)} (${name.slice(0, 40)})` : name.slice(0, 60);
-  return without.length > 0 ? `${own} without ${spoken(without.join(', ').slice(0, 60))}` : own;
+  return [own, withoutOf({ without })].filter(Boolean).join(' ');
+}
+
+/** `without depression`; nothing of a run that was lived with all there is. */
+export function withoutOf({ without }: Pick<StoredView, 'without'>): string {
+  return without.length > 0 ? `without ${spoken(without.join(', ').slice(0, 60))}` : '';
 }
 
 /** How long a run is; of one that is being lived nobody knows how long it will be. */

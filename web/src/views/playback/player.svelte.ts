@@ -38,6 +38,8 @@ export class Player {
   read = $state<number | null>(null);
   /** Grows when a day has come. */
   came = $state(0);
+  /** Grows when somebody goes to another time; not while time goes by. */
+  went = $state(0);
 
   ticker: Ticker | null = null;
   private readonly texts = new Throttle(TEXT_MS);
@@ -220,8 +222,7 @@ export class Player {
 
   go(to_us: number): void {
     this.ticker?.go(to_us);
-    this.show();
-    this.load();
+    this.arrive();
   }
 
   /** @returns whether the run has such a moment: a date and a time on its clock. */
@@ -233,14 +234,12 @@ export class Player {
 
   turn(days: number): void {
     this.ticker?.turn(days);
-    this.show();
-    this.load();
+    this.arrive();
   }
 
   activity(forward: boolean): void {
     this.ticker?.activity(forward);
-    this.show();
-    this.load();
+    this.arrive();
   }
 
   /** What was chosen holds from now on. */
@@ -249,6 +248,12 @@ export class Player {
     this.ticker.speed = this.speed;
     this.ticker.skip = this.skip;
     this.ticker.alone = !this.truth || !this.ticker.run.view.has_truth;
+  }
+
+  private arrive(): void {
+    this.went += 1;
+    this.show();
+    this.load();
   }
 
   private show(): void {

@@ -57,6 +57,28 @@ test('of who is out of the home it is said that they are away', async () => {
   expect(rows).toEqual([['out', '', 'away'], ['out', '', '']]);
 });
 
+test('zooming and looking elsewhere leave the clock and the address as they are', async () => {
+  window.location.hash = '#/playback/cottage@2009-03-04T08:00:00';
+  await begin(['cottage'], (name) => storedRun(name, 30));
+  const [time, address] = [said(), window.location.hash];
+  const line = document.querySelector('[aria-label^="Time line"]')!;
+  press('a', line);
+  for (let turn = 0; turn < 8; turn++) press('+', line);
+  for (let turn = 0; turn < 20; turn++) press('ArrowRight', line);
+  for (let turn = 0; turn < 4; turn++) await settle();
+  expect([said(), window.location.hash]).toEqual([time, address]);
+  expect(document.querySelector('.tools .title')!.textContent).not.toBe('Day 3 of 30');
+  // The way back, and a time that is gone to comes into sight.
+  button('◂ 4 March, 08:00:00').click();
+  for (let turn = 0; turn < 4; turn++) await settle();
+  expect(button('◂')).toBeUndefined();
+  for (let turn = 0; turn < 20; turn++) press('ArrowRight', line);
+  expect(button('◂')).toBeTruthy();
+  press('ArrowRight', slider('Time of the day'));
+  for (let turn = 0; turn < 4; turn++) await settle();
+  expect([said(), button('◂')]).toEqual(['4 March, 08:01:00', undefined]);
+});
+
 test('the latest run is opened, and another can be chosen', async () => {
   await begin();
   expect(document.querySelector<HTMLSelectElement>('#first-run')!.value).toBe('cottage-2');

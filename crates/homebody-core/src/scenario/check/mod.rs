@@ -11,7 +11,7 @@ pub mod scenario;
 use super::home::HomeFile;
 use super::nearest::nearest;
 use super::source::Source;
-use crate::geometry::{self, Point};
+use crate::geometry::{self, At, Point, point};
 use crate::home::plan::{Origin, Plan, Solid};
 use crate::problem::{MOST_PER_FILE, Problem};
 
@@ -100,10 +100,39 @@ fn solid_name(home: &HomeFile, solid: &Solid) -> String {
     match solid.origin {
         Origin::Wall(index) => {
             let wall = &home.walls[index];
-            format!("the wall from {} to {}", at(geometry::point(wall.from)), at(geometry::point(wall.to)))
+            wall_name(home, &solid.outline)
+                .unwrap_or_else(|| format!("the wall from {} to {}", at(point(wall.from)), at(point(wall.to))))
         }
         Origin::Door(index) => format!("the closed door {:?}", home.doors[index].name),
         Origin::Furniture(index) => format!("{:?}", home.furniture[index].name),
+    }
+}
+
+/// A piece of a wall by the rooms on its sides; nothing where they are several on both.
+fn wall_name(home: &HomeFile, piece: &[Point]) -> Option<String> {
+    /// So far off a wall is the room that it bounds, in metres (our choice).
+    const BESIDE_M: f64 = 0.15;
+    // The corners run along the wall, then across.
+    let &[a, b, c, d] = piece else { return None };
+    let across = (c - b).normalize_or_zero();
+    let rooms = |from: Point, to: Point, off: Point| {
+        let probes = (1..8).map(move |part| from.lerp(to, f64::from(part) / 8.0) + off);
+        let holds =
+            |outline: &[At], p: Point| geometry::contains(&outline.iter().map(|&at| point(at)).collect::<Vec<_>>(), p);
+        let all: Vec<&str> = (home.rooms.iter())
+            .filter(|room| probes.clone().any(|probe| holds(&room.outline, probe)))
+            .map(|room| room.name.as_str())
+            .collect();
+        all
+    };
+    match (&rooms(a, b, -across * BESIDE_M)[..], &rooms(d, c, across * BESIDE_M)[..]) {
+        ([one], [other]) if one == other => Some(format!("a wall in {one:?}")),
+        ([one], [other]) => Some(format!("the wall between {:?} and {:?}", one.min(other), one.max(other))),
+        ([room], []) => Some(format!("the {} wall of {room:?}", geometry::compass(across))),
+        ([], [room]) => Some(format!("the {} wall of {room:?}", geometry::compass(-across))),
+        ([_, ..], []) => Some(format!("the {} wall", geometry::compass(across))),
+        ([], [_, ..]) => Some(format!("the {} wall", geometry::compass(-across))),
+        _ => None,
     }
 }
 
