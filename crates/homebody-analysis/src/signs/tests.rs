@@ -207,7 +207,7 @@ fn what_was_on_ends_where_its_state_is_not_known() {
     ]);
     let s = |from: i64, to: i64| (from * SECOND, to * SECOND);
     assert_eq!(spans(&log), [vec![s(0, 20), s(7200, 7260)], vec![s(7300, 7400), s(7500, 7600)]]);
-    assert_eq!(unknown(&log), [vec![s(20, 3600)], vec![s(7400, 7500)]]);
+    assert_eq!(UnknownStates::of(&log).spans(&log.gaps), [vec![s(20, 3600)], vec![s(7400, 7500)]]);
     let said = said(&log);
     // The bed keeps its state: it does not fire. The OFF of the sensor is new.
     assert_eq!(said.iter().filter(|said| said.is_restored).count(), 1);
