@@ -76,7 +76,7 @@ pub enum NoMap {
 }
 
 impl NoMap {
-    /// Of a log in which no sensor tells of motion.
+    /// The reason for a log without a sensor that tells of motion.
     pub(crate) fn no_motion(log: &Log) -> NoMap {
         match OwnWords::of(log).not_understood() {
             [] => NoMap::NoMotion,

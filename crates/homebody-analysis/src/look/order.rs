@@ -1,4 +1,4 @@
-//! The order in which a log has its rows: that of time, the newest first, or sensor by sensor.
+//! The order of a log's rows: that of time, the newest first, or sensor by sensor.
 
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::Event;
@@ -40,7 +40,7 @@ impl Order {
     }
 }
 
-/// Counts by which the order shows, taken in the order of rows.
+/// Counts that show the order, taken row by row.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Orders {
     last: Option<(Micros, u32)>,

@@ -76,7 +76,7 @@ pub fn named(name: &str) -> Option<(Named, String)> {
         .or_else(|| by(DOOR_WORDS).or_else(|| by(WINDOW_WORDS)).map(|word| (Named::Door, word)))
 }
 
-/// What the log knows of a sensor, and the kind that its name says.
+/// A sensor as the log knows it, and the kind that its name says.
 pub fn known_and_named<'a>(log: &'a Log, id: &str) -> (Option<&'a SensorInfo>, Option<(Named, String)>) {
     let known = log.known.iter().find(|known| known.id == id || one_word(&known.id) == id);
     let name = known.map(|known| known.name.as_str()).filter(|name| *name != id);

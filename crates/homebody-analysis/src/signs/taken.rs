@@ -148,7 +148,7 @@ impl<'a> Sensor<'a> {
             () if self.tally.signs() == 0 => {
                 Some(Taken::new(Kind::Reading, Evidence::Values, "it says no word of sensors"))
             }
-            // What sees movement is open in the words of some alarm systems.
+            // Some alarm systems say of a motion sensor that it is open.
             () if self.tally.says_open() && !matches!(self.named, Some((Named::Motion, _))) => {
                 Some(Taken::new(Kind::Contact, Evidence::Values, "it says OPEN and CLOSE"))
             }

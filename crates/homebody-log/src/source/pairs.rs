@@ -34,7 +34,7 @@ impl Pairs {
         }
     }
 
-    /// Those of which not both texts are known.
+    /// The pairs with a text that is not a known state.
     pub fn end(self, values: &[String]) -> Vec<Pair> {
         let pair = |(sensor, texts): (usize, Texts)| {
             let ([Some(first), Some(second)], false) = (texts.values, texts.is_other) else { return None };
