@@ -52,7 +52,7 @@ pub enum NoMap {
     #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
     NoMotion,
     /// Nor has it, and the words of these sensors are not understood: a sentence.
-    #[error("no sensor in it tells of motion: {0}")]
+    #[error("no sensor in it tells of motion: {0}\n  hint: write ON and OFF for the two words")]
     NotUnderstood(String),
     /// Its sensors are never in a state that is known.
     #[error("the state of its sensors is never known")]

@@ -210,7 +210,8 @@ impl Looker {
             Order::NewestFirst | Order::BySensor => (0, 0),
             Order::OfTime | Order::Another => self.orders.set_back(),
         };
-        let not_understood = self.own.not_understood().iter().cloned();
+        let own = OwnWords::of(about);
+        let not_understood = own.not_understood().iter().cloned();
         let sum = |of: fn(&SensorLook) -> u64| sensors.iter().map(of).sum();
         let first_midnight = days.first().map_or(0, |day| midnight(*day));
         let in_days = |at: Micros| (at - first_midnight) as f64 / DAY as f64;

@@ -66,7 +66,7 @@ impl OwnWords {
             let texts = pair.values.map(|value| log.values[value as usize].as_str());
             let Some((on, because)) = which_begins(pair, texts) else {
                 own.not_understood.push(format!(
-                    "{id} says {:?} and {:?}, and neither is known to begin something: it is taken for a reading; write ON and OFF instead",
+                    "{id} says {:?} and {:?}, and neither is known to begin something: it is taken for a reading",
                     texts[0], texts[1]
                 ));
                 continue;
