@@ -1,6 +1,6 @@
 //! Rows of a log, taken one by one: the meaning of each, and the spans that they open and close. Nothing here keeps all rows.
 
-use crate::signs::{Kind, Said, Says, Tally, is_number, says, taken_by};
+use crate::signs::{Kind, Meanings, Said, Says, Tally, taken_by};
 use homebody_core::time::Micros;
 use homebody_log::{Event, Log};
 
@@ -15,23 +15,9 @@ pub struct Row {
     pub said: Said,
 }
 
-/// The meanings of the values of a log, each looked up once.
-struct Words(Vec<(Says, bool)>);
-
-impl Words {
-    fn of(log: &Log) -> Words {
-        Words(log.values.iter().map(|value| (says(value), is_number(value))).collect())
-    }
-
-    /// The meaning of a row, and whether its value is a number; `None` for a row that was added after the log was read.
-    fn said(&self, event: &Event) -> Option<(Says, bool)> {
-        self.0.get(event.value as usize).copied()
-    }
-}
-
 /// Counts of the rows of each sensor so far, by their look.
 pub struct Tallies {
-    words: Words,
+    meanings: Meanings,
     tallies: Vec<Tally>,
     gaps: Vec<Span>,
 }
@@ -40,12 +26,12 @@ impl Tallies {
     /// For a log before its first row.
     pub fn new(log: &Log) -> Tallies {
         let tallies = vec![Tally::default(); log.sensors.len()];
-        Tallies { words: Words::of(log), tallies, gaps: log.gaps.clone() }
+        Tallies { meanings: Meanings::of(log), tallies, gaps: log.gaps.clone() }
     }
 
     /// Takes a row, in the order of time. Returns the row if it says something other than a number.
     pub fn take(&mut self, event: &Event) -> Option<Row> {
-        let (says, is_number) = self.words.said(event)?;
+        let (says, is_number) = self.meanings.said(event)?;
         let said = self.tallies.get_mut(event.sensor as usize)?.take(event.at, says, is_number, &self.gaps);
         (says != Says::Else).then_some(Row { at: event.at, sensor: event.sensor, said })
     }

@@ -8,10 +8,10 @@
 //! Left out: who of several people it was that a sensor saw. That is what `label` joins, row by row.
 
 use crate::dates::{ahead, instant};
-use crate::signs::{Says, says};
+use crate::signs::{Meanings, Says};
 use homebody_core::time::Micros;
 use homebody_log::source::Activity;
-use homebody_log::{Life, Log};
+use homebody_log::{Event, Life, Log};
 use jiff::tz::TimeZone;
 use std::ops::Range;
 
@@ -65,8 +65,8 @@ pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Resu
     }
     let mut wall = Wall::new(zone, first);
     let mut within = wall.first(first, span);
-    let counted: Vec<bool> =
-        log.values.iter().map(|value| !matches!(says(value), Says::Ends | Says::Closes | Says::Unknown)).collect();
+    let meanings = Meanings::of(log);
+    let counts_for = |event: &Event| !matches!(meanings.says(event), Says::Ends | Says::Closes | Says::Unknown);
     let nobody = [Life::default()];
     let people = if lives.is_empty() { &nobody[..] } else { lives };
     let mut rows = Vec::new();
@@ -74,7 +74,7 @@ pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Resu
     loop {
         let mut counts = vec![0; log.sensors.len()];
         while let Some(event) = events.get(next).filter(|event| event.at < within.end) {
-            counts[event.sensor as usize] += u32::from(counted[event.value as usize]);
+            counts[event.sensor as usize] += u32::from(counts_for(event));
             spoke = Some(event.sensor);
             next += 1;
         }
@@ -189,7 +189,6 @@ fn longest(spans: &[Activity], within: &Range<Micros>) -> Option<String> {
 mod tests {
     use super::*;
     use homebody_core::time::SECOND;
-    use homebody_log::Event;
     use jiff::Timestamp;
 
     #[test]

@@ -22,6 +22,7 @@ pub mod names;
 pub mod role;
 pub mod vocabulary;
 pub mod sensed;
+pub mod states;
 pub mod languages;
 pub mod activity;
 

@@ -69,7 +69,7 @@ const WORDS: [(Meaning, &str); 8] = [
     (
         CONTACT,
         "contact door window opening garage_door garage gate magnetic magnet reed door_sensor door_contact window_contact \
-        contact_sensor door_window open drawer",
+        contact_sensor door_window open opened closed drawer",
     ),
     (Meaning::Somebody, "occupancy occupied presence occupancy_sensor presence_sensor person_present"),
     (

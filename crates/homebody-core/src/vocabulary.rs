@@ -25,7 +25,7 @@ fn is_word(word: &str, known: &str) -> bool {
 }
 
 /// A word without the marks on its letters. The long form writes `ü` as `ue`, as people do; the short one as `u`, as programs do.
-fn in_ascii(word: &str, is_long: bool) -> String {
+pub(crate) fn in_ascii(word: &str, is_long: bool) -> String {
     const LONG: [(char, &str); 4] = [('ä', "ae"), ('ö', "oe"), ('ü', "ue"), ('ø', "oe")];
     const SHORT: [(&str, &str); 15] = [
         ("àáâãäåąă", "a"),

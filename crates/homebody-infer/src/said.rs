@@ -1,5 +1,6 @@
 //! What the words of a log mean, and which sensors could say something now.
 
+use homebody_core::states::says;
 use homebody_core::time::Micros;
 
 /// A message of a sensor.
@@ -30,14 +31,10 @@ pub(crate) const KINDS: usize = 3;
 impl Said {
     /// What a value of a log means; `None` of a number, which says nothing of where somebody is.
     pub fn of(value: &str) -> Option<Said> {
-        const ON: [&str; 7] = ["on", "open", "in", "present", "1", "true", "opened"];
-        const OFF: [&str; 7] = ["off", "close", "out", "absent", "0", "false", "closed"];
-        let is = |words: &[&str]| words.iter().any(|word| value.eq_ignore_ascii_case(word));
-        if is(&ON) {
-            return Some(Said::On);
-        }
-        if is(&OFF) {
-            return Some(Said::Off);
+        match says(value) {
+            says if says.is_on() => return Some(Said::On),
+            says if says.is_off() => return Some(Said::Off),
+            _ => {}
         }
         value.parse::<f64>().is_err().then_some(Said::Word)
     }

@@ -93,8 +93,8 @@ pub use run_log::RunLog;
 pub use sensor_info::{SaidBy, SensorInfo};
 pub use sink::{Begin, How, Sink, Watermark};
 pub use source::{
-    Activity, Event, Life, LifeSpan, Log, Movement, MovementKind, Movements, RunClock, SensorMap, Source, SpanKind,
-    activities, ids, life_spans, lives, read, stream, survey, truth_at, truth_beside, truth_of,
+    Activity, Event, Life, LifeSpan, Log, Movement, MovementKind, Movements, Pair, RunClock, SensorMap, Source,
+    SpanKind, activities, ids, life_spans, lives, read, stream, survey, truth_at, truth_beside, truth_of,
 };
 pub use spool::WhenDown;
 pub use transfer::Transfer;

@@ -5,7 +5,7 @@ mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Micros, SECOND};
-use homebody_log::source::{Clock, ColumnRole};
+use homebody_log::source::{Clock, ColumnRole, HomeColumn, TableOptions};
 use homebody_log::{Log, LogError, SensorInfo, Source, read};
 use stage::Folder;
 use std::fs;
@@ -217,9 +217,17 @@ fn rows_of_two_homes_are_refused_and_those_of_one_are_read() {
         let error = result(&folder, form, name, &text(["A", "B"])).unwrap_err().to_string();
         assert!(
             error.contains("of several homes or persons, by the key \"home_id\": \"A\", \"B\"")
-                && error.contains("hint: "),
+                && error.contains("hint: --home-column 'home_id=A'"),
             "{error}"
         );
+        let of_home = |home: &str| {
+            let home = Some(HomeColumn { column: "home_id".into(), home: Some(home.into()) });
+            let place = Source::recognise(&folder.path().join(name)).unwrap();
+            read(&place.with_options(TableOptions { home, ..TableOptions::default() }), &LoggerFile::default())
+        };
+        assert_eq!((told(&of_home("B").unwrap()), of_home("*").unwrap().rows), (vec![(1.0, "hall", "on")], 2));
+        let error = of_home("C").unwrap_err().to_string();
+        assert!(error.contains("no row has \"C\" under the key \"home_id\": it has \"A\", \"B\""), "{error}");
     }
     let above = r#"[{"home": "A", "rows": [{"time": 1770012000, "sensor": "hall", "value": 1}]}, {"home": "B", "rows": [{"time": 1770012000, "sensor": "hall", "value": 1}]}]"#;
     assert!(result(&folder, "json", "above.json", above).unwrap_err().to_string().contains("of several homes"));
@@ -515,4 +523,94 @@ fn tables_of_influx_are_read() {
         told(&log(&folder, "csv", "own.csv", "name,time,value\nhall,2026-02-02 06:00:00,ON\n")),
         [(0.0, "hall", "ON")]
     );
+}
+
+#[test]
+fn messages_of_radio_devices_have_a_reading_under_each_key() {
+    let folder = Folder::new("radio");
+    let text = r#"{"time" : "2026-02-02 06:00:00", "model" : "Tower", "id" : 9321, "channel" : "A", "battery_ok" : 1, "temperature_C" : 18.4, "mic" : "CRC"}
+{"time" : "2026-02-02 06:01:00", "model" : "Door", "id" : 90112, "opened" : 1, "state" : "open"}
+{"time" : "2026-02-02 06:02:00", "model" : "Door", "id" : 90112, "opened" : 0, "state" : "closed"}
+"#;
+    let rows = [
+        (0.0, "Tower 9321 A battery_ok", "1"),
+        (0.0, "Tower 9321 A temperature_C", "18.4"),
+        (1.0, "Door 90112", "open"),
+        (2.0, "Door 90112", "closed"),
+    ];
+    let log = log(&folder, "jsonl", "rtl.json", text);
+    assert_eq!((told(&log), log.skipped), (rows.to_vec(), 0));
+    let text = r#"{"end_device_ids": {"device_id": "bath"}, "received_at": "2026-02-02T06:00:00.5Z", "uplink_message": {"f_cnt": 0, "decoded_payload": {"humidity": 51}, "rx_metadata": [{"rssi": -64}]}}"#;
+    let log = self::log(&folder, "jsonl", "uplinks.jsonl", text);
+    assert_eq!(log.sensors, ["bath humidity"]);
+}
+
+#[test]
+fn a_guess_by_place_takes_no_id_and_leaves_no_number_without_a_word() {
+    let folder = Folder::new("by_place");
+    let text = r#"{"um": "2026-02-02T06:00:00", "wer": "hall", "zahl_id": 7, "warm": 21.5, "feucht": 40}"#;
+    let log = log(&folder, "jsonl", "ids.jsonl", text);
+    assert!(
+        log.sensors.iter().any(|sensor| sensor == "hall warm")
+            && log.sensors.iter().any(|sensor| sensor == "hall feucht")
+    );
+    let text = r#"{"um": "2026-02-02T06:00:00", "wer": "hall", "was": "an", "warm": 21.5}"#;
+    let log = self::log(&folder, "jsonl", "words.jsonl", text);
+    assert_eq!(told(&log), [(0.0, "hall", "an")]);
+    assert!(has_remark(&log, "the numbers under \"warm\""), "{:?}", log.remarks);
+}
+
+#[test]
+fn an_attribute_parts_the_readings_of_a_device() {
+    let folder = Folder::new("attributes");
+    let text = r#"[
+  {"id": 1000, "timestamp": 1770012000, "deviceID": 57, "deviceType": "com.fibaro.motionSensor", "propertyName": "value", "oldValue": "0", "newValue": "1", "event": null},
+  {"id": 1001, "timestamp": 1770012060, "deviceID": 57, "propertyName": "batteryLevel", "oldValue": "80", "newValue": "79", "event": null}
+]"#;
+    let log = log(&folder, "json", "events.json", text);
+    assert_eq!(told(&log), [(0.0, "57", "1"), (1.0, "57 batteryLevel", "79")]);
+    assert_eq!(known(&log, "57").kind, "com.fibaro.motionsensor");
+}
+
+#[test]
+fn a_file_names_the_sensor_of_its_rows_if_it_has_a_word_for_one() {
+    let folder = Folder::new("of_file");
+    let text = r#"[{"val":21.02,"ts":1770012000000,"ack":1,"q":0},{"val":21.9,"ts":1770012060000,"ack":1,"q":0}]"#;
+    let log = log(&folder, "json", "history.zigbee.0.hall.temperature.json", text);
+    assert_eq!(told(&log), [(0.0, "zigbee.0.hall.temperature", "21.02"), (1.0, "zigbee.0.hall.temperature", "21.9")]);
+    let text = r#"[{"dateTime": "2026-02-02T06:00:00Z", "value": {"bpm": 51}}, {"dateTime": "2026-02-02T06:01:00Z", "value": {"bpm": 52}}]"#;
+    let log = self::log(&folder, "json", "heart_rate-2026-02-02.json", text);
+    assert_eq!(log.sensors, ["heart_rate bpm"]);
+    let error = result(&folder, "json", "rows.json", text).unwrap_err().to_string();
+    assert!(error.contains("nothing names its sensor"), "{error}");
+}
+
+#[test]
+fn lists_of_one_length_are_the_columns_of_a_table() {
+    let folder = Folder::new("columns");
+    let text = r#"{"latitude": 52.5, "hourly_units": {"time": "iso8601", "warm": "C"},
+ "hourly": {"time": ["2026-02-02T06:00", "2026-02-02T06:01"], "warm": [2.5, 2.25], "wet": [80, null]}}"#;
+    let log = log(&folder, "json", "weather.json", text);
+    assert_eq!(told(&log), [(0.0, "warm", "2.5"), (0.0, "wet", "80"), (1.0, "warm", "2.25")]);
+    let text = r#"{"time": {"0": 1770012000, "1": 1770012060}, "sensor": {"0": "hall", "1": "bath"}, "value": {"0": "ON", "1": "OFF"}}"#;
+    let log = self::log(&folder, "json", "frame.json", text);
+    assert_eq!(told(&log), [(0.0, "hall", "ON"), (1.0, "bath", "OFF")]);
+}
+
+#[test]
+fn a_service_of_hue_is_read_from_its_events() {
+    let folder = Folder::new("hue");
+    let event = |minute: u8, is: bool| {
+        format!(
+            r#"[{{"creationtime":"2026-02-02T06:0{minute}:00Z","data":[{{"id":"a1","motion":{{"motion":{is},"motion_valid":true}},"owner":{{"rid":"d1"}},"type":"motion"}}],"id":"e{minute}","type":"update"}}]"#
+        )
+    };
+    let log = log(&folder, "json", "events.json", &format!("{}\n{}\n", event(0, true), event(2, false)));
+    assert_eq!(told(&log), [(0.0, "a1 motion", "true"), (2.0, "a1 motion", "false")]);
+    // The stream of the bridge is text around JSON: a hint takes that out.
+    let path = folder.path().join("stream.txt");
+    fs::write(&path, format!(": hi\n\nid: 1:0\ndata: {}\n\nid: 2:0\ndata: {}\n\n", event(0, true), event(2, false)))
+        .unwrap();
+    let error = Source::recognise(&path).unwrap_err().to_string();
+    assert!(error.contains("sed -n 's/^data: //p'"), "{error}");
 }

@@ -78,7 +78,7 @@ leave open:
 
 | option | meaning |
 |---|---|
-| `--home-column home_id=H12` | the column of homes or persons, and the one to read; `home_id=*` reads all as one home |
+| `--home-column home_id=H12` | the column, or in JSON the key, of homes or persons, and the one to read; `home_id=*` reads all as one home |
 | `--dates day-first`, `--dates month-first` | the number that comes first in a date |
 | `--decimals comma`, `--decimals point` | the mark before decimals |
 | `--wide` | each column is a sensor; `wide:FILE` means the same |
@@ -144,7 +144,12 @@ homebody look day.csv.gz
 | dead | a sensor says nothing more for two days or more before the log ends, and for three times as long as ever before |
 | stuck | a motion sensor is on for 6 h or more; or all of 50 readings or more over a day are one number |
 
+A log whose newest rows come first, or whose rows come sensor by sensor, is looked at in the order of time, and `look` says so.
 Sensors of which no row says that something ends repeat nothing, and numbers do not either.
+
+States are known by their words in the languages of the plan importer: `ON`, `No motion`, `geschlossen`, `有人`. Where a sensor that is named
+as one of motion, a contact or a bed says two other words in turn, `look` guesses which of them is ON and says why, or names them as not
+understood.
 ";
 
 #[test]

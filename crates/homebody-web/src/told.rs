@@ -8,7 +8,7 @@ use crate::wire::{CareView, KeptLogView, WalksView};
 use homebody_analysis::alerts::{Rules, USUAL};
 use homebody_analysis::care::care;
 use homebody_analysis::density::density;
-use homebody_analysis::look::{HomeSensor, Looker};
+use homebody_analysis::look::{HomeSensor, Looker, looked};
 use homebody_analysis::realism::{NotComparable, Told, realism};
 use homebody_core::scenario::load::Scenario;
 use homebody_kit::walked::GIVEN;
@@ -57,8 +57,8 @@ impl Logs {
     pub fn look(&self, run: &str) -> Result<String, Refusal> {
         let _reading = self.reading.lock().unwrap_or_else(PoisonError::into_inner);
         let (named, scenario) = self.find(run, Which::Given)?;
-        let mut looker = Looker::new(Some(scenario.calendar.local(0).time_zone().clone()));
-        let about = named.stream(&mut |part| looker.take(part)).map_err(|error| self.wrong(&error))?;
+        let looker = Looker::new(Some(scenario.calendar.local(0).time_zone().clone()));
+        let (looker, about) = looked(looker, &mut |take| named.stream(take)).map_err(|error| self.wrong(&error))?;
         let sensors = home_sensors(&scenario);
         let home: (&str, &[HomeSensor]) = (&scenario.file.name, &sensors);
         let is_called = |sensor: &&HomeSensor, id: &str| sensor.name != id && sensor.ids.iter().any(|own| own == id);

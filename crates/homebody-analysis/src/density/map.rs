@@ -11,7 +11,7 @@ use std::ops::Range;
 use super::{Absence, Cell, Entrance, LEAST, Leaving, SEATED, Sign, State, Sum};
 use crate::dates::{ClockSet, MOST_DAYS, clocks_set, date_of, midnight, written};
 use crate::rows::{Ongoing, Row, Span, Tallies};
-use crate::signs::{Kind, LogSensors, Says, UnknownStates, is_seat, without};
+use crate::signs::{Kind, LogSensors, OwnWords, Says, UnknownStates, is_seat, without};
 
 const HOUR: Micros = 3600 * SECOND;
 /// A longer silence of all sensors is no recording.
@@ -51,6 +51,9 @@ pub enum NoMap {
     /// The log has no sensor that is taken for a motion sensor.
     #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
     NoMotion,
+    /// Nor has it, and the words of these sensors are not understood: a sentence.
+    #[error("no sensor in it tells of motion: {0}\n  hint: write ON and OFF for the two words")]
+    NotUnderstood(String),
     /// Its sensors are never in a state that is known.
     #[error("the state of its sensors is never known")]
     Unknown,
@@ -70,6 +73,16 @@ pub enum NoMap {
         written(*.1)
     )]
     Disorder(Micros, Micros),
+}
+
+impl NoMap {
+    /// The reason for a log without a sensor that tells of motion.
+    pub(crate) fn no_motion(log: &Log) -> NoMap {
+        match OwnWords::of(log).not_understood() {
+            [] => NoMap::NoMotion,
+            sentences => NoMap::NotUnderstood(sentences.join("; ")),
+        }
+    }
 }
 
 /// The hours of some days.
@@ -309,7 +322,7 @@ impl<'a> Mapping<'a> {
         let kinds = &self.sensors.kinds;
         let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();
         if !self.has_signs || motion_sensors == 0 {
-            return Err(NoMap::NoMotion);
+            return Err(NoMap::no_motion(self.log));
         }
         self.absences.extend(self.leaving.last());
         let taken: Vec<Span> = (0..kinds.len()).flat_map(|sensor| self.taken.spans(sensor, None)).collect();

@@ -3,10 +3,11 @@
 use super::counts::DayCounts;
 use super::held::{ActivityLook, HomeSensor, Look, SensorLook, Silence};
 use super::home::of_home;
+use super::order::{MOST_WAITING, Order, Orders, Waiting};
 use super::sensor::{Course, Recorder};
 use crate::compare::natural;
 use crate::dates::{midnight, on_wall, zone_of_offsets};
-use crate::signs::{Says, Tally, is_number, says, taken_by};
+use crate::signs::{OwnWords, Says, Tally, is_number, says, taken_by};
 use homebody_core::sensed::domain_of;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_log::source::Clock;
@@ -21,6 +22,23 @@ const SILENCE: Micros = 12 * 3600 * SECOND;
 /// So many silences are listed, and so many gaps.
 const LISTED: usize = 100;
 
+/// Looks at the rows of a log, which come part by part; a second time where that shows more. Returns the log without its rows, too.
+///
+/// # Errors
+///
+/// Those of the stream.
+pub fn looked<E>(
+    mut looker: Looker,
+    stream: &mut dyn FnMut(&mut dyn FnMut(&Log)) -> Result<Log, E>,
+) -> Result<(Looker, Log), E> {
+    let mut about = stream(&mut |part| looker.take(part))?;
+    if let Some(again) = looker.again(&about) {
+        looker = again;
+        about = stream(&mut |part| looker.take(part))?;
+    }
+    Ok((looker, about))
+}
+
 /// Takes the rows of a log, part by part.
 pub struct Looker {
     zone: Option<TimeZone>,
@@ -32,7 +50,11 @@ pub struct Looker {
     first: Micros,
     latest: Micros,
     before: Option<Micros>,
-    set_back: (u64, Micros),
+    orders: Orders,
+    /// The rows that wait, where they are looked at in the order of time.
+    waiting: Option<Waiting>,
+    clock: Clock,
+    own: OwnWords,
     silences: (Vec<(Micros, Micros)>, u64),
     /// The gaps of the recorder, on the clock of the instants.
     gaps: Vec<(Micros, Micros)>,
@@ -52,7 +74,10 @@ impl Looker {
             first: Micros::MAX,
             latest: Micros::MIN,
             before: None,
-            set_back: (0, 0),
+            orders: Orders::default(),
+            waiting: None,
+            clock: Clock::Local,
+            own: OwnWords::default(),
             silences: (Vec::new(), 0),
             gaps: Vec::new(),
             restores: false,
@@ -61,17 +86,31 @@ impl Looker {
 
     /// Puts instants that are written with offsets on the wall that these are of, where no zone is given.
     pub fn by_offsets(self) -> Looker {
-        Looker { is_by_offsets: true, ..self }
+        Looker { is_by_offsets: self.zone.is_none(), ..self }
     }
 
-    /// The zone on whose wall the rows are.
-    pub fn zone(&self) -> Option<&TimeZone> {
-        self.zone.as_ref()
+    /// Looks at the rows a second time: its first rows need not have all offsets, the order shows at the end, and so do words that one
+    /// sensor alone has. `None` where the first time was enough.
+    fn again(&self, about: &Log) -> Option<Looker> {
+        let of_offsets = zone_of_offsets(&about.offsets).filter(|_| self.is_by_offsets);
+        let zone = of_offsets.or_else(|| self.zone.clone());
+        let own = OwnWords::of(about);
+        let is_sorted = self.waiting.is_some() || !self.is_to_sort(about);
+        if is_sorted && zone == self.zone && own.is_empty() {
+            return None;
+        }
+        let waiting = self.is_to_sort(about).then(Waiting::default);
+        Some(Looker { waiting, own, ..Looker::new(zone) })
+    }
+
+    /// Whether its rows are out of order, and few enough to be put right.
+    fn is_to_sort(&self, about: &Log) -> bool {
+        self.orders.of(about.sensors.len()) != Order::OfTime && about.rows <= MOST_WAITING
     }
 
     /// Takes the rows of a part; its sensors and values are all that have come so far.
     pub fn take(&mut self, part: &Log) {
-        if self.is_by_offsets && self.zone.is_none() && self.before.is_none() {
+        if self.is_by_offsets && self.zone.is_none() && self.orders.is_empty() {
             self.zone = zone_of_offsets(&part.offsets);
         }
         let number = |value: &String| value.parse().ok().filter(|_| is_number(value));
@@ -80,9 +119,16 @@ impl Looker {
         self.restores |= part.sensors[self.sensors.len()..].iter().any(|id| domain_of(id).is_some());
         self.sensors.resize(part.sensors.len(), Course::default());
         self.take_gaps(part);
+        self.clock = part.clock;
         for event in &part.events {
-            let at = self.told(event.at, part.clock);
-            self.row(at, event);
+            self.orders.take(self.told(event.at, self.clock), event.sensor);
+            let next = match &mut self.waiting {
+                Some(waiting) => waiting.take(event),
+                None => Some(*event),
+            };
+            if let Some(event) = next {
+                self.row(&event);
+            }
         }
     }
 
@@ -100,20 +146,18 @@ impl Looker {
         }
     }
 
-    fn row(&mut self, at: Micros, event: &Event) {
-        if let Some(before) = self.before {
-            if at < before {
-                self.set_back = (self.set_back.0 + 1, self.set_back.1.max(before - at));
-            } else if at - before >= SILENCE && !self.has_gap(before, at) {
-                self.silences.1 += 1;
-                if self.silences.0.len() < LISTED {
-                    self.silences.0.push((before, at));
-                }
+    fn row(&mut self, event: &Event) {
+        let at = self.told(event.at, self.clock);
+        if let Some(before) = self.before.filter(|&before| at - before >= SILENCE && !self.has_gap(before, at)) {
+            self.silences.1 += 1;
+            if self.silences.0.len() < LISTED {
+                self.silences.0.push((before, at));
             }
         }
         self.before = Some(at);
         (self.first, self.latest) = (self.first.min(at), self.latest.max(at));
         let (says, number) = self.values[event.value as usize];
+        let says = self.own.says(event).unwrap_or(says);
         self.restores |= says == Says::Unknown || !self.gaps.is_empty();
         let recorder = Recorder { gaps: &self.gaps, restores: self.restores };
         self.sensors[event.sensor as usize].take((at, event.value), (says, number), &recorder);
@@ -138,6 +182,9 @@ impl Looker {
     ) -> Look {
         // A gap after the last row comes with no part.
         self.take_gaps(about);
+        while let Some(event) = self.waiting.as_mut().and_then(Waiting::first) {
+            self.row(&event);
+        }
         let clock = if self.zone.is_some() { Clock::Local } else { about.clock };
         let text = |at: Micros| told(at, clock);
         let (first, last) = match about.rows {
@@ -157,6 +204,14 @@ impl Looker {
         sensors.sort_by_cached_key(|sensor| {
             natural(&sensor.id).into_iter().map(|(size, part)| (size, part.to_owned())).collect::<Vec<_>>()
         });
+        let order = self.orders.of(about.sensors.len());
+        let of_order = order.remark(self.waiting.is_some());
+        let (set_back, set_back_most) = match order {
+            Order::NewestFirst | Order::BySensor => (0, 0),
+            Order::OfTime | Order::Another => self.orders.set_back(),
+        };
+        let own = OwnWords::of(about);
+        let not_understood = own.not_understood().iter().cloned();
         let sum = |of: fn(&SensorLook) -> u64| sensors.iter().map(of).sum();
         let first_midnight = days.first().map_or(0, |day| midnight(*day));
         let in_days = |at: Micros| (at - first_midnight) as f64 / DAY as f64;
@@ -180,8 +235,8 @@ impl Looker {
             doubled: sum(|sensor| sensor.doubled),
             sensors,
             activities: activities(&about.activities),
-            set_back: self.set_back.0,
-            set_back_most_s: seconds(self.set_back.1),
+            set_back,
+            set_back_most_s: seconds(set_back_most),
             silences: self.silences.0.iter().map(silence).collect(),
             silences_in_all: self.silences.1,
             gaps: self.gaps.iter().take(LISTED).map(silence).collect(),
@@ -189,7 +244,7 @@ impl Looker {
             refused: about.problems.iter().map(|problem| problem.line).collect(),
             refused_in_all: about.skipped,
             why_refused: about.problems.clone(),
-            remarks: about.remarks.clone(),
+            remarks: about.remarks.iter().cloned().chain(of_order).chain(not_understood).collect(),
             home,
         }
     }

@@ -10,17 +10,19 @@
 //! | dead | a sensor says nothing more for two days or more before the log ends, and for three times as long as ever before |
 //! | stuck | a motion sensor is on for 6 h or more; or all of 50 readings or more over a day are one number |
 //!
-//! Rows are taken as they come, and none is kept: a log may be of any size. All lengths are ours.
+//! Rows are taken as they come, and none is kept: a log may be of any size. One whose newest rows come first, or whose rows come sensor by
+//! sensor, is read again and looked at in the order of time, as far as so many rows can wait. All lengths are our choice.
 
 mod counts;
 mod held;
 mod home;
 mod looker;
+mod order;
 mod sensor;
 mod words;
 
 pub use held::{ActivityLook, HomeSensor, Look, Misfit, OfHome, SensorLook, Silence, Trouble, Unknown};
-pub use looker::Looker;
+pub use looker::{Looker, looked};
 
 #[cfg(test)]
 mod tests;

@@ -198,3 +198,43 @@ fn the_evidence_for_each_kind_is_shown() {
     let json = serde_json::to_value(sensor(&look, "hall pir")).unwrap();
     assert_eq!((json["kind"].as_str(), json["by"].as_str()), (Some("motion"), Some("name")));
 }
+
+#[test]
+fn the_order_of_rows_changes_no_count() {
+    // Two sensors over two days, with a night of 14 h, on a wall without a zone.
+    let mut rows = Vec::new();
+    for day in 0..2 {
+        for (hour, name) in [(8, "hall"), (9, "bath"), (13, "hall"), (18, "bath")] {
+            let at = (24 * day + hour) * H;
+            rows.extend([(at, name, "ON"), (at + 60, name, "OFF")]);
+        }
+    }
+    let looked = |rows: &[(Micros, &str, &str)]| {
+        let mut log = log(rows);
+        log.rows = log.events.len() as u64;
+        let (looker, _) = looked(Looker::new(None), &mut |take| {
+            take(&log);
+            Ok::<_, ()>(log.clone())
+        })
+        .unwrap();
+        looker.look("a log", "csv", &log, &|_| None, None)
+    };
+    let sorted = looked(&rows);
+    assert_eq!((sorted.silences_in_all, sorted.missing, sorted.set_back, &sorted.remarks[..]), (1, 0, 0, &[][..]));
+    let newest_first: Vec<_> = rows.iter().rev().copied().collect();
+    let mut by_sensor = rows.clone();
+    by_sensor.sort_by_key(|(_, name, _)| *name);
+    for (rows, remark) in [(newest_first, "newest rows come first"), (by_sensor, "sensor by sensor")] {
+        let look = looked(&rows);
+        assert!(look.remarks.len() == 1 && look.remarks[0].contains(remark), "{:?}", look.remarks);
+        let other = Look { remarks: Vec::new(), ..look };
+        assert_eq!(other.to_string(), sorted.to_string());
+        // Taken as they come, they would tell of other silences, and of clocks.
+        assert_ne!(look_of(&rows, None).to_string(), sorted.to_string());
+    }
+    // A clock that is set back by an hour is one, and stays so.
+    let mut set = rows.clone();
+    set.extend([(43 * H, "hall", "ON"), (42 * H, "hall", "OFF"), (44 * H, "bath", "ON")]);
+    let look = looked(&set);
+    assert_eq!((look.set_back, look.set_back_most_s, look.remarks.len()), (1, 3600.0, 0));
+}

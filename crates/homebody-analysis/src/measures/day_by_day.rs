@@ -69,6 +69,8 @@ pub struct Measured {
     pub all_rooms: Rooms,
     /// On how many days there were more rows than are looked at.
     pub crowded: usize,
+    /// Whether any sensor looks for movement.
+    pub has_motion: bool,
     /// The timeline of the last day.
     pub timeline: Timeline,
 }
@@ -221,7 +223,7 @@ impl<'a> Measuring<'a> {
         }
         let so_far = self.so_far;
         if !so_far.has_signs {
-            return Err(NoMap::NoMotion);
+            return Err(NoMap::no_motion(self.log));
         }
         let away = so_far.away(last + 1);
         let silent = so_far.listening.told(&self.log.sensors, &so_far.kinds, &away, last);
@@ -232,6 +234,7 @@ impl<'a> Measuring<'a> {
             guesses_absences: so_far.guesses_absences,
             all_rooms: self.all_rooms,
             crowded: so_far.crowded,
+            has_motion: so_far.has_motion,
             timeline: so_far.last,
         })
     }

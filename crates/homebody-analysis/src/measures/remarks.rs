@@ -4,6 +4,7 @@ use super::day_by_day::Measured;
 use super::known::Known;
 use super::rooms::Purpose;
 use crate::density::Chosen;
+use crate::signs::OwnWords;
 use homebody_core::problem::counted;
 use homebody_log::Log;
 
@@ -19,6 +20,10 @@ impl Remarks {
     /// Of a log that has been measured.
     pub fn of(log: &Log, known: &Known, measured: &Measured) -> Remarks {
         let mut told = Remarks { remarks: Vec::new(), guesses: Vec::new() };
+        told.remarks.extend_from_slice(OwnWords::of(log).not_understood());
+        if !measured.has_motion {
+            told.remark("No sensor in it tells of motion: all that follows is by doors and by what is used");
+        }
         told.rooms(log, known, measured);
         told.outings(measured);
         let timeline = &measured.timeline;

@@ -1,6 +1,7 @@
 //! The rows of a sensor one after the other: each says what it does after those before it, and after stretches that are not known.
 
-use super::says::{Says, says};
+use super::meanings::Meanings;
+use homebody_core::states::Says;
 use homebody_core::time::Micros;
 use homebody_log::Log;
 
@@ -70,11 +71,11 @@ fn gap_between(gaps: &[(Micros, Micros)], before: Micros, at: Micros) -> Option<
 
 /// The meaning of each row of a log, in the order of its rows.
 pub fn said(log: &Log) -> Vec<Said> {
-    let values: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
+    let meanings = Meanings::of(log);
     let mut courses = vec![Course::default(); log.sensors.len()];
     let mut take = |number: usize| {
         let event = &log.events[number];
-        courses[event.sensor as usize].take(event.at, values[event.value as usize], &log.gaps)
+        courses[event.sensor as usize].take(event.at, meanings.says(event), &log.gaps)
     };
     if log.events.is_sorted_by_key(|event| event.at) {
         return (0..log.events.len()).map(take).collect();

@@ -11,7 +11,8 @@
 //! | name | words of its name or id, in any language of the plan importer |
 //! | guess | how long it is `ON` |
 //!
-//! Words of kinds have their meanings in `homebody_core::sensed`, words of names in `homebody_core::vocabulary`.
+//! Words of kinds have their meanings in `homebody_core::sensed`, words of names in `homebody_core::vocabulary`, words of states in
+//! `homebody_core::states`.
 //!
 //! A name with `door` or `bed` may be that of a contact or a mattress, or of a motion sensor that looks there. It is a motion sensor if it
 //! is `ON` for moments and no sensor of the log has a word for motion in its name, or if it is named as CASAS names them, such as
@@ -22,8 +23,8 @@
 
 mod course;
 mod evidence;
+mod meanings;
 mod named;
-mod says;
 mod spans;
 mod tally;
 mod taken;
@@ -31,9 +32,10 @@ mod taken;
 pub use course::{Course, Said, said};
 pub use evidence::{Evidence, Taken};
 pub use homebody_core::sensed::Kind;
+pub use homebody_core::states::{Says, says};
+pub use meanings::{Meanings, OwnWords, is_number};
 pub use named::is_seat;
-pub use says::{Says, is_number, says};
-pub use spans::{Spans, UnknownStates, spans, spans_until, unknown, without};
+pub use spans::{Spans, UnknownStates, spans, spans_until, without};
 pub use taken::{LogSensors, kind_in_home, kinds, taken, taken_by};
 pub use tally::Tally;
 

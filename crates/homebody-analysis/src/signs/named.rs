@@ -2,9 +2,12 @@
 
 use homebody_core::names::words;
 use homebody_core::role::Role;
+use homebody_core::sensed::domain_of;
 use homebody_core::vocabulary::{
     CONTACT_WORDS, DEVICE_WORDS, DOOR_WORDS, MOTION_WORDS, OCCUPANCY_WORDS, ROLE_WORDS, WINDOW_WORDS, has_any,
 };
+use homebody_log::word::one_word;
+use homebody_log::{Log, SensorInfo};
 
 /// The kind that a sensor has by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,6 +74,15 @@ pub fn named(name: &str) -> Option<(Named, String)> {
         .or_else(|| seat().map(|word| (Named::Seat, word)))
         .or_else(|| by(PLACES).or_else(|| by_role(&PLACES_BY_ROLE)).map(|word| (Named::Place, word)))
         .or_else(|| by(DOOR_WORDS).or_else(|| by(WINDOW_WORDS)).map(|word| (Named::Door, word)))
+}
+
+/// A sensor as the log knows it, and the kind that its name says.
+pub fn known_and_named<'a>(log: &'a Log, id: &str) -> (Option<&'a SensorInfo>, Option<(Named, String)>) {
+    let known = log.known.iter().find(|known| known.id == id || one_word(&known.id) == id);
+    let name = known.map(|known| known.name.as_str()).filter(|name| *name != id);
+    // The domain of an id such as `binary_sensor.hall_pir` is not part of its name.
+    let own = domain_of(id).map_or(id, |domain| &id[domain.len() + 1..]);
+    (known, name.and_then(named).or_else(|| named(own)))
 }
 
 /// Whether a name is that of a place to lie or sit. While such a sensor is on, it is taken.

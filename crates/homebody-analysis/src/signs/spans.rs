@@ -1,7 +1,8 @@
 //! The spans over which sensors are on, and over which their state is not known.
 
 use super::course::Course;
-use super::says::{Says, says};
+use super::meanings::Meanings;
+use homebody_core::states::Says;
 use homebody_core::time::Micros;
 use homebody_log::Log;
 
@@ -16,17 +17,17 @@ pub fn spans(log: &Log) -> Vec<Spans> {
 
 /// The same, but what has not ended when the log does ends at an instant, where one is given.
 pub fn spans_until(log: &Log, end: Option<Micros>) -> Vec<Spans> {
-    let values: Vec<Says> = log.values.iter().map(|value| says(value)).collect();
+    let meanings = Meanings::of(log);
     let mut ends = vec![false; log.sensors.len()];
     for event in &log.events {
-        ends[event.sensor as usize] |= matches!(values[event.value as usize], Says::Ends | Says::Closes);
+        ends[event.sensor as usize] |= meanings.says(event).is_off();
     }
     let mut spans = vec![Vec::new(); log.sensors.len()];
     let mut since: Vec<Option<Micros>> = vec![None; log.sensors.len()];
     let mut courses = vec![Course::default(); log.sensors.len()];
     for event in log.in_order() {
         let sensor = event.sensor as usize;
-        let said = courses[sensor].take(event.at, values[event.value as usize], &log.gaps);
+        let said = courses[sensor].take(event.at, meanings.says(event), &log.gaps);
         if let Some(unknown) = said.unknown_from {
             spans[sensor].extend(since[sensor].take().map(|begin| (begin, unknown.max(begin))));
         }
@@ -72,10 +73,10 @@ impl UnknownStates {
 
     /// Of all rows of a log.
     pub fn of(log: &Log) -> UnknownStates {
-        let values: Vec<bool> = log.values.iter().map(|value| says(value) == Says::Unknown).collect();
+        let meanings = Meanings::of(log);
         let mut states = UnknownStates::new(log.sensors.len());
         for event in log.in_order() {
-            states.take(event.at, event.sensor as usize, values[event.value as usize]);
+            states.take(event.at, event.sensor as usize, meanings.says(event) == Says::Unknown);
         }
         states
     }
@@ -116,11 +117,6 @@ impl UnknownStates {
             common(&all, &merged(&spans))
         })
     }
-}
-
-/// When the state of each sensor of a log is not known.
-pub fn unknown(log: &Log) -> Vec<Spans> {
-    UnknownStates::of(log).spans(&log.gaps)
 }
 
 /// Spans in order; those that touch become one.

@@ -1,11 +1,10 @@
 //! The kinds that the sensors of a log are taken for.
 
 use super::evidence::{Evidence, Taken};
-use super::named::{Named, is_room_letter_place, is_seat, named};
-use super::says::{Says, is_number, says};
+use super::meanings::{Meanings, OwnWords};
+use super::named::{Named, is_room_letter_place, is_seat, known_and_named};
 use super::tally::Tally;
 use homebody_core::sensed::{Kind, Meaning, domain_of, meaning};
-use homebody_log::word::one_word;
 use homebody_log::{Log, SaidBy, SensorInfo};
 
 /// In a home with motion sensors more than one row of so many is theirs.
@@ -33,10 +32,10 @@ pub fn kinds(log: &Log) -> Vec<Kind> {
 
 /// The same with the evidence.
 pub fn taken(log: &Log) -> Vec<Taken> {
-    let looks: Vec<(Says, bool)> = log.values.iter().map(|value| (says(value), is_number(value))).collect();
+    let meanings = Meanings::of(log);
     let mut tallies = vec![Tally::default(); log.sensors.len()];
     for event in log.in_order() {
-        let (says, is_number) = looks[event.value as usize];
+        let Some((says, is_number)) = meanings.said(event) else { continue };
         tallies[event.sensor as usize].take(event.at, says, is_number, &log.gaps);
     }
     taken_by(log, &tallies.iter().collect::<Vec<_>>())
@@ -64,6 +63,12 @@ pub fn taken_by(log: &Log, tallies: &[&Tally]) -> Vec<Taken> {
             }
         }
     }
+    let own = OwnWords::of(log);
+    for (sensor, taken) in all.iter_mut().enumerate() {
+        if let Some(because) = own.because(sensor) {
+            *taken = Taken::new(taken.kind, Evidence::Guess, format!("{}; {because}", taken.because));
+        }
+    }
     all
 }
 
@@ -87,11 +92,7 @@ struct Sensor<'a> {
 
 impl<'a> Sensor<'a> {
     fn of(log: &'a Log, id: &'a str, tally: &'a Tally) -> Sensor<'a> {
-        let known = log.known.iter().find(|known| known.id == id || one_word(&known.id) == id);
-        let name = known.map(|known| known.name.as_str()).filter(|name| *name != id);
-        // The domain of an id such as `binary_sensor.hall_pir` is not part of its name.
-        let own = domain_of(id).map_or(id, |domain| &id[domain.len() + 1..]);
-        let named = name.and_then(named).or_else(|| named(own));
+        let (known, named) = known_and_named(log, id);
         Sensor { id, known, named, tally }
     }
 
@@ -147,7 +148,10 @@ impl<'a> Sensor<'a> {
             () if self.tally.signs() == 0 => {
                 Some(Taken::new(Kind::Reading, Evidence::Values, "it says no word of sensors"))
             }
-            () if self.tally.says_open() => Some(Taken::new(Kind::Contact, Evidence::Values, "it says OPEN and CLOSE")),
+            // Some alarm systems say of a motion sensor that it is open.
+            () if self.tally.says_open() && !matches!(self.named, Some((Named::Motion, _))) => {
+                Some(Taken::new(Kind::Contact, Evidence::Values, "it says OPEN and CLOSE"))
+            }
             () => None,
         }
     }
@@ -177,7 +181,12 @@ impl<'a> Sensor<'a> {
     /// Its kind by its name and by how long it is on; `says_motion` if a sensor of the log is surely one of motion.
     fn guess(&self, says_motion: bool) -> Taken {
         let motion = |because: &str| Taken::new(Kind::Motion, Evidence::Guess, because);
-        let Some((named, word)) = &self.named else { return motion("it says that something begins") };
+        let Some((named, word)) = &self.named else {
+            return match self.tally.says_words() {
+                true => Taken::new(Kind::Reading, Evidence::Guess, "most of what it says are no words of sensors"),
+                false => motion("it says that something begins"),
+            };
+        };
         let is_as_brief = if *named == Named::Seat { self.tally.is_brief() } else { self.tally.blinks() };
         let looks = match is_room_letter_place(self.id) {
             true => self.tally.is_brief(),

@@ -1,7 +1,7 @@
 //! Counts over the rows of one sensor, which show what it may be.
 
 use super::course::{Course, Said};
-use super::says::Says;
+use homebody_core::states::Says;
 use homebody_core::time::{Micros, SECOND};
 
 /// At least half of the spans of a sensor that is brief are shorter. A bed or a stove is used for longer.
@@ -15,6 +15,8 @@ const BLINK: Micros = 5 * SECOND;
 pub struct Tally {
     motion: u64,
     contact: u64,
+    /// Other words.
+    words: u64,
     reading: u64,
     /// Those of them that say 1 or 0: where a sensor tells other numbers, too, these are numbers as well.
     ones: u64,
@@ -35,7 +37,8 @@ impl Tally {
             Says::Begins | Says::Ends => self.motion += 1,
             Says::Opens | Says::Closes => self.contact += 1,
             // Other words describe a state, such as how restless a sleeper is.
-            Says::Else => self.reading += u64::from(is_number),
+            Says::Else if is_number => self.reading += 1,
+            Says::Else => self.words += 1,
             Says::Unknown => {}
         }
         self.ones += u64::from(is_number && says.is_sign());
@@ -59,6 +62,11 @@ impl Tally {
     /// How many rows say that something begins, ends, is opened or closed.
     pub(super) fn signs(&self) -> u64 {
         self.motion + self.contact
+    }
+
+    /// Whether most of its rows have other words.
+    pub(super) fn says_words(&self) -> bool {
+        self.words > self.signs()
     }
 
     /// Whether it says `ON` and `OFF`, `OPEN` and `CLOSE`, or numbers, most of the time.

@@ -1,7 +1,7 @@
 use super::*;
 use crate::sample::log;
 use homebody_core::time::{Micros, SECOND};
-use homebody_log::{SaidBy, SensorInfo};
+use homebody_log::{Log, Pair, SaidBy, SensorInfo};
 
 #[test]
 fn sensors_are_taken_for_what_most_of_their_rows_look_like() {
@@ -207,7 +207,7 @@ fn what_was_on_ends_where_its_state_is_not_known() {
     ]);
     let s = |from: i64, to: i64| (from * SECOND, to * SECOND);
     assert_eq!(spans(&log), [vec![s(0, 20), s(7200, 7260)], vec![s(7300, 7400), s(7500, 7600)]]);
-    assert_eq!(unknown(&log), [vec![s(20, 3600)], vec![s(7400, 7500)]]);
+    assert_eq!(UnknownStates::of(&log).spans(&log.gaps), [vec![s(20, 3600)], vec![s(7400, 7500)]]);
     let said = said(&log);
     // The bed keeps its state: it does not fire. The OFF of the sensor is new.
     assert_eq!(said.iter().filter(|said| said.is_restored).count(), 1);
@@ -253,4 +253,59 @@ fn nothing_is_known_where_no_sensor_is() {
     // Without a word that a state is not known, all is known.
     let plain = crate::sample::log(&[(0, "T1", "21"), (500, "M1", "on"), (510, "M1", "off")]);
     assert_eq!(UnknownStates::of(&plain).of_all(&plain.gaps, &|sensor| sensor == 1), []);
+}
+
+/// A log of one sensor that says two words in turn, the first for `on` seconds and the second for `off`.
+fn in_turn(sensor: &str, words: [&str; 2], [on, off]: [i64; 2]) -> Log {
+    let row = |time: i64| [(time * (on + off), sensor, words[0]), (time * (on + off) + on, sensor, words[1])];
+    let mut log = log(&(0..10).flat_map(row).collect::<Vec<_>>());
+    let held = [on, off].map(|length| 10 * length * SECOND);
+    log.pairs = vec![Pair { sensor: 0, values: [0, 1], held, takes_turns: true }];
+    log
+}
+
+#[test]
+fn two_words_of_a_sensor_that_no_table_has_are_a_guess_by_its_name() {
+    for (sensor, words, held, kind, on) in [
+        ("hall pir", ["zing", "zang"], [20, 500], Kind::Motion, "zing"),
+        ("hall pir", ["zang", "zing"], [500, 20], Kind::Motion, "zing"),
+        ("hall pir", ["Bewogen", "OFF"], [500, 20], Kind::Motion, "Bewogen"),
+        ("hall pir", ["pir", "none"], [20, 20], Kind::Motion, "pir"),
+        ("bed", ["liegt", "nichtliegt"], [500, 20], Kind::Used, "liegt"),
+    ] {
+        let log = in_turn(sensor, words, held);
+        let taken = &taken(&log)[0];
+        assert_eq!((taken.kind, taken.by), (kind, Evidence::Guess), "{words:?}");
+        assert!(taken.because.contains(&format!("{on:?} is taken for ON")), "{}", taken.because);
+        let begun = said(&log).iter().filter(|said| said.begins()).count();
+        assert_eq!(begun, 10, "{words:?}");
+    }
+    // A contact opens, and closes.
+    let log = in_turn("front door", ["zing", "zang"], [20, 500]);
+    assert_eq!((said(&log)[0].says, said(&log)[1].says, kinds(&log)), (Says::Opens, Says::Closes, vec![Kind::Contact]));
+}
+
+#[test]
+fn words_that_tell_nothing_are_named_and_those_of_other_sensors_are_left() {
+    let log = in_turn("hall pir", ["zing", "zang"], [20, 30]);
+    let own = OwnWords::of(&log);
+    assert_eq!((own.is_empty(), own.not_understood().len(), kinds(&log)), (true, 1, vec![Kind::Reading]));
+    assert!(own.not_understood()[0].contains("hall pir says \"zing\" and \"zang\""), "{:?}", own.not_understood());
+    let other = in_turn("boiler", ["eco", "comfort"], [20, 500]);
+    let own = OwnWords::of(&other);
+    assert!(own.is_empty() && own.not_understood().is_empty());
+}
+
+#[test]
+fn the_name_of_a_motion_sensor_decides_over_open_and_closed() {
+    let rows: Vec<(i64, &str, &str)> = (0..10)
+        .flat_map(|time| {
+            ["hall pir", "hall door"]
+                .map(|name| [(1000 * time, name, "Zone Open"), (1000 * time + 9, name, "Zone Restored")])
+        })
+        .flatten()
+        .collect();
+    assert_eq!(kinds(&log(&rows)), [Kind::Motion, Kind::Contact]);
+    // A heater may be idle now and then.
+    assert_eq!(kinds(&log(&[(0, "heater", "idle"), (1, "heater", "eco"), (2, "heater", "boost")])), [Kind::Reading]);
 }

@@ -1,6 +1,7 @@
 //! The keys and members above a row in a text of JSON: they name its sensor if the row does not.
 
 use super::entity::is_entity;
+use super::json_hint::step;
 use super::log::ColumnRole;
 use super::said::{Object, member};
 use crate::sensor_info::SensorInfo;
@@ -21,14 +22,20 @@ pub(super) struct Above {
 pub(super) struct Level {
     /// Under which key it is in the object around it.
     pub key: Option<String>,
+    /// Whether it is a list.
+    pub is_list: bool,
     /// Of an object, its members but for long lists.
     pub members: Object,
     /// Of a list, the sensor of the row before: later rows may leave it out.
     pub last: Option<String>,
 }
 
+/// How jq writes each value of a list.
+pub(super) const LIST: &str = "[]";
+
 /// Keys that name lists of rows and nothing else, in lower case.
-const GENERIC: [&str; 38] = [
+const GENERIC: [&str; 40] = [
+    "daily",
     "data",
     "dataarray",
     "datapoints",
@@ -40,6 +47,7 @@ const GENERIC: [&str; 38] = [
     "events",
     "fields",
     "history",
+    "hourly",
     "items",
     "list",
     "log",
@@ -77,7 +85,7 @@ const IDS: [&str; 3] = ["@iot.id", "id", "uuid"];
 const TAGS: [&str; 2] = ["metric", "tags"];
 
 /// Members that describe a sensor.
-const KINDS: [&str; 3] = ["device_class", "kind", "sensor_type"];
+const KINDS: [&str; 6] = ["device_class", "kind", "sensor_type", "sensorType", "deviceType", "device_type"];
 const UNITS: [&str; 3] = ["unit", "unit_of_measurement", "uom"];
 const ROOMS: [&str; 3] = ["room", "area", "location"];
 
@@ -109,6 +117,16 @@ impl Above {
     /// The key under which the innermost list or object is.
     pub fn key(&self) -> Option<&str> {
         self.levels.last()?.key.as_deref()
+    }
+
+    /// The place of the next value, as jq writes it: `.rows[]`.
+    pub fn path(&self) -> String {
+        let step = |level: &Level| {
+            let key = level.key.as_deref().map(step).unwrap_or_default();
+            if level.is_list { key + LIST } else { key }
+        };
+        let path: String = self.levels.iter().map(step).collect();
+        if path.starts_with('[') { format!(".{path}") } else { path }
     }
 
     /// The nearest list of names that columns of rows have.

@@ -2,98 +2,16 @@
 
 use super::instant::{Instant, Instants};
 use super::options::DateOrder;
+use homebody_core::states::says;
 use homebody_core::time::{DAY, Micros};
 use std::collections::BTreeMap;
 
-/// Words of sensors with two states, in lower case.
-const SWITCHES: [&str; 57] = [
-    "on",
-    "off",
-    "open",
-    "opened",
-    "close",
-    "closed",
-    "true",
-    "false",
-    "yes",
-    "no",
-    "0",
-    "1",
-    "0.0",
-    "1.0",
-    "active",
-    "inactive",
-    "detected",
-    "clear",
-    "cleared",
-    "present",
-    "absent",
-    "motion",
-    "no motion",
-    "nomotion",
-    "occupied",
-    "unoccupied",
-    "vacant",
-    "idle",
-    "fire",
-    "fired",
-    "home",
-    "not_home",
-    "not present",
-    "pressed",
-    "released",
-    "push",
-    "wet",
-    "dry",
-    "locked",
-    "unlocked",
-    "start",
-    "stop",
-    "begin",
-    "end",
-    "in",
-    "out",
-    "an",
-    "aus",
-    "offen",
-    "zu",
-    "ein",
-    "movement",
-    "no movement",
-    "triggered",
-    "untriggered",
-    "abierto",
-    "cerrado",
-];
+/// Words of two states that tell of no person, or of one who is in the home or not, in lower case. All others have their meanings in
+/// `homebody_core::states`.
+const SWITCHES: [&str; 8] = ["0.0", "1.0", "home", "not_home", "wet", "dry", "locked", "unlocked"];
 
 /// Those of them that say that something is over.
-const OFFS: [&str; 25] = [
-    "off",
-    "close",
-    "closed",
-    "false",
-    "no",
-    "0",
-    "0.0",
-    "inactive",
-    "clear",
-    "cleared",
-    "absent",
-    "no motion",
-    "nomotion",
-    "unoccupied",
-    "vacant",
-    "idle",
-    "not_home",
-    "not present",
-    "released",
-    "dry",
-    "out",
-    "aus",
-    "zu",
-    "no movement",
-    "cerrado",
-];
+const OFFS: [&str; 3] = ["0.0", "not_home", "dry"];
 
 /// Words for kinds of sensors and of what they measure, in lower case.
 const KINDS: [&str; 61] = [
@@ -247,7 +165,7 @@ impl Cells {
         self.last = number;
         let word = cell.to_lowercase();
         let is_of = |words: &[&str]| usize::from(words.contains(&word.as_str()));
-        self.switches += is_of(&SWITCHES);
+        self.switches += if says(&word).is_sign() { 1 } else { is_of(&SWITCHES) };
         self.kinds += is_of(&KINDS);
         self.severities += is_of(&SEVERITIES);
         self.sentences += usize::from(cell.split_whitespace().count() >= WORDS_OF_SENTENCE);
@@ -303,7 +221,7 @@ pub(super) fn is_blank(cell: &str) -> bool {
 
 /// Whether a cell says that what was on is off.
 pub(super) fn is_off(cell: &str) -> bool {
-    OFFS.iter().any(|word| word.eq_ignore_ascii_case(cell))
+    says(cell).is_off() || OFFS.iter().any(|word| word.eq_ignore_ascii_case(cell))
 }
 
 /// A number with a point or a comma before its decimals.

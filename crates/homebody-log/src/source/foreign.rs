@@ -25,6 +25,8 @@ const MYSQL: &str = "it is a dump of a MySQL database: load it there, and write 
 const POSTGRES: &str = "it is a dump of a PostgreSQL database: load it there and read it as postgresql:, or write the table as \
                         CSV with \\copy";
 const PAGE: &str = "it is a web page, perhaps the error page of a download: download the file itself again";
+const EVENTS: &str = "it is a stream of events as a server sends them: take the JSON out of it, with sed -n 's/^data: //p' FILE > FILE.json, \
+                      and read that";
 const NO_DATA: &str = "it is a pointer of Git LFS, and the data itself is not here: fetch it with git lfs pull";
 
 /// By the first bytes.
@@ -107,6 +109,9 @@ pub(super) fn foreign_kind(start: &Start) -> Option<String> {
     let lower: Vec<u8> = text.iter().take(200).map(u8::to_ascii_lowercase).collect();
     match () {
         () if lower.starts_with(b"<!doctype html") || lower.starts_with(b"<html") => Some(PAGE.into()),
+        () if start.lines().filter(|line| line.starts_with("data: {") || line.starts_with("data: [")).count() > 1 => {
+            Some(EVENTS.into())
+        }
         () if is_pickle(bytes) => Some("it is a pickle of Python, which runs what is in it: open it where it was written, and write the table as CSV with to_csv".into()),
         () if bytes.get(257..262) == Some(b"ustar") => Some(ARCHIVE.into()),
         () if bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP") => Some(PICTURE.into()),

@@ -9,6 +9,7 @@ use crate::error::{LogError, place_of};
 use crate::sensor_info::SensorInfo;
 use foldhash::{HashMap, HashMapExt};
 use homebody_core::problem::readable;
+use homebody_core::sensed::{Meaning, meaning};
 use homebody_core::time::Micros;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -116,6 +117,23 @@ impl<'r, 't> Gathered<'r, 't> {
     /// Counts something that a remark at the end reports, such as `values that are null`.
     pub fn count(&mut self, what: &'static str) {
         *self.counts.entry(what).or_default() += 1;
+    }
+
+    /// Says once that something is passed over.
+    pub fn remark(&mut self, what: String) {
+        if !self.reading.log.remarks.contains(&what) {
+            self.reading.log.remarks.push(what);
+        }
+    }
+
+    /// The name that a file has for the sensor of its rows: without the date behind it, and only if it has a word for what sensors
+    /// measure, as `history.zigbee.0.hall.temperature.json` and `heart_rate-2020-01-05.json` have.
+    pub fn named_by_file(&self) -> Option<String> {
+        let name = Path::new(&self.place).file_name()?.to_str()?;
+        let name = name.split(".json").next()?.trim_start_matches("history.");
+        let name = name.trim_end_matches(|c: char| c.is_ascii_digit() || "-_. ".contains(c));
+        let is_of_sensor = meaning(name, "").is_some_and(|meaning| meaning != Meaning::Readings);
+        is_of_sensor.then(|| name.to_owned())
     }
 
     /// Takes note that the recorder of the log stopped.

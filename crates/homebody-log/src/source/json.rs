@@ -8,13 +8,15 @@
 //! Values are looked at one by one, so that a text may be of any size. Left out: what names a sensor behind more than a mebibyte of its
 //! rows.
 
-use super::above::{Above, Level};
+use super::above::{Above, LIST, Level};
 use super::form::{Form, Shows};
 use super::gathered::Gathered;
 use super::instant::Instant;
+use super::json_hint::hint;
 use super::json_text::JsonText;
 use super::log::{ColumnRole, Log};
 use super::object_rows::{ObjectRows, Taken};
+use super::parallel;
 use super::reading::Reading;
 use super::said::{Object, instant, text};
 use super::start::Start;
@@ -68,16 +70,21 @@ fn has_rows(path: &Path) -> bool {
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let mut walk = Walk::open(path, file, Gathered::in_order(path, reading), None)?;
     walk.all()?;
-    let has_come = walk.rows > 0 || walk.out.reading.log.skipped > 0;
-    walk.out.end()?;
-    match has_come {
-        true => Ok(()),
-        false => Err(LogError::NoLog { place: place_of(path), why: NO_ROWS.into() }),
+    walk.objects.end(&walk.out)?;
+    if walk.rows > 0 || walk.out.reading.log.skipped > 0 {
+        return walk.out.end();
     }
+    let (at, object) = walk.no_row.unwrap_or_default();
+    let at = if object.is_some() || !at.is_empty() { at } else { ".[]".into() };
+    let line = hint(&at, object.as_ref(), &mut walk.out.reading.instants);
+    Err(LogError::NoLog {
+        place: place_of(path),
+        why: format!("{NO_ROWS}\n  hint: make JSON Lines of it, such as with {line}"),
+    })
 }
 
 const NO_ROWS: &str = "it is JSON, and no objects with a time, a sensor and a value are in it, nor lists of times and values under a \
-                       sensor's name\n  hint: make JSON Lines of it, such as with jq -c '.[] | {time: .when, sensor: .who, value: .what}'";
+                       sensor's name";
 
 /// A way through a text.
 struct Walk<'w, 'r, 't> {
@@ -89,6 +96,8 @@ struct Walk<'w, 'r, 't> {
     /// Rows so far, and after how many it is enough.
     rows: u64,
     enough: Option<u64>,
+    /// The first object of a list without the parts of a row, and its place.
+    no_row: Option<(String, Option<Object>)>,
 }
 
 /// The fate of a value.
@@ -109,7 +118,16 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
         enough: Option<u64>,
     ) -> Result<Walk<'w, 'r, 't>, LogError> {
         let text = JsonText::open(path)?;
-        Ok(Walk { text, file, above: Above::default(), objects: ObjectRows::default(), out, rows: 0, enough })
+        Ok(Walk {
+            text,
+            file,
+            above: Above::default(),
+            objects: ObjectRows::default(),
+            out,
+            rows: 0,
+            enough,
+            no_row: None,
+        })
     }
 
     /// Goes through all values, one behind the other.
@@ -177,12 +195,34 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
     /// Takes a value that is a row, if it is one.
     fn row(&mut self, line: u64, said: &Value) -> Result<Taken, LogError> {
         match said {
-            Value::Object(object) => self.objects.take(line, object, &mut self.above, self.file, &mut self.out),
+            Value::Object(object) => self.row_or_columns(line, object),
             Value::Array(cells) if cells.iter().all(|cell| !cell.is_array() && !cell.is_object()) => {
                 self.cells(line, cells)
             }
             _ => Ok(Taken::Nothing),
         }
+    }
+
+    /// Takes an object that is a row, or whose members are the columns of a table.
+    fn row_or_columns(&mut self, line: u64, object: &Object) -> Result<Taken, LogError> {
+        let taken = self.objects.take(line, object, &mut self.above, self.file, &mut self.out)?;
+        if taken != Taken::Nothing {
+            return Ok(taken);
+        }
+        let mut all = Taken::Nothing;
+        for row in parallel::rows(object, &mut self.out.reading.instants).unwrap_or_default() {
+            let taken = self.objects.take(line, &row, &mut self.above, self.file, &mut self.out)?;
+            all = if all == Taken::Row { all } else { taken };
+        }
+        if all == Taken::Nothing && self.rows == 0 {
+            // One in a list may be one of many rows.
+            let at = self.above.path();
+            let is_better = |(known, _): &(String, _)| at.ends_with(LIST) && !known.ends_with(LIST);
+            if self.no_row.as_ref().is_none_or(is_better) {
+                self.no_row = Some((at, Some(object.clone())));
+            }
+        }
+        Ok(all)
     }
 
     /// Takes a list of cells: by the names of columns above it, or a time with a value, or a time with a sensor and a value.
@@ -237,7 +277,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
 
     fn object(&mut self, key: Option<String>, members: Object) -> Result<Passed, LogError> {
         let (begun, before) = (self.text.line, self.rows);
-        self.above.enter(Level { key, members, last: None });
+        self.above.enter(Level { key, members, ..Level::default() });
         self.text.pass(1);
         let passed = loop {
             let key = match self.text.peek()? {
@@ -282,7 +322,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
 
     fn list(&mut self, key: Option<String>) -> Result<Passed, LogError> {
         let (begun, before) = (self.text.line, self.rows);
-        self.above.enter(Level { key, ..Level::default() });
+        self.above.enter(Level { key, is_list: true, ..Level::default() });
         self.text.pass(1);
         let passed = loop {
             let passed = match self.text.peek()? {

@@ -65,6 +65,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
             Taken::Row | Taken::Broken => {}
         }
     }
+    objects.end(&out)?;
     out.end()
 }
 

@@ -15,6 +15,8 @@ pub struct Log {
     pub known: Vec<SensorInfo>,
     /// What sensors said, such as `ON`.
     pub values: Vec<String>,
+    /// The sensors that say two texts in turn, one of which is not a known state; empty before the last row has come.
+    pub pairs: Vec<Pair>,
     /// The rows that are in memory.
     pub events: Vec<Event>,
     /// How many rows have been read.
@@ -46,6 +48,19 @@ pub struct Event {
     pub sensor: u32,
     /// Index into the log's values.
     pub value: u32,
+}
+
+/// A sensor that says two texts in turn, and none but these.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Pair {
+    /// The sensor, by its number in the log.
+    pub sensor: u32,
+    /// The two texts, by their numbers in the log, the first one first.
+    pub values: [u32; 2],
+    /// For how long each of them held in all, until the next row.
+    pub held: [Micros; 2],
+    /// Whether the other text follows most of the times.
+    pub takes_turns: bool,
 }
 
 /// From when to when instants were written with one offset.

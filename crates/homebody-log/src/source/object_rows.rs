@@ -4,13 +4,15 @@
 //! are all its other keys; or a topic and a payload of MQTT. Keys in inner objects count as keys of their own, such as `device.id`.
 
 use super::above::Above;
-use super::columns::Places;
+use super::columns::{CERTAIN, Places, plain, role_of};
+use super::devices::{Report, report};
 use super::entity::{entity, is_entity};
 use super::gathered::Gathered;
 use super::instant::Instant;
 use super::log::ColumnRole;
+use super::one_home::{OneHome, is_home};
 use super::payload::{Message, Payloads};
-use super::said::{Object, instant, text};
+use super::said::{Object, instant, member, text};
 use crate::error::LogError;
 use crate::limits::beginning;
 use foldhash::HashMap;
@@ -43,6 +45,17 @@ enum Names {
     Whole,
     /// With those of inner objects, by the last of them alone: `id`.
     Last,
+    /// As their own, by any name that a table's column may have for its role.
+    Roles,
+    /// As the last of inner objects, by any such name.
+    LastRoles,
+}
+
+impl Names {
+    /// Whether inner objects are left whole.
+    fn is_own(self) -> bool {
+        matches!(self, Names::Own | Names::Roles)
+    }
 }
 
 /// The fate of an object.
@@ -64,14 +77,14 @@ pub(super) struct ObjectRows {
     payloads: Payloads,
     /// The last state of each entity of Home Assistant, and since when it is.
     states: HashMap<String, (Instant, String)>,
-    /// The home or person of the rows so far.
-    home: Option<String>,
+    /// The home or person whose rows are read.
+    homes: OneHome,
     /// Whether the places of keys tell what they are if their names do not.
     by_place: bool,
 }
 
 /// Keys of other programs, and the names that tables have for them.
-const ALIASES: [(&str, &str); 32] = [
+const ALIASES: [(&str, &str); 34] = [
     ("when", "time"),
     ("tst", "time"),
     ("_time", "time"),
@@ -104,44 +117,16 @@ const ALIASES: [(&str, &str); 32] = [
     ("valeur", "value"),
     ("newState", "value"),
     ("new_state", "value"),
+    ("newValue", "value"),
+    ("new_value", "value"),
 ];
+
+/// Keys that tell which of a device's readings a value is. One that is called so is the device's own.
+const ATTRIBUTES: [&str; 5] = ["propertyName", "property_name", "property", "attribute", "capability"];
+const OWN: &str = "value";
 
 /// Pairs of keys: if an object has both, the second is passed over.
 const RATHER: [(&str, &str); 2] = [("phenomenonTime", "resultTime"), ("last_changed", "last_updated")];
-
-/// Keys that name the home or the person of a row, by their letters and digits in lower case.
-const HOMES: [&str; 30] = [
-    "home",
-    "homeid",
-    "house",
-    "houseid",
-    "household",
-    "householdid",
-    "patient",
-    "patientid",
-    "participant",
-    "participantid",
-    "subject",
-    "subjectid",
-    "person",
-    "personid",
-    "resident",
-    "residentid",
-    "userid",
-    "apartment",
-    "apartmentid",
-    "dwelling",
-    "dwellingid",
-    "building",
-    "buildingid",
-    "flat",
-    "flatid",
-    "tenant",
-    "tenantid",
-    "siteid",
-    "wohnung",
-    "haushalt",
-];
 
 const NAMELESS: &str = "nothing names its sensor: no key such as sensor, device or entity_id, and no name above it";
 
@@ -169,6 +154,9 @@ impl ObjectRows {
         if let Some(state) = changed(object) {
             return self.take(line, state, above, file, out);
         }
+        if let Some(report) = report(object, &|key| above.member(&|name| name == key).map(|(_, said)| said)) {
+            return self.report(line, &report, object, above, out);
+        }
         let Some((shape, names)) = self.shape(object, file, out) else { return Ok(Taken::Nothing) };
         let members = members(object, names);
         let said = |place: usize| members.get(place).map_or(&Value::Null, |(_, said)| *said);
@@ -182,10 +170,12 @@ impl ObjectRows {
             out.reading.skip(line, format!("{} is no date and time", beginning(&text(said(time)))));
             return Ok(Taken::Broken);
         };
-        self.one_home(&members, above, out)?;
+        if !self.homes.admit(&members, above, out)? {
+            return Ok(Taken::Row);
+        }
         match shape {
             Shape::Whole(places) | Shape::Guessed(places) => {
-                let sensor = text(said(places.sensor)).into_owned();
+                let sensor = with_attribute(text(said(places.sensor)).into_owned(), object);
                 if !is_entity(&sensor) && !out.knows(&sensor) {
                     out.know(above.info(&sensor, object));
                 }
@@ -197,7 +187,8 @@ impl ObjectRows {
             }
             Shape::Reading(places) => {
                 let before = above.innermost().and_then(|list| list.last.clone());
-                let Some(sensor) = before.or_else(|| above.sensor(object)) else {
+                let named = before.or_else(|| above.sensor(object)).or_else(|| out.named_by_file());
+                let Some(sensor) = named.map(|named| with_attribute(named, object)) else {
                     out.reading.skip(line, NAMELESS.into());
                     return Ok(Taken::Broken);
                 };
@@ -229,10 +220,10 @@ impl ObjectRows {
     fn shape(&mut self, object: &Object, file: &LoggerFile, out: &mut Gathered<'_, '_>) -> Option<(Shape, Names)> {
         if !self.known.as_ref().is_some_and(|(keys, _)| keys.iter().eq(object.keys())) {
             let by_names = |names| Some((shape(&members(object, names), names, file, out)?, names));
-            let mut shape = [Names::Own, Names::Whole, Names::Last].into_iter().find_map(by_names);
+            let mut shape =
+                [Names::Own, Names::Whole, Names::Last, Names::Roles, Names::LastRoles].into_iter().find_map(by_names);
             if shape.is_none() && self.by_place {
-                let places = guessed(&members(object, Names::Own), out);
-                shape = places.map(|places| (Shape::Guessed(places), Names::Own));
+                shape = guessed(&members(object, Names::Own), out).map(|shape| (shape, Names::Own));
             }
             if let Some((shape, names)) = shape {
                 tell(shape, &members(object, names), out);
@@ -243,31 +234,38 @@ impl ObjectRows {
         self.known.as_ref().map(|(_, shape)| *shape)
     }
 
-    /// Refuses rows of a second home or person.
-    fn one_home(
+    /// Ends the rows.
+    ///
+    /// # Errors
+    ///
+    /// If none of them is of the home that was asked for.
+    pub fn end(&self, out: &Gathered<'_, '_>) -> Result<(), LogError> {
+        self.homes.end(out)
+    }
+
+    /// Takes what a device reported of itself.
+    fn report(
         &mut self,
-        members: &[(String, &Value)],
+        line: u64,
+        report: &Report,
+        object: &Object,
         above: &Above,
         out: &mut Gathered<'_, '_>,
-    ) -> Result<(), LogError> {
-        let own = members.iter().find(|(name, said)| is_home(name) && !said.is_null());
-        let named = own.map(|(name, said)| (name.as_str(), *said)).or_else(|| above.member(&is_home));
-        let Some((key, said)) = named.filter(|(_, said)| said.is_string() || said.is_number()) else { return Ok(()) };
-        let home = text(said);
-        match &self.home {
-            None => {
-                out.column(key, ColumnRole::Home, "its key; all rows are of one");
-                self.home = Some(home.into_owned());
-                Ok(())
-            }
-            Some(first) if *first == home => Ok(()),
-            Some(first) => Err(out.refused(format!(
-                "its rows are of several homes or persons, by the key {key:?}: {}, {} ...\n  hint: make a file of the rows of each, \
-                 such as with jq -c 'select(.{key} == \"{first}\")'",
-                beginning(first),
-                beginning(&home)
-            ))),
+    ) -> Result<Taken, LogError> {
+        let Some(at) = instant(&report.time, &mut out.reading.instants) else {
+            out.reading.skip(line, format!("{} is no date and time", beginning(&text(&report.time))));
+            return Ok(Taken::Broken);
+        };
+        if !self.homes.admit(&members(object, Names::Own), above, out)? {
+            return Ok(Taken::Row);
         }
+        out.column("the keys of readings", ColumnRole::OneSensor, "each is a reading of the device");
+        if let Some(state) = &report.state {
+            out.row(line, at, [&report.device, state], None)?;
+        }
+        let message = Message { line, instant: at, topic: "", is_zigbee: false };
+        self.payloads.readings(&message, &report.device, &report.readings, out)?;
+        Ok(Taken::Row)
     }
 
     /// Takes what a sensor reported; of Home Assistant, what its attributes report of the entity, too.
@@ -311,9 +309,12 @@ impl ObjectRows {
     }
 }
 
-fn is_home(key: &str) -> bool {
-    let plain: String = key.chars().filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect();
-    HOMES.contains(&plain.as_str())
+/// The sensor of a value that is one of several of a device.
+fn with_attribute(sensor: String, object: &Object) -> String {
+    match member(object, &ATTRIBUTES).filter(|attribute| attribute != OWN && *attribute != sensor) {
+        Some(attribute) => format!("{sensor} {attribute}"),
+        None => sensor,
+    }
 }
 
 /// Takes a row of Home Assistant's logbook that its recorder stopped or started.
@@ -354,7 +355,7 @@ fn members(object: &Object, names: Names) -> Vec<(String, &Value)> {
     let mut members = Vec::with_capacity(object.len());
     for (key, said) in object {
         match said {
-            Value::Object(inner) if names != Names::Own => flatten(key, inner, names, DEEPEST, &mut members),
+            Value::Object(inner) if !names.is_own() => flatten(key, inner, names, DEEPEST, &mut members),
             said => {
                 let key = match key.as_str() {
                     "s" if is_state => "state",
@@ -376,13 +377,34 @@ fn members(object: &Object, names: Names) -> Vec<(String, &Value)> {
             (*usual).clone_into(&mut members[at].0);
         }
     }
+    if matches!(names, Names::Roles | Names::LastRoles) {
+        name_by_roles(&mut members);
+    }
     members
+}
+
+/// Names members that may be a time, a sensor or a value so, the most certain one first, where none is called so.
+fn name_by_roles(members: &mut [(String, &Value)]) {
+    for (role, usual) in [(ColumnRole::Time, "time"), (ColumnRole::Sensor, "sensor"), (ColumnRole::Value, "value")] {
+        let may_be = |said: &Value| match role {
+            ColumnRole::Value => !said.is_null() && !said.is_array(),
+            ColumnRole::Time => said.is_string() || said.is_number(),
+            _ => said.is_string() || said.is_u64(),
+        };
+        let rank = |(name, said): &(String, &Value)| {
+            role_of(name).filter(|(of, _)| *of == role && may_be(said)).map(|(_, rank)| rank)
+        };
+        let best = members.iter().enumerate().filter_map(|(at, member)| Some((rank(member)?, at))).min();
+        if let Some((CERTAIN.., at)) = best {
+            usual.clone_into(&mut members[at].0);
+        }
+    }
 }
 
 /// Adds the members of inner objects.
 fn flatten<'o>(above: &str, object: &'o Object, names: Names, deepest: usize, members: &mut Vec<(String, &'o Value)>) {
     for (key, said) in object {
-        let name = if names == Names::Last { key.clone() } else { format!("{above}_{key}") };
+        let name = if names == Names::Whole { format!("{above}_{key}") } else { key.clone() };
         match said {
             Value::Object(inner) if deepest > 0 => flatten(&name, inner, names, deepest - 1, members),
             said => members.push((name, said)),
@@ -427,7 +449,7 @@ fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut G
                 with(&["sensor"]).filter(|places| places.value < names.len() && !members[places.value].1.is_array());
             let device = with(&["value"]).map(|places| places.sensor).filter(|&sensor| sensor < names.len());
             match (reading, device.filter(|&device| scalar(device))) {
-                (Some(places), _) if by == Names::Own => Some(Shape::Reading(places)),
+                (Some(places), _) if by.is_own() => Some(Shape::Reading(places)),
                 (Some(_), _) => None,
                 (None, Some(sensor)) if !others(&[time, sensor]).is_empty() => Some(Shape::Device { time, sensor }),
                 (None, Some(_)) => None,
@@ -443,15 +465,30 @@ fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut G
     }
 }
 
-/// The parts of a row under names that say nothing: the first instant, and right behind it a sensor and a value.
-fn guessed(members: &[(String, &Value)], out: &mut Gathered<'_, '_>) -> Option<Places> {
+/// The parts of a row under names that say nothing: the first instant, and right behind it a sensor and a value. A number
+/// with other numbers around it is one of a device's readings, and an id never is.
+fn guessed(members: &[(String, &Value)], out: &mut Gathered<'_, '_>) -> Option<Shape> {
     let mut is_instant = |said: &Value| instant(said, &mut out.reading.instants).is_some();
     let time = members.iter().position(|(_, said)| is_instant(said))?;
     let mut behind = members.iter().skip(time + 1).take(2);
-    let ((_, sensor), (_, value)) = (behind.next()?, behind.next()?);
+    let ((_, sensor), (name, value)) = (behind.next()?, behind.next()?);
     let is_log =
         sensor.is_string() && !is_instant(sensor) && !value.is_object() && !value.is_array() && !is_instant(value);
-    is_log.then_some(Places { time, sensor: time + 1, value: time + 2, label: None, is_mapped: false })
+    if !is_log {
+        return None;
+    }
+    let is_reading = |(name, said): &(String, &Value)| (said.is_number() || said.is_boolean()) && !is_id(name);
+    let others = members.iter().enumerate().filter(|(at, member)| *at != time + 2 && is_reading(member));
+    if is_id(name) || is_reading(&(name.clone(), value)) && others.count() > 0 {
+        return Some(Shape::Device { time, sensor: time + 1 });
+    }
+    Some(Shape::Guessed(Places { time, sensor: time + 1, value: time + 2, label: None, is_mapped: false }))
+}
+
+/// Whether a key names a thing rather than what is measured of it.
+fn is_id(name: &str) -> bool {
+    let plain = plain(name);
+    role_of(name).is_some_and(|(role, _)| role == ColumnRole::Unused) || plain.ends_with("id") && plain.len() < 12
 }
 
 /// Records what the keys were taken for.
@@ -489,10 +526,15 @@ fn tell(shape: Shape, members: &[(String, &Value)], out: &mut Gathered<'_, '_>) 
         }
     };
     let is_all = matches!(shape, Shape::Device { .. } | Shape::Wide { .. });
+    let is_guessed = matches!(shape, Shape::Guessed(_));
     for (place, (name, _)) in members.iter().enumerate() {
         match parts.iter().find(|(part, _)| *part == place) {
             Some((_, role)) => out.column(name, *role, because),
             None if is_all || is_home(name) => {}
+            None if is_guessed && members[place].1.is_number() && !is_id(name) => {
+                out.remark(format!("the numbers under {name:?} are no part of a row, and are left out"));
+                out.column(name, ColumnRole::Unused, "it is no part of a row")
+            }
             None if name == "attributes" || name == "a" => {
                 out.column(name, ColumnRole::Kind, "Home Assistant's attributes, with the class, the unit and the name")
             }

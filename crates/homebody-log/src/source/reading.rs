@@ -4,6 +4,7 @@ use super::activities::{Activity, Notes};
 use super::instant::{Instant, Instants};
 use super::log::{Clock, ColumnRole, ColumnUse, Event, Log};
 use super::options::TableOptions;
+use super::pairs::Pairs;
 use crate::error::{LogError, place_of};
 use crate::limits::{LONGEST_ID, LONGEST_VALUE, MOST_ACTIVITIES, beginning};
 use crate::packed::unpacked;
@@ -59,6 +60,7 @@ pub struct Reading<'t> {
     pub(super) carried: Carried,
     /// The first instants of further files.
     seams: Vec<Micros>,
+    pairs: Pairs,
 }
 
 /// The state at the end of a file whose rows contain all sensors.
@@ -89,6 +91,7 @@ impl<'t> Reading<'t> {
             beyond: 0,
             carried: Carried::default(),
             seams: Vec::new(),
+            pairs: Pairs::default(),
         }
     }
 
@@ -199,6 +202,7 @@ impl<'t> Reading<'t> {
         self.log.offsets.clone_from(&self.instants.offsets);
         if !self.log.events.is_empty() {
             (self.take)(&self.log)?;
+            self.pairs.take(&self.log.events);
             self.log.events.clear();
         }
         Ok(())
@@ -387,6 +391,7 @@ impl<'t> Reading<'t> {
     pub(super) fn end(mut self) -> Result<Log, LogError> {
         self.hand_over()?;
         self.end_notes();
+        self.log.pairs = std::mem::take(&mut self.pairs).end(&self.log.values);
         // Notes are known once they end.
         self.log.activities.sort_by_key(|activity| activity.begin);
         self.join_at_seams();

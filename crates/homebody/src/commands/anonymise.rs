@@ -5,7 +5,7 @@ use super::read_log::Mapped;
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, write_file};
-use homebody_analysis::look::{Look, Looker};
+use homebody_analysis::look::{Look, Looker, looked};
 use homebody_analysis::signs::{Kind, Says, is_number, says};
 use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
@@ -58,8 +58,7 @@ impl Arguments {
         keep(&self.out, &named.place.files())?;
         let key: Vec<&std::path::Path> = self.key.as_deref().into_iter().collect();
         can_be_written(&key, &named.place.files(), self.replacing.force)?;
-        let mut looker = Looker::new(None);
-        let log = named.stream(&mut |part| looker.take(part))?;
+        let (looker, log) = looked(Looker::new(None), &mut |take| named.stream(take))?;
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
         let names = names(&log, &look);
         let how = self.replacing.how(&self.out);

@@ -5,7 +5,7 @@ use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::tell;
 use crate::progress;
-use homebody_analysis::look::Looker;
+use homebody_analysis::look::{Looker, looked};
 use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::scheme::{SCHEMES, SchemeRow};
@@ -78,14 +78,14 @@ impl Arguments {
         let named = self.log.find()?;
         let text = self.log.text();
         keep(&self.to, &named.place.files())?;
-        let mut looker = Looker::new(None);
-        let mut log = named.stream(&mut |part| looker.take(part))?;
+        let (looker, mut log) = looked(Looker::new(None), &mut |take| named.stream(take))?;
         if self.activities {
             let truth =
                 named.truth().ok_or_else(|| Failure::Io(format!("no truth lies beside {text}\n  hint: {NO_TRUTH}")))?;
             log.activities = told_activities(&lives(&truth, &RunClock::as_told())?);
         }
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
+        log.remarks.clone_from(&look.remarks);
         tell_remarks(text, &log);
         for skipped in &log.problems {
             tell(format_args!("{}: left out: {}", skipped.place(text), skipped.why));

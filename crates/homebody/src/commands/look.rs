@@ -5,9 +5,8 @@ use super::read_log::{Mapped, go_on};
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{tell, write_file};
 use crate::progress::Working;
-use homebody_analysis::dates::zone_of_offsets;
 use homebody_analysis::density::density;
-use homebody_analysis::look::{HomeSensor, Look, Looker};
+use homebody_analysis::look::{HomeSensor, Look, Looker, looked};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_kit::{LogWithRun, NamedLog, home_sensors};
 use homebody_log::SensorMap;
@@ -93,14 +92,7 @@ impl Arguments {
         };
         let zone = zone.or_else(|| named.zone());
         let reading = Working::on(format!("reading {}", named.name));
-        let mut looker = Looker::new(zone.clone()).by_offsets();
-        let mut about = named.stream(&mut |part| looker.take(part))?;
-        // Its first rows need not have all offsets: the zone that changes as they do is known at the end.
-        let of_offsets = zone_of_offsets(&about.offsets).filter(|_| zone.is_none());
-        if of_offsets.is_some() && of_offsets.as_ref() != looker.zone() {
-            looker = Looker::new(of_offsets);
-            about = named.stream(&mut |part| looker.take(part))?;
-        }
+        let (looker, mut about) = looked(Looker::new(zone).by_offsets(), &mut |take| named.stream(take))?;
         drop(reading);
         named.know_home(&mut about);
         let known = |id: &str| about.known.iter().find(|known| known.id == id).map(|known| known.name.as_str());

@@ -1,0 +1,112 @@
+//! The order of a log's rows: that of time, the newest first, or sensor by sensor.
+
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::Event;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// No clock is set back by more (our choice).
+const SET_BACK: Micros = 3 * 3600 * SECOND;
+
+/// No more rows are put into order (our choice): they take 24 MB.
+pub(super) const MOST_WAITING: u64 = 1 << 20;
+
+/// The order of rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Order {
+    /// That of time, but for clocks that were set back.
+    OfTime,
+    NewestFirst,
+    BySensor,
+    /// Another one, such as file by file or home by home.
+    Another,
+}
+
+impl Order {
+    /// A sentence on a log that has this order, and whether it was put into that of time.
+    pub fn remark(self, is_put_right: bool) -> Option<String> {
+        let order = match self {
+            Order::OfTime => return None,
+            Order::NewestFirst => "its newest rows come first",
+            Order::BySensor => "its rows come sensor by sensor",
+            Order::Another => "its rows are out of the order of time",
+        };
+        Some(match is_put_right {
+            true => format!("{order}: silences, missing rows and what is stuck are found in the order of time"),
+            false => format!(
+                "{order}, and they are too many to be put right here: silences, missing rows and what is stuck are not; sort them by time first"
+            ),
+        })
+    }
+}
+
+/// Counts that show the order, taken row by row.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Orders {
+    last: Option<(Micros, u32)>,
+    first: Micros,
+    forward: u64,
+    back: u64,
+    /// The most that a row is earlier than the one before it.
+    most: Micros,
+    /// How many times rows of one sensor follow rows of another.
+    turns: u64,
+}
+
+impl Orders {
+    pub fn take(&mut self, at: Micros, sensor: u32) {
+        if let Some((before, of)) = self.last {
+            self.forward += u64::from(at > before);
+            self.back += u64::from(at < before);
+            self.most = self.most.max(before - at);
+            self.turns += u64::from(of != sensor);
+        } else {
+            self.first = at;
+        }
+        self.last = Some((at, sensor));
+    }
+
+    /// Whether no row has come.
+    pub fn is_empty(&self) -> bool {
+        self.last.is_none()
+    }
+
+    /// How often a row was earlier than the one before it, and by how much at most.
+    pub fn set_back(&self) -> (u64, Micros) {
+        (self.back, self.most)
+    }
+
+    /// The order of rows of so many sensors.
+    pub fn of(&self, sensors: usize) -> Order {
+        let has_passed = self.last.is_some_and(|(last, _)| last >= self.first);
+        match () {
+            () if self.back == 0 => Order::OfTime,
+            () if self.back > self.forward && !has_passed => Order::NewestFirst,
+            () if sensors > 1 && self.turns + 1 == sensors as u64 => Order::BySensor,
+            () if self.most > SET_BACK => Order::Another,
+            () => Order::OfTime,
+        }
+    }
+}
+
+/// Rows that wait to be put into the order of time; those of one instant stay as they come.
+#[derive(Default)]
+pub(super) struct Waiting {
+    rows: BinaryHeap<Reverse<(Micros, u64, u32, u32)>>,
+    come: u64,
+}
+
+impl Waiting {
+    /// Takes a row; returns the earliest one if too many wait.
+    pub fn take(&mut self, event: &Event) -> Option<Event> {
+        self.rows.push(Reverse((event.at, self.come, event.sensor, event.value)));
+        self.come += 1;
+        if self.rows.len() as u64 > MOST_WAITING { self.first() } else { None }
+    }
+
+    /// The earliest row that waits.
+    pub fn first(&mut self) -> Option<Event> {
+        let Reverse((at, _, sensor, value)) = self.rows.pop()?;
+        Some(Event { at, sensor, value })
+    }
+}

@@ -1,0 +1,163 @@
+//! The meanings of the values of a log, and of the words that only one sensor of it has.
+//!
+//! A sensor that is named as one of motion, a contact or a bed may say two texts in turn that no table has. Then it is a guess which of
+//! them begins something: the opposite of a word that is known, the one that the other negates, or the one that holds for less of the time.
+
+use super::named::{Named, is_seat, known_and_named};
+use homebody_core::names::words;
+use homebody_core::sensed::{Kind, Meaning, meaning};
+use homebody_core::states::{Says, says};
+use homebody_core::time::Micros;
+use homebody_log::{Event, Log, Pair};
+
+/// One text of two is rare if it holds for so many times less (our choice).
+const LESS: Micros = 2;
+
+/// The meanings of the values of a log, each looked up once.
+pub struct Meanings {
+    /// By value: its meaning, and whether it is a number.
+    values: Vec<(Says, bool)>,
+    own: OwnWords,
+}
+
+impl Meanings {
+    /// Those of a log that has been read.
+    pub fn of(log: &Log) -> Meanings {
+        let values = log.values.iter().map(|value| (says(value), is_number(value))).collect();
+        Meanings { values, own: OwnWords::of(log) }
+    }
+
+    /// The meaning of a row, and whether its value is a number; `None` for a row that was added after the log was read.
+    pub fn said(&self, event: &Event) -> Option<(Says, bool)> {
+        let known = self.values.get(event.value as usize).copied()?;
+        Some(self.own.says(event).map_or(known, |says| (says, false)))
+    }
+
+    /// The meaning of a row of the log.
+    pub fn says(&self, event: &Event) -> Says {
+        self.said(event).map_or(Says::Else, |(says, _)| says)
+    }
+}
+
+/// The words that single sensors of a log have for two states.
+#[derive(Clone, Debug, Default)]
+pub struct OwnWords {
+    /// By sensor; those behind the last are left out.
+    of_sensors: Vec<Option<TwoWords>>,
+    not_understood: Vec<String>,
+}
+
+/// The two words of one sensor.
+#[derive(Clone, Debug)]
+struct TwoWords {
+    on: u32,
+    off: u32,
+    is_contact: bool,
+    because: String,
+}
+
+impl OwnWords {
+    /// Those of a log that has been read.
+    pub fn of(log: &Log) -> OwnWords {
+        let mut own = OwnWords::default();
+        for pair in &log.pairs {
+            let (sensor, id) = (pair.sensor as usize, &log.sensors[pair.sensor as usize]);
+            let Some(kind) = kind_of_states(log, id) else { continue };
+            let texts = pair.values.map(|value| log.values[value as usize].as_str());
+            let Some((on, because)) = which_begins(pair, texts) else {
+                own.not_understood.push(format!(
+                    "{id} says {:?} and {:?}, and neither is known to begin something: it is taken for a reading",
+                    texts[0], texts[1]
+                ));
+                continue;
+            };
+            own.of_sensors.resize(own.of_sensors.len().max(sensor + 1), None);
+            own.of_sensors[sensor] = Some(TwoWords {
+                on: pair.values[on],
+                off: pair.values[1 - on],
+                is_contact: kind == Kind::Contact,
+                because: format!("{:?} is taken for ON, as {because}", texts[on]),
+            });
+        }
+        own
+    }
+
+    /// The meaning of a row whose sensor has words of its own.
+    pub fn says(&self, event: &Event) -> Option<Says> {
+        let words = self.of_sensors.get(event.sensor as usize)?.as_ref()?;
+        let (begins, ends) = if words.is_contact { (Says::Opens, Says::Closes) } else { (Says::Begins, Says::Ends) };
+        match event.value {
+            value if value == words.on => Some(begins),
+            value if value == words.off => Some(ends),
+            _ => None,
+        }
+    }
+
+    /// Which word of a sensor was taken for ON, and why; `None` of one without words of its own.
+    pub fn because(&self, sensor: usize) -> Option<&str> {
+        Some(&self.of_sensors.get(sensor)?.as_ref()?.because)
+    }
+
+    /// Whether no sensor has any.
+    pub fn is_empty(&self) -> bool {
+        self.of_sensors.is_empty()
+    }
+
+    /// A sentence on each sensor whose two words are not understood.
+    pub fn not_understood(&self) -> &[String] {
+        &self.not_understood
+    }
+}
+
+/// The kind of a sensor that its source or its name takes for one of motion, a contact or a place to sit or lie.
+fn kind_of_states(log: &Log, id: &str) -> Option<Kind> {
+    let (known, named) = known_and_named(log, id);
+    let is_seat = is_seat(id) || known.is_some_and(|known| is_seat(&known.name) || is_seat(&known.kind));
+    match known.and_then(|known| meaning(&known.kind, "")) {
+        Some(Meaning::Is(kind @ (Kind::Motion | Kind::Contact))) => return Some(kind),
+        Some(Meaning::Somebody) => return Some(Kind::Motion),
+        _ => {}
+    }
+    match named {
+        Some((Named::Motion, _)) => Some(Kind::Motion),
+        Some((Named::Contact | Named::Door, _)) => Some(Kind::Contact),
+        Some((Named::Device, _)) => None,
+        _ => is_seat.then_some(Kind::Used),
+    }
+}
+
+/// Which of two texts begins something, and why; `None` where nothing tells.
+fn which_begins(pair: &Pair, texts: [&str; 2]) -> Option<(usize, String)> {
+    let said = texts.map(says);
+    for (one, other) in [(0, 1), (1, 0)] {
+        if said[one].is_sign() {
+            let on = if said[one].is_on() { one } else { other };
+            return Some((on, format!("{:?} is the other of its two words", texts[1 - on])));
+        }
+        if said[one] == Says::Unknown && pair.takes_turns {
+            return Some((other, format!("{:?} is the other of its two words", texts[one])));
+        }
+        if negates(texts[one], texts[other]) {
+            return Some((other, format!("{:?} negates it", texts[one])));
+        }
+    }
+    let [first, second] = pair.held;
+    match pair.takes_turns {
+        true if first > 0 && first.saturating_mul(LESS) <= second => Some((0, LESS_TIME.to_owned())),
+        true if second > 0 && second.saturating_mul(LESS) <= first => Some((1, LESS_TIME.to_owned())),
+        _ => None,
+    }
+}
+
+const LESS_TIME: &str = "it holds for less of the time";
+
+/// Whether a text is another one behind letters or words that turn it round, such as `unbelegt` of `belegt`.
+fn negates(text: &str, other: &str) -> bool {
+    let [text, other] = [text, other].map(|text| words(text).concat());
+    other.chars().count() > 1 && text.len() > other.len() && text.ends_with(&other)
+}
+
+/// Whether a value is a number.
+pub fn is_number(value: &str) -> bool {
+    value.parse::<f64>().is_ok_and(f64::is_finite)
+}
