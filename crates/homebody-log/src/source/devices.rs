@@ -116,7 +116,7 @@ mod tests {
         assert_eq!(of(&heard), Some(("Tower 7 A".into(), None, vec!["temperature_C".into()])));
         let door = json!({"time": "t", "model": "Door", "id": 7, "cmd": 14, "opened": 1, "state": "open"});
         assert_eq!(of(&door), Some(("Door 7".into(), Some("open".into()), vec!["cmd".into()])));
-        // A row that names its sensor is none, nor is one whose device has no number.
+        // A row names its sensor, and a device without a number is not known.
         for other in [
             json!({"time": "t", "model": "Tower", "id": 7, "sensor": "hall", "value": 1}),
             json!({"time": "t", "model": "Tower", "humidity": 45}),

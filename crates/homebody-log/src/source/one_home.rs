@@ -66,7 +66,7 @@ impl OneHome {
         }
     }
 
-    /// Refuses rows none of which is of the home that was asked for.
+    /// Refuses a text without a row of the home that was asked for.
     pub fn end(&self, out: &Gathered<'_, '_>) -> Result<(), LogError> {
         let Some(asked) = &out.reading.options.home else { return Ok(()) };
         match asked.home.as_deref() {
