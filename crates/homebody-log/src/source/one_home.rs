@@ -20,7 +20,7 @@ const NAMED: usize = 10;
 #[derive(Default)]
 pub(super) struct OneHome {
     first: Option<String>,
-    /// Where one is asked for, the others that have come, and whether it has.
+    /// The others that have come next to the one that is asked for, and whether that has.
     others: BTreeSet<String>,
     has_asked: bool,
 }
