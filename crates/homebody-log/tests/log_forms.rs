@@ -147,9 +147,9 @@ homebody look day.csv.gz
 A log whose newest rows come first, or whose rows come sensor by sensor, is looked at in the order of time, and `look` says so.
 Sensors of which no row says that something ends repeat nothing, and numbers do not either.
 
-States are known by their words in the languages of the plan importer: `ON`, `No motion`, `geschlossen`, `有人`. Where a sensor that is named
-as one of motion, a contact or a bed says two other words in turn, `look` guesses which of them is ON and says why, or names them as not
-understood.
+States are known by their words in the languages of the plan importer: `ON`, `No motion`, `geschlossen`, `有人`. A sensor that is named
+as one of motion, a contact or a bed may say two other words in turn. Then `look` guesses which of them is ON and says why, or names both
+as not understood.
 ";
 
 #[test]

@@ -47,6 +47,8 @@ pub(super) struct Orders {
     first: Micros,
     forward: u64,
     back: u64,
+    /// How often a row is earlier than the one before it, which is of the same sensor.
+    back_within: u64,
     /// The most that a row is earlier than the one before it.
     most: Micros,
     /// How many times rows of one sensor follow rows of another.
@@ -58,6 +60,7 @@ impl Orders {
         if let Some((before, of)) = self.last {
             self.forward += u64::from(at > before);
             self.back += u64::from(at < before);
+            self.back_within += u64::from(at < before && of == sensor);
             self.most = self.most.max(before - at);
             self.turns += u64::from(of != sensor);
         } else {
@@ -82,7 +85,7 @@ impl Orders {
         match () {
             () if self.back == 0 => Order::OfTime,
             () if self.back > self.forward && !has_passed => Order::NewestFirst,
-            () if sensors > 1 && self.turns + 1 == sensors as u64 => Order::BySensor,
+            () if self.back_within == 0 && self.turns + 1 == sensors as u64 => Order::BySensor,
             () if self.most > SET_BACK => Order::Another,
             () => Order::OfTime,
         }

@@ -62,8 +62,10 @@ impl OwnWords {
         let mut own = OwnWords::default();
         for pair in &log.pairs {
             let (sensor, id) = (pair.sensor as usize, &log.sensors[pair.sensor as usize]);
-            let Some(kind) = kind_of_states(log, id) else { continue };
             let texts = pair.values.map(|value| log.values[value as usize].as_str());
+            // A sensor that says `pir` and `none` in turn is one of motion, whatever it is called.
+            let says_pir = || texts.iter().any(|text| text.eq_ignore_ascii_case("pir")).then_some(Kind::Motion);
+            let Some(kind) = kind_of_states(log, id).or_else(says_pir) else { continue };
             let Some((on, because)) = which_begins(pair, texts) else {
                 own.not_understood.push(format!(
                     "{id} says {:?} and {:?}, and neither is known to begin something: it is taken for a reading",

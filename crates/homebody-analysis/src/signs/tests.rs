@@ -271,6 +271,7 @@ fn two_words_of_a_sensor_that_no_table_has_are_a_guess_by_its_name() {
         ("hall pir", ["zang", "zing"], [500, 20], Kind::Motion, "zing"),
         ("hall pir", ["Bewogen", "OFF"], [500, 20], Kind::Motion, "Bewogen"),
         ("hall pir", ["pir", "none"], [20, 20], Kind::Motion, "pir"),
+        ("bf01", ["pir", "none"], [20, 20], Kind::Motion, "pir"),
         ("bed", ["liegt", "nichtliegt"], [500, 20], Kind::Used, "liegt"),
     ] {
         let log = in_turn(sensor, words, held);

@@ -1,4 +1,4 @@
-//! Objects of JSON in which one device reports several readings at once, and neither names a sensor nor a value: uplinks of LoRaWAN
+//! Objects of JSON in which one device reports several readings at once. Their forms are three: uplinks of LoRaWAN
 //! networks, whose readings are in an inner object; messages that rtl_433 hears, whose device is a model and its number; and events of
 //! Philips Hue, whose reading is under the name of its type.
 
@@ -7,7 +7,7 @@ use super::said::{Object, member, text};
 use homebody_core::sensed::{Kind, Meaning, meaning};
 use serde_json::Value;
 
-/// What one device reported.
+/// The report of one device.
 #[derive(Debug, PartialEq)]
 pub(super) struct Report {
     pub time: Value,
@@ -33,7 +33,7 @@ const OF_RADIO: [&str; 7] = ["mic", "mod", "freq", "freq1", "freq2", "protocol",
 /// The most objects within each other around a reading.
 const DEEPEST: usize = 4;
 
-/// What one device reported, if an object is such a report. `above` finds members of the objects around it.
+/// The report of a device, if an object is one. `above` finds members of the objects around it.
 pub(super) fn report<'a>(object: &Object, above: &dyn Fn(&str) -> Option<&'a Value>) -> Option<Report> {
     uplink(object).or_else(|| heard(object)).or_else(|| of_hue(object, above))
 }
@@ -116,7 +116,7 @@ mod tests {
         assert_eq!(of(&heard), Some(("Tower 7 A".into(), None, vec!["temperature_C".into()])));
         let door = json!({"time": "t", "model": "Door", "id": 7, "cmd": 14, "opened": 1, "state": "open"});
         assert_eq!(of(&door), Some(("Door 7".into(), Some("open".into()), vec!["cmd".into()])));
-        // A row that names its sensor is none, nor is one whose device has no number.
+        // A row names its sensor, and a device without a number is not known.
         for other in [
             json!({"time": "t", "model": "Tower", "id": 7, "sensor": "hall", "value": 1}),
             json!({"time": "t", "model": "Tower", "humidity": 45}),

@@ -1,4 +1,4 @@
-//! A line of jq that makes rows of objects of JSON which are none as they are, by the objects themselves.
+//! A line of jq that makes rows of other objects of JSON, by their keys.
 
 use super::columns::role_of;
 use super::instant::Instants;
@@ -64,7 +64,7 @@ fn paths<'o>(above: &str, object: &'o Object, deepest: usize, all: &mut Vec<(Str
     }
 }
 
-/// A step of a path of jq: a key that is no plain word stands in quotes.
+/// A step of a path of jq: a key stands in quotes unless it is a plain word.
 pub(super) fn step(key: &str) -> String {
     let is_letter = |c: char| c.is_ascii_alphabetic() || c == '_';
     let is_word = key.starts_with(is_letter) && key.chars().all(|c| is_letter(c) || c.is_ascii_digit());

@@ -20,7 +20,7 @@ const NAMED: usize = 10;
 #[derive(Default)]
 pub(super) struct OneHome {
     first: Option<String>,
-    /// Where one is asked for, the others that have come, and whether it has.
+    /// The others that have come next to the one that is asked for, and whether that has.
     others: BTreeSet<String>,
     has_asked: bool,
 }
@@ -66,7 +66,7 @@ impl OneHome {
         }
     }
 
-    /// Refuses rows none of which is of the home that was asked for.
+    /// Refuses a text without a row of the home that was asked for.
     pub fn end(&self, out: &Gathered<'_, '_>) -> Result<(), LogError> {
         let Some(asked) = &out.reading.options.home else { return Ok(()) };
         match asked.home.as_deref() {
