@@ -86,7 +86,8 @@ fn shapes(text: &str) -> Option<String> {
     let mut rooms = BTreeSet::new();
     for list in ["rooms", "doors", "furniture", "sensors"] {
         let mut known = BTreeSet::new();
-        for (number, thing) in home[list].as_array_mut().into_iter().flatten().enumerate() {
+        let things = home.get_mut(list).and_then(Value::as_array_mut);
+        for (number, thing) in things.into_iter().flatten().enumerate() {
             let is_entered = list == "furniture" && thing["enterable"] == true;
             if list == "furniture" && !is_entered {
                 thing.as_object_mut()?.remove("role");
@@ -94,7 +95,7 @@ fn shapes(text: &str) -> Option<String> {
             let name = folded(thing["name"].as_str()?);
             let is_taken = name.is_empty() || known.contains(&name) || is_entered && rooms.contains(&name);
             if is_taken {
-                thing["name"] = json!(format!("{} {}", &list[..4], number + 1));
+                thing["name"] = json!(format!("{name} ({})", number + 1));
             } else {
                 known.insert(name);
             }
