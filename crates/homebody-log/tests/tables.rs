@@ -420,3 +420,175 @@ fn names_of_which_none_comes_again_are_no_sensors() {
     let again: String = (0..3000).map(|index| format!("2009-03-02 07:00:00,key{},ON\n", index % 1400)).collect();
     assert_eq!(read_text(&format!("time,sensor,value\n{again}")).unwrap().1.sensors.len(), 1400);
 }
+
+/// The rows of a text as its number of rows and its sensors in order, and its log.
+fn sensors_of(text: &str) -> (u64, Vec<String>, Log) {
+    let (_, log) = read_text(text).unwrap_or_else(|error| panic!("{error} in {text}"));
+    let mut sensors = log.sensors.clone();
+    sensors.sort();
+    (log.rows, sensors, log)
+}
+
+/// A heading and rows, a minute apart: `T` is the instant, `I` the row's number.
+fn table(heading: &str, count: usize, row: impl Fn(usize) -> String) -> String {
+    let line = |index: usize| row(index).replace('T', &format!("2009-03-02 {}", clock(index))) + "\n";
+    format!("{heading}\n{}", (0..count).map(line).collect::<String>())
+}
+
+#[test]
+fn numbers_that_name_something_are_no_instants_and_no_sensors() {
+    let row = |index: usize| format!("{},hall,{},Mar 2 2009 {}", 1_000_000_100 + index, index % 2, clock(index));
+    let (rows, sensors, log) = sensors_of(&table("event_id,sensor,state,when_it_was", 24, row));
+    assert_eq!(
+        (rows, &sensors[..], taken(&log, ColumnRole::Time)),
+        (24, &["hall".to_owned()][..], vec!["when_it_was"])
+    );
+    assert_eq!(told(&log)[1].0, 60.0);
+    let row = |index: usize| format!("1000000123,{index},T,{index}.5");
+    let (rows, sensors, _) = sensors_of(&table("account_id,entry_id,reading_time,kwh", 24, row));
+    assert_eq!((rows, &sensors[..]), (24, &["kwh".to_owned()][..]));
+    // The control: numbers since 1970 under a heading of their own are the time.
+    let row = |index: usize| format!("{},hall,{}", 1_235_977_200 + 60 * index, index % 2);
+    assert_eq!(sensors_of(&table("time,sensor,state", 24, row)).2.events[1].at, SEVEN + 60 * SECOND);
+}
+
+#[test]
+fn values_of_intervals_are_kept_and_nothing_is_lost_without_a_word() {
+    let values = |word: &dyn Fn(usize) -> &'static str| {
+        let (rows, _, log) =
+            sensors_of(&table("start,end,sensor,value", 24, |row| format!("T,2009-03-02 09:00:00,bed,{}", word(row))));
+        (rows, log.values)
+    };
+    assert_eq!(values(&|_| "closed"), (24, vec!["closed".to_owned()]));
+    assert_eq!(values(&|row| ["TAKEN", "MISSED"][row % 2]), (24, vec!["TAKEN".to_owned(), "MISSED".into()]));
+    let numbers = table("Consumption (kwh),Start,End", 24, |row| format!("0.{row},T,2009-03-02 08:00:00"));
+    let (rows, sensors, log) = sensors_of(&numbers);
+    assert_eq!((rows, &sensors[..]), (24, &["Consumption (kwh)".to_owned()][..]));
+    assert!(log.remarks.iter().any(|remark| remark.contains("are left out")), "{:?}", log.remarks);
+}
+
+#[test]
+fn the_sensor_is_the_column_that_parts_the_rows() {
+    let named = |text: &str| sensors_of(text).1;
+    let two = |a: &str, b: &str| vec![a.to_owned(), b.to_owned()];
+    // A column that never changes loses, whatever its heading.
+    let row = |index: usize| format!("T,{},***,ON", ["hall", "bath"][index % 2]);
+    assert_eq!(named(&table("Time,Door,Name,Result", 24, row)), two("bath", "hall"));
+    let row = |index: usize| format!("MAC{},Std,2009-03-02 {},0.{index},A,KWH", index / 12, clock(index % 12));
+    assert_eq!(named(&table("LCLid,tariff,DateTime,KWH/hh,group,Unity", 24, row)), two("MAC0", "MAC1"));
+    // Numbers of meters are names.
+    let row = |index: usize| format!("57131317400000000{},2009-03-02 {},0.{index},KWH", index / 12, clock(index % 12));
+    assert_eq!(named(&table("MeterID,from,amount of energy,Unity", 24, row)).len(), 2);
+    // Notes in some rows name no sensor.
+    let row = |index: usize| format!("T,36.{index},{}", if index % 3 == 0 { "took a pill" } else { "" });
+    assert_eq!(named(&table("Time,Temperature,Remarks", 24, row)), ["Temperature"]);
+    // Two columns with the same names are not guessed.
+    let row = |index: usize| format!("T,{},{},{index}", ["A", "B"][index % 2], ["B", "A", "C"][index % 3]);
+    let error = why(&table("Time,from team,to team,goals", 24, row));
+    assert!(error.contains("nothing says which of them names its sensors"), "{error}");
+}
+
+#[test]
+fn what_a_row_tells_of_a_device_stands_in_the_sensor_name() {
+    let row = |index: usize| match index % 3 {
+        0 => "Hall PIR,motion,active,T".to_owned(),
+        1 => "Hall PIR,motion,inactive,T".to_owned(),
+        _ => format!("Hall PIR,temperature,20.{index},T"),
+    };
+    let (rows, sensors, _) = sensors_of(&table("Device,Name,Value,Date", 24, row));
+    assert_eq!((rows, sensors), (24, vec!["Hall PIR motion".to_owned(), "Hall PIR temperature".into()]));
+    let row = |index: usize| format!("b1,{},{},T", ["va_temperature", "va_humidity"][index % 2], 40 + index);
+    assert_eq!(sensors_of(&table("Device ID,DP Code,Value,Event Time", 24, row)).1.len(), 2);
+    // The control: a word that only says the value again is no part of the name.
+    let row = |index: usize| format!("b1,{},{},T", ["has come on", "is off"][index % 2], ["ON", "OFF"][index % 2]);
+    assert_eq!(sensors_of(&table("Device,Code,Value,Date", 24, row)).1, ["b1"]);
+}
+
+#[test]
+fn units_brackets_and_thousands_are_no_part_of_a_number() {
+    let row = |index: usize| format!("T,21.{} °C,{} W,{}%", 10 + index, [0, 120][index % 2], index);
+    let (rows, sensors, log) = sensors_of(&table("Time,Living,Power,Damper", 24, row));
+    assert_eq!((rows, sensors.len(), &*log.values[0]), (72, 3, "21.10"));
+    assert_eq!(log.known.iter().filter(|known| known.unit.is_some()).count(), 3);
+    let (rows, sensors, log) =
+        sensors_of(&table("start,duration,value", 24, |index| format!("T,[60],[{}]", 60 + index)));
+    assert_eq!((rows, sensors.len(), &*log.values[0]), (24, 1, "60"));
+    let row = |index: usize| format!("T;12.3{},85;1.{}", 10 + index, 280 + index);
+    let (_, _, log) = sensors_of(&table("Zeit;Zähler;Leistung", 24, row));
+    assert_eq!(&log.values[..2], ["12310.85", "1280"]);
+    // The control: a point before two digits is one of decimals.
+    let (_, _, log) = sensors_of(&table("Zeit;Zähler;Leistung", 24, |index| format!("T;1,{index};1.2")));
+    assert_eq!(log.values[1], "1.2");
+}
+
+#[test]
+fn rows_above_the_heading_are_passed_over_with_a_word() {
+    let row = |index: usize| format!("T;{};{}", ["hall", "bath"][index % 2], ["ON", "OFF"][index / 2 % 2]);
+    for (above, told_of) in [
+        ("sep=;\n", "line 1 is above"),
+        ("# made by a program\n# in 2009\n", "lines 1 to 2 are above"),
+        ("Name;Jane\nStreet;Main\n\n", "lines 1 to 2 are above"),
+        ("Station;Long;Lat\nhome;8.54;47.37\n", "lines 1 to 2 are above"),
+    ] {
+        let (rows, sensors, log) = sensors_of(&format!("{above}{}", table("Time;Sensor;State", 24, row)));
+        assert_eq!((rows, sensors.len(), log.skipped), (24, 2, 0), "{above}");
+        assert!(log.remarks.iter().any(|remark| remark.contains(told_of)), "{:?}", log.remarks);
+    }
+    let units = table("Time;EG;OG\n[-];[°C];[°C]", 24, |index| format!("T;2{}.5;19.{index}", index % 3));
+    assert_eq!(sensors_of(&units).1, ["EG", "OG"]);
+    let twice = ";SN 1;SN 1;SN 2;SN 2\n;yield;power;yield;power\nformat;kWh;kW;kWh;kW";
+    let twice = table(twice, 24, |index| format!("T;1,{index};2,{index};3,{index};4,{index}"));
+    assert_eq!(sensors_of(&twice).1, ["SN 1 power", "SN 1 yield", "SN 2 power", "SN 2 yield"]);
+    // A column of the rows' numbers may be called `#`.
+    let counted = table("#,time,sensor,value", 24, |index| format!("{index},T,hall,{}", ["ON", "OFF"][index % 2]));
+    assert_eq!(sensors_of(&counted).1, ["hall"]);
+}
+
+#[test]
+fn letters_of_windows_midnights_and_clocks_are_read() {
+    let path = folder();
+    let mut bytes = b"time,sensor,value\n".to_vec();
+    (0..24).for_each(|index| bytes.extend(format!("2009-03-02 {},K\u{1}che,ON\n", clock(index)).bytes()));
+    bytes.iter_mut().filter(|byte| **byte == 1).for_each(|byte| *byte = 0xfc);
+    fs::write(path.path().join("log.csv"), bytes).unwrap();
+    let log = read(&path.url("csv:log.csv"), &LoggerFile::default()).unwrap();
+    assert_eq!(log.sensors, ["Küche"]);
+    assert!(log.remarks.iter().any(|remark| remark.contains("windows-1252")), "{:?}", log.remarks);
+    let midnight = table("date;clock;kWh", 24, |index| format!("02.03.2009;{};0,1", ["23:00", "24:00"][index % 2]));
+    assert_eq!(sensors_of(&midnight).2.skipped, 0);
+    assert_eq!(sensors_of(&table("Date/time UTC,hall", 24, |index| format!("T,2{index}.5"))).2.clock, Clock::Utc);
+    let days = table("Time,Sensor,State", 24, |index| format!("39874.{},hall,{}", 300 + index, index % 2));
+    assert_eq!(sensors_of(&days).2.events[0].at, SEVEN + 720 * SECOND);
+    let labels = table("Time,ItemName,Value", 24, |index| match index {
+        2 => "T,label,START:Kitchen|Cooking".to_owned(),
+        9 => "T,label,STOP:Kitchen|Cooking".to_owned(),
+        _ => format!("T,door,{}", ["ON", "OFF"][index % 2]),
+    });
+    let (rows, sensors, log) = sensors_of(&labels);
+    assert_eq!((rows, sensors.len(), log.activities.len()), (22, 1, 1));
+}
+
+#[test]
+fn lists_of_other_things_are_refused_with_the_reason() {
+    let place = |index: usize| ["web", "mail", "news"][index % 3];
+    for (text, said) in [
+        (table("When,Url,Page", 24, |row| format!("T,https://example.org/{row},{}", place(row))), "addresses of pages"),
+        (table("Call,When,Number", 24, |row| format!("{},T,+4179555{row:04}", place(row))), "numbers of telephones"),
+        (table("When,Email,Task", 24, |row| format!("T,a@example.org,{}", place(row))), "addresses of mail"),
+        (table("When,Product,Quantity,Price", 24, |row| format!("T,{},{row},19.9", place(row))), "holds prices"),
+        (table("When,Are you well?,Note", 24, |row| format!("T,{row},{}", place(row))), "asks people"),
+        (table("when,author,subject", 24, |row| format!("T,{},mend the part {row}", place(row))), "hardly come again"),
+        (table("time,lat,lon,speed", 24, |row| format!("T,47.{row},8.{row},{row}")), "places on a map"),
+    ] {
+        let error = why(&text);
+        assert!(error.contains(said), "{error}");
+    }
+}
+
+#[test]
+fn persons_who_turn_a_lock_are_no_homes() {
+    let row =
+        |index: usize| format!("T,Front door,{},{}", ["Unlock", "Lock"][index % 2], ["Ben", "", "Ann"][index % 3]);
+    let (rows, sensors, _) = sensors_of(&table("Date,Device,Action,User", 24, row));
+    assert_eq!((rows, sensors), (24, vec!["Front door".to_owned()]));
+}

@@ -1,6 +1,7 @@
 //! The cells of a table's column by its first rows: instants, numbers, words, and how often each comes again.
 
-use super::instant::{Instant, Instants};
+use super::instant::{Instant, Instants, is_day_number, may_be_date};
+use super::measured::{is_money, is_unit, measured};
 use super::options::DateOrder;
 use homebody_core::states::says;
 use homebody_core::time::{DAY, Micros};
@@ -119,10 +120,19 @@ pub(super) struct Cells {
     pub severities: usize,
     /// Texts of several words.
     pub sentences: usize,
+    /// Numbers with a unit, or in a list of their own: they count as numbers.
+    pub measured: usize,
+    pub money: usize,
+    /// Units alone.
+    pub units: usize,
+    /// Numbers that may be those of days in a spreadsheet, with a fraction.
+    pub day_numbers: usize,
     /// Each text with how often it comes.
     pub texts: BTreeMap<String, usize>,
-    /// Whether each is the number after the one before.
+    /// Whether each is the number after the one before, from 0 or 1 on.
     pub is_numbering: bool,
+    /// Whether each is the whole number after the one before.
+    pub is_counting: bool,
     pub order: Orders,
     last: Option<f64>,
 }
@@ -130,9 +140,10 @@ pub(super) struct Cells {
 impl Cells {
     /// The cells of a column in the first rows.
     pub fn of<'r>(column: impl Iterator<Item = &'r str>, read: &mut Reads) -> Cells {
-        let mut cells = Cells { is_numbering: true, ..Cells::default() };
+        let mut cells = Cells { is_numbering: true, is_counting: true, ..Cells::default() };
         column.map(str::trim).filter(|cell| !is_blank(cell)).for_each(|cell| cells.take(cell, read));
         cells.is_numbering &= cells.filled > 1;
+        cells.is_counting &= cells.filled > 2;
         cells
     }
 
@@ -155,8 +166,17 @@ impl Cells {
             }
             Shape::Else => {}
         }
-        let number = number(cell);
+        let with_unit = measured(cell);
+        let number = number(with_unit.map_or(cell, |(number, _)| number));
         self.numbers += usize::from(number.is_some());
+        self.measured += usize::from(with_unit.is_some() && number.is_some());
+        self.money += usize::from(is_money(cell));
+        self.units += usize::from(is_unit(cell));
+        self.day_numbers += usize::from(number.is_some_and(|number| is_day_number(number) && number.fract() != 0.0));
+        self.is_counting &= match (self.last, number) {
+            (None, first) => first.is_some_and(|first| first.fract() == 0.0),
+            (Some(last), next) => next == Some(last + 1.0),
+        };
         self.is_numbering &= match (self.last, number) {
             (None, Some(first)) => first == 0.0 || first == 1.0,
             (Some(last), Some(next)) => next == last + 1.0,
@@ -202,6 +222,16 @@ impl Cells {
         self.filled >= ENOUGH && 10 * self.texts.len() >= 7 * self.filled
     }
 
+    /// Whether it has the same text in all of several rows.
+    pub fn is_constant(&self) -> bool {
+        self.filled >= FEW && self.texts.len() == 1
+    }
+
+    /// Whether all are whole numbers of several digits, or texts of signs alone.
+    pub fn are_whole(&self) -> bool {
+        self.filled > 0 && self.texts.keys().all(|text| text.bytes().all(|byte| byte.is_ascii_digit()))
+    }
+
     /// Whether each cell is 0 or 1, or a word of two states, and both come.
     pub fn is_switch(&self) -> bool {
         self.are(self.switches) && (self.texts.len() > 1 || self.numbers == 0)
@@ -239,6 +269,13 @@ fn number(cell: &str) -> Option<f64> {
         (_, 0 | 1) => cell.replace(',', "").parse().ok(),
         _ => None,
     }
+}
+
+/// Whether an instant is before 2100: a number that would be later is something else.
+fn is_near(at: Instant) -> bool {
+    const OF_2100: Micros = 47_482 * DAY;
+    let (Instant::Local(at) | Instant::Utc(at)) = at;
+    at < OF_2100
 }
 
 /// In which orders dates in numbers can be read.
@@ -290,7 +327,7 @@ impl Reads {
     }
 
     fn shape(&mut self, cell: &str) -> Shape {
-        if !cell.starts_with(|first: char| first.is_ascii_digit()) {
+        if !may_be_date(cell) {
             return Shape::Else;
         }
         let has_time = cell.contains(':') || cell.contains('T');
@@ -298,7 +335,7 @@ impl Reads {
             return Shape::Instant(orders);
         }
         match () {
-            () if self.plain.read(cell).is_some() => Shape::Epoch,
+            () if self.plain.read(cell).is_some_and(is_near) => Shape::Epoch,
             () if has_time && self.plain.read(&format!("1970-01-01 {cell}")).is_some() => {
                 Shape::Time { is_of_twelve: cell.ends_with(['M', 'm', '.']) }
             }

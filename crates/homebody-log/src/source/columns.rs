@@ -67,7 +67,7 @@ const OTHERS: [(ColumnRole, &[&str]); 11] = [
         ColumnRole::End,
         &[
             "endtime", "end", "stop", "stoptime", "endedat", "finish", "until", "to", "bis", "ende", "endzeit", "fin",
-            "fine", "einde", "offtime", "dateend", "enddate",
+            "fine", "einde", "offtime", "dateend", "enddate", "tildato",
         ],
     ),
     (
@@ -90,6 +90,7 @@ const OTHERS: [(ColumnRole, &[&str]); 11] = [
             "duur",
             "elapsed",
             "elapseds",
+            "elapsedtime",
             "lasted",
             "lasteds",
         ],
@@ -157,9 +158,25 @@ const OTHERS: [(ColumnRole, &[&str]); 11] = [
             "stato",
             "waarde",
             "toestand",
+            "scaled",
+            "scaledvalue",
+            "info",
         ],
     ),
-    (ColumnRole::Label, &["roomactivity", "aktivitaet", "aktivität", "activite", "activité", "actividad", "attivita"]),
+    (
+        ColumnRole::Label,
+        &[
+            "roomactivity",
+            "activityname",
+            "activitytype",
+            "aktivitaet",
+            "aktivität",
+            "activite",
+            "activité",
+            "actividad",
+            "attivita",
+        ],
+    ),
     (
         ColumnRole::Home,
         &[
@@ -279,6 +296,70 @@ const OTHERS: [(ColumnRole, &[&str]); 11] = [
         &["index", "unnamed0", "rowid", "rownumber", "id", "seq", "no", "nr", "record", "recordid", "nummer"],
     ),
 ];
+
+/// Names of what a row tells of a device, where another column names the device.
+pub(super) const ATTRIBUTES: [&str; 30] = [
+    "attribute",
+    "capability",
+    "property",
+    "measurement",
+    "measure",
+    "quantity",
+    "parameter",
+    "metric",
+    "variable",
+    "characteristic",
+    "observedproperty",
+    "code",
+    "dp",
+    "dpid",
+    "dpcode",
+    "datapoint",
+    "channel",
+    "register",
+    "point",
+    "signal",
+    "readingtype",
+    "sensortype",
+    "typeofreading",
+    "messgroesse",
+    "messgröße",
+    "groesse",
+    "größe",
+    "grandeur",
+    "grandezza",
+    "magnitud",
+];
+
+/// Whether a heading is that of ids: numbers that name something, and tell nothing.
+pub(super) fn is_id(heading: &str) -> bool {
+    const WORDS: [&str; 12] =
+        ["id", "ids", "no", "nr", "uuid", "serial", "identifiant", "identifier", "kennung", "ean", "prm", "key"];
+    const ENDINGS: [&str; 9] =
+        ["dataid", "deviceid", "sensorid", "entryid", "eventid", "recordid", "rowid", "accountid", "meterid"];
+    let mut words = heading.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    let is_word =
+        |word: &str| WORDS.contains(&word.to_lowercase().as_str()) || word.ends_with("ID") || word.ends_with("Id");
+    words.any(is_word) || ENDINGS.iter().any(|ending| plain(heading).ends_with(ending))
+}
+
+/// Whether a heading is that of money.
+pub(super) fn is_price(heading: &str) -> bool {
+    const WORDS: [&str; 13] = [
+        "cost", "costs", "price", "prices", "kosten", "preis", "prix", "cout", "coût", "coste", "precio", "costo",
+        "prezzo",
+    ];
+    let mut words = heading.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.any(|word| WORDS.contains(&word.to_lowercase().as_str()))
+}
+
+/// Whether a heading says that its clock is UTC's, as `Date/time UTC` and `utc_time` do.
+pub(super) fn is_of_utc(heading: &str) -> bool {
+    let lower = heading.to_lowercase();
+    let mut words = lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.clone().any(|word| matches!(word, "utc" | "utctime" | "timeutc" | "zulu"))
+        && !words.any(|word| matches!(word, "offset" | "local"))
+}
 
 /// A heading by its letters and digits, in lower case: `Start Time` is `starttime`. A unit in brackets is left out.
 pub(super) fn plain(heading: &str) -> String {

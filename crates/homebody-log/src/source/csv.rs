@@ -5,7 +5,7 @@ use super::foreign::no_text;
 use super::form::{Form, Shows};
 use super::homes::{self, Homes};
 use super::instant::Instants;
-use super::layout::{Layout, Rows};
+use super::layout::{Layout, Rows, refused};
 use super::options::TableOptions;
 use super::reading::Reading;
 use super::records::{Record, Records};
@@ -67,7 +67,9 @@ fn table(start: &Start) -> Option<TableKind> {
                 Rows::Intervals { .. } => TableKind::Intervals,
                 Rows::Wide { .. } => TableKind::Wide,
             }),
-            Err(_) if !has_tabs && start.delimiters() >= 2 && start.has_instants() => Some(TableKind::Refused),
+            Err(_) if !has_tabs && (start.delimiters() >= 2 || start.is_steady()) && start.has_instants() => {
+                Some(TableKind::Refused)
+            }
             _ => None,
         }
     })
@@ -75,7 +77,9 @@ fn table(start: &Start) -> Option<TableKind> {
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let Some(layout) = Layout::of(path, file, &reading.options)? else { return Ok(()) };
-    reading.instants.order = layout.order;
+    (reading.instants.order, reading.instants.is_utc) = (layout.order, layout.is_utc);
+    reading.instants.has_day_numbers = layout.has_day_numbers;
+    let (rows, skipped) = (reading.log.rows, reading.log.skipped);
     layout.uses.iter().for_each(|of| reading.column_use(of.clone()));
     reading.log.remarks.extend(layout.remarks.iter().cloned());
     let mut homes = Homes::of(&layout, &reading.options);
@@ -104,7 +108,23 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         Homes::Asked { column, home } if reading.log.rows == 0 && reading.log.activities.is_empty() => {
             Err(homes::without(path, &layout, column, &home))
         }
-        _ => Ok(()),
+        _ => has_rows(path, reading.log.rows - rows, reading.log.skipped - skipped, !reading.log.activities.is_empty()),
+    }
+}
+
+/// Refuses a table that loses most of its rows.
+fn has_rows(path: &Path, rows: u64, skipped: u64, has_activities: bool) -> Result<(), LogError> {
+    /// Fewer lost rows may be an accident.
+    const MOST_LOST: u64 = 20;
+    match has_activities || skipped < MOST_LOST || 9 * rows >= skipped {
+        true => Ok(()),
+        false => {
+            let all = rows + skipped;
+            Err(refused(
+                path,
+                format!("{skipped} of its {all} rows have no instant, sensor and value as the others have"),
+            ))
+        }
     }
 }
 
@@ -120,6 +140,7 @@ fn each_row(
 ) -> Result<(), LogError> {
     let mut records = Records::open(path)?;
     let mut alone = Instants::with_order(layout.order);
+    alone.has_day_numbers = layout.has_day_numbers;
     let mut buffer = Vec::new();
     let mut is_row = |record: &Record| alone.read_bytes(layout.time.text(record, &mut buffer)).is_some();
     while let Some((line, record)) = records.next(&mut is_row)? {
@@ -134,6 +155,12 @@ fn each_row(
             Some(false) => {}
             None => return Err(homes::several(path, layout)),
         }
+    }
+    if records.has_other_letters {
+        reading
+            .log
+            .remarks
+            .push("it is no text in UTF-8: its letters are read as those of Windows (windows-1252)".into());
     }
     Ok(())
 }

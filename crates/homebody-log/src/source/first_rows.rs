@@ -2,10 +2,10 @@
 
 use super::cells::{Cells, Reads};
 use super::columns::Places;
+use super::heading::{Beginning, Row};
 use super::records::{Record, Records};
 use crate::error::LogError;
 use homebody_core::scenario::logger::LoggerFile;
-use std::collections::BTreeMap;
 use std::path::Path;
 
 /// So many rows are looked at.
@@ -26,6 +26,8 @@ pub(super) struct FirstRows {
     pub cells: Vec<Cells>,
     /// How many of the rows have more cells than the heading has names, with a text in one of them.
     pub longer: usize,
+    /// Remarks on the lines above them.
+    pub remarks: Vec<String>,
 }
 
 impl FirstRows {
@@ -34,38 +36,28 @@ impl FirstRows {
         let mut records = Records::open(path)?;
         let mut reads = Reads::new();
         let (mut rows, mut bytes) = (Vec::new(), 0);
-        let mut is_row = |alone: &Record| alone.texts().iter().any(|cell| reads.moment(cell, None).is_some());
+        let mut has_instant = |alone: &Record| alone.texts().iter().any(|cell| reads.moment(cell, None).is_some());
         while rows.len() <= MOST_ROWS && bytes < MOST_BYTES {
-            let Some((line, record)) = records.next(&mut is_row)? else { break };
+            let Some((line, record)) = records.next(&mut has_instant)? else { break };
             let cells = record.texts();
             if cells.iter().any(|cell| !cell.is_empty()) {
                 bytes += cells.iter().map(|cell| cell.len() + size_of::<String>()).sum::<usize>();
                 rows.push((line, cells));
             }
         }
-        let width = usual_width(&rows);
-        // A title or a comment above the heading has one cell.
-        let above = rows.iter().take_while(|(_, row)| width > 1 && (row.len() == 1 || row[0].starts_with('#'))).count();
-        let mut rows = rows.into_iter().skip(above);
-        let Some((line, first)) = rows.next() else { return Ok(None) };
-        let rest: Vec<(u64, Vec<String>)> = rows.collect();
-        Ok(Some(FirstRows::parted(line, first, rest, file, &mut reads)))
+        let mut judged = Reads::new();
+        let mut is_heading = |row: &[String]| Places::by_name(row, file).is_some() || !is_row(row, &mut judged);
+        let Some(beginning) = Beginning::of(&rows, &mut is_heading, &mut reads) else { return Ok(None) };
+        Ok(Some(FirstRows::parted(rows, beginning, &mut reads)))
     }
 
-    fn parted(
-        line: u64,
-        first: Vec<String>,
-        rest: Vec<(u64, Vec<String>)>,
-        file: &LoggerFile,
-        reads: &mut Reads,
-    ) -> FirstRows {
-        let has_heading = Places::by_name(&first, file).is_some() || !is_row(&first, reads);
-        let (named, first_line) = match has_heading {
-            true => (first.clone(), rest.first().map_or(line + 1, |(line, _)| *line)),
-            false => (Vec::new(), line),
-        };
-        let first = Some(first).filter(|_| !has_heading);
-        let rows: Vec<Vec<String>> = first.into_iter().chain(rest.into_iter().map(|(_, row)| row)).collect();
+    fn parted(mut all: Vec<Row>, beginning: Beginning, reads: &mut Reads) -> FirstRows {
+        let Beginning { names, first, remarks } = beginning;
+        let behind = all.split_off(first);
+        let line = all.last().map_or(1, |(line, _)| line + 1);
+        let first_line = behind.first().map_or(line, |(line, _)| *line);
+        let (has_heading, named) = (names.is_some(), names.unwrap_or_default());
+        let rows: Vec<Vec<String>> = behind.into_iter().map(|(_, row)| row).collect();
         let is_longer = |row: &&Vec<String>| row.iter().skip(named.len()).any(|cell| !cell.is_empty());
         let longer = if has_heading { rows.iter().filter(is_longer).count() } else { 0 };
         let width = rows.iter().map(Vec::len).max().unwrap_or(0).max(named.len());
@@ -75,20 +67,13 @@ impl FirstRows {
         };
         let column = |place: usize| rows.iter().map(move |row| row.get(place).map_or("", String::as_str));
         let cells = (0..width).map(|place| Cells::of(column(place), reads)).collect();
-        FirstRows { names: (0..width).map(name).collect(), has_heading, first_line, cells, rows, longer }
+        FirstRows { names: (0..width).map(name).collect(), has_heading, first_line, cells, rows, longer, remarks }
     }
 
     /// The cells of a column, row by row.
     pub fn column(&self, place: usize) -> impl Iterator<Item = &str> {
         self.rows.iter().map(move |row| row.get(place).map_or("", String::as_str))
     }
-}
-
-/// The number of cells that most rows have.
-fn usual_width(rows: &[(u64, Vec<String>)]) -> usize {
-    let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
-    rows.iter().for_each(|(_, row)| *counts.entry(row.len()).or_default() += 1);
-    counts.into_iter().max_by_key(|(width, count)| (*count, *width)).map_or(0, |(width, _)| width)
 }
 
 /// Whether a first line is a row: an instant is in it, or a date and a time of day, or numbers are without a name.

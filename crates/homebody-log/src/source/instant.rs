@@ -24,6 +24,10 @@ pub(crate) struct Instants {
     midnight: Micros,
     /// Which number is the day in `02/03/2009`; `None`: such a date is not known.
     pub order: Option<DateOrder>,
+    /// Whether an instant without a zone is one of the world's clock.
+    pub is_utc: bool,
+    /// Whether numbers count days as spreadsheets do.
+    pub has_day_numbers: bool,
     /// The offsets of the instants so far, in the order of the rows.
     pub offsets: Vec<OffsetSpan>,
 }
@@ -35,7 +39,8 @@ impl Instants {
     }
 
     /// A date and time with a fraction of any length or none, with a zone or none; or a number since 1970. The date is
-    /// `2009-03-02`, `2009/03/02`, `20090302`, `2009-W10-1` or `02-Mar-2009`, and in the order that is known `02/03/2009`.
+    /// `2009-03-02`, `2009/03/02`, `20090302`, `2009-W10-1`, `02-Mar-2009` or `Mar 2, 2009`, and in the order that is known
+    /// `02/03/2009`.
     pub fn read(&mut self, text: &str) -> Option<Instant> {
         self.read_bytes(text.as_bytes())
     }
@@ -43,9 +48,11 @@ impl Instants {
     /// The same from bytes that may be no text: then they are no instant.
     pub fn read_bytes(&mut self, bytes: &[u8]) -> Option<Instant> {
         let Some((at, rest)) = self.leading(bytes.trim_ascii_start()) else {
-            return number(str::from_utf8(bytes).ok()?.trim());
+            let text = str::from_utf8(bytes).ok()?.trim();
+            return if self.has_day_numbers { day_number(text) } else { number(text) };
         };
-        match rest.trim_ascii() {
+        match without_place(rest.trim_ascii()) {
+            b"" if self.is_utc => Some(Instant::Utc(at)),
             b"" => Some(Instant::Local(at)),
             b"Z" | b"z" => Some(Instant::Utc(at)),
             zone => {
@@ -105,7 +112,8 @@ impl Instants {
         {
             return Some((midnight(day)?, rest));
         }
-        let (day, rest) = basic(bytes).or_else(|| iso_week(bytes)).or_else(|| in_numbers(bytes, self.order))?;
+        let found = basic(bytes).or_else(|| iso_week(bytes)).or_else(|| in_numbers(bytes, self.order));
+        let (day, rest) = found.or_else(|| in_words(bytes))?;
         Some((midnight(day)?, rest.strip_prefix(b",").unwrap_or(rest)))
     }
 }
@@ -145,6 +153,75 @@ fn in_numbers(bytes: &[u8], order: Option<DateOrder>) -> Option<(Date, &[u8])> {
     };
     let (month, day) = (digits(month).filter(|_| month.len() <= 2)?, digits(day).filter(|_| day.len() <= 2)?);
     Some((Date::new(year as i16, month as i8, day as i8).ok()?, &rest[length..]))
+}
+
+/// A date whose month is a word: `Mar 2 2009`, `Mon, 2 March 2009` or `2-Mar-09`.
+fn in_words(bytes: &[u8]) -> Option<(Date, &[u8])> {
+    let first = word(bytes);
+    let is_day = first.len() >= 3 && DAYS.iter().any(|day| starts(day, first));
+    let bytes = if is_day { past(&bytes[first.len()..], b", ") } else { bytes };
+    let name = word(bytes);
+    let number = |bytes: &[u8]| bytes.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    let (month, day, mark, rest) = match name.len() {
+        0 => {
+            let (day, mark, rest) = leading_number(bytes)?;
+            let name = word(rest);
+            let rest = &rest[name.len()..];
+            let is_parted = rest.first().is_some_and(|next| *next == mark || b". ,".contains(next));
+            (month(name)?, day, mark, past(rest, if is_parted { b".,- " } else { b"" }))
+        }
+        length => {
+            let rest = past(&bytes[length..], b". ");
+            let (day, rest) = rest.split_at(number(rest));
+            (month(name)?, day, b' ', past(rest, b", "))
+        }
+    };
+    let (year, rest) = rest.split_at(number(rest));
+    let year = match year.len() {
+        4 => digits(year)?,
+        2 if mark == b'-' => of_century(digits(year)?),
+        _ => return None,
+    };
+    let day = digits(day).filter(|_| day.len() <= 2 && b"- .".contains(&mark))?;
+    Some((Date::new(year as i16, month, day as i8).ok()?, rest))
+}
+
+/// The letters that bytes begin with.
+fn word(bytes: &[u8]) -> &[u8] {
+    &bytes[..bytes.iter().take_while(|byte| byte.is_ascii_alphabetic()).count()]
+}
+
+/// Bytes without these marks at their beginning.
+fn past<'b>(bytes: &'b [u8], marks: &[u8]) -> &'b [u8] {
+    &bytes[bytes.iter().take_while(|byte| marks.contains(byte)).count()..]
+}
+
+fn starts(name: &str, word: &[u8]) -> bool {
+    name.as_bytes().get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word))
+}
+
+/// The number of a month by its name, or by three of its letters and more.
+fn month(word: &[u8]) -> Option<i8> {
+    let place = MONTH_NAMES.iter().position(|name| word.len() >= 3 && starts(name, word))?;
+    Some(place as i8 + 1)
+}
+
+/// Whether a text may begin with a date: with a digit, or with the name of a day or a month.
+pub(super) fn may_be_date(text: &str) -> bool {
+    let first = word(text.as_bytes());
+    let is_name = || month(first).is_some() || first.len() >= 3 && DAYS.iter().any(|day| starts(day, first));
+    text.starts_with(|first: char| first.is_ascii_digit()) || is_name()
+}
+
+/// A zone without the name of a place behind it, as in `-05:00 New_York` and `+01:00[Europe/Paris]`.
+fn without_place(zone: &[u8]) -> &[u8] {
+    let is_offset = zone.starts_with(b"+") || zone.starts_with(b"-") || zone.starts_with(b"Z");
+    match zone.iter().position(|byte| b" [".contains(byte)).filter(|_| is_offset) {
+        Some(end) if zone[end + 1..].iter().all(|byte| byte.is_ascii_alphabetic() || b"_/]".contains(byte)) => {
+            &zone[..end]
+        }
+        _ => zone,
+    }
 }
 
 /// Two digits of a year: `09` is 2009, `98` is 1998.
@@ -227,6 +304,23 @@ fn civil(day: &[u8]) -> Option<Date> {
 /// How dates name months.
 const MONTHS: [&str; 12] = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"];
 
+/// The names of months and days, which are often cut.
+const MONTH_NAMES: [&str; 12] = [
+    "january",
+    "february",
+    "march",
+    "april",
+    "may",
+    "june",
+    "july",
+    "august",
+    "september",
+    "october",
+    "november",
+    "december",
+];
+const DAYS: [&str; 7] = ["monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday"];
+
 /// The beginning of a day.
 pub(super) fn midnight(day: Date) -> Option<Micros> {
     let days = date(1970, 1, 1).until(day).ok()?.get_days();
@@ -246,6 +340,21 @@ pub fn since_1970(number: f64) -> Option<Instant> {
         _ => return None,
     };
     Some(Instant::Utc(micros.round() as Micros))
+}
+
+/// Days since the end of 1899, as spreadsheets count them: a number from 1954 to 2119, to the millisecond.
+fn day_number(text: &str) -> Option<Instant> {
+    /// The day number of 1 January 1970.
+    const OF_1970: f64 = 25_569.0;
+    const MILLISECOND: f64 = 1000.0;
+    let days = text.replace(',', ".").parse::<f64>().ok().filter(|days| is_day_number(*days))?;
+    let milliseconds = ((days - OF_1970) * (DAY as f64 / MILLISECOND)).round();
+    Some(Instant::Local((milliseconds * MILLISECOND) as Micros))
+}
+
+/// Whether a number may be that of a day in a spreadsheet.
+pub(super) fn is_day_number(number: f64) -> bool {
+    (20_000.0..80_000.0).contains(&number)
 }
 
 /// The same of a whole number, to the digit.
@@ -288,7 +397,9 @@ fn time_of_day(text: &[u8]) -> Option<(Micros, &[u8])> {
     let [h, hh, m, mm, s, ss] = digits.map(|digit| Micros::from(digit.wrapping_sub(b'0')));
     let (hours, minutes, seconds) = (h * 10 + hh, m * 10 + mm, s * 10 + ss);
     let are_digits = (h <= 9) & (hh <= 9) & (m <= 9) & (mm <= 9) & (s <= 9) & (ss <= 9);
-    if !(are_digits & (hours < 24) & (minutes < 60) & (seconds < 60)) {
+    // 24:00 is the next midnight.
+    let is_midnight = (hours == 24) & (minutes == 0) & (seconds == 0);
+    if !(are_digits & ((hours < 24) | is_midnight) & (minutes < 60) & (seconds < 60)) {
         return None;
     }
     let whole = ((hours * 60 + minutes) * 60 + seconds) * SECOND;
@@ -409,6 +520,14 @@ mod tests {
             ("2009-03-02 7:12:03 AM", Instant::Local(AT)),
             ("2009-03-02 07:12:03 UTC", Instant::Utc(AT)),
             ("2009-03-02 1:12:03 AM CST", Instant::Utc(AT)),
+            ("2009-03-01 24:00:00", Instant::Local(AT - (7 * 3600 + 12 * 60 + 3) * SECOND)),
+            ("Mar 2 2009 07:12:03", Instant::Local(AT)),
+            ("March 2, 2009, 7:12:03 AM", Instant::Local(AT)),
+            ("Mon, 02 Mar 2009 07:12:03 GMT", Instant::Utc(AT)),
+            ("2 March 2009 07:12:03", Instant::Local(AT)),
+            ("2-Mar-09 3:12:03 AM EDT", Instant::Utc(AT)),
+            ("2009-03-02T02:12:03-05:00 New_York", Instant::Utc(AT)),
+            ("2009-03-02T08:12:03+01:00[Europe/Paris]", Instant::Utc(AT)),
         ] {
             assert_eq!(read(text), Some(instant), "{text}");
         }
@@ -425,7 +544,11 @@ mod tests {
             "02-Mai-2009 07:12:03",
             "02-03-2009 07:12:03",
             "2009-02-29 07:12:03",
-            "2009-03-02 24:00:00",
+            "2009-03-02 24:00:01",
+            "Mar 2 07:12:03",
+            "Mar 2 09 07:12:03",
+            "Mond 2 Mar 07:12:03",
+            "2009-03-02 07:12:03-05:00 x1",
             "2009-03-02 07:60:03",
             "2009-03-02 07:12:03 x",
             "2009-03-02 07:12:03+25:00",
@@ -469,6 +592,15 @@ mod tests {
         ] {
             assert_eq!(Instants::with_order(order).read(text), instant, "{text} in {order:?}");
         }
+    }
+
+    #[test]
+    fn day_numbers_of_spreadsheets_and_clocks_of_utc_are_read_where_they_are_asked_for() {
+        let mut days = Instants { has_day_numbers: true, ..Instants::default() };
+        assert_eq!(days.read("39874.3"), Some(Instant::Local(AT - 3 * SECOND)));
+        assert_eq!((days.read("1000.5"), read("39874.3")), (None, None));
+        let mut utc = Instants { is_utc: true, ..Instants::default() };
+        assert_eq!(utc.read("2009-03-02 07:12:03"), Some(Instant::Utc(AT)));
     }
 
     #[test]

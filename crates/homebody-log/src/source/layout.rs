@@ -9,15 +9,18 @@
 //! A heading decides where its name is known and its cells do not speak against it. Any other table is refused with
 //! what it lacks.
 
-use super::cells::Cells;
-use super::columns::Places;
+use super::cells::{Cells, is_off};
+use super::columns::{Places, is_of_utc};
 use super::dates_of_table::order_of;
-use super::decimals::decimal_comma;
+use super::decimals::Numbers;
 use super::first_rows::FirstRows;
 use super::log::{ColumnRole, ColumnUse};
+use super::measured::measured;
 use super::options::{DateOrder, TableOptions};
 use super::pick::{End, Pick, Time};
 use crate::error::{LogError, place_of};
+use crate::limits::beginning;
+use crate::plain;
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
@@ -33,7 +36,11 @@ pub(super) struct Layout {
     pub kind: Option<usize>,
     pub room: Option<usize>,
     pub unit: Option<usize>,
-    pub has_decimal_comma: bool,
+    pub numbers: Numbers,
+    /// Whether the heading of its time says that the clock is UTC's.
+    pub is_utc: bool,
+    /// Whether its instants are the numbers of days in a spreadsheet.
+    pub has_day_numbers: bool,
     pub uses: Vec<ColumnUse>,
     pub remarks: Vec<String>,
 }
@@ -74,6 +81,8 @@ pub(super) struct WideSensor {
     pub name: String,
     /// Whether it has two states or a few words, so that only changes are rows.
     pub has_states: bool,
+    /// The unit behind its numbers.
+    pub unit: Option<String>,
 }
 
 impl Layout {
@@ -122,6 +131,7 @@ fn decide(path: &Path, first: &FirstRows, file: &LoggerFile, options: &TableOpti
         return finish(path, pick, time, rows, options);
     }
     pick.no_program_log()?;
+    pick.no_other_list()?;
     let rows = match pick.end(&time) {
         Some(end) => intervals(path, &mut pick, &time, end)?,
         None => events_or_wide(path, &mut pick)?,
@@ -138,11 +148,23 @@ fn finish(path: &Path, mut pick: Pick, time: Time, rows: Rows, options: &TableOp
         Rows::Events { value, .. } | Rows::Intervals { value, .. } => value.iter().copied().collect(),
         Rows::Wide { sensors, .. } => sensors.iter().map(|sensor| sensor.column).collect(),
     };
-    let has_decimal_comma = decimal_comma(pick.first, &numbers, options.decimals)?;
-    if has_decimal_comma {
-        numbers.iter().for_each(|&column| pick.add_reason(column, "a comma is before decimals"));
+    let columns = numbers;
+    let numbers = Numbers::of(pick.first, &columns, options.decimals)?;
+    for &column in &columns {
+        if let Some(because) = numbers.reason(column, pick.first) {
+            pick.add_reason(column, &because);
+        }
     }
-    let mut remarks = Vec::new();
+    let names: &[usize] = match &rows {
+        Rows::Events { sensor: Sensor::Columns(columns), .. }
+        | Rows::Intervals { sensor: Sensor::Columns(columns), .. } => columns,
+        Rows::Wide { prefix, .. } => prefix,
+        _ => &[],
+    };
+    pick.check_home(names, options.home.is_some());
+    let mut remarks: Vec<String> = pick.first.remarks.clone();
+    remarks.append(&mut pick.remarks);
+    let (is_utc, has_day_numbers) = (says_utc(&time, &mut pick), time.has_day_numbers);
     if time.is_since_start {
         remarks.push("its dates are not known: its seconds are those since 1 January 1970".to_owned());
     }
@@ -155,12 +177,25 @@ fn finish(path: &Path, mut pick: Pick, time: Time, rows: Rows, options: &TableOp
         kind: of(ColumnRole::Kind),
         room: of(ColumnRole::Room),
         unit: of(ColumnRole::Unit),
-        has_decimal_comma,
+        numbers,
+        is_utc,
+        has_day_numbers,
         uses: pick.uses(),
         remarks,
         time,
         rows,
     })
+}
+
+/// Whether the heading of the time says that its clock is UTC's.
+fn says_utc(time: &Time, pick: &mut Pick) -> bool {
+    let columns = [Some(time.column), time.of_day];
+    let told =
+        columns.into_iter().flatten().find(|&column| pick.first.has_heading && is_of_utc(&pick.first.names[column]));
+    if let Some(column) = told {
+        pick.add_reason(column, "its heading says that the clock is UTC's");
+    }
+    told.is_some()
 }
 
 /// Rows of a start and an end.
@@ -170,20 +205,38 @@ fn intervals(path: &Path, pick: &mut Pick, time: &Time, end: End) -> Result<Rows
     if let Some(label) = label.or_else(|| sensor.is_none().then(|| pick.activities()).flatten()) {
         return Ok(Rows::Intervals { end, sensor: Sensor::Columns(vec![label]), value: None, is_of_activities: true });
     }
-    let sensor = pick.sensor(false).map(|sensor| (sensor, pick.value(sensor)));
-    Ok(match sensor {
-        Some((sensor, value)) => {
-            let sensors = pick.apart(sensor);
-            pick.leftover_room();
-            pick.no_keys(sensor, value)?;
-            let is_reading = |cells: &Cells| is_number(cells) && !cells.are(cells.switches) && !time.is_since_start;
-            match value.filter(|&value| is_reading(&pick.first.cells[value])) {
-                Some(number) => events(sensors, Some(number)),
-                None => Rows::Intervals { end, sensor: Sensor::Columns(sensors), value, is_of_activities: false },
+    let Some(sensor) = pick.sensor(false)? else {
+        return match pick.value_columns().is_empty() || time.is_since_start {
+            true => Ok(Rows::Intervals { end, sensor: alone(path), value: None, is_of_activities: false }),
+            false => {
+                at_start(pick, end);
+                wide(pick, Vec::new())
             }
+        };
+    };
+    let value = pick.value(sensor);
+    let sensors = pick.apart(sensor, value);
+    pick.leftover_room();
+    pick.no_keys(sensor, value)?;
+    match value.filter(|&value| !time.is_since_start && !says_on(&pick.first.cells[value])) {
+        Some(value) => {
+            at_start(pick, end);
+            Ok(events(sensors, Some(value)))
         }
-        None => Rows::Intervals { end, sensor: alone(path), value: None, is_of_activities: false },
-    })
+        None => Ok(Rows::Intervals { end, sensor: Sensor::Columns(sensors), value, is_of_activities: false }),
+    }
+}
+
+/// Whether the values of intervals say no more than that something is on then, or else that it is not.
+fn says_on(cells: &Cells) -> bool {
+    cells.are(cells.switches) && cells.texts.keys().any(|text| !is_off(text))
+}
+
+/// Each row of intervals says its values at its start: they are more than that something is on.
+fn at_start(pick: &mut Pick, end: End) {
+    let (End::At(column) | End::After(column, _)) = end;
+    let name = beginning(&pick.first.names[column]);
+    pick.remarks.push(format!("each row says its values at its start: the ends or durations in {name} are left out"));
 }
 
 /// A sensor that no column names has the name of the file.
@@ -191,13 +244,23 @@ fn alone(path: &Path) -> Sensor {
     // A packed text has two endings.
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let name = name.split('.').find(|part| !part.is_empty()).unwrap_or("sensor");
-    Sensor::Alone(name.to_owned())
+    Sensor::Alone(channel_name(path, name).unwrap_or_else(|| name.to_owned()))
+}
+
+/// A channel by the table next to its file, as in UK-DALE: `3 kettle` for `channel_3.dat`.
+fn channel_name(path: &Path, name: &str) -> Option<String> {
+    /// No such table has more bytes (our choice).
+    const LARGEST_BYTES: u64 = 1 << 16;
+    let (_, number) = name.rsplit_once('_')?;
+    let table = plain::read_text(&path.with_file_name("labels.dat"), LARGEST_BYTES).ok()?;
+    let mut names = table.lines().filter_map(|line| line.trim().split_once(' '));
+    names.find(|(of, name)| *of == number && !name.trim().is_empty()).map(|(_, name)| name.trim().to_owned())
 }
 
 fn events_or_wide(path: &Path, pick: &mut Pick) -> Result<Rows, String> {
     let columns = pick.value_columns();
     let named_value = pick.by_heading(ColumnRole::Value);
-    let sensor = pick.sensor(columns.len() > 1);
+    let sensor = pick.sensor(columns.len() > 1)?;
     let Some(sensor) = sensor else {
         return match (named_value, columns.len()) {
             (Some(value), 0 | 1) if columns.iter().all(|column| *column == value) => one_sensor(path, pick, value),
@@ -208,10 +271,16 @@ fn events_or_wide(path: &Path, pick: &mut Pick) -> Result<Rows, String> {
                 pick.take(columns[1], ColumnRole::Value, "it follows the sensor");
                 Ok(events(vec![columns[0]], Some(columns[1])))
             }
+            // A table of a time and a number alone.
+            (None, 1) if !pick.first.has_heading && pick.free().len() == 1 => {
+                pick.take(columns[0], ColumnRole::Value, "it follows the time, and no column names a sensor");
+                Ok(Rows::Events { sensor: alone(path), value: Some(columns[0]), is_mapped: false })
+            }
             _ => wide(pick, Vec::new()),
         };
     };
-    let several = columns.iter().filter(|column| **column != sensor).count() > 1;
+    let is_value = |column: &&usize| **column != sensor && !pick.describes(sensor, **column);
+    let several = columns.iter().filter(is_value).count() > 1;
     if named_value.is_none() && several && pick.first.has_heading {
         return wide(pick, vec![sensor]);
     }
@@ -220,7 +289,7 @@ fn events_or_wide(path: &Path, pick: &mut Pick) -> Result<Rows, String> {
         pick.firings(sensor)?;
     }
     let label = value.and_then(|value| pick.label_behind(value));
-    let sensors = pick.apart(sensor);
+    let sensors = pick.apart(sensor, value);
     if label.is_none() {
         pick.leftover_room();
     }
@@ -255,6 +324,11 @@ const LEAST_CELLS: usize = 4;
 
 /// A column for each sensor.
 fn wide(pick: &mut Pick, prefix: Vec<usize>) -> Result<Rows, String> {
+    for column in pick.free() {
+        if let Some(because) = pick.no_value(column).filter(|_| !prefix.contains(&column)) {
+            pick.take(column, ColumnRole::Unused, because);
+        }
+    }
     let free = pick.free();
     let has_numbers = free.iter().any(|&column| is_number(&pick.first.cells[column]));
     let mut sensors = Vec::new();
@@ -271,7 +345,9 @@ fn wide(pick: &mut Pick, prefix: Vec<usize>) -> Result<Rows, String> {
         let because =
             if pick.first.has_heading { because.to_owned() } else { because.replacen("its heading", "its place", 1) };
         pick.take(column, ColumnRole::OneSensor, &because);
-        sensors.push(WideSensor { column, name: pick.first.names[column].clone(), has_states });
+        let unit = pick.first.column(column).find_map(|cell| measured(cell.trim()));
+        let unit = unit.map(|(_, unit)| unit.to_owned()).filter(|unit| !unit.is_empty());
+        sensors.push(WideSensor { column, name: pick.first.names[column].clone(), has_states, unit });
     }
     if sensors.is_empty() {
         return Err(pick.lacks("sensor and value"));

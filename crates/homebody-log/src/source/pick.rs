@@ -1,14 +1,14 @@
 //! Takes the columns of a table for what they are, one after the other: by headings, then by cells. Each is taken once.
 
-use super::cells::{Cells, Reads, is_blank};
-use super::columns::{CERTAIN, is_certain_sensor, plain, role_of};
+use super::cells::{Cells, Reads};
+use super::columns::{CERTAIN, is_certain_sensor, is_id, is_price, plain, role_of};
 use super::first_rows::FirstRows;
 use super::log::{ColumnRole, ColumnUse};
 use super::options::{DateOrder, HomeColumn};
 use crate::limits::beginning;
 use homebody_core::problem::readable;
 use homebody_core::time::{Micros, SECOND};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// The columns that have been taken so far.
 pub(super) struct Pick<'f> {
@@ -16,6 +16,8 @@ pub(super) struct Pick<'f> {
     taken: Vec<Option<(ColumnRole, String)>>,
     /// A value that the reader supplies where no column has one.
     supplied: Option<String>,
+    /// Remarks on the rows.
+    pub remarks: Vec<String>,
 }
 
 /// The place of a row's instant.
@@ -26,11 +28,13 @@ pub(super) struct Time {
     pub of_day: Option<usize>,
     /// Whether it is a number of seconds since a start that nothing says.
     pub is_since_start: bool,
+    /// Whether it is the number of a day in a spreadsheet.
+    pub has_day_numbers: bool,
 }
 
 impl Time {
     pub fn at(column: usize) -> Time {
-        Time { column, of_day: None, is_since_start: false }
+        Time { column, of_day: None, is_since_start: false, has_day_numbers: false }
     }
 }
 
@@ -42,14 +46,11 @@ pub(super) enum End {
     After(usize, Micros),
 }
 
+/// So many rows show that a column of ids is one.
+const LEAST_NUMBERED: usize = 4;
+
 /// The reader's own word for a row without a value.
 pub(super) const FIRING: &str = "ON";
-
-/// Words of rooms in English and German, as they stand in names.
-const ROOMS: [&str; 22] = [
-    "kitchen", "bath", "bedroom", "living", "hall", "toilet", "dining", "entrance", "office", "lounge", "corridor",
-    "stairs", "garage", "study", "wc", "küche", "kueche", "bad", "schlaf", "wohn", "flur", "diele",
-];
 
 /// Words of what people do, as they stand in labels.
 const ACTIVITIES: [&str; 33] = [
@@ -90,7 +91,7 @@ const ACTIVITIES: [&str; 33] = [
 
 impl<'f> Pick<'f> {
     pub fn of(first: &'f FirstRows) -> Pick<'f> {
-        let mut pick = Pick { first, taken: vec![None; first.cells.len()], supplied: None };
+        let mut pick = Pick { first, taken: vec![None; first.cells.len()], supplied: None, remarks: Vec::new() };
         for (column, cells) in first.cells.iter().enumerate() {
             match () {
                 () if cells.filled == 0 => pick.take(column, ColumnRole::Unused, "its cells are empty"),
@@ -134,20 +135,30 @@ impl<'f> Pick<'f> {
         behind
     }
 
-    fn cells(&self, column: usize) -> &'f Cells {
+    pub fn cells(&self, column: usize) -> &'f Cells {
         &self.first.cells[column]
     }
 
-    fn heading(&self, column: usize) -> Option<(ColumnRole, usize)> {
+    pub fn heading(&self, column: usize) -> Option<(ColumnRole, usize)> {
         self.first.has_heading.then(|| role_of(&self.first.names[column])).flatten()
     }
 
     /// The free columns whose headings say this, the most certain first.
-    fn headed(&self, role: ColumnRole) -> Vec<usize> {
+    pub fn headed(&self, role: ColumnRole) -> Vec<usize> {
         let rank = |column: &usize| self.heading(*column).filter(|(of, _)| *of == role).map(|(_, rank)| rank);
         let mut found: Vec<usize> = self.free().into_iter().filter(|column| rank(column).is_some()).collect();
         found.sort_by_key(rank);
         found
+    }
+
+    /// All columns that have been taken for this.
+    pub fn all_taken(&self, role: ColumnRole) -> impl Iterator<Item = usize> + '_ {
+        let is_taken = move |taken: &Option<(ColumnRole, String)>| taken.as_ref().is_some_and(|(of, _)| *of == role);
+        self.taken.iter().enumerate().filter(move |(_, taken)| is_taken(taken)).map(|(column, _)| column)
+    }
+
+    pub fn release(&mut self, column: usize, because: &str) {
+        self.take(column, ColumnRole::Unused, because);
     }
 
     pub fn by_heading(&self, role: ColumnRole) -> Option<usize> {
@@ -166,10 +177,10 @@ impl<'f> Pick<'f> {
     /// Takes the column of homes: the one that is asked for, or one with a heading of homes or persons.
     pub fn home(&mut self, asked: Option<&HomeColumn>) -> Result<(), String> {
         let Some(asked) = asked else {
-            // Numbers that hardly come again, or states, are readings.
+            // Numbers that hardly come again, or states, are readings; texts that hardly come again are titles.
             let is_home = |column: &usize| {
                 let cells = self.cells(*column);
-                !cells.is_switch() && (cells.numbers == 0 || cells.come_again())
+                !cells.is_switch() && !cells.hardly_come_again() && (cells.numbers == 0 || cells.come_again())
             };
             if let Some(column) = self.headed(ColumnRole::Home).into_iter().find(is_home) {
                 self.take(column, ColumnRole::Home, ColumnUse::HEADING);
@@ -209,8 +220,16 @@ impl<'f> Pick<'f> {
         let find = |is: &dyn Fn(&Cells) -> bool| all.iter().copied().find(|column| is(self.cells(*column)));
         let date = with(&|cells| cells.are_mostly(cells.dates)).or(find(&|cells| cells.are(cells.dates)));
         let of_day = with(&|cells| cells.are_mostly(cells.times)).or(find(&|cells| cells.are(cells.times)));
-        let by_cells = find(&|cells| cells.are(cells.instants)).or(find(&|cells| cells.are(cells.epochs)));
-        let by_cells = by_cells.or(find(&|cells| cells.are_mostly(cells.moments())));
+        let of_numbers = |is: &dyn Fn(usize) -> bool| {
+            all.iter().copied().find(|&column| self.cells(column).are(self.cells(column).epochs) && is(column))
+        };
+        // Ids are no instants. Numbers that count up by one are the last choice.
+        let is_key = |column: usize| self.is_key(column);
+        let by_cells = find(&|cells| cells.are(cells.instants))
+            .or_else(|| of_numbers(&|column| !is_key(column) && !self.cells(column).is_counting))
+            .or_else(|| {
+                all.iter().copied().find(|&at| !is_key(at) && self.cells(at).are_mostly(self.cells(at).moments()))
+            });
         if let Some(column) = by_heading {
             self.take(column, ColumnRole::Time, ColumnUse::HEADING);
             return Ok(Time::at(column));
@@ -234,6 +253,14 @@ impl<'f> Pick<'f> {
         self.seconds_or_none(&headed, date, of_day)
     }
 
+    /// Whether a column of numbers names something: its heading says so, or it never changes.
+    fn is_key(&self, column: usize) -> bool {
+        let cells = self.cells(column);
+        let is_time = self.heading(column).is_some_and(|(role, _)| role == ColumnRole::Time);
+        let is_id = self.first.has_heading && is_id(&self.first.names[column]);
+        cells.are(cells.numbers) && !is_time && (is_id || cells.is_constant())
+    }
+
     /// A time as a number of seconds since a start, with another of ends; or the reason against one.
     fn seconds_or_none(
         &mut self,
@@ -241,6 +268,15 @@ impl<'f> Pick<'f> {
         date: Option<usize>,
         of_day: Option<usize>,
     ) -> Result<Time, String> {
+        let is_day_number = |column: &&usize| {
+            let cells = self.cells(**column);
+            cells.are(cells.numbers) && cells.are_mostly(cells.day_numbers)
+        };
+        if let Some(&column) = headed.iter().find(is_day_number) {
+            let because = format!("{}; its cells are numbers of days, as spreadsheets count them", ColumnUse::HEADING);
+            self.take(column, ColumnRole::Time, &because);
+            return Ok(Time { has_day_numbers: true, ..Time::at(column) });
+        }
         let name = |column: usize| beginning(&self.first.names[column]);
         if let (Some(&begin), Some(end)) = (headed.first(), self.by_heading(ColumnRole::End))
             && [begin, end].iter().all(|column| self.cells(*column).are(self.cells(*column).numbers))
@@ -347,66 +383,41 @@ impl<'f> Pick<'f> {
             let is_other = role.is_some_and(|role| !matches!(role, ColumnRole::Value | ColumnRole::Unused));
             cells.are_mostly(cells.values())
                 && !is_other
+                && !self.names_something(*column)
                 && (cells.texts.len() > 1 || role == Some(ColumnRole::Value) || self.first.rows.len() < 4)
         };
         self.free().into_iter().filter(is_value).collect()
+    }
+
+    /// Whether a column tells no values, by its heading: it names rows or things, or has prices or labels.
+    pub fn names_something(&self, column: usize) -> bool {
+        self.no_value(column).is_some()
+    }
+
+    /// Why a column tells no values, if it does not.
+    pub fn no_value(&self, column: usize) -> Option<&'static str> {
+        let (name, cells) = (&self.first.names[column], self.cells(column));
+        let is_label =
+            name.to_lowercase().strip_prefix("label").is_some_and(|rest| rest.starts_with([':', '_', ' ', '.']));
+        let is_row_number = cells.is_counting && cells.filled >= LEAST_NUMBERED;
+        match () {
+            () if !self.first.has_heading => None,
+            () if is_id(name) && cells.are_whole() && is_row_number => {
+                Some("its heading is that of ids, and it numbers the rows")
+            }
+            () if is_id(name) && cells.are_whole() && cells.filled >= LEAST_NUMBERED => {
+                Some("its heading is that of ids: numbers that name something")
+            }
+            () if is_label => Some("its heading is that of labels"),
+            () if is_price(name) || cells.are(cells.money) => Some("it holds prices"),
+            () => None,
+        }
     }
 
     /// Whether numbers are names of sensors, as they come again and are whole.
     pub fn are_numbered_sensors(&self, column: usize) -> bool {
         let cells = self.cells(column);
         cells.come_again() && cells.texts.keys().all(|text| text.bytes().all(|byte| byte.is_ascii_digit()))
-    }
-
-    /// Takes the column of the sensor. Beside several columns of values, one without a known heading is one only if it changes
-    /// from row to row: a state such as the weather's stays.
-    pub fn sensor(&mut self, beside_values: bool) -> Option<usize> {
-        let is_sure = |column: &usize| {
-            self.heading(*column).is_some_and(|(_, rank)| rank < CERTAIN) || self.cells(*column).come_again()
-        };
-        let named = self.headed(ColumnRole::Sensor).into_iter().find(is_sure);
-        let by_cells = self.named_by_cells();
-        let by_cells = by_cells.filter(|column| !beside_values || !self.first.has_heading || self.changes(*column));
-        let is_kind = |column: &usize| !self.cells(*column).are_mostly(self.cells(*column).switches);
-        let kind = self.headed(ColumnRole::Kind).into_iter().find(is_kind);
-        let sensor = named.or(by_cells).or(self.by_heading(ColumnRole::Room)).or(kind)?;
-        let because = self.reason_for_sensor(sensor);
-        self.take(sensor, ColumnRole::Sensor, &because);
-        self.kind_and_room();
-        Some(sensor)
-    }
-
-    /// The first free column whose texts come again as names do; one of kinds only without any other.
-    fn named_by_cells(&self) -> Option<usize> {
-        let is_name = |column: &usize| {
-            let cells = self.cells(*column);
-            let is_free = self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Unused);
-            let is_other =
-                [cells.values(), cells.moments(), cells.sentences].iter().any(|count| cells.are_mostly(*count));
-            is_free && !is_other && cells.come_again() && !cells.are(cells.severities)
-        };
-        let names: Vec<usize> = self.free().into_iter().filter(is_name).collect();
-        let is_kind = |column: &usize| self.cells(*column).are(self.cells(*column).kinds);
-        names.iter().copied().find(|column| !is_kind(column)).or(names.first().copied())
-    }
-
-    /// Takes the columns of kinds and rooms that go with a sensor.
-    fn kind_and_room(&mut self) {
-        let is_kind = |column: &usize| !self.cells(*column).are_mostly(self.cells(*column).values());
-        let by_heading = self.headed(ColumnRole::Kind).into_iter().find(is_kind);
-        let may_be = |column: &usize| {
-            let cells = self.cells(*column);
-            cells.are(cells.kinds) && self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Sensor)
-        };
-        let by_cells = self.free().into_iter().find(may_be);
-        match (by_heading, by_cells) {
-            (Some(kind), _) => self.take(kind, ColumnRole::Kind, ColumnUse::HEADING),
-            (None, Some(kind)) => self.take(kind, ColumnRole::Kind, "its cells are kinds of sensors"),
-            _ => {}
-        }
-        if let Some(room) = self.by_heading(ColumnRole::Room) {
-            self.take(room, ColumnRole::Room, ColumnUse::HEADING);
-        }
     }
 
     pub fn reason_for_sensor(&self, column: usize) -> String {
@@ -417,13 +428,6 @@ impl<'f> Pick<'f> {
         }
     }
 
-    /// Whether a text is another one than in the row before in a fifth of the rows.
-    fn changes(&self, column: usize) -> bool {
-        let texts: Vec<&str> = self.first.column(column).collect();
-        let changes = texts.windows(2).filter(|pair| pair[0] != pair[1]).count();
-        5 * changes >= texts.len().saturating_sub(1)
-    }
-
     /// Takes the column of what a sensor says, if there is one.
     pub fn value(&mut self, sensor: usize) -> Option<usize> {
         if let Some(column) = self.by_heading(ColumnRole::Value) {
@@ -432,10 +436,14 @@ impl<'f> Pick<'f> {
         }
         let free = self.free();
         let is_value = |column: &usize| self.cells(*column).are_mostly(self.cells(*column).values());
-        let is_open = |column: &usize| self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Kind);
+        let is_open = |column: &usize| {
+            self.heading(*column).is_none_or(|(role, _)| role == ColumnRole::Kind) && !self.names_something(*column)
+        };
         let open: Vec<usize> = free.into_iter().filter(is_open).collect();
         let mut behind = open.iter().copied().filter(|column| *column > sensor);
-        let by_cells = behind.clone().find(is_value).or(open.iter().copied().find(is_value));
+        let changes = |column: &usize| is_value(column) && !self.cells(*column).is_constant();
+        let by_cells = behind.clone().find(changes).or(open.iter().copied().find(changes));
+        let by_cells = by_cells.or(behind.clone().find(is_value)).or(open.iter().copied().find(is_value));
         if let Some(column) = by_cells {
             let cells = self.cells(column);
             let because = format!("{} of {} cells are numbers or words of states", cells.values(), cells.filled);
@@ -444,7 +452,8 @@ impl<'f> Pick<'f> {
         }
         let is_state = |column: &usize| {
             let cells = self.cells(*column);
-            cells.come_again() && cells.sentences == 0 && self.heading(*column).is_none()
+            let is_state = cells.come_again() && cells.sentences == 0 && self.heading(*column).is_none();
+            is_state && (!self.first.has_heading || !cells.is_constant()) && !cells.are_mostly(cells.moments())
         };
         let column = behind.find(is_state).filter(|column| *column == sensor + 1 || self.first.has_heading)?;
         self.take(column, ColumnRole::Value, "its few texts come again, and it follows the sensor");
@@ -458,6 +467,14 @@ impl<'f> Pick<'f> {
         let comes_again = cells.filled >= 4 && 2 * cells.texts.len() <= cells.filled;
         if !is_known && !comes_again {
             return Err(self.lacks("time, sensor and value"));
+        }
+        if let Some(prose) =
+            self.prose().filter(|_| self.first.has_heading && !is_certain_sensor(&self.first.names[sensor]))
+        {
+            return Err(format!(
+                "what its rows tell is in the column {}, whose texts hardly come again: it is no log of sensors",
+                beginning(&self.first.names[prose])
+            ));
         }
         self.supplied =
             Some(format!("no column has a value: each row is a firing, and {FIRING} is the reader's own word"));
@@ -490,80 +507,6 @@ impl<'f> Pick<'f> {
         let known = texts.keys().filter(|text| does(text)).count();
         (2 * known > texts.len()).then(|| self.take(column, ColumnRole::Label, "its words are those of activities"))?;
         Some(column)
-    }
-
-    /// Takes a column of rooms that no heading names.
-    pub fn leftover_room(&mut self) {
-        let is_room = |text: &String| ROOMS.iter().any(|room| text.to_lowercase().contains(room));
-        let are_rooms = |column: &usize| {
-            let texts = &self.cells(*column).texts;
-            self.heading(*column).is_none() && 2 * texts.keys().filter(|text| is_room(text)).count() > texts.len()
-        };
-        if self.taken(ColumnRole::Room).is_none()
-            && let Some(column) = self.free().into_iter().find(are_rooms)
-        {
-            self.take(column, ColumnRole::Room, "its words are those of rooms");
-        }
-    }
-
-    /// The columns that name a sensor together: what stands in several rooms, or measures several things, is several sensors.
-    pub fn apart(&mut self, sensor: usize) -> Vec<usize> {
-        let mut columns = vec![sensor];
-        for (role, what) in [(ColumnRole::Room, "rooms"), (ColumnRole::Kind, "kinds")] {
-            let Some(column) = self.taken(role) else { continue };
-            let mut of: BTreeMap<&str, &str> = BTreeMap::new();
-            let mut pairs = self.first.column(sensor).zip(self.first.column(column)).filter(|(_, of)| !is_blank(of));
-            let several = pairs.find(|(name, text)| *of.entry(name).or_insert(text) != *text);
-            if let Some((name, _)) = several {
-                let because = format!("it stands in the sensor's name, too: {} has several {what}", beginning(name));
-                self.add_reason(column, &because);
-                if role == ColumnRole::Room { columns.insert(0, column) } else { columns.push(column) }
-            }
-        }
-        columns
-    }
-
-    /// Refuses names that hardly come again, and values that are sentences: these are other tables.
-    pub fn no_keys(&self, sensor: usize, value: Option<usize>) -> Result<(), String> {
-        let cells = self.cells(sensor);
-        let is_certain = self.first.has_heading && is_certain_sensor(&self.first.names[sensor]);
-        let name = |column: usize| beginning(&self.first.names[column]);
-        if cells.hardly_come_again() && !is_certain {
-            return Err(format!(
-                "the column {} names no sensors: {} of {} rows have a name of their own, and sensors come again",
-                name(sensor),
-                cells.texts.len(),
-                cells.filled
-            ));
-        }
-        if let Some(value) = value
-            && let cells = self.cells(value)
-            && cells.are_mostly(cells.sentences)
-            && cells.hardly_come_again()
-        {
-            return Err(format!("the column {} holds sentences, and no values of sensors", name(value)));
-        }
-        Ok(())
-    }
-
-    /// Refuses the log of a program.
-    pub fn no_program_log(&self) -> Result<(), String> {
-        let columns = 0..self.taken.len();
-        let is_known = |role| {
-            columns.clone().any(|column| self.heading(column).is_some_and(|(of, rank)| of == role && rank < CERTAIN))
-        };
-        let grave = (0..self.taken.len()).find(|&column| {
-            let cells = self.cells(column);
-            cells.are(cells.severities) && cells.filled > 1
-        });
-        match grave {
-            Some(column) if !(is_known(ColumnRole::Sensor) && is_known(ColumnRole::Value)) => {
-                let words: Vec<&str> = self.cells(column).texts.keys().map(String::as_str).take(3).collect();
-                let name = beginning(&self.first.names[column]);
-                Err(format!("it is the log of a program: the column {name} says {}", readable(words.join(", "))))
-            }
-            _ => Ok(()),
-        }
     }
 
     /// The use of each column.

@@ -239,13 +239,26 @@ impl<'t> Reading<'t> {
     /// Takes a note, at the last row, that an activity begins or ends.
     pub(super) fn note(&mut self, name: &str, begins: bool) {
         if self.log.rows > 0 {
-            if name.len() > LONGEST_VALUE {
-                self.beyond += 1;
-                return;
-            }
-            let ended = self.notes.take(name, begins, self.last);
-            self.keep(ended);
+            self.note_at(name, begins, self.last);
         }
+    }
+
+    /// The same at an instant that no row may have.
+    pub(super) fn note_of(&mut self, instant: Instant, name: &str, begins: bool) {
+        if let Ok(at) = self.on_clock(instant)
+            && !self.has_spans
+        {
+            self.note_at(name, begins, at);
+        }
+    }
+
+    fn note_at(&mut self, name: &str, begins: bool, at: Micros) {
+        if name.len() > LONGEST_VALUE {
+            self.beyond += 1;
+            return;
+        }
+        let ended = self.notes.take(name, begins, at);
+        self.keep(ended);
     }
 
     /// Whether any activity, note or label has come.

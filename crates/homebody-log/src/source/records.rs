@@ -7,6 +7,8 @@ use super::lines::Lines;
 use super::start::Start;
 use crate::error::LogError;
 use crate::limits::{LONGEST_ROW_BYTES, MOST_CELLS, MOST_LINES_OF_ROW};
+use crate::plain::text;
+use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -19,6 +21,8 @@ pub(super) struct Records {
     /// Lines that have been read and belong to no row yet.
     ahead: VecDeque<(u64, Vec<u8>)>,
     record: Record,
+    /// Whether a line was no text in UTF-8.
+    pub has_other_letters: bool,
 }
 
 /// The cells of a row.
@@ -42,7 +46,7 @@ impl Record {
 
     /// All cells as texts, without blanks at their ends.
     pub fn texts(&self) -> Vec<String> {
-        let text = |cell: &Range<usize>| String::from_utf8_lossy(self.text[cell.clone()].trim_ascii()).into_owned();
+        let text = |cell: &Range<usize>| text(self.text[cell.clone()].trim_ascii()).into_owned();
         self.cells.iter().map(text).collect()
     }
 
@@ -111,7 +115,7 @@ impl Records {
     pub fn open(path: &Path) -> Result<Records, LogError> {
         let delimiter = Start::of(path)?.delimiter();
         let (lines, ahead, record) = (Lines::open(path)?, VecDeque::new(), Record::default());
-        Ok(Records { path: path.into(), lines, delimiter, ahead, record })
+        Ok(Records { path: path.into(), lines, delimiter, ahead, record, has_other_letters: false })
     }
 
     /// The next row with the line that it begins in, counted from 1; None at the end. `is_row` says of a line by itself whether
@@ -120,8 +124,9 @@ impl Records {
         self.record.is_broken = false;
         let number = if self.ahead.is_empty() {
             let Some((number, line)) = self.lines.next_whole()? else { return Ok(None) };
-            if !self.record.part_unquoted(trimmed(line), self.delimiter) {
-                let line = line.to_vec();
+            let line = in_utf8(line, &mut self.has_other_letters);
+            if !self.record.part_unquoted(trimmed(&line), self.delimiter) {
+                let line = line.into_owned();
                 self.quoted(line, is_row)?;
             }
             number
@@ -148,7 +153,7 @@ impl Records {
         for taken in 0..MOST_LINES_OF_ROW {
             if self.ahead.len() == taken {
                 let Some((number, line)) = self.lines.next_whole()? else { break };
-                let line = (number, line.to_vec());
+                let line = (number, in_utf8(line, &mut self.has_other_letters).into_owned());
                 self.ahead.push_back(line);
             }
             let line = &self.ahead[taken].1;
@@ -189,6 +194,21 @@ impl Quoting {
             _ => Quoting::Plain,
         })
     }
+}
+
+/// A line in UTF-8: one that is not is taken for one of Windows, in its letters of Western Europe.
+fn in_utf8<'l>(line: &'l [u8], is_other: &mut bool) -> Cow<'l, [u8]> {
+    /// The letters of the bytes 0x80 to 0x9f; those of further bytes have their numbers.
+    const LETTERS: &str = "€\u{81}‚ƒ„…†‡ˆ‰Š‹Œ\u{8d}Ž\u{8f}\u{90}‘’“”•–—˜™š›œ\u{9d}žŸ";
+    if str::from_utf8(line).is_ok() {
+        return Cow::Borrowed(line);
+    }
+    *is_other = true;
+    let letter = |byte: &u8| match byte.checked_sub(0x80).filter(|place| *place < 0x20) {
+        Some(place) => LETTERS.chars().nth(place.into()).unwrap_or(char::REPLACEMENT_CHARACTER),
+        None => char::from(*byte),
+    };
+    Cow::Owned(line.iter().map(letter).collect::<String>().into_bytes())
 }
 
 /// A line without its end.

@@ -1,6 +1,6 @@
 //! The parts of a table's row: its instant, the name of its sensor, and what its columns say of that sensor.
 
-use super::layout::{Layout, Sensor};
+use super::layout::{Layout, Rows, Sensor};
 use super::pick::Time;
 use super::reading::Reading;
 use super::records::Record;
@@ -59,7 +59,14 @@ pub(super) fn know(layout: &Layout, record: &Record, reading: &mut Reading<'_>) 
 /// The same of a sensor of this name.
 pub(super) fn know_named(layout: &Layout, record: &Record, id: &str, reading: &mut Reading<'_>) {
     let Layout { kind, room, unit, .. } = *layout;
-    if kind.or(room).or(unit).is_none() || id.is_empty() || reading.log.known.iter().any(|known| known.id == id) {
+    let behind = match layout.rows {
+        Rows::Events { value: Some(value), .. } => layout.numbers.unit(value, record.get(value).unwrap_or_default()),
+        _ => None,
+    };
+    if kind.or(room).or(unit).is_none() && behind.is_none()
+        || id.is_empty()
+        || reading.log.known.iter().any(|known| known.id == id)
+    {
         return;
     }
     let cell = |column: Option<usize>| {
@@ -68,6 +75,6 @@ pub(super) fn know_named(layout: &Layout, record: &Record, id: &str, reading: &m
     };
     let kind = cell(kind).unwrap_or_default();
     let is_motion = kind.to_lowercase().contains("motion") || kind.eq_ignore_ascii_case("pir");
-    let known = SensorInfo { kind, is_motion, room: cell(room), unit: cell(unit), ..SensorInfo::named(id) };
+    let known = SensorInfo { kind, is_motion, room: cell(room), unit: cell(unit).or(behind), ..SensorInfo::named(id) };
     reading.know(known);
 }

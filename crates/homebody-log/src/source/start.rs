@@ -6,6 +6,7 @@ use super::reading::open;
 use crate::error::LogError;
 use std::borrow::Cow;
 use std::cell::OnceCell;
+use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -14,6 +15,9 @@ const LOOKED_AT_BYTES: u64 = 1 << 18;
 
 /// The mark between cells is found in so many lines.
 const LINES_FOR_DELIMITER: usize = 20;
+
+/// Most of so many lines decide where the first ones differ.
+const LINES_FOR_USUAL: usize = 200;
 
 /// The first bytes of a file.
 pub struct Start {
@@ -77,30 +81,79 @@ impl Start {
     }
 
     /// The mark between cells. A semicolon or a tab that each line has as often is one, whatever commas there are: spreadsheets
-    /// write decimals with them.
+    /// write decimals with them. If the first lines differ, most lines decide.
     pub(super) fn delimiter(&self) -> u8 {
         let lines: Vec<Cow<'_, str>> = self.lines().take(LINES_FOR_DELIMITER).collect();
+        if let Some(mark) = lines.first().and_then(|line| told_delimiter(line)) {
+            return mark;
+        }
+        if !lines.is_empty() && lines[..lines.len().max(2) - 1].iter().all(|line| is_pair(line)) {
+            return b' ';
+        }
         let counts = |mark: u8| lines.iter().map(move |line| line.bytes().filter(|byte| *byte == mark).count());
         let is_steady =
             |mark: u8| counts(mark).next().is_some_and(|first| first > 0 && counts(mark).all(|it| it == first));
         let first = |mark: u8| counts(mark).next().unwrap_or(0);
-        match () {
+        let by_first = match () {
             () if first(b';') > first(b',') || is_steady(b';') && !is_steady(b',') => b';',
             () if lines.len() > 1 && is_steady(b'\t') && first(b',') == 0 && first(b';') == 0 => b'\t',
             () => b',',
+        };
+        if is_steady(by_first) {
+            return by_first;
         }
+        let usual = [b';', b'\t', b','].map(|mark| (mark, self.usual(mark).unwrap_or(0)));
+        // A number has one comma in each cell at most.
+        let best = usual.iter().find(|(mark, count)| *count > 0 && (*mark == b',' || usual[2].1 <= count + 1));
+        best.map_or(by_first, |(mark, _)| *mark)
+    }
+
+    /// How often a mark is in nearly each line.
+    fn usual(&self, mark: u8) -> Option<usize> {
+        let mut counts: BTreeMap<usize, usize> = BTreeMap::new();
+        let mut lines = 0;
+        for line in self.lines().filter(|line| !line.starts_with('#')).take(LINES_FOR_USUAL) {
+            *counts.entry(line.bytes().filter(|byte| *byte == mark).count()).or_default() += 1;
+            lines += 1;
+        }
+        let (count, of) = counts.into_iter().max_by_key(|(_, of)| *of)?;
+        (count > 0 && 10 * of >= 7 * lines).then_some(count)
     }
 
     /// Whether a cell of its first lines is an instant.
     pub(super) fn has_instants(&self) -> bool {
         let mut instants = Instants::with_order(Some(DateOrder::DayFirst));
-        let lines = self.cells().take(LINES_FOR_DELIMITER);
+        let lines = self.cells().take(LINES_FOR_USUAL);
         lines.flatten().any(|cell| instants.read(&cell).is_some())
     }
 
-    /// How many delimiters the first line has.
+    /// How many delimiters the first line has, or nearly each line.
     pub(super) fn delimiters(&self) -> usize {
         let delimiter = self.delimiter();
-        self.lines().next().map_or(0, |line| line.bytes().filter(|&byte| byte == delimiter).count())
+        let first = self.lines().next().map_or(0, |line| line.bytes().filter(|&byte| byte == delimiter).count());
+        first.max(self.usual(delimiter).unwrap_or(0))
+    }
+
+    /// Whether nearly each line has as many delimiters.
+    pub(super) fn is_steady(&self) -> bool {
+        self.lines().nth(3).is_some() && self.usual(self.delimiter()).is_some()
+    }
+}
+
+/// Whether a line is a number since 1970, a blank, and a number, as UK-DALE has them.
+fn is_pair(line: &str) -> bool {
+    let Some((at, value)) = line.split_once(' ') else { return false };
+    let is_time = at.starts_with(|first: char| first.is_ascii_digit()) && Instants::default().read(at).is_some();
+    is_time && value.parse::<f64>().is_ok()
+}
+
+/// The mark between cells that a first line tells, as `sep=;` does.
+fn told_delimiter(line: &str) -> Option<u8> {
+    let mark = line.trim_matches(['"', '\u{feff}']).to_lowercase();
+    match *mark.strip_prefix("sep=")?.as_bytes() {
+        [mark @ (b';' | b',' | b'\t'), ..] => Some(mark),
+        // The blanks at a line's end are left out.
+        [] => Some(b'\t'),
+        _ => None,
     }
 }

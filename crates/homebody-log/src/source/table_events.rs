@@ -1,14 +1,15 @@
 //! Tables with an event in each row.
 
-use super::decimals::with_point;
 use super::layout::{Layout, Rows};
 use super::pick::FIRING;
 use super::reading::Reading;
 use super::records::Record;
 use super::row_parts::know;
 use crate::error::LogError;
+use crate::limits::beginning;
 use crate::plain::text;
 use crate::spreadsheet::{unescaped, unescaped_bytes};
+use std::borrow::Cow;
 
 /// Reads events.
 pub(super) struct Events<'l> {
@@ -30,10 +31,17 @@ impl<'l> Events<'l> {
         if !is_mapped {
             (sensor, value) = (sensor.trim_ascii(), value.trim_ascii());
         }
-        let with_point = if self.layout.has_decimal_comma { with_point(value) } else { None };
-        let value = with_point.as_deref().unwrap_or_else(|| unescaped_bytes(value));
+        let value = unescaped_bytes(value);
+        let value = place.map_or(Cow::Borrowed(value), |place| self.layout.numbers.plain(place, value));
+        if let Some((name, begins)) = label_of(sensor, &value) {
+            match reading.instants.read_bytes(time) {
+                Some(at) => reading.note_of(at, &text(name), begins),
+                None => reading.skip(line, format!("{} is no date and time", beginning(&text(time)))),
+            }
+            return Ok(());
+        }
         let sensors = reading.log.sensors.len();
-        if !reading.row_of_bytes(line, time, unescaped_bytes(sensor), value)? {
+        if !reading.row_of_bytes(line, time, unescaped_bytes(sensor), &value)? {
             return Ok(());
         }
         if reading.log.sensors.len() > sensors {
@@ -49,4 +57,13 @@ impl<'l> Events<'l> {
         }
         Ok(())
     }
+}
+
+/// The activity of a row of labels, as Orange4Home has them: `label,START:Kitchen|Cooking` begins an activity.
+fn label_of<'v>(sensor: &[u8], value: &'v [u8]) -> Option<(&'v [u8], bool)> {
+    if !sensor.eq_ignore_ascii_case(b"label") {
+        return None;
+    }
+    let of = |word: &[u8]| value.strip_prefix(word).map(<[u8]>::trim_ascii).filter(|name| !name.is_empty());
+    of(b"START:").map(|name| (name, true)).or_else(|| of(b"STOP:").map(|name| (name, false)))
 }

@@ -13,6 +13,7 @@ use crate::error::LogError;
 use crate::limits::beginning;
 use crate::plain::text;
 use crate::spreadsheet::unescaped;
+use homebody_core::problem::counted;
 use homebody_core::time::{DAY, Micros, SECOND};
 
 /// Reads intervals.
@@ -21,11 +22,13 @@ pub(super) struct Intervals<'l> {
     order: InOrder,
     time: Vec<u8>,
     sensor: Vec<u8>,
+    /// How many intervals say that something was off.
+    off: usize,
 }
 
 impl<'l> Intervals<'l> {
     pub fn of(layout: &'l Layout) -> Intervals<'l> {
-        Intervals { layout, order: InOrder::new(), time: Vec::new(), sensor: Vec::new() }
+        Intervals { layout, order: InOrder::new(), time: Vec::new(), sensor: Vec::new(), off: 0 }
     }
 
     pub fn take(&mut self, line: u64, record: &Record, reading: &mut Reading<'_>) -> Result<(), LogError> {
@@ -56,12 +59,19 @@ impl<'l> Intervals<'l> {
                 know_named(self.layout, record, name, reading);
                 self.order.interval(line, (from, to), name, reading)?;
             }
-            () => {}
+            () => self.off += 1,
         }
         Ok(())
     }
 
     pub fn end(self, reading: &mut Reading<'_>) -> Result<(), LogError> {
+        if self.off > 0 {
+            let count = counted(self.off, "interval says", "intervals say");
+            reading
+                .log
+                .remarks
+                .push(format!("{count} that a sensor was off: between those that are on this is nothing new"));
+        }
         self.order.end(reading)
     }
 }

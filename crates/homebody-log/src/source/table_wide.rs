@@ -4,7 +4,6 @@
 //! row. Of a sensor with numbers each cell is a reading. An empty cell says nothing.
 
 use super::cells::{is_blank, is_off};
-use super::decimals::with_point;
 use super::in_order::{OFF, ON};
 use super::instant::Instant;
 use super::layout::{Layout, Rows, WideSensor};
@@ -14,6 +13,7 @@ use super::row_parts::joined;
 use crate::error::LogError;
 use crate::limits::beginning;
 use crate::plain::text;
+use crate::sensor_info::SensorInfo;
 use crate::spreadsheet::unescaped;
 use homebody_core::problem::counted;
 use std::collections::BTreeMap;
@@ -69,8 +69,8 @@ impl<'l> Wide<'l> {
         if let Some(of) = self.last.get_mut(&key) {
             for (sensor, last) in self.sensors.iter().zip(of) {
                 let cell = record.get(sensor.column).unwrap_or_default().trim_ascii();
-                let with_point = if self.layout.has_decimal_comma { with_point(cell) } else { None };
-                take_cell(line, at, with_point.as_deref().unwrap_or(cell), (sensor, last), reading)?;
+                let cell = self.layout.numbers.plain(sensor.column, cell);
+                take_cell(line, at, &cell, (sensor, last), reading)?;
             }
         }
         self.key = key.0;
@@ -82,6 +82,11 @@ impl<'l> Wide<'l> {
     pub fn end(self, reading: &mut Reading<'_>) {
         if let (Some(at), Some(_)) = (self.last_at, self.layout.label) {
             reading.label_of(at, None);
+        }
+        for (sensor, of) in self.last.values().flat_map(|of| self.sensors.iter().zip(of)) {
+            if let Some(unit) = &sensor.unit {
+                reading.know(SensorInfo { unit: Some(unit.clone()), ..SensorInfo::named(&of.name) });
+            }
         }
         let columns = counted(self.sensors.len(), "column is a sensor", "columns are sensors");
         let states = self.sensors.iter().filter(|sensor| sensor.has_states).count();

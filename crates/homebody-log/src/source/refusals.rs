@@ -1,0 +1,128 @@
+//! Refuses tables that have instants and are no logs of sensors: lists of calls, purchases and visits, and logs of programs.
+
+use super::columns::{CERTAIN, is_certain_sensor, is_price, plain};
+use super::log::ColumnRole;
+use super::pick::Pick;
+use crate::limits::beginning;
+use homebody_core::problem::readable;
+
+/// Headings of what is bought and used at home: such lists may have prices.
+const USED: [&str; 10] = ["kwh", "wh", "kw", "m³", "m3", "usage", "consumption", "energy", "gas", "verbrauch"];
+
+impl Pick<'_> {
+    /// Refuses a table by what its columns hold, if none is certain to name sensors.
+    pub fn no_other_list(&self) -> Result<(), String> {
+        let columns = || (0..self.first.cells.len()).filter(|&column| self.cells(column).filled > 0);
+        let names = &self.first.names;
+        if !self.first.has_heading || columns().any(|column| is_certain_sensor(&names[column])) {
+            return Ok(());
+        }
+        let is_of = |column: usize, is: fn(&str) -> bool| {
+            let cells = self.cells(column);
+            cells.are_mostly(cells.texts.iter().filter(|(text, _)| is(text)).map(|(_, count)| count).sum())
+        };
+        let kinds: [(fn(&str) -> bool, &str); 3] =
+            [(is_page, "addresses of pages"), (is_mail, "addresses of mail"), (is_phone, "numbers of telephones")];
+        let found = kinds.iter().find_map(|(is, what)| Some((columns().find(|&column| is_of(column, *is))?, what)));
+        if let Some((column, what)) = found {
+            return Err(format!("its column {} holds {what}: it is no log of sensors", beginning(&names[column])));
+        }
+        if let Some(question) = columns().find(|&column| names[column].ends_with('?') && names[column].contains(' ')) {
+            return Err(format!("its column {} asks people: it is no log of sensors", beginning(&names[question])));
+        }
+        let all: Vec<String> = names.iter().map(|name| plain(name)).collect();
+        let has = |wanted: &[&str]| columns().any(|column| wanted.contains(&all[column].as_str()));
+        let moves = |wanted: &[&str]| {
+            columns().any(|column| wanted.contains(&all[column].as_str()) && self.cells(column).hardly_come_again())
+        };
+        if moves(&["latitude", "lat"]) && moves(&["longitude", "lon", "lng", "long"]) {
+            return Err("its rows are of places on a map: it is no log of a home's sensors".into());
+        }
+        if has(&["subject"]) && has(&["startdate"]) && has(&["enddate"]) {
+            return Err("it is a calendar: its rows have a subject, a start date and an end date".into());
+        }
+        let is_used = |column: usize| {
+            let name = names[column].to_lowercase();
+            let of_unit = |text: &String| USED.contains(&text.to_lowercase().as_str());
+            USED.iter().any(|word| name.contains(word)) || self.cells(column).texts.keys().any(of_unit)
+        };
+        match columns().find(|&column| is_price(&names[column]) || self.cells(column).are(self.cells(column).money)) {
+            Some(price) if !columns().any(is_used) => {
+                Err(format!("its column {} holds prices: it is no log of sensors", beginning(&names[price])))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses names that hardly come again, and values that are sentences: these are other tables.
+    pub fn no_keys(&self, sensor: usize, value: Option<usize>) -> Result<(), String> {
+        let cells = self.cells(sensor);
+        let is_certain = self.first.has_heading && is_certain_sensor(&self.first.names[sensor]);
+        let name = |column: usize| beginning(&self.first.names[column]);
+        if cells.hardly_come_again() && !is_certain {
+            return Err(format!(
+                "the column {} names no sensors: {} of {} rows have a name of their own, and sensors come again",
+                name(sensor),
+                cells.texts.len(),
+                cells.filled
+            ));
+        }
+        if let Some(value) = value
+            && let cells = self.cells(value)
+            && cells.are_mostly(cells.sentences)
+            && cells.hardly_come_again()
+        {
+            return Err(format!("the column {} holds sentences, and no values of sensors", name(value)));
+        }
+        Ok(())
+    }
+
+    /// Refuses the log of a program.
+    pub fn no_program_log(&self) -> Result<(), String> {
+        let columns = 0..self.first.cells.len();
+        let is_known = |role| {
+            columns.clone().any(|column| self.heading(column).is_some_and(|(of, rank)| of == role && rank < CERTAIN))
+        };
+        let grave = (0..self.first.cells.len()).find(|&column| {
+            let cells = self.cells(column);
+            cells.are(cells.severities) && cells.filled > 1
+        });
+        match grave {
+            Some(column) if !(is_known(ColumnRole::Sensor) && is_known(ColumnRole::Value)) => {
+                let words: Vec<&str> = self.cells(column).texts.keys().map(String::as_str).take(3).collect();
+                let name = beginning(&self.first.names[column]);
+                Err(format!("it is the log of a program: the column {name} says {}", readable(words.join(", "))))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Pick<'_> {
+    /// The free column whose texts hardly come again, as those of titles and messages.
+    pub fn prose(&self) -> Option<usize> {
+        let is_prose = |column: &usize| {
+            let cells = self.cells(*column);
+            let has_words = cells.texts.keys().filter(|text| text.trim().contains(' ')).count();
+            cells.hardly_come_again() && cells.numbers == 0 && 2 * has_words > cells.texts.len()
+        };
+        self.free().into_iter().find(is_prose)
+    }
+}
+
+fn is_page(text: &str) -> bool {
+    text.starts_with("http://") || text.starts_with("https://") || text.starts_with("www.")
+}
+
+fn is_mail(text: &str) -> bool {
+    text.split_once('@')
+        .is_some_and(|(user, host)| !user.is_empty() && host.contains('.') && !text.contains([' ', '/']))
+}
+
+/// `+41 79 555 00 10`: more digits than a value has.
+fn is_phone(text: &str) -> bool {
+    let digits = text.bytes().filter(u8::is_ascii_digit).count();
+    text.starts_with('+')
+        && digits >= 8
+        && text[1..].bytes().all(|byte| byte.is_ascii_digit() || b" -()/".contains(&byte))
+}
