@@ -360,11 +360,11 @@ pub(super) fn is_day_number(number: f64) -> bool {
 /// The same of a whole number, to the digit.
 pub(super) fn since_1970_whole(number: i64) -> Option<Instant> {
     let micros = match number {
-        ..100_000_000 => return None,
-        ..100_000_000_000 => number * SECOND,
-        ..100_000_000_000_000 => number * 1000,
-        ..100_000_000_000_000_000 => number,
-        _ => number / 1000,
+        ..=99_999_999 => return None,
+        100_000_000..=99_999_999_999 => number * SECOND,
+        100_000_000_000..=99_999_999_999_999 => number * 1000,
+        100_000_000_000_000..=99_999_999_999_999_999 => number,
+        100_000_000_000_000_000.. => number / 1000,
     };
     Some(Instant::Utc(micros))
 }

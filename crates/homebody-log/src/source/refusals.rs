@@ -9,6 +9,9 @@ use homebody_core::problem::readable;
 /// Headings of what is bought and used at home: such lists may have prices.
 const USED: [&str; 10] = ["kwh", "wh", "kw", "m³", "m3", "usage", "consumption", "energy", "gas", "verbrauch"];
 
+/// Whether a text is of some kind.
+type IsText = fn(&str) -> bool;
+
 impl Pick<'_> {
     /// Refuses a table by what its columns hold, if none is certain to name sensors.
     pub fn no_other_list(&self) -> Result<(), String> {
@@ -17,11 +20,11 @@ impl Pick<'_> {
         if !self.first.has_heading || columns().any(|column| is_certain_sensor(&names[column])) {
             return Ok(());
         }
-        let is_of = |column: usize, is: fn(&str) -> bool| {
+        let is_of = |column: usize, is: IsText| {
             let cells = self.cells(column);
             cells.are_mostly(cells.texts.iter().filter(|(text, _)| is(text)).map(|(_, count)| count).sum())
         };
-        let kinds: [(fn(&str) -> bool, &str); 3] =
+        let kinds: [(IsText, &str); 3] =
             [(is_page, "addresses of pages"), (is_mail, "addresses of mail"), (is_phone, "numbers of telephones")];
         let found = kinds.iter().find_map(|(is, what)| Some((columns().find(|&column| is_of(column, *is))?, what)));
         if let Some((column, what)) = found {
