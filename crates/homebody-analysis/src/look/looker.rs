@@ -22,15 +22,15 @@ const SILENCE: Micros = 12 * 3600 * SECOND;
 /// So many silences are listed, and so many gaps.
 const LISTED: usize = 100;
 
+/// A source of rows: hands each part of a log to a function, and returns the log without its rows.
+pub type Stream<'s, E> = dyn FnMut(&mut dyn FnMut(&Log)) -> Result<Log, E> + 's;
+
 /// Looks at the rows of a log, which come part by part; a second time where that shows more. Returns the log without its rows, too.
 ///
 /// # Errors
 ///
 /// Those of the stream.
-pub fn looked<E>(
-    mut looker: Looker,
-    stream: &mut dyn FnMut(&mut dyn FnMut(&Log)) -> Result<Log, E>,
-) -> Result<(Looker, Log), E> {
+pub fn looked<E>(mut looker: Looker, stream: &mut Stream<'_, E>) -> Result<(Looker, Log), E> {
     let mut about = stream(&mut |part| looker.take(part))?;
     if let Some(again) = looker.again(&about) {
         looker = again;

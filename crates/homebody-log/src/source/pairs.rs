@@ -98,7 +98,7 @@ mod tests {
     fn two_texts_in_turn_are_a_pair_unless_both_are_known() {
         let rows = [(0, 0), (2, 1), (10, 0), (13, 1), (20, 0)];
         let pair = Pair { sensor: 0, values: [0, 1], held: [5, 15], takes_turns: true };
-        assert_eq!(pairs(&rows, &["zing", "zang"]), [pair.clone()]);
+        assert_eq!(pairs(&rows, &["zing", "zang"]), std::slice::from_ref(&pair));
         let newest_first: Vec<(Micros, u32)> = rows.iter().rev().copied().collect();
         assert_eq!(pairs(&newest_first, &["zing", "zang"]), [pair]);
         assert_eq!((pairs(&rows, &["zing", "OFF"]).len(), pairs(&rows, &["pir", "none"]).len()), (1, 1));
