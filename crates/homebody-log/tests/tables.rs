@@ -479,6 +479,9 @@ fn the_sensor_is_the_column_that_parts_the_rows() {
     // Numbers of meters are names.
     let row = |index: usize| format!("57131317400000000{},2009-03-02 {},0.{index},KWH", index / 12, clock(index % 12));
     assert_eq!(named(&table("MeterID,from,amount of energy,Unity", 24, row)).len(), 2);
+    // Notes in some rows name no sensor.
+    let row = |index: usize| format!("T,36.{index},{}", if index % 3 == 0 { "took a pill" } else { "" });
+    assert_eq!(named(&table("Time,Temperature,Remarks", 24, row)), ["Temperature"]);
     // Two columns with the same names are not guessed.
     let row = |index: usize| format!("T,{},{},{index}", ["A", "B"][index % 2], ["B", "A", "C"][index % 3]);
     let error = why(&table("Time,from team,to team,goals", 24, row));
@@ -573,7 +576,7 @@ fn lists_of_other_things_are_refused_with_the_reason() {
         (table("When,Url,Page", 24, |row| format!("T,https://example.org/{row},{}", place(row))), "addresses of pages"),
         (table("Call,When,Number", 24, |row| format!("{},T,+4179555{row:04}", place(row))), "numbers of telephones"),
         (table("When,Email,Task", 24, |row| format!("T,a@example.org,{}", place(row))), "addresses of mail"),
-        (table("Made at,Product,Quantity,Price", 24, |row| format!("T,{},{row},19.9", place(row))), "holds prices"),
+        (table("When,Product,Quantity,Price", 24, |row| format!("T,{},{row},19.9", place(row))), "holds prices"),
         (table("When,Are you well?,Note", 24, |row| format!("T,{row},{}", place(row))), "asks people"),
         (table("when,author,subject", 24, |row| format!("T,{},mend the part {row}", place(row))), "hardly come again"),
         (table("time,lat,lon,speed", 24, |row| format!("T,47.{row},8.{row},{row}")), "places on a map"),

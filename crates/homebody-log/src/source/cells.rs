@@ -1,13 +1,16 @@
 //! The cells of a table's column by its first rows: instants, numbers, words, and how often each comes again.
 
-use super::instant::{Instant, Instants, is_day_number, may_be_date};
+use super::date_parts::may_be_date;
+use super::instant::{Instant, Instants, is_day_number};
 use super::measured::{is_money, is_unit, measured};
 use super::options::DateOrder;
 use homebody_core::time::{DAY, Micros};
 use std::collections::BTreeMap;
 
 /// Words of sensors with two states, in lower case.
-const SWITCHES: [&str; 57] = [
+const SWITCHES: [&str; 59] = [
+    "t",
+    "f",
     "on",
     "off",
     "open",
@@ -68,7 +71,8 @@ const SWITCHES: [&str; 57] = [
 ];
 
 /// Those of them that say that something is over.
-const OFFS: [&str; 25] = [
+const OFFS: [&str; 26] = [
+    "f",
     "off",
     "close",
     "closed",
