@@ -20,12 +20,40 @@ fn is_word(word: &str, known: &str) -> bool {
         Some(end) => word.ends_with(end) || !end.is_ascii() && word.ends_with(&in_ascii(end, true)),
         None if known.starts_with(|c| c >= WITHOUT_BLANKS) => word.contains(known),
         None if known.is_ascii() => word == known || word.strip_suffix('s') == Some(known),
-        None => word == known || [true, false].into_iter().any(|is_long| word == in_ascii(known, is_long)),
+        None => word == known || [true, false].into_iter().any(|is_long| is_written(word, known, is_long)),
     }
+}
+
+/// Whether a word is a known one without the marks on its letters.
+fn is_written(word: &str, known: &str, is_long: bool) -> bool {
+    let mut left = word;
+    for c in known.chars() {
+        let rest = match in_letters(c, is_long) {
+            Some(letters) => left.strip_prefix(letters),
+            None => left.strip_prefix(c),
+        };
+        match rest {
+            Some(rest) => left = rest,
+            None => return false,
+        }
+    }
+    left.is_empty()
 }
 
 /// A word without the marks on its letters. The long form writes `ü` as `ue`, as people do; the short one as `u`, as programs do.
 pub(crate) fn in_ascii(word: &str, is_long: bool) -> String {
+    let mut plain = String::with_capacity(word.len());
+    for c in word.chars() {
+        match in_letters(c, is_long) {
+            Some(letters) => plain.push_str(letters),
+            None => plain.push(c),
+        }
+    }
+    plain
+}
+
+/// A letter without its marks; `None` for any other character.
+fn in_letters(c: char, is_long: bool) -> Option<&'static str> {
     const LONG: [(char, &str); 4] = [('ä', "ae"), ('ö', "oe"), ('ü', "ue"), ('ø', "oe")];
     const SHORT: [(&str, &str); 15] = [
         ("àáâãäåąă", "a"),
@@ -44,16 +72,11 @@ pub(crate) fn in_ascii(word: &str, is_long: bool) -> String {
         ("źżž", "z"),
         ("ß", "ss"),
     ];
-    let long = |c: char| LONG.iter().find(|(marked, _)| is_long && *marked == c).map(|(_, plain)| *plain);
-    let short = |c: char| SHORT.iter().find(|(marked, _)| marked.contains(c)).map(|(_, plain)| *plain);
-    let mut plain = String::with_capacity(word.len());
-    for c in word.chars() {
-        match long(c).or_else(|| short(c)) {
-            Some(letters) => plain.push_str(letters),
-            None => plain.push(c),
-        }
+    if c.is_ascii() {
+        return None;
     }
-    plain
+    let long = LONG.iter().find(|(marked, _)| is_long && *marked == c).map(|(_, plain)| *plain);
+    long.or_else(|| SHORT.iter().find(|(marked, _)| marked.contains(c)).map(|(_, plain)| *plain))
 }
 
 /// The words for pieces with a role, the first that fits; sofas come before beds, since a sofa bed is a sofa by day.

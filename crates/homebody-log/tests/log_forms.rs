@@ -65,15 +65,21 @@ for and why; `--json` has it, too. Other commands say on standard error which co
 | time, sensor, value | an event each; a column of kinds, rooms or units goes with the sensor |
 | time and sensor, without a value | a firing each, with the value `ON`, which is the reader's own |
 | start and end, or start and duration | an ON and an OFF of a sensor, or an activity |
+| start and end with numbers, or words other than ON | an event each, at the start |
 | time, and a column for each sensor | of a sensor with states each change, of one with numbers each cell |
 
 Date and time of day may stand in two columns, with AM and PM or without. Dates such as `02/03/2009` are read in the order of day and
 month that the rows decide: by a number above 12, by days that follow each other, by points between the numbers, or by AM and PM. A
-comma before decimals is known by the numbers. Numbers since 1970 may be in seconds, milliseconds, microseconds or nanoseconds.
+comma before decimals is known by the numbers, and so are thousands. A unit behind a number, as in `21.4 °C`, is the sensor's unit.
+`24:00` is the next midnight, months may be words, and a heading with UTC says the clock. Numbers since 1970 may be in seconds, milliseconds, microseconds or nanoseconds.
 Instants with an offset from UTC, such as `2009-03-02T07:12:03-06:00`, are put on the wall of the home that has it.
 
+Lines above the heading, such as titles, comments and `sep=;`, are passed over with a remark. Text that is not in UTF-8 is read in the
+letters of Windows. Ids, prices and units name no sensors. If a device has several attributes, the sensor is `device attribute`.
+
 A table is refused with a sentence if nothing decides the order of its dates, if its rows are of several homes or persons, or if it
-holds no log: its names hardly come again, its values are sentences, its dates have no time of day. An option decides what the rows
+holds no log: its names hardly come again, its values are sentences, its dates have no time of day. Lists of calls, purchases, pages and places are no
+logs either, nor are tables that lose nearly all rows. An option decides what the rows
 leave open:
 
 | option | meaning |

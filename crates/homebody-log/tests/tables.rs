@@ -431,7 +431,7 @@ fn sensors_of(text: &str) -> (u64, Vec<String>, Log) {
 
 /// A heading and rows, a minute apart: `T` is the instant, `I` the row's number.
 fn table(heading: &str, count: usize, row: impl Fn(usize) -> String) -> String {
-    let line = |index: usize| row(index).replace('T', &format!("2009-03-02 {}", clock(index))) + "\n";
+    let line = |index: usize| row(index).replacen('T', &format!("2009-03-02 {}", clock(index)), 1) + "\n";
     format!("{heading}\n{}", (0..count).map(line).collect::<String>())
 }
 
@@ -460,7 +460,7 @@ fn values_of_intervals_are_kept_and_nothing_is_lost_without_a_word() {
         (rows, log.values)
     };
     assert_eq!(values(&|_| "closed"), (24, vec!["closed".to_owned()]));
-    assert_eq!(values(&|row| ["TAKEN", "MISSED"][row % 2]), (24, vec!["TAKEN".to_owned(), "MISSED".into()]));
+    assert_eq!(values(&|row| ["DONE", "MISSED"][row % 2]), (24, vec!["DONE".to_owned(), "MISSED".into()]));
     let numbers = table("Consumption (kwh),Start,End", 24, |row| format!("0.{row},T,2009-03-02 08:00:00"));
     let (rows, sensors, log) = sensors_of(&numbers);
     assert_eq!((rows, &sensors[..]), (24, &["Consumption (kwh)".to_owned()][..]));
@@ -554,7 +554,8 @@ fn letters_of_windows_midnights_and_clocks_are_read() {
     let log = read(&path.url("csv:log.csv"), &LoggerFile::default()).unwrap();
     assert_eq!(log.sensors, ["Küche"]);
     assert!(log.remarks.iter().any(|remark| remark.contains("windows-1252")), "{:?}", log.remarks);
-    let midnight = table("date;clock;kWh", 24, |index| format!("02.03.2009;{};0,1", ["23:00", "24:00"][index % 2]));
+    let midnight =
+        table("date;clock;kWh", 24, |index| format!("02.03.2009;{};0,{index}", ["23:00", "24:00"][index % 2]));
     assert_eq!(sensors_of(&midnight).2.skipped, 0);
     assert_eq!(sensors_of(&table("Date/time UTC,hall", 24, |index| format!("T,2{index}.5"))).2.clock, Clock::Utc);
     let days = table("Time,Sensor,State", 24, |index| format!("39874.{},hall,{}", 300 + index, index % 2));

@@ -1,6 +1,7 @@
 //! The cells of a table's column by its first rows: instants, numbers, words, and how often each comes again.
 
-use super::instant::{Instant, Instants, is_day_number, may_be_date};
+use super::date_parts::may_be_date;
+use super::instant::{Instant, Instants, is_day_number};
 use super::measured::{is_money, is_unit, measured};
 use super::options::DateOrder;
 use homebody_core::states::says;
@@ -9,10 +10,10 @@ use std::collections::BTreeMap;
 
 /// Words of two states that tell of no person, or of one who is in the home or not, in lower case. All others have their meanings in
 /// `homebody_core::states`.
-const SWITCHES: [&str; 8] = ["0.0", "1.0", "home", "not_home", "wet", "dry", "locked", "unlocked"];
+const SWITCHES: [&str; 10] = ["t", "f", "0.0", "1.0", "home", "not_home", "wet", "dry", "locked", "unlocked"];
 
 /// Those of them that say that something is over.
-const OFFS: [&str; 3] = ["0.0", "not_home", "dry"];
+const OFFS: [&str; 4] = ["f", "0.0", "not_home", "dry"];
 
 /// Words for kinds of sensors and of what they measure, in lower case.
 const KINDS: [&str; 61] = [

@@ -343,6 +343,28 @@ pub(super) fn is_id(heading: &str) -> bool {
     words.any(is_word) || ENDINGS.iter().any(|ending| plain(heading).ends_with(ending))
 }
 
+/// Whether a heading is that of remarks, which people write into some rows.
+pub(super) fn is_remark(heading: &str) -> bool {
+    const NAMES: [&str; 15] = [
+        "remark",
+        "remarks",
+        "note",
+        "notes",
+        "comment",
+        "comments",
+        "bemerkung",
+        "bemerkungen",
+        "kommentar",
+        "notiz",
+        "remarque",
+        "remarques",
+        "commentaire",
+        "observaciones",
+        "opmerking",
+    ];
+    NAMES.contains(&plain(heading).as_str())
+}
+
 /// Whether a heading is that of money.
 pub(super) fn is_price(heading: &str) -> bool {
     const WORDS: [&str; 13] = [

@@ -6,6 +6,7 @@ use super::options::DateOrder;
 use super::pick::Time;
 use super::records::Records;
 use crate::limits::beginning;
+use crate::plain::text;
 use std::path::Path;
 
 /// How often dates must follow on the day before to decide.
@@ -42,7 +43,7 @@ pub(super) fn order_of(
         ));
     }
     let found = by_numbers(orders).or_else(|| by_days(first, time.column)).or_else(|| by_habit(orders));
-    match found.or_else(|| further(path, time.column)) {
+    match found.or_else(|| further(path, first.first_line, time.column)) {
         Some((order, because)) => Ok((Some(order), Some(because))),
         None => {
             let example = first.column(time.column).find(|cell| !cell.trim().is_empty()).unwrap_or_default();
@@ -97,12 +98,15 @@ fn by_habit(orders: Orders) -> Option<(DateOrder, String)> {
 }
 
 /// The first date further down that has one order alone.
-fn further(path: &Path, column: usize) -> Option<(DateOrder, String)> {
+fn further(path: &Path, first_line: u64, column: usize) -> Option<(DateOrder, String)> {
     let mut records = Records::open(path).ok()?;
     let mut reads = Reads::new();
     for _ in 0..MOST_ROWS {
         let (line, record) = records.next(&mut |_| false).ok()??;
-        let cell = String::from_utf8_lossy(record.get(column).unwrap_or_default()).into_owned();
+        if line < first_line {
+            continue;
+        }
+        let cell = text(record.get(column).unwrap_or_default()).into_owned();
         let Some((order, _)) = by_numbers(Cells::of(std::iter::once(cell.as_str()), &mut reads).order) else {
             continue;
         };

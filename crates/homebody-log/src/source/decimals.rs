@@ -56,7 +56,7 @@ impl Numbers {
     pub fn reason(&self, column: usize, first: &FirstRows) -> Option<String> {
         let has_mark = |mark: char| first.column(column).any(|cell| number_of(cell).contains(mark));
         let reasons = [
-            (self.has_comma, "a comma is before decimals"),
+            (self.has_comma && has_mark(','), "a comma is before decimals"),
             (self.has_comma && self.thousands.contains(&column) && has_mark('.'), "a point parts thousands"),
             (!self.has_comma && self.thousands.contains(&column), "a comma parts thousands"),
             (self.measured.contains(&column), "a unit or brackets stand with its numbers"),

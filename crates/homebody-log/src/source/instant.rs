@@ -1,5 +1,6 @@
 //! Reads instants as logs write them.
 
+use super::date_parts::{digits, in_words, leading_number, month, of_century};
 use super::log::OffsetSpan;
 use super::options::DateOrder;
 use homebody_core::time::{DAY, Micros, SECOND};
@@ -155,64 +156,6 @@ fn in_numbers(bytes: &[u8], order: Option<DateOrder>) -> Option<(Date, &[u8])> {
     Some((Date::new(year as i16, month as i8, day as i8).ok()?, &rest[length..]))
 }
 
-/// A date whose month is a word: `Mar 2 2009`, `Mon, 2 March 2009` or `2-Mar-09`.
-fn in_words(bytes: &[u8]) -> Option<(Date, &[u8])> {
-    let first = word(bytes);
-    let is_day = first.len() >= 3 && DAYS.iter().any(|day| starts(day, first));
-    let bytes = if is_day { past(&bytes[first.len()..], b", ") } else { bytes };
-    let name = word(bytes);
-    let number = |bytes: &[u8]| bytes.iter().take_while(|byte| byte.is_ascii_digit()).count();
-    let (month, day, mark, rest) = match name.len() {
-        0 => {
-            let (day, mark, rest) = leading_number(bytes)?;
-            let name = word(rest);
-            let rest = &rest[name.len()..];
-            let is_parted = rest.first().is_some_and(|next| *next == mark || b". ,".contains(next));
-            (month(name)?, day, mark, past(rest, if is_parted { b".,- " } else { b"" }))
-        }
-        length => {
-            let rest = past(&bytes[length..], b". ");
-            let (day, rest) = rest.split_at(number(rest));
-            (month(name)?, day, b' ', past(rest, b", "))
-        }
-    };
-    let (year, rest) = rest.split_at(number(rest));
-    let year = match year.len() {
-        4 => digits(year)?,
-        2 if mark == b'-' => of_century(digits(year)?),
-        _ => return None,
-    };
-    let day = digits(day).filter(|_| day.len() <= 2 && b"- .".contains(&mark))?;
-    Some((Date::new(year as i16, month, day as i8).ok()?, rest))
-}
-
-/// The letters that bytes begin with.
-fn word(bytes: &[u8]) -> &[u8] {
-    &bytes[..bytes.iter().take_while(|byte| byte.is_ascii_alphabetic()).count()]
-}
-
-/// Bytes without these marks at their beginning.
-fn past<'b>(bytes: &'b [u8], marks: &[u8]) -> &'b [u8] {
-    &bytes[bytes.iter().take_while(|byte| marks.contains(byte)).count()..]
-}
-
-fn starts(name: &str, word: &[u8]) -> bool {
-    name.as_bytes().get(..word.len()).is_some_and(|begin| begin.eq_ignore_ascii_case(word))
-}
-
-/// The number of a month by its name, or by three of its letters and more.
-fn month(word: &[u8]) -> Option<i8> {
-    let place = MONTH_NAMES.iter().position(|name| word.len() >= 3 && starts(name, word))?;
-    Some(place as i8 + 1)
-}
-
-/// Whether a text may begin with a date: with a digit, or with the name of a day or a month.
-pub(super) fn may_be_date(text: &str) -> bool {
-    let first = word(text.as_bytes());
-    let is_name = || month(first).is_some() || first.len() >= 3 && DAYS.iter().any(|day| starts(day, first));
-    text.starts_with(|first: char| first.is_ascii_digit()) || is_name()
-}
-
 /// A zone without the name of a place behind it, as in `-05:00 New_York` and `+01:00[Europe/Paris]`.
 fn without_place(zone: &[u8]) -> &[u8] {
     let is_offset = zone.starts_with(b"+") || zone.starts_with(b"-") || zone.starts_with(b"Z");
@@ -222,19 +165,6 @@ fn without_place(zone: &[u8]) -> &[u8] {
         }
         _ => zone,
     }
-}
-
-/// Two digits of a year: `09` is 2009, `98` is 1998.
-fn of_century(year: Micros) -> Micros {
-    if year < 70 { 2000 + year } else { 1900 + year }
-}
-
-/// The digits that bytes begin with, the byte behind them, and what follows.
-fn leading_number(bytes: &[u8]) -> Option<(&[u8], u8, &[u8])> {
-    let length = bytes.iter().take_while(|byte| byte.is_ascii_digit()).count();
-    let (number, rest) = bytes.split_at(length);
-    let (mark, rest) = rest.split_first().filter(|_| (1..=4).contains(&length))?;
-    Some((number, *mark, rest))
 }
 
 /// An instant by a clock of twelve hours, where `AM` or `PM` follows in any case, with points or without; else as it stands.
@@ -292,34 +222,11 @@ fn abbreviated(zone: &[u8]) -> Option<Micros> {
 fn civil(day: &[u8]) -> Option<Date> {
     let (year, month, of_month) = match day {
         [year @ .., b'-', _, _, b'-', _, _] => (digits(year)?, digits(&day[5..7])?, digits(&day[8..])?),
-        [_, _, b'-', _, _, _, b'-', year @ ..] => {
-            let is_named = |name: &&str| name.as_bytes().eq_ignore_ascii_case(&day[3..6]);
-            (digits(year)?, MONTHS.iter().position(is_named)? as i64 + 1, digits(&day[..2])?)
-        }
+        [_, _, b'-', _, _, _, b'-', year @ ..] => (digits(year)?, month(&day[3..6])?.into(), digits(&day[..2])?),
         _ => return None,
     };
     Date::new(year as i16, month as i8, of_month as i8).ok()
 }
-
-/// How dates name months.
-const MONTHS: [&str; 12] = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"];
-
-/// The names of months and days, which are often cut.
-const MONTH_NAMES: [&str; 12] = [
-    "january",
-    "february",
-    "march",
-    "april",
-    "may",
-    "june",
-    "july",
-    "august",
-    "september",
-    "october",
-    "november",
-    "december",
-];
-const DAYS: [&str; 7] = ["monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday"];
 
 /// The beginning of a day.
 pub(super) fn midnight(day: Date) -> Option<Micros> {
@@ -472,14 +379,6 @@ pub(super) fn offset(zone: &[u8]) -> Option<Micros> {
         rest => two_digits(rest, 60)?,
     };
     rest.is_empty().then_some(sign * (hours * 60 + minutes) * 60 * SECOND)
-}
-
-/// A number of digits alone; too many of them saturate.
-fn digits(text: &[u8]) -> Option<Micros> {
-    let all = !text.is_empty() && text.iter().all(u8::is_ascii_digit);
-    all.then(|| {
-        text.iter().fold(0_i64, |number, byte| number.saturating_mul(10).saturating_add(i64::from(byte - b'0')))
-    })
 }
 
 #[cfg(test)]

@@ -17,6 +17,7 @@ mod cells;
 mod columns;
 mod csv;
 mod database;
+mod date_parts;
 mod dateless;
 mod dates_of_table;
 mod decimals;

@@ -1,7 +1,7 @@
 //! Takes the columns of a table for what they are, one after the other: by headings, then by cells. Each is taken once.
 
 use super::cells::{Cells, Reads};
-use super::columns::{CERTAIN, is_certain_sensor, is_id, is_price, plain, role_of};
+use super::columns::{CERTAIN, is_certain_sensor, is_id, is_price, is_remark, plain, role_of};
 use super::first_rows::FirstRows;
 use super::log::{ColumnRole, ColumnUse};
 use super::options::{DateOrder, HomeColumn};
@@ -405,6 +405,8 @@ impl<'f> Pick<'f> {
             () if is_id(name) && cells.are_whole() && is_row_number => {
                 Some("its heading is that of ids, and it numbers the rows")
             }
+            () if is_remark(name) => Some("its heading is that of remarks"),
+            () if is_id(name) && cells.is_constant() => Some("its heading is that of ids, and it never changes"),
             () if is_id(name) && cells.are_whole() && cells.filled >= LEAST_NUMBERED => {
                 Some("its heading is that of ids: numbers that name something")
             }

@@ -5,6 +5,7 @@ use super::log::ColumnRole;
 use super::pick::Pick;
 use crate::limits::beginning;
 use homebody_core::problem::readable;
+use std::collections::BTreeSet;
 
 /// Headings of what is bought and used at home: such lists may have prices.
 const USED: [&str; 10] = ["kwh", "wh", "kw", "m³", "m3", "usage", "consumption", "energy", "gas", "verbrauch"];
@@ -45,9 +46,9 @@ impl Pick<'_> {
             return Err("it is a calendar: its rows have a subject, a start date and an end date".into());
         }
         let is_used = |column: usize| {
-            let name = names[column].to_lowercase();
-            let of_unit = |text: &String| USED.contains(&text.to_lowercase().as_str());
-            USED.iter().any(|word| name.contains(word)) || self.cells(column).texts.keys().any(of_unit)
+            let is_of = |text: &str| USED.contains(&text.to_lowercase().as_str());
+            let mut words = names[column].split(|c: char| !c.is_alphanumeric());
+            words.any(is_of) || self.cells(column).texts.keys().any(|text| is_of(text))
         };
         match columns().find(|&column| is_price(&names[column]) || self.cells(column).are(self.cells(column).money)) {
             Some(price) if !columns().any(is_used) => {
@@ -68,6 +69,14 @@ impl Pick<'_> {
                 name(sensor),
                 cells.texts.len(),
                 cells.filled
+            ));
+        }
+        if let Some(sentences) = value.and_then(|value| self.devices_in_sentences(sensor, value)) {
+            return Err(format!(
+                "its devices stand in the sentences of the column {} alone: the column {} says what they measure\n  \
+                 hint: write the device of each row into a column of its own, under the heading device",
+                name(sentences),
+                name(sensor)
             ));
         }
         if let Some(value) = value
@@ -102,6 +111,19 @@ impl Pick<'_> {
 }
 
 impl Pick<'_> {
+    /// A column of sentences that say more than what is measured and its value, where no column names devices.
+    fn devices_in_sentences(&self, sensor: usize, value: usize) -> Option<usize> {
+        let cells = self.cells(sensor);
+        if !self.first.has_heading || !cells.are(cells.kinds) || self.all_taken(ColumnRole::Room).next().is_some() {
+            return None;
+        }
+        let pairs: BTreeSet<(&str, &str)> = self.first.column(sensor).zip(self.first.column(value)).collect();
+        self.free().into_iter().find(|column| {
+            let of = self.cells(*column);
+            of.are_mostly(of.sentences) && of.texts.len() > pairs.len() && of.come_again()
+        })
+    }
+
     /// The free column whose texts hardly come again, as those of titles and messages.
     pub fn prose(&self) -> Option<usize> {
         let is_prose = |column: &usize| {

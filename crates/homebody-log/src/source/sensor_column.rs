@@ -64,8 +64,10 @@ impl Pick<'_> {
         let differ: Vec<usize> = all.iter().copied().filter(|column| !self.cells(*column).is_constant()).collect();
         let &first = differ.first().unwrap_or(&first);
         let clashes = self.clashes(&[first]);
-        let is_better = |column: &usize| 10 * self.clashes(&[*column]) <= clashes;
-        let better = differ.iter().copied().find(is_better).filter(|_| self.are_many(clashes));
+        // What is measured stands behind the name of its device.
+        let is_device = self.heading(first).is_some() || self.is_attribute(first);
+        let is_better = |column: &usize| !self.is_attribute(*column) && 10 * self.clashes(&[*column]) <= clashes;
+        let better = differ.iter().copied().find(is_better).filter(|_| self.are_many(clashes) && !is_device);
         Some(better.unwrap_or(first))
     }
 
@@ -114,9 +116,18 @@ impl Pick<'_> {
             let says = |words: &[&str]| words.iter().any(|word| heading.contains(word));
             let is_target = self.first.has_heading && says(&["destination", "target", "ziel"]);
             let is_address = self.first.has_heading && says(&["address", "adresse"]);
-            (is_kind(column), is_number(column), !is_target, is_address)
+            (is_kind(column), self.is_attribute(*column), is_number(column), !is_target, is_address)
         };
         names.sort_by_key(rank);
+        // Of texts that never change, a number of a meter says more than a state of its readings.
+        let is_constant = |column: &usize| self.cells(*column).is_constant();
+        let is_key = |column: &usize| {
+            is_id(&self.first.names[*column]) && self.cells(*column).are_whole() && is_constant(column)
+        };
+        let are_constant = !names.is_empty() && self.first.has_heading && names.iter().all(is_constant);
+        if let Some(key) = self.free().into_iter().find(is_key).filter(|_| are_constant) {
+            names.insert(0, key);
+        }
         names
     }
 
@@ -156,7 +167,11 @@ impl Pick<'_> {
 
     /// Takes the columns of kinds and rooms that go with a sensor.
     fn kind_and_room(&mut self) {
-        let is_kind = |column: &usize| !self.cells(*column).are_mostly(self.cells(*column).values());
+        // A text that never changes and is of no known kind says nothing.
+        let is_kind = |column: &usize| {
+            let cells = self.cells(*column);
+            !cells.are_mostly(cells.values()) && (!cells.is_constant() || cells.kinds > 0)
+        };
         let by_heading = self.headed(ColumnRole::Kind).into_iter().find(is_kind);
         let may_be = |column: &usize| {
             let cells = self.cells(*column);
@@ -219,13 +234,10 @@ impl Pick<'_> {
                 && self.is_free_of(*column, value)
         };
         let with = |column: usize| [device, &[column]].concat();
-        let open: Vec<usize> = self.free().into_iter().filter(may_be).collect();
-        let is_headed = |column: &usize| {
-            let name = plain(&self.first.names[*column]);
-            self.first.has_heading && ATTRIBUTES.contains(&name.as_str())
-        };
+        let mut open: Vec<usize> = self.free().into_iter().filter(may_be).collect();
+        open.sort_by_key(|column| self.cells(*column).are_whole());
         let rows = |count: usize, what: &str| format!("a sensor has {what} in {count} rows, which its texts part");
-        if let Some(&column) = open.iter().find(|column| is_headed(column)) {
+        if let Some(&column) = open.iter().find(|column| self.is_attribute(**column)) {
             return Some((column, format!("{}: a device has several of its texts", ColumnUse::HEADING)));
         }
         let mixed = self.mixed(device, value);
@@ -265,6 +277,11 @@ impl Pick<'_> {
         if count > 1 && (few_rows || has_gaps || !has_several && !is_in_spans) {
             self.release(home, "it says who did something: its persons have no sensors of their own");
         }
+    }
+
+    /// Whether a heading says that the column tells what is measured.
+    fn is_attribute(&self, column: usize) -> bool {
+        self.first.has_heading && ATTRIBUTES.contains(&plain(&self.first.names[column]).as_str())
     }
 
     /// Whether a device has several texts of this column.
