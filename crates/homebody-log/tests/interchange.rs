@@ -223,7 +223,7 @@ fn rows_of_two_homes_are_refused_and_those_of_one_are_read() {
         let of_home = |home: &str| {
             let home = Some(HomeColumn { column: "home_id".into(), home: Some(home.into()) });
             let place = Source::recognise(&folder.path().join(name)).unwrap();
-            read(&place.with_options(TableOptions { home, ..TableOptions::default() }), &LoggerFile::default())
+            read(place.with_options(TableOptions { home, ..TableOptions::default() }), &LoggerFile::default())
         };
         assert_eq!((told(&of_home("B").unwrap()), of_home("*").unwrap().rows), (vec![(1.0, "hall", "on")], 2));
         let error = of_home("C").unwrap_err().to_string();

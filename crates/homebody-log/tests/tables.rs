@@ -480,7 +480,7 @@ fn the_sensor_is_the_column_that_parts_the_rows() {
     let row = |index: usize| format!("57131317400000000{},2009-03-02 {},0.{index},KWH", index / 12, clock(index % 12));
     assert_eq!(named(&table("MeterID,from,amount of energy,Unity", 24, row)).len(), 2);
     // Notes in some rows name no sensor.
-    let row = |index: usize| format!("T,36.{index},{}", if index % 3 == 0 { "took a pill" } else { "" });
+    let row = |index: usize| format!("T,36.{index},{}", if index.is_multiple_of(3) { "took a pill" } else { "" });
     assert_eq!(named(&table("Time,Temperature,Remarks", 24, row)), ["Temperature"]);
     // Two columns with the same names are not guessed.
     let row = |index: usize| format!("T,{},{},{index}", ["A", "B"][index % 2], ["B", "A", "C"][index % 3]);
