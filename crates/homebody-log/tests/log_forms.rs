@@ -78,8 +78,8 @@ Lines above the heading, such as titles, comments and `sep=;`, are passed over w
 letters of Windows. Ids, prices and units name no sensors. If a device has several attributes, the sensor is `device attribute`.
 
 A table is refused with a sentence if nothing decides the order of its dates, if its rows are of several homes or persons, or if it
-holds no log: its names hardly come again, its values are sentences, its dates have no time of day. Lists of calls, purchases, pages and places are no
-logs either, nor are tables that lose nearly all rows. An option decides what the rows
+holds no log: its names hardly come again, its values are sentences, its dates have no time of day. Homebody also refuses
+lists of calls, purchases, pages and places, and tables of which it can read hardly a row. An option decides what the rows
 leave open:
 
 | option | meaning |

@@ -499,7 +499,7 @@ fn what_a_row_tells_of_a_device_stands_in_the_sensor_name() {
     assert_eq!((rows, sensors), (24, vec!["Hall PIR motion".to_owned(), "Hall PIR temperature".into()]));
     let row = |index: usize| format!("b1,{},{},T", ["va_temperature", "va_humidity"][index % 2], 40 + index);
     assert_eq!(sensors_of(&table("Device ID,DP Code,Value,Event Time", 24, row)).1.len(), 2);
-    // The control: a word that only says the value again is no part of the name.
+    // The control: a word that only repeats the value is not part of the name.
     let row = |index: usize| format!("b1,{},{},T", ["has come on", "is off"][index % 2], ["ON", "OFF"][index % 2]);
     assert_eq!(sensors_of(&table("Device,Code,Value,Date", 24, row)).1, ["b1"]);
 }
@@ -579,6 +579,10 @@ fn lists_of_other_things_are_refused_with_the_reason() {
         (table("When,Product,Quantity,Price", 24, |row| format!("T,{},{row},19.9", place(row))), "holds prices"),
         (table("When,Are you well?,Note", 24, |row| format!("T,{row},{}", place(row))), "asks people"),
         (table("when,author,subject", 24, |row| format!("T,{},mend the part {row}", place(row))), "hardly come again"),
+        (
+            rows(24, |row, _, _| format!("2026-02-02 {},Z-Wave,the lamp {row} was set to on", clock(row))),
+            "sentences of column 3",
+        ),
         (table("time,lat,lon,speed", 24, |row| format!("T,47.{row},8.{row},{row}")), "places on a map"),
     ] {
         let error = why(&text);

@@ -25,7 +25,7 @@ pub(crate) struct DataSet {
 
 struct Open {
     tables: Vec<Days>,
-    /// Where the files are until all rows are in them; empty if they are written in place.
+    /// The folders of the files until all rows are in them; empty for files that are written in place.
     hidden: Vec<Hidden>,
     clock: Clock,
     texts: Vec<Arc<str>>,

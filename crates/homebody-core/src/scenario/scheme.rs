@@ -307,8 +307,10 @@ mod tests {
     #[test]
     fn a_wrong_place_says_what_is_known() {
         for (place, told) in [
-            ("log.db", "write sqlite:FILE, csv:FILE, casas:FILE, jsonl:FILE, parquet:FOLDER"),
-            ("C:\\log.db", "write sqlite:FILE"),
+            ("log", "write sqlite:FILE, csv:FILE, casas:FILE, jsonl:FILE, parquet:FOLDER"),
+            ("log.db", "did you mean \"sqlite:log.db\"?"),
+            ("week.CSV", "did you mean \"csv:week.CSV\"?"),
+            ("C:\\log.db", "did you mean \"sqlite:C:\\log.db\"?"),
             ("redis:log", "or mqtts://HOST/PREFIX"),
             ("sqlit:log", "did you mean \"sqlite:log\"?"),
             ("csv:", "write csv:FILE"),

@@ -147,14 +147,7 @@ impl Database {
                 return Ok(None);
             }
         }
-        for companion in companions(path) {
-            match open(&companion, Opening::Left) {
-                Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                    return Err(LogError::reading(&companion, error));
-                }
-                _ => {}
-            }
-        }
+        are_own(path)?;
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
@@ -381,6 +374,7 @@ impl Binding<'_, '_> {
 
 /// Renames a database that is to be replaced, unless another program is writing it; where it is then.
 pub(super) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
+    are_own(path)?;
     let probed = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_WRITE).and_then(|connection| {
         connection.busy_timeout(BUSY)?;
         connection.execute_batch("BEGIN EXCLUSIVE; ROLLBACK")
@@ -419,6 +413,17 @@ fn remove_companions(path: &Path) {
     }
 }
 
+/// Refuses a companion that is another file of the user, or of somebody else: SQLite would write into it.
+fn are_own(path: &Path) -> Result<(), LogError> {
+    for companion in companions(path) {
+        match open(&companion, Opening::Left) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(LogError::reading(&companion, error)),
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
 /// The files that SQLite keeps next to a database while it is open.
 fn companions(path: &Path) -> [PathBuf; 3] {
     ["-wal", "-shm", "-journal"].map(|ending| {
@@ -437,18 +442,20 @@ mod tests {
     fn another_file_under_the_name_of_a_companion_is_not_written() {
         let folder = tempfile::tempdir().unwrap();
         let (path, mine) = (folder.path().join("log.db"), folder.path().join("mine"));
-        let create = || Database::create(&path, true, &["CREATE TABLE line (run INTEGER)"], |_| Ok(()));
-        drop(create().unwrap());
+        let create = || -> Result<(), LogError> {
+            let mut database = Database::create(&path, true, &["CREATE TABLE line (run INTEGER)"], |_| Ok(()))?;
+            database.change(1, |connection| connection.execute_batch("INSERT INTO line VALUES (1)"))?;
+            database.settle()
+        };
+        create().unwrap();
         for companion in companions(&path) {
-            let _ = fs::remove_file(&companion);
             fs::write(&mine, "letter").unwrap();
             fs::hard_link(&mine, &companion).unwrap();
-            assert!(Database::reopen(&path).is_err(), "{}", companion.display());
+            assert!(Database::reopen(&path).is_err() && create().is_err(), "{}", companion.display());
             assert_eq!(fs::read_to_string(&mine).unwrap(), "letter");
-            // A new database does not take them over.
-            drop(create().unwrap());
-            assert_eq!(fs::read_to_string(&mine).unwrap(), "letter");
+            fs::remove_file(&companion).unwrap();
         }
+        create().unwrap();
         assert!(Database::reopen(&path).unwrap().is_some());
     }
 

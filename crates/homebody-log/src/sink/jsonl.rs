@@ -1,6 +1,6 @@
 //! A JSON object a line, its keys the names of the columns. Of several tables, each has a file of its own, as in CSV.
 //!
-//! On standard output each row is there as soon as it has been made, so that a pipe is a live feed. A run's file that is not packed has
+//! Standard output gets each row at once, so that a pipe is a live feed. A run's file that is not packed has
 //! its name from its first row on, so that it can be followed; of a killed run it keeps what was written, perhaps with half a line
 //! at its end.
 

@@ -1,4 +1,4 @@
-//! Objects of JSON in which one device reports several readings at once. Their forms are three: uplinks of LoRaWAN
+//! Objects of JSON in which one device reports several values at once. Their forms are three: uplinks of LoRaWAN
 //! networks, whose readings are in an inner object; messages that rtl_433 hears, whose device is a model and its number; and events of
 //! Philips Hue, whose reading is under the name of its type.
 

@@ -1,4 +1,4 @@
-//! Where a table begins: programs write titles, comments, and rows of other tables above the heading.
+//! The heading of a table: programs write titles, comments, and rows of other tables above it.
 //!
 //! The heading is the last row of names before the rows that have an instant, as most rows have as many cells.
 
@@ -101,7 +101,7 @@ fn names_above(rows: &[Row], width: usize, reads: &mut Reads) -> Option<std::ops
     };
     let count = rows[..first].iter().rev().take_while(&mut are_names).count();
     let block = first - count..first;
-    // Names do not come again below; a row without an instant is no heading if they do.
+    // A row without an instant whose names are repeated below is not a heading.
     let cells = |row: &'_ Row| -> Vec<(usize, String)> {
         row.1.iter().cloned().enumerate().filter(|(_, cell)| !is_blank(cell)).collect()
     };

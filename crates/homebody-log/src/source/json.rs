@@ -39,6 +39,9 @@ const DEEPEST: usize = 64;
 /// A text with this many rows at its beginning is a log.
 const ENOUGH: u64 = 2;
 
+/// The most values of a text that are searched for its first rows.
+const MOST_SEARCHED: u64 = 10_000;
+
 /// The most names of columns in a list.
 const MOST_NAMES: usize = 100;
 
@@ -96,6 +99,7 @@ struct Walk<'w, 'r, 't> {
     /// Rows so far, and after how many it is enough.
     rows: u64,
     enough: Option<u64>,
+    values: u64,
     /// The first object of a list without the parts of a row, and its place.
     no_row: Option<(String, Option<Object>)>,
 }
@@ -126,6 +130,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
             out,
             rows: 0,
             enough,
+            values: 0,
             no_row: None,
         })
     }
@@ -155,6 +160,10 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
     fn value(&mut self, key: Option<String>) -> Result<Passed, LogError> {
         if self.above.depth() > DEEPEST {
             return Err(self.text.too_long(format!("lists and objects are more than {DEEPEST} deep in each other")));
+        }
+        self.values += 1;
+        if self.enough.is_some() && self.values > MOST_SEARCHED {
+            return Ok(Passed::End);
         }
         let line = self.text.line;
         let whole = self.text.length()?;

@@ -15,7 +15,7 @@ pub struct Log {
     pub known: Vec<SensorInfo>,
     /// What sensors said, such as `ON`.
     pub values: Vec<String>,
-    /// The sensors that say two texts in turn, one of which is not a known state; empty before the last row has come.
+    /// The sensors that report two texts in turn, one of which is not a known state; empty before the last row.
     pub pairs: Vec<Pair>,
     /// The rows that are in memory.
     pub events: Vec<Event>,

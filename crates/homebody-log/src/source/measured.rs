@@ -22,7 +22,7 @@ pub(super) fn is_money(text: &str) -> bool {
     rest.len() < text.trim_start_matches('-').len() && !rest.is_empty() && digits(rest) == rest.len()
 }
 
-/// The number of a cell as it is written, and the unit behind it: of `[72]` there is none.
+/// The number of a cell as it is written, and the unit behind it; `[72]` has no unit.
 pub(super) fn measured(cell: &str) -> Option<(&str, &str)> {
     if let Some(inner) = cell.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
         let inner = inner.trim();

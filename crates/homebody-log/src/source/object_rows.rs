@@ -441,6 +441,10 @@ fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut G
     if let Some(places) = with(&[]).filter(|places| scalar(places.time) && scalar(places.sensor)) {
         return members.get(places.value).is_some_and(|(_, said)| !said.is_array()).then_some(Shape::Whole(places));
     }
+    // A key such as `start` names the time of a row with a sensor and a value. On its own it says too little: settings have it, too.
+    if matches!(by, Names::Roles | Names::LastRoles) {
+        return None;
+    }
     let others = |apart: &[usize]| (0..names.len()).filter(|at| !apart.contains(at)).collect::<Vec<_>>();
     match time.filter(|&time| is_instant(time)) {
         None => None,

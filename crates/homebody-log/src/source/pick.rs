@@ -223,7 +223,7 @@ impl<'f> Pick<'f> {
         let of_numbers = |is: &dyn Fn(usize) -> bool| {
             all.iter().copied().find(|&column| self.cells(column).are(self.cells(column).epochs) && is(column))
         };
-        // Ids are no instants. Numbers that count up by one are the last choice.
+        // An id is not an instant. Numbers that count up by one are the last choice.
         let is_key = |column: usize| self.is_key(column);
         let by_cells = find(&|cells| cells.are(cells.instants))
             .or_else(|| of_numbers(&|column| !is_key(column) && !self.cells(column).is_counting))
@@ -469,6 +469,17 @@ impl<'f> Pick<'f> {
         let comes_again = cells.filled >= 4 && 2 * cells.texts.len() <= cells.filled;
         if !is_known && !comes_again {
             return Err(self.lacks("time, sensor and value"));
+        }
+        let is_told =
+            |&column: &usize| column != sensor && self.cells(column).sentences > 0 && !self.cells(column).is_constant();
+        if let Some(column) =
+            (0..self.first.cells.len()).find(is_told).filter(|_| !self.first.has_heading && cells.is_constant())
+        {
+            return Err(format!(
+                "its sensors and values are in the sentences of column {}\n  hint: write a table with a column for the time, the sensor and \
+                 the value",
+                column + 1
+            ));
         }
         if let Some(prose) =
             self.prose().filter(|_| self.first.has_heading && !is_certain_sensor(&self.first.names[sensor]))

@@ -1,4 +1,4 @@
-//! Refuses tables that have instants and are no logs of sensors: lists of calls, purchases and visits, and logs of programs.
+//! Refuses tables with instants that are not logs of sensors: lists of calls, purchases and visits, and logs of programs.
 
 use super::columns::{CERTAIN, is_certain_sensor, is_price, plain};
 use super::log::ColumnRole;

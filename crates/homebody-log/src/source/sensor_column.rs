@@ -64,7 +64,7 @@ impl Pick<'_> {
         let differ: Vec<usize> = all.iter().copied().filter(|column| !self.cells(*column).is_constant()).collect();
         let &first = differ.first().unwrap_or(&first);
         let clashes = self.clashes(&[first]);
-        // What is measured stands behind the name of its device.
+        // The name of a measurement stands behind the name of its device.
         let is_device = self.heading(first).is_some() || self.is_attribute(first);
         let is_better = |column: &usize| !self.is_attribute(*column) && 10 * self.clashes(&[*column]) <= clashes;
         let better = differ.iter().copied().find(is_better).filter(|_| self.are_many(clashes) && !is_device);
@@ -110,7 +110,7 @@ impl Pick<'_> {
         let is_kind = |column: &usize| self.cells(*column).are(self.cells(*column).kinds);
         let is_number = |column: &usize| self.cells(*column).are_whole();
         let mut names: Vec<usize> = self.free().into_iter().filter(is_name).collect();
-        // What a message is for says more than where it comes from, and a name more than a number.
+        // The target of a message says more than its source, and a name more than a number.
         let rank = |column: &usize| {
             let heading = self.first.names[*column].to_lowercase();
             let says = |words: &[&str]| words.iter().any(|word| heading.contains(word));
@@ -131,7 +131,7 @@ impl Pick<'_> {
         names
     }
 
-    /// Whether texts may be names: units, directions and signs alone are none.
+    /// Whether texts may be names: units, directions and signs alone may not.
     fn has_names(&self, column: usize) -> bool {
         let cells = self.cells(column);
         let is_direction = |text: &String| DIRECTIONS.contains(&text.to_lowercase().as_str());
@@ -250,7 +250,7 @@ impl Pick<'_> {
         Some((column, rows(self.clashes(device), "several values at one instant")))
     }
 
-    /// Whether a column describes sensors, of which there are several: each has one text in it in all of several rows.
+    /// Whether a column describes several sensors: each sensor has the same text in all of its rows.
     pub fn describes(&self, sensor: usize, column: usize) -> bool {
         let sensors = self.cells(sensor).texts.len();
         self.first.has_heading

@@ -8,7 +8,6 @@ use homebody_core::scenario::load::Scenario;
 use homebody_routine::household::{Household, RoutineLanguage};
 use homebody_web::shelf::Shelf;
 use rusqlite::Connection;
-use serde::Deserialize;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::fs;
@@ -24,10 +23,6 @@ impl Served {
         }
     }
 
-    fn plan(&self, draft: &Value) -> Plan {
-        rmp_serde::from_slice(&self.post("/api/plan", draft).body).unwrap()
-    }
-
     pub fn file(&self, scenario: &str, name: &str) -> PathBuf {
         self.folder.path().join(scenario).join(name)
     }
@@ -38,7 +33,7 @@ impl Served {
     }
 }
 
-fn draft(name: &str, text: &str) -> Value {
+pub fn draft(name: &str, text: &str) -> Value {
     json!({ "texts": { name: text } })
 }
 
@@ -225,85 +220,6 @@ fn a_draft_is_checked_as_the_files_would_be_and_touches_none() {
         assert_eq!((&told["what"], &told["hint"]), (&json!(problem.what), &json!(problem.hint)));
     }
     assert_eq!(all_files(served.folder.path()), before);
-}
-
-#[test]
-fn a_plan_is_told_with_its_coverage_and_a_sensor_that_sees_more_leaves_less_dead() {
-    let served = Served::scenario("studio");
-    let text = fs::read_to_string(served.file("studio", "home.json")).unwrap();
-    let mut home: Value = serde_json::from_str(&text).unwrap();
-    // One sensor alone, that reaches less far the second time.
-    let sensors = home["sensors"].as_array().unwrap().clone();
-    let one = sensors.iter().find(|sensor| sensor["kind"] == "motion").unwrap().clone();
-    let mut short = one.clone();
-    short["reach_m"] = json!(1.0);
-    let mut seen = |sensor: &Value| {
-        home["sensors"] = json!([sensor]);
-        served.plan(&draft("home.json", &home.to_string()))
-    };
-    let (wide, narrow) = (seen(&one), seen(&short));
-    let covered = narrow.coverage.unwrap();
-    let none = covered.whole.seen_by[0];
-    assert!(wide.coverage.unwrap().whole.seen_by[0] < none);
-    // The figures are those of the cells.
-    let count = |wanted: &dyn Fn(u8) -> bool| covered.cells.iter().filter(|&&cell| wanted(cell)).count() as f64;
-    assert!((count(&|cell| cell == 0) / count(&|cell| cell < 255) - none).abs() < 1e-9);
-    assert_eq!(covered.cells.len() % covered.columns, 0);
-    assert_eq!(narrow.home["sensors"][0]["facing_deg"], one["facing_deg"].as_f64().unwrap());
-
-    // What is wrong elsewhere is not asked; what is wrong here is said, and no picture is made up.
-    let told = served.plan(&json!({ "texts": { "walter.routine": "nonsense", "walter.json": "{" } }));
-    assert!(told.problems.is_empty() && told.coverage.is_some());
-    let told = served.plan(&draft("home.json", &text.replacen('{', "{ \"wals\": 1,", 1)));
-    assert!(told.home.is_null() && told.coverage.is_none());
-    assert_eq!(told.problems[0]["line"], 1);
-}
-
-#[test]
-fn a_problem_that_is_of_no_shape_and_no_sensor_leaves_the_coverage_as_it_is() {
-    let served = Served::scenario("studio");
-    let text = fs::read_to_string(served.file("studio", "home.json")).unwrap();
-    let whole = served.plan(&draft("home.json", &text)).coverage.unwrap().whole.seen_by;
-    let changed = |change: &dyn Fn(&mut Value)| {
-        let mut home: Value = serde_json::from_str(&text).unwrap();
-        change(&mut home);
-        served.plan(&draft("home.json", &home.to_string()))
-    };
-    // Two pieces with one name, in the same place, and a place in the middle of a piece.
-    let twice = changed(&|home| {
-        let first = home["furniture"][0].clone();
-        home["furniture"].as_array_mut().unwrap().push(first);
-        home["places"] = json!([{ "name": "far away", "at": [900.0, 900.0] }]);
-    });
-    assert!(twice.problems.len() >= 2, "{:?}", twice.problems);
-    assert_eq!(twice.coverage.unwrap().whole.seen_by, whole);
-    // The control: a sensor outside.
-    let outside = changed(&|home| {
-        let sensors = home["sensors"].as_array_mut().unwrap();
-        sensors.iter_mut().find(|sensor| sensor["kind"] == "motion").unwrap()["at"] = json!([900.0, 900.0]);
-    });
-    assert!(!outside.problems.is_empty() && outside.coverage.is_none());
-}
-
-/// A plan as a page reads it, as far as it is looked at here.
-#[derive(Deserialize)]
-struct Plan {
-    problems: Vec<Value>,
-    home: Value,
-    coverage: Option<Coverage>,
-}
-
-#[derive(Deserialize)]
-struct Coverage {
-    columns: usize,
-    #[serde(with = "serde_bytes")]
-    cells: Vec<u8>,
-    whole: Floor,
-}
-
-#[derive(Deserialize)]
-struct Floor {
-    seen_by: [f64; 4],
 }
 
 fn scenario(served: &Served, name: &str) -> (Scenario, Household) {
@@ -528,7 +444,7 @@ fn a_place_for_a_log_is_tried_without_a_trace() {
         (format!("csv:{folder}/new.csv"), "no file name inside the run's folder"),
         ("csv:../new.csv".into(), "no file name inside the run's folder"),
         ("mysql:log".into(), "is nowhere a log can go"),
-        ("log.db".into(), "write sqlite:FILE, csv:FILE, casas:FILE"),
+        ("log.db".into(), "did you mean \"sqlite:log.db\"?"),
     ] {
         let told = tried(&url);
         assert!(told["works"] == false && told["said"].as_str().unwrap().contains(said), "{url}: {told}");
@@ -591,25 +507,4 @@ fn nothing_is_written_for_who_has_no_token_or_is_another_page() {
     );
     assert_eq!(served.ask(plain.as_bytes()).code, 415);
     assert_eq!(all_files(served.folder.path()), before);
-}
-
-#[test]
-fn what_is_no_plan_is_refused_with_a_hint_and_large_ones_are_not_cut_short() {
-    let served = Served::scenario("studio");
-    let (address, token) = (served.address, &served.token);
-    let post = |body: &[u8]| {
-        let head = format!(
-            "POST /api/import HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\nx-homebody-token: {token}\r\n\
-             Content-Type: application/octet-stream\r\nContent-Length: {}\r\n\r\n",
-            body.len()
-        );
-        served.ask(&[head.as_bytes(), body].concat())
-    };
-    // Larger than texts may be, as plans with models and textures are.
-    for body in [&b"no archive"[..], &[0; 20 << 20]] {
-        let answer = post(body);
-        let said = String::from_utf8_lossy(&answer.body).into_owned();
-        assert_eq!(answer.code, 422, "{said}");
-        assert!(said.contains("no Sweet Home 3D file") && said.contains("hint"), "{said}");
-    }
 }

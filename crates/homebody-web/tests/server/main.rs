@@ -1,6 +1,7 @@
 //! The server as its page knows it, and as those who should not be heard do.
 
 mod desk;
+mod desk_plan;
 mod guard;
 mod installing;
 mod library;

@@ -79,7 +79,7 @@ fn what_is_asked_wrongly_is_refused() {
         ("run flat --seed -1", "'-1"),
         ("run flat --seed 18446744073709551616", "invalid value"),
         ("run flat --paused", "--control"),
-        ("run flat --out log.db", "write sqlite:FILE, csv:FILE, casas:FILE"),
+        ("run flat --out log.db", "did you mean \"sqlite:log.db\"?"),
         ("run flat --out mysql:log", "write sqlite:FILE, csv:FILE, casas:FILE"),
         ("run flat --out csv:", "names no file"),
         ("run flat --owt csv:a", "--out"),
