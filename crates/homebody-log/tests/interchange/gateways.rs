@@ -3,8 +3,8 @@
 use super::stage::Folder;
 use super::{SIX, about, has_remark, is_used, known, log, result, told};
 use homebody_core::time::SECOND;
-use homebody_log::source::{Clock, ColumnRole};
 use homebody_log::Source;
+use homebody_log::source::{Clock, ColumnRole};
 use std::fs;
 
 const CLOSED: &str = "read as OPEN and CLOSE";
