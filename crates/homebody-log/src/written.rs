@@ -79,6 +79,33 @@ pub fn open(path: &Path, opening: Opening) -> io::Result<File> {
     Ok(file)
 }
 
+/// Refuses a companion of a database that is another file of the user or belongs to another user, since SQLite would write into it.
+/// The error has its name.
+pub(crate) fn are_own(database: &Path) -> Result<(), (PathBuf, io::Error)> {
+    for companion in companions(database) {
+        match open(&companion, Opening::Left) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err((companion, error)),
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The files that SQLite keeps next to a database while it is open.
+pub(crate) fn companions(database: &Path) -> [PathBuf; 3] {
+    ["-wal", "-shm", "-journal"].map(|ending| {
+        let mut name = database.as_os_str().to_owned();
+        name.push(ending);
+        PathBuf::from(name)
+    })
+}
+
+/// The write-ahead log of a database that another program still reads: it goes when that is done.
+pub fn log_beside(database: &Path) -> Option<PathBuf> {
+    let [log, ..] = companions(database);
+    Some(log).filter(|path| path.exists())
+}
+
 /// The folder below which no link is followed, and the path from there: the folder of the run or cohort, else the file's own.
 fn beneath(path: &Path) -> io::Result<(PathBuf, PathBuf)> {
     let name = path.file_name().ok_or(io::ErrorKind::InvalidInput)?;

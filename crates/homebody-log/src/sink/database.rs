@@ -12,7 +12,7 @@
 use crate::error::{LogError, place_of};
 use crate::fresh::Found;
 use crate::lock::FileLock;
-use crate::written::{Opening, open};
+use crate::written::{Opening, are_own, companions, open};
 use rusqlite::{CachedStatement, Connection, OpenFlags, ToSql};
 use std::fs;
 use std::io::{self, Seek, SeekFrom, Write};
@@ -147,7 +147,7 @@ impl Database {
                 return Ok(None);
             }
         }
-        are_own(path)?;
+        are_own(path).map_err(|(companion, error)| LogError::reading(&companion, error))?;
         let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
         let opened = Connection::open_with_flags(path, flags).and_then(|connection| {
             connection.busy_timeout(BUSY)?;
@@ -374,7 +374,7 @@ impl Binding<'_, '_> {
 
 /// Renames a database that is to be replaced, unless another program is writing it; where it is then.
 pub(super) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
-    are_own(path)?;
+    are_own(path).map_err(|(companion, error)| LogError::reading(&companion, error))?;
     let probed = Connection::open_with_flags(path, OpenFlags::SQLITE_OPEN_READ_WRITE).and_then(|connection| {
         connection.busy_timeout(BUSY)?;
         connection.execute_batch("BEGIN EXCLUSIVE; ROLLBACK")
@@ -393,13 +393,6 @@ pub(super) fn put_aside(path: &Path) -> Result<PathBuf, LogError> {
     Ok(aside.into())
 }
 
-/// The write-ahead log beside a database that somebody still reads: it goes when they are done.
-pub fn log_beside(database: &Path) -> Option<PathBuf> {
-    let mut name = database.as_os_str().to_owned();
-    name.push("-wal");
-    Some(PathBuf::from(name)).filter(|path| path.exists())
-}
-
 /// Removes a database that nobody needs, as far as it is there.
 pub(crate) fn remove_database(path: &Path) {
     let _ = fs::remove_file(path);
@@ -411,26 +404,6 @@ fn remove_companions(path: &Path) {
     for companion in companions(path) {
         let _ = fs::remove_file(companion);
     }
-}
-
-/// Refuses a companion that is another file of the user, or of somebody else: SQLite would write into it.
-fn are_own(path: &Path) -> Result<(), LogError> {
-    for companion in companions(path) {
-        match open(&companion, Opening::Left) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(LogError::reading(&companion, error)),
-            _ => {}
-        }
-    }
-    Ok(())
-}
-
-/// The files that SQLite keeps next to a database while it is open.
-fn companions(path: &Path) -> [PathBuf; 3] {
-    ["-wal", "-shm", "-journal"].map(|ending| {
-        let mut name = path.as_os_str().to_owned();
-        name.push(ending);
-        PathBuf::from(name)
-    })
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 use super::instant::{Instant, Instants, since_1970, since_1970_whole};
 use crate::limits::LONGEST_ROW_BYTES;
 use crate::plain;
-use crate::written::{self, Opening};
+use crate::written::{self, Opening, are_own, log_beside};
 use homebody_core::time::Micros;
 use rusqlite::limits::Limit;
 use rusqlite::types::ValueRef;
@@ -19,11 +19,11 @@ use std::time::Duration;
 pub(crate) fn connect(path: &Path) -> rusqlite::Result<Connection> {
     match connect_only(path) {
         // A run that was killed has left a transaction half written: it has to be undone before anything is read. That changes the
-        // file, so it may be no other file of the user.
+        // file and those next to it, so none of them may be another file of the user.
         Err(error) if error.sqlite_error_code() == Some(rusqlite::ErrorCode::ReadOnly) => {
-            match written::open(path, Opening::Left) {
-                Ok(_) => open(path, OpenFlags::SQLITE_OPEN_READ_WRITE),
-                Err(_) => Err(error),
+            match written::open(path, Opening::Left).is_ok() && are_own(path).is_ok() {
+                true => open(path, OpenFlags::SQLITE_OPEN_READ_WRITE),
+                false => Err(error),
             }
         }
         Err(_) => open(path, OpenFlags::SQLITE_OPEN_READ_ONLY),
@@ -56,9 +56,7 @@ fn open(path: &Path, flags: OpenFlags) -> rusqlite::Result<Connection> {
 fn is_closed_with_wal(path: &Path) -> bool {
     let mut header = [0; 20];
     let read = plain::open(path).and_then(|mut file| file.read_exact(&mut header));
-    let mut log = path.as_os_str().to_owned();
-    log.push("-wal");
-    read.is_ok() && header[18..] == [2, 2] && !Path::new(&log).exists()
+    read.is_ok() && header[18..] == [2, 2] && log_beside(path).is_none()
 }
 
 /// How SQLite names a file that does not change while it is read.
@@ -110,5 +108,47 @@ pub(crate) fn text(value: ValueRef<'_>) -> Cow<'_, str> {
         ValueRef::Integer(number) => number.to_string().into(),
         ValueRef::Real(number) => number.to_string().into(),
         ValueRef::Text(bytes) | ValueRef::Blob(bytes) => String::from_utf8_lossy(bytes),
+    }
+}
+
+#[cfg(unix)]
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[test]
+    fn undoes_what_was_half_written_in_no_other_file_of_the_user() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        let writing = Connection::open(path("writing.db")).unwrap();
+        let begun = "PRAGMA cache_size = 2; CREATE TABLE line (text TEXT); BEGIN";
+        writing.execute_batch(begun).unwrap();
+        for _ in 0..200 {
+            writing.execute("INSERT INTO line VALUES (?)", ["some words".repeat(100)]).unwrap();
+        }
+        // A copy of what a killed program leaves: half a transaction, and the journal that undoes it.
+        let leave = || {
+            fs::copy(path("writing.db"), path("log.db")).unwrap();
+            fs::copy(path("writing.db-journal"), path("log.db-journal")).unwrap();
+            fs::read(path("log.db")).unwrap()
+        };
+        let half = leave();
+        fs::hard_link(path("log.db"), path("mine")).unwrap();
+        assert!(connect(&path("log.db")).and_then(|found| rows(&found)).is_err());
+        assert!(fs::read(path("mine")).unwrap() == half);
+        // The control: under one name it is undone, and read.
+        fs::remove_file(path("mine")).unwrap();
+        assert_eq!(connect(&path("log.db")).and_then(|found| rows(&found)), Ok(0));
+        assert!(fs::read(path("log.db")).unwrap() != half);
+        // Nor is it undone where SQLite would write next to it into another file.
+        leave();
+        fs::write(path("letter"), "").unwrap();
+        fs::hard_link(path("letter"), path("log.db-wal")).unwrap();
+        assert!(connect(&path("log.db")).and_then(|found| rows(&found)).is_err());
+    }
+
+    fn rows(connection: &Connection) -> rusqlite::Result<i64> {
+        connection.query_row("SELECT count(*) FROM line", [], |row| row.get(0))
     }
 }

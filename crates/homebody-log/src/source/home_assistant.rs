@@ -10,7 +10,7 @@
 //! power was lost, ended with its last row: the recorder writes the beginning of the next run as its end.
 
 use super::database::{connect, instant as micros, tables, text};
-use super::entity::entity as of_entity;
+use super::entity::entity;
 use super::form::{Form, Shows};
 use super::instant::{Instant, Instants, since_1970};
 use super::reading::{Reading, open};
@@ -159,11 +159,11 @@ fn know_entities(
     registry: &Registry,
     reading: &mut Reading<'_>,
 ) -> rusqlite::Result<()> {
-    let (entity, names) = (&columns.entity, columns.names());
+    let (id, names) = (&columns.entity, columns.names());
     let (attributes, apart) = columns.attributes.unwrap_or(("NULL", ""));
     let sql = format!(
         "SELECT l.entity, {attributes} FROM
-            (SELECT {entity} AS entity, coalesce(max(CASE WHEN s.state NOT IN ('unavailable', 'unknown', '') THEN s.state_id END),
+            (SELECT {id} AS entity, coalesce(max(CASE WHEN s.state NOT IN ('unavailable', 'unknown', '') THEN s.state_id END),
                 max(s.state_id)) AS last FROM states s {names} GROUP BY 1) l
          JOIN states s ON s.state_id = l.last {apart} ORDER BY l.last"
     );
@@ -172,7 +172,7 @@ fn know_entities(
     while let Some(row) = rows.next()? {
         let id = text(row.get_ref(0)?).into_owned();
         let attributes: Object = serde_json::from_str(&text(row.get_ref(1)?)).unwrap_or_default();
-        let told = of_entity(&id, Some(&attributes));
+        let told = entity(&id, Some(&attributes));
         let entry = registry.entity(&id);
         let class = entry.and_then(|entry| entry.class.clone()).or(member(&attributes, &["device_class"]));
         let category = entry.and_then(|entry| entry.category.clone());

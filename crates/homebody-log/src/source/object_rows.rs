@@ -453,7 +453,7 @@ fn shape(members: &[(String, &Value)], by: Names, file: &LoggerFile, out: &mut G
                 with(&["sensor"]).filter(|places| places.value < names.len() && !members[places.value].1.is_array());
             let device = with(&["value"]).map(|places| places.sensor).filter(|&sensor| sensor < names.len());
             match (reading, device.filter(|&device| scalar(device))) {
-                (Some(places), _) if by.is_own() => Some(Shape::Reading(places)),
+                (Some(places), _) if by == Names::Own => Some(Shape::Reading(places)),
                 (Some(_), _) => None,
                 (None, Some(sensor)) if !others(&[time, sensor]).is_empty() => Some(Shape::Device { time, sensor }),
                 (None, Some(_)) => None,

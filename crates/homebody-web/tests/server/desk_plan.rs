@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use std::fs;
 
-/// A plan as a page reads it, as far as it is looked at here.
+/// The parts of a plan, as a page reads it, that these tests check.
 #[derive(Deserialize)]
 struct Plan {
     problems: Vec<Value>,
@@ -57,7 +57,7 @@ fn a_plan_is_told_with_its_coverage_and_a_sensor_that_sees_more_leaves_less_dead
     assert_eq!(covered.cells.len() % covered.columns, 0);
     assert_eq!(narrow.home["sensors"][0]["facing_deg"], one["facing_deg"].as_f64().unwrap());
 
-    // What is wrong elsewhere is not asked; what is wrong here is said, and no picture is made up.
+    // Problems of other files do not count. A problem of this file is reported, without an invented picture.
     let told = served.plan(&json!({ "texts": { "walter.routine": "nonsense", "walter.json": "{" } }));
     assert!(told.problems.is_empty() && told.coverage.is_some());
     let told = served.plan(&draft("home.json", &text.replacen('{', "{ \"wals\": 1,", 1)));
