@@ -26,8 +26,8 @@ pub struct Scene {
 pub struct Presence {
     /// Where its middle is, in metres.
     pub at: Point,
-    /// Where it walks, of length one; nothing for who stays.
-    pub heading: Option<Point>,
+    /// The direction of its last stride, of length one; the x axis before the first.
+    pub heading: Point,
     /// How it holds itself.
     pub posture: Posture,
     /// The room that it is in; `None` between rooms.

@@ -78,6 +78,8 @@ crate::numbers! {
 struct Body {
     posture: Posture,
     motion: BodyMotion,
+    /// The direction of its last stride, of length one.
+    heading: Point,
 }
 
 /// Which of the devices are told.
@@ -147,7 +149,7 @@ impl World {
         let zoned = (0..levels.len()).filter(|&sensor| matches!(levels[sensor], Some(Level::Zones { .. })));
         World {
             now: 0,
-            bodies: vec![Body { posture: Posture::Standing, motion: BodyMotion::Away }; residents],
+            bodies: vec![Body { posture: Posture::Standing, motion: BodyMotion::Away, heading: Point::X }; residents],
             blocks: blocks(machines.len()),
             want,
             timers,
@@ -189,9 +191,12 @@ impl World {
             MotionState::Rest { at } => BodyMotion::Rest { at },
             MotionState::Away => BodyMotion::Away,
         };
-        let Body { posture: before, motion: last } = &self.bodies[resident.index()];
-        let settles = *before != posture || matches!(last, BodyMotion::Away);
-        self.bodies[resident.index()] = Body { posture, motion };
+        let Body { posture: before, motion: last, mut heading } = self.bodies[resident.index()];
+        if let BodyMotion::Stride(stride) = motion {
+            heading = (stride.to - stride.from).try_normalize().unwrap_or(heading);
+        }
+        let settles = before != posture || matches!(last, BodyMotion::Away);
+        self.bodies[resident.index()] = Body { posture, motion, heading };
         if settles && !self.pulses.is_empty() {
             self.settle(resident);
         }
@@ -271,12 +276,9 @@ impl World {
         }
     }
 
-    /// Where a resident walks, of length one; nothing for who stays.
-    pub fn heading(&self, resident: ResidentId) -> Option<Point> {
-        match self.bodies[resident.index()].motion {
-            BodyMotion::Stride(stride) => Some((stride.to - stride.from).normalize_or_zero()),
-            BodyMotion::InPlace { .. } | BodyMotion::Rest { .. } | BodyMotion::Away => None,
-        }
+    /// The direction of a resident's last stride, of length one.
+    pub fn heading(&self, resident: ResidentId) -> Point {
+        self.bodies[resident.index()].heading
     }
 
     /// Whether a camera is awake; no other sensor is.
@@ -286,7 +288,7 @@ impl World {
 
     /// The sensors in whose field a resident moves.
     pub fn seeing(&self, resident: ResidentId) -> SensorSet {
-        let Body { posture, motion } = &self.bodies[resident.index()];
+        let Body { posture, motion, .. } = &self.bodies[resident.index()];
         let field = self.home.field(resident.index(), *posture);
         match motion {
             BodyMotion::Stride(stride) => field.seen_at(stride.position(self.now)),
@@ -353,7 +355,7 @@ impl World {
             return now;
         }
         let mut until = until;
-        for (body, Body { posture, motion }) in self.bodies.iter().enumerate() {
+        for (body, Body { posture, motion, .. }) in self.bodies.iter().enumerate() {
             let field = self.home.field(body, *posture);
             match motion {
                 BodyMotion::Stride(stride) => until = field.unseen_until(block, stride, want, now, until),
@@ -369,7 +371,7 @@ impl World {
         let blocks = self.blocks::<ONE>();
         self.movers[..blocks].iter_mut().for_each(Vec::clear);
         let mut end = until;
-        for (body, Body { posture, motion }) in self.bodies.iter().enumerate() {
+        for (body, Body { posture, motion, .. }) in self.bodies.iter().enumerate() {
             let (at, leaves) = match motion {
                 BodyMotion::Stride(stride) => (stride.position(self.now), Some(stride)),
                 BodyMotion::InPlace { at, .. } => (*at, None),
@@ -466,7 +468,7 @@ impl World {
     /// The first instant from `from` on at which the sensor sees the mover move; the slice's end
     /// does not limit the answer.
     fn first_movement(&self, mover: &Mover, sensor: usize, from: Micros) -> Option<Micros> {
-        let Body { posture, motion } = &self.bodies[mover.body as usize];
+        let Body { posture, motion, .. } = &self.bodies[mover.body as usize];
         let field = self.home.field(mover.body as usize, *posture);
         if self.plain[sensor] {
             return first_touch(field, &mover.cell, sensor, motion, from);
@@ -498,7 +500,7 @@ impl World {
         marks: Marks,
         span: RangeInclusive<Micros>,
     ) -> Option<Micros> {
-        let Body { posture, motion } = &self.bodies[mover.body as usize];
+        let Body { posture, motion, .. } = &self.bodies[mover.body as usize];
         let field = self.home.field(mover.body as usize, *posture);
         let moved_m = match motion {
             BodyMotion::Stride(stride) => stride.speed_mps(),
@@ -549,7 +551,7 @@ impl World {
             let sensor = pulses.sensor;
             let Kind::Motion(pir) = &self.home.sensors[sensor].kind else { continue };
             pulses.begin_slice();
-            for (index, Body { posture, motion }) in self.bodies.iter().enumerate() {
+            for (index, Body { posture, motion, .. }) in self.bodies.iter().enumerate() {
                 let mover = self.movers[sensor / BLOCK].iter().find(|mover| mover.body as usize == index);
                 let field = self.home.field(index, *posture);
                 match motion {

@@ -135,11 +135,11 @@ fn camera(file: &CameraFile, plan: &Plan) -> CameraView {
     CameraView { pixels: file.pixels, period_us: file.period(), always: file.always, seen, hidden }
 }
 
-/// A body; `heading_deg` is where it faced last.
-pub fn body(seen: &homebody_core::scene::Presence, heading_deg: f64, activity: Option<String>) -> BodyView {
+/// A body and its activity.
+pub fn body(seen: &homebody_core::scene::Presence, activity: Option<String>) -> BodyView {
     BodyView {
         at: at(seen.at),
-        heading_deg,
+        heading_deg: seen.heading.to_angle().to_degrees(),
         posture: posture(seen.posture),
         room: seen.room.map(|room| room.0),
         activity,

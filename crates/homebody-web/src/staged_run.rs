@@ -12,7 +12,6 @@ use crate::shelf::Shelf;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State, Tell};
 use homebody_core::drivers::input::Input;
 use homebody_core::event::{Events, Fact};
-use homebody_core::geometry::Point;
 use homebody_core::ids::ResidentId;
 use homebody_core::problem::{Problem, Problems};
 use homebody_core::recording::{Recording, RunDigest};
@@ -105,7 +104,6 @@ pub struct StagedRun {
     counts: Vec<u64>,
     looks: Looks,
     activities: Vec<Option<String>>,
-    headings: Vec<f64>,
     /// Its files are complete.
     is_over: bool,
     events: Events,
@@ -126,7 +124,6 @@ struct Moment {
     growth: Growth,
     counts: Vec<u64>,
     activities: Vec<Option<String>>,
-    headings: Vec<f64>,
 }
 
 /// How far apart moments are kept at first (ours): to live them takes some milliseconds.
@@ -266,7 +263,6 @@ impl StagedRun {
             fresh: Vec::new(),
             counts: vec![0; sensors.len()],
             activities: vec![None; bodies],
-            headings: vec![0.0; bodies],
             is_over: false,
             events: Events::default(),
             stretch: Stretch::new(LONGEST_STRETCH).within(AT_ONCE),
@@ -379,7 +375,6 @@ impl StagedRun {
             growth: self.growth.lock().unwrap_or_else(PoisonError::into_inner).clone(),
             counts: self.counts.clone(),
             activities: self.activities.clone(),
-            headings: self.headings.clone(),
         }
     }
 
@@ -398,7 +393,7 @@ impl StagedRun {
             self.furthest.get_or_insert(before);
         }
         (self.digest, self.rows, self.counts) = (moment.digest, moment.rows, moment.counts);
-        (self.activities, self.headings) = (moment.activities, moment.headings);
+        self.activities = moment.activities;
         self.growth = Arc::new(Mutex::new(moment.growth));
         self.fresh.clear();
         self.is_over = false;
@@ -522,13 +517,8 @@ impl StagedRun {
             let _ = first.advance(1, &mut Events::default());
             scene = Scene { now: 0, ..first.scene() };
         }
-        for (heading, body) in self.headings.iter_mut().zip(&scene.bodies) {
-            if let Some(Point { x, y }) = body.and_then(|body| body.heading) {
-                *heading = y.atan2(x).to_degrees();
-            }
-        }
         let body = |(index, seen): (usize, &Option<_>)| {
-            seen.as_ref().map(|seen| draw::body(seen, self.headings[index], self.activities[index].clone()))
+            seen.as_ref().map(|seen| draw::body(seen, self.activities[index].clone()))
         };
         let sensors = self.run.sensors().len();
         Frame {
