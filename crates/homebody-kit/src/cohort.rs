@@ -215,6 +215,14 @@ impl Cohort {
         self.members.count()
     }
 
+    /// The first days of its first members: a small cohort with the same lives.
+    pub fn beginning(&self, most_members: usize, length: Micros) -> Cohort {
+        let members = self.members.first(most_members);
+        let recording = Recording { length_us: length.min(self.recording.length_us), ..self.recording.clone() };
+        let (scenario, household, cancel) = (self.scenario.clone(), self.household.clone(), self.cancel.clone());
+        Cohort { scenario, household, members, recording, layout: self.layout, kept: self.kept, cancel }
+    }
+
     /// How much of each truth is kept.
     pub fn kept(&self) -> TruthKept {
         self.kept

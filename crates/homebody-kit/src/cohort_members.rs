@@ -165,6 +165,14 @@ impl Members {
         }
     }
 
+    /// The first of them, at most so many.
+    pub fn first(&self, most: usize) -> Members {
+        match self {
+            Members::Many(count) => Members::Many((*count).min(most as u32)),
+            Members::Listed(profiles) => Members::Listed(profiles[..profiles.len().min(most)].to_vec()),
+        }
+    }
+
     pub fn asked(&self) -> Asked {
         match self {
             Members::Many(count) => Asked::Residents(*count),

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use homebody_core::problem::Problems;
 use homebody_core::scenario::load::{Files, MOST_BYTES, NoText, Scenario};
+use homebody_core::scenario::nearest::nearest;
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::plain;
 use homebody_routine::household::RoutineLanguage;
@@ -30,6 +31,17 @@ pub struct Source {
     unread: Unread,
 }
 
+/// The scenario folder whose name is most like this one's, in the folder that this one would be in.
+fn similar_scenario(path: &Path) -> Option<PathBuf> {
+    let name = path.file_name()?.to_str()?;
+    let folder = path.parent()?;
+    let entries = fs::read_dir(if folder.as_os_str().is_empty() { Path::new(".") } else { folder }).ok()?;
+    let scenarios = entries.flatten().filter(|entry| entry.path().join(ENTRY).is_file());
+    let mut names: Vec<String> = scenarios.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+    names.sort();
+    nearest(name, names.iter().map(String::as_str)).map(|near| folder.join(near))
+}
+
 impl Source {
     /// A scenario on disk, named by its folder or by its `scenario.json`. It may be anybody's: its files are plain ones in
     /// there, each of at most [`LARGEST_OF_SCENARIO_BYTES`].
@@ -43,10 +55,13 @@ impl Source {
             ErrorKind::NotFound => {
                 let template =
                     path.to_str().filter(|name| !name.is_empty()).and_then(|name| Template::named(name).ok());
-                let hint = template.map_or_else(
-                    || "name its folder, or its scenario.json".to_owned(),
-                    |of| format!("it is a template, of which homebody new {0} --template {0} makes one", of.name()),
-                );
+                let hint = match (template, similar_scenario(path)) {
+                    (Some(of), _) => {
+                        format!("it is a template, of which homebody new {0} --template {0} makes one", of.name())
+                    }
+                    (None, Some(near)) => format!("did you mean {near:?}?"),
+                    (None, None) => "name its folder, or its scenario.json".to_owned(),
+                };
                 let why = format!("there is no such scenario\n  hint: {hint}");
                 Error::File { path: path.into(), why, source: Some(error) }
             }

@@ -48,9 +48,7 @@ pub struct Treatment {
 impl Destination {
     /// A place of one of the known kinds, which the run cannot do without.
     pub fn of(url: &Url) -> Destination {
-        let usual = if url.is_output() { Policy::of_server } else { Policy::default };
-        let policy = elsewhere::of(url.scheme()).map_or_else(usual, |elsewhere| (elsewhere.policy)());
-        Destination::with(url.to_string(), sink::open(url), policy)
+        Destination::with(url.to_string(), sink::open(url), elsewhere::policy(url))
     }
 
     /// The same for a home that nobody knows when it ends: a text file has its name from its first line on.

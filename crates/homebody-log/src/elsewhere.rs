@@ -54,6 +54,12 @@ pub(crate) fn of(scheme: Scheme) -> Option<&'static Elsewhere> {
     installed().iter().find(|elsewhere| elsewhere.schemes.contains(&scheme))
 }
 
+/// The usual policy of a place.
+pub(crate) fn policy(url: &Url) -> Policy {
+    let usual = if url.is_output() { Policy::of_server } else { Policy::default };
+    of(url.scheme()).map_or_else(usual, |elsewhere| (elsewhere.policy)())
+}
+
 /// What stands where a kind is not in this build: to begin it is an error that says how to get it.
 pub(crate) struct Absent(pub Url);
 

@@ -3,6 +3,7 @@
 
 use crate::cancel::Cancel;
 use crate::deadline::Deadline;
+use crate::elsewhere;
 use crate::error::LogError;
 use crate::fresh::all_can_be_written;
 use crate::mapping::Columns;
@@ -110,7 +111,8 @@ impl Transfer<'_> {
             tables.push(spans::table());
         }
         let (run_column, spreadsheet_safe) = (columns.run.as_str(), self.mapping.spreadsheet_safe);
-        let (how, cancel, deadline) = (self.how, &Cancel::new(), &Deadline::default());
+        let deadline = &Deadline::new(elsewhere::policy(self.to).answers_within);
+        let (how, cancel) = (self.how, &Cancel::new());
         let is_whole = true;
         let begin =
             |tables| Begin { run: &run, tables, time, run_column, spreadsheet_safe, how, is_whole, cancel, deadline };

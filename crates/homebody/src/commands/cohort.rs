@@ -5,57 +5,58 @@ use crate::failure::Failure;
 use crate::print::{print_json, print_text, tell};
 use homebody_core::problem::counted;
 use homebody_core::time::{DAY, Micros};
-use homebody_kit::{Cohort, CohortLayout, LIST, LivedCohort, OpenScenario, TruthKept};
+use homebody_kit::{Cohort, LIST, LivedCohort, TruthKept};
 use serde_json::json;
 use std::fs;
 use std::path::Path;
 
-/// How much a cohort writes is told by what one of its members writes in the first days, so many (ours).
+/// The estimate of what a cohort writes comes from the first days of its first members (our choice). Members differ by a factor of two.
 const SAMPLE: Micros = 3 * DAY;
+const SAMPLE_MEMBERS: usize = 6;
 
-/// A cohort that lives less than so many times as long is lived sooner than foretold, and writes little (ours).
-const WORTH_A_SAMPLE: Micros = 20;
+/// A cohort that is less than this many times its sample is simulated sooner than estimated, and writes little (our choice).
+const WORTH_A_SAMPLE: Micros = 10;
 
 /// Less than this is written without a word before (ours).
-const MUCH_BYTES: u64 = 100_000_000;
+const MUCH_BYTES: f64 = 1e8;
 
 /// Says how much a cohort is going to write, if it is much, and what it leaves out of truths, unless that was asked for.
-pub fn foretell(opened: &OpenScenario, cohort: &Cohort, layout: CohortLayout, length: Micros, is_asked: bool) {
+pub fn foretell(cohort: &Cohort, is_asked: bool) {
     if cohort.kept() == TruthKept::Brief && !is_asked {
         tell(
             "of the truths of a large cohort, the tables cause, off, movement and lost are left out: --truth-tables all keeps them, \
              and homebody replay of a member's recording has them",
         );
     }
-    if let Some(words) = foretold(opened, (layout, cohort.kept()), cohort.count(), length) {
-        tell(words);
+    if let Some(Estimate { rows, bytes, members }) = estimate(cohort).filter(|of| of.bytes >= MUCH_BYTES) {
+        let lives = counted(cohort.count(), "life", "lives");
+        let (rows, each, bytes) = (rows_in_words(rows), in_words(bytes / cohort.count() as f64), in_words(bytes));
+        let (members, days) = (counted(members, "member", "members"), SAMPLE / DAY);
+        tell(format!("{lives}: about {rows} rows and {bytes}, {each} each, estimated from {days} days of {members}"));
     }
 }
 
-/// How much a cohort is going to write, in words; `None` where it is little, or where there is no place for a sample.
-fn foretold(
-    opened: &OpenScenario,
-    (layout, kept): (CohortLayout, TruthKept),
-    count: usize,
-    length: Micros,
-) -> Option<String> {
-    if length.saturating_mul(count as Micros) < SAMPLE * WORTH_A_SAMPLE {
+/// The size of what a cohort writes, by a sample of so many members.
+struct Estimate {
+    rows: f64,
+    bytes: f64,
+    members: usize,
+}
+
+/// `None` for a small cohort, or where there is no room for a sample.
+fn estimate(cohort: &Cohort) -> Option<Estimate> {
+    let all = cohort.progress().length;
+    let sample = cohort.beginning(SAMPLE_MEMBERS, SAMPLE);
+    let sampled = sample.progress().length;
+    if all < sampled.saturating_mul(WORTH_A_SAMPLE) {
         return None;
     }
     let scratch = tempfile::tempdir().ok()?;
     let folder = scratch.path().join("sample");
-    let sample = length.min(SAMPLE);
-    let one = opened.cohort(1).length(sample).layout(layout).truth(kept).start();
-    let lived = one.and_then(|one| one.store_in(&folder, |_| ())).ok()?;
-    let times = length as f64 / sample as f64;
-    let each = bytes_in(&folder) as f64 * times;
-    let rows = lived.list.members.iter().map(|member| member.rows).sum::<u64>() as f64 * times * count as f64;
-    let all = each * count as f64;
-    let (lives, days) = (counted(count, "life", "lives"), sample / DAY);
-    (all >= MUCH_BYTES as f64).then(|| {
-        let (rows, all, each) = (rows_in_words(rows), in_words(all), in_words(each));
-        format!("{lives}: about {rows} rows and {all}, {each} each, by what one of them writes in {days} days")
-    })
+    let lived = sample.store_in(&folder, |_| ()).ok()?;
+    let times = all as f64 / sampled as f64;
+    let rows = lived.list.members.iter().map(|member| member.rows).sum::<u64>() as f64 * times;
+    Some(Estimate { rows, bytes: bytes_in(&folder) as f64 * times, members: sample.count() })
 }
 
 fn rows_in_words(rows: f64) -> String {
@@ -117,18 +118,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_large_cohort_writes_is_foretold_by_a_sample_and_of_a_small_one_nothing_is_said() {
+    fn an_estimate_is_near_what_a_cohort_writes_and_a_small_cohort_has_none() {
         let studio = homebody_kit::open("../../scenarios/studio").unwrap();
-        let kept = (CohortLayout::Folders, TruthKept::Brief);
-        let of = |count: usize, days: Micros| foretold(&studio, kept, count, days * DAY);
-        let words = of(10_000, 365).unwrap();
-        assert!(
-            words.starts_with("10000 lives: about ")
-                && words.contains(" billion rows and ")
-                && words.contains(" GB, ")
-                && words.ends_with("in 3 days"),
-            "{words}"
-        );
-        assert_eq!((of(2, 3), of(30, 2)), (None, None));
+        let of = |members: u32, days: f64| studio.cohort(members).days(days).start().unwrap();
+        assert!(estimate(&of(2, 3.0)).is_none() && estimate(&of(30, 2.0)).is_none());
+        let cohort = of(24, 8.0);
+        let folder = tempfile::tempdir().unwrap();
+        let lived = cohort.store_in(&folder.path().join("all"), |_| ()).unwrap();
+        let rows = lived.list.members.iter().map(|member| member.rows).sum::<u64>() as f64;
+        let guess = estimate(&cohort).unwrap();
+        let is_near = |ratio: f64| (0.7..1.4).contains(&ratio);
+        assert_eq!(guess.members, SAMPLE_MEMBERS);
+        assert!(is_near(guess.rows / rows), "{} of {rows}", guess.rows);
+        assert!(is_near(guess.bytes / bytes_in(folder.path()) as f64), "{}", guess.bytes);
     }
 }

@@ -218,7 +218,7 @@ impl Arguments {
         let cohort = setup.layout(layout).start()?;
         self.remark(opened, length);
         if !self.output.quiet {
-            cohort::foretell(opened, &cohort, layout, length, self.truth_tables.is_some());
+            cohort::foretell(&cohort, self.truth_tables.is_some());
         }
         let progress = self.output.progress(cohort.progress().length);
         let lived = match to {

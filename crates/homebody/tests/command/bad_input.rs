@@ -116,6 +116,7 @@ fn what_is_no_scenario_is_told_apart() {
     for command in ["check", "run", "coverage", "plan --svg plan.svg"] {
         for (scenario, code, said) in [
             ("nowhere", 1, "nowhere: there is no such scenario\n  hint: name its folder, or its scenario.json"),
+            ("flot", 1, "flot: there is no such scenario\n  hint: did you mean \"flat\"?"),
             ("empty", 1, "empty/scenario.json: there is no such file\n  hint: a scenario folder holds a scenario.json"),
             ("folders", 1, "folders/scenario.json: it is no plain file"),
             ("latin", 2, "scenario.json: cannot be read: line 1 is not text in UTF-8\n  hint: save it as UTF-8"),
