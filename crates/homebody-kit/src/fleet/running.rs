@@ -5,7 +5,7 @@ use super::living::Living;
 use super::report::{FleetReport, OfDestination, late_ms, memory_mb, processor_s};
 use crate::error::Error;
 use homebody_core::time::SECOND;
-use homebody_log::fleet::{Fleet, FleetSink, Lateness, Now, Patience, Teller, Told, sink};
+use homebody_log::fleet::{Fleet, FleetSink, Lateness, Now, Patience, Teller, Told, has_rows_of_fleet, sink};
 use homebody_log::fresh::all_can_be_written;
 use homebody_log::{Cancel, How, Url};
 use jiff::Timestamp;
@@ -73,7 +73,8 @@ impl FleetRun {
             return Err(Error::Fleet(wrong.join("\n")));
         }
         for (url, (.., how)) in out.iter().zip(&sinks) {
-            all_can_be_written(&Vec::from_iter(url.file()), *how == How::Replace)?;
+            let new = url.file().filter(|path| !has_rows_of_fleet(path));
+            all_can_be_written(&Vec::from_iter(new), *how == How::Replace)?;
         }
         Ok(FleetRun { sinks, patience: Patience::default(), lasts: None, every: Duration::from_secs(5) })
     }

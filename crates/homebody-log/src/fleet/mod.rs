@@ -16,7 +16,7 @@ use homebody_core::ids::SensorId;
 use homebody_core::scenario::logger::{LoggerFile, TimeFormat};
 use homebody_core::time::Micros;
 pub use lateness::Lateness;
-pub use open::sink;
+pub use open::{has_rows_of_fleet, sink};
 use std::sync::Arc;
 pub use teller::{Now, Patience, Since, Teller};
 

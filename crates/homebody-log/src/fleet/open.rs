@@ -4,6 +4,7 @@ use super::FleetSink;
 use crate::elsewhere::{self, not_built_in};
 use crate::error::LogError;
 use crate::sink::fleet_jsonl::FleetJsonl;
+pub use crate::sink::fleet_jsonl::has_rows_of_fleet;
 use crate::url::Url;
 use homebody_core::scenario::scheme::{NoPlace, SCHEMES, Scheme};
 

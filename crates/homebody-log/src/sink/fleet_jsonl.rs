@@ -7,15 +7,27 @@ use crate::clock::{Clock, Stamp};
 use crate::deadline::Deadline;
 use crate::error::LogError;
 use crate::fleet::{Fleet, FleetRow, FleetSink, Told};
+use crate::plain;
 use crate::sensor_table;
 use crate::table::thousandths;
 use crate::url::Url;
 use homebody_core::event::Value;
-use std::io::Write;
+use std::io::{Read, Write};
+use std::path::Path;
 use std::sync::Arc;
 
 /// The key of the home, unless a column of the log has this name.
 const HOME: &str = "home";
+const HOME_BESIDE_COLUMN: &str = "home_name";
+
+/// Whether a file looks like rows of a fleet, so that the same command may add to it. Beginning compares each row.
+pub fn has_rows_of_fleet(path: &Path) -> bool {
+    let begins = [HOME, HOME_BESIDE_COLUMN].map(|key| format!("{{{}:\"", in_json(key)));
+    let mut first = Vec::new();
+    let read =
+        plain::open(path).and_then(|file| file.take(HOME_BESIDE_COLUMN.len() as u64 + 5).read_to_end(&mut first));
+    read.is_ok() && begins.iter().any(|begin| first.starts_with(begin.as_bytes()))
+}
 
 /// One text for all homes.
 pub(crate) struct FleetJsonl {
@@ -50,7 +62,7 @@ impl FleetSink for FleetJsonl {
     fn begin(&mut self, fleet: &Arc<Fleet>, how: How, deadline: &Deadline) -> Result<Vec<u64>, LogError> {
         let kinds = fleet.layouts.iter().map(|layout| {
             let names = || layout.table.columns.iter().map(|column| column.name.as_str());
-            let home = if names().any(|name| name == HOME) { "home_name" } else { HOME };
+            let home = if names().any(|name| name == HOME) { HOME_BESIDE_COLUMN } else { HOME };
             let sensors = (0..layout.run.sensors.len()).map(homebody_core::ids::SensorId::of);
             InKind {
                 clock: Clock::new(&layout.run.calendar, layout.time),
@@ -60,6 +72,9 @@ impl FleetSink for FleetJsonl {
             }
         });
         let kinds = kinds.collect();
+        // The same command makes the same rows again, in the same order: those that are there are compared, and the rest is added.
+        let goes_on = matches!(&self.at, At::File(path) if has_rows_of_fleet(path));
+        let how = if goes_on && how == How::New { How::GoOn } else { how };
         let text = Text::begin(&self.at, how, true, deadline)?;
         // Homes of one scenario have the same sensors; of several, an id says nothing without the home.
         if let (At::File(path), [layout]) = (&self.at, &fleet.layouts[..]) {
@@ -78,15 +93,23 @@ impl FleetSink for FleetJsonl {
         for told in told {
             if let Told::Row(row) = told {
                 open.line(row);
-                open.text.line(&open.line)?;
+                open.text.line(&open.line).map_err(of_other_homes)?;
             }
         }
         open.text.show()
     }
 
     fn finish(&mut self, _: i64) -> Result<(), LogError> {
-        self.open.take().map_or(Ok(()), |open| open.text.finish())
+        self.open.take().map_or(Ok(()), |open| open.text.stop())
     }
+}
+
+/// What a file with other rows than the fleet's means: it is of another fleet, or of the same at another time.
+fn of_other_homes(error: LogError) -> LogError {
+    let LogError::Changed { place, what } = error else { return error };
+    let what = format!("it has rows of other homes: {what}");
+    let hint = Some("--force replaces it; the same command with a fixed --from TIME adds to it".into());
+    LogError::Destination { place, what, hint, passes: false, source: None }
 }
 
 impl Open {

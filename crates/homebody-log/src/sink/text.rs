@@ -106,6 +106,18 @@ impl Text {
             Text::Output(mut output) => output.flush().map_err(no_output),
         }
     }
+
+    /// The same for a run that may have been stopped before it made all lines again: the others stay.
+    pub fn stop(mut self) -> Result<(), LogError> {
+        if let Text::File(text) = &mut self
+            && let TextFile { left: Some(left), file, .. } = &mut **text
+            && left.is_all(file.path()).is_err()
+        {
+            file.keep();
+            return Ok(());
+        }
+        self.finish()
+    }
 }
 
 /// A pipe takes no more than this at once where its reader is slow.

@@ -49,6 +49,36 @@ fn each_home_says_what_it_says_alone_and_the_report_counts_it() {
     assert!(list.lines().nth(2).unwrap().starts_with("home00002,tigerplace,"), "{list}");
 }
 
+/// A file that a killed fleet left: the same command adds the rest, and another fleet leaves it as it is.
+#[test]
+fn the_same_command_adds_to_the_rows_of_a_fleet() {
+    let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
+    let fleet = |seconds: u32, more: &str| {
+        folder.run(&format!(
+            "fleet tigerplace --homes 2 --from 2026-11-01T08:00 --speed 1000 --for {seconds}s --out jsonl:all.jsonl --quiet{more}"
+        ))
+    };
+    fleet(3, "").ok();
+    let whole = folder.read("all.jsonl");
+    // Cut in the middle of a line, as a kill leaves it.
+    let cut = whole.len() / 2;
+    assert!(whole.as_bytes()[cut - 1] != b'\n' && whole.lines().count() > 100);
+    folder.write("all.jsonl", &whole[..cut]);
+    let other = fleet(3, " --seed 7");
+    assert!(other.code == Some(1) && other.err.contains("rows of other homes: line "), "{}", other.err);
+    assert!(other.err.contains("hint: --force replaces it"), "{}", other.err);
+    assert_eq!(folder.read("all.jsonl"), &whole[..cut]);
+    fleet(4, "").ok();
+    let after = folder.read("all.jsonl");
+    assert!(after.len() >= whole.len() && after.starts_with(&whole), "{} of {}", after.len(), whole.len());
+    // A fleet that ends before it has made all rows again leaves the rest.
+    fleet(1, "").ok();
+    assert_eq!(folder.read("all.jsonl"), after);
+    fleet(1, " --seed 7 --force").ok();
+    assert_ne!(folder.read("all.jsonl")[..300], after[..300]);
+}
+
 #[test]
 fn what_no_fleet_can_do_is_refused_before_anything_begins() {
     let folder = Folder::new();

@@ -15,6 +15,7 @@ use homebody_core::problem::Problems;
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::fleet::{Churn, FleetOf, FleetRun, FleetSetup, MOST_HOMES, Patience, Storms};
 use homebody_kit::{Error, News, OpenScenario, Url};
+use homebody_log::fleet::has_rows_of_fleet;
 use homebody_log::fresh::FreshFile;
 use homebody_log::places::can_be_written;
 use homebody_log::plain;
@@ -216,10 +217,11 @@ impl Arguments {
     }
 
     fn files_can_be_written(&self, scenarios: &[OpenScenario]) -> Result<(), Failure> {
-        // The same command adds to its reports, and keeps its list.
+        // The same command adds to its rows and its reports, and keeps its list.
+        let rows = self.out.iter().filter_map(Url::file).filter(|path| !has_rows_of_fleet(path));
         let report = self.report.as_deref().filter(|path| reports_in(path).is_none());
         let list = self.list.as_deref().filter(|path| !path.is_file());
-        let files: Vec<&Path> = self.out.iter().filter_map(Url::file).chain(report).chain(list).collect();
+        let files: Vec<&Path> = rows.chain(report).chain(list).collect();
         let sources: Vec<PathBuf> = scenarios.iter().flat_map(OpenScenario::paths).collect();
         Ok(can_be_written(&files, &sources, self.replacing.force)?)
     }
