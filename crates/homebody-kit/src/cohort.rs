@@ -215,7 +215,7 @@ impl Cohort {
         self.members.count()
     }
 
-    /// The first days of its first members: a small cohort with the same lives.
+    /// Returns a small cohort with the first days of its first members.
     pub fn beginning(&self, most_members: usize, length: Micros) -> Cohort {
         let members = self.members.first(most_members);
         let recording = Recording { length_us: length.min(self.recording.length_us), ..self.recording.clone() };

@@ -104,7 +104,7 @@ impl FleetSink for FleetJsonl {
     }
 }
 
-/// What a file with other rows than the fleet's means: it is of another fleet, or of the same at another time.
+/// Says that a file with other rows belongs to another fleet, or to the same one at another time.
 fn of_other_homes(error: LogError) -> LogError {
     let LogError::Changed { place, what } = error else { return error };
     let what = format!("it has rows of other homes: {what}");

@@ -43,7 +43,7 @@ struct Estimate {
     members: usize,
 }
 
-/// `None` for a small cohort, or where there is no room for a sample.
+/// Returns `None` for a small cohort, or without room for a sample.
 fn estimate(cohort: &Cohort) -> Option<Estimate> {
     let all = cohort.progress().length;
     let sample = cohort.beginning(SAMPLE_MEMBERS, SAMPLE);

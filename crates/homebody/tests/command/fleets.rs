@@ -49,7 +49,7 @@ fn each_home_says_what_it_says_alone_and_the_report_counts_it() {
     assert!(list.lines().nth(2).unwrap().starts_with("home00002,tigerplace,"), "{list}");
 }
 
-/// A file that a killed fleet left: the same command adds the rest, and another fleet leaves it as it is.
+/// The same command completes the file of a killed fleet. Another fleet leaves that file alone.
 #[test]
 fn the_same_command_adds_to_the_rows_of_a_fleet() {
     let folder = Folder::new();
