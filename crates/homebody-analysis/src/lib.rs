@@ -18,6 +18,9 @@ pub mod signs;
 /// Rows of a log, taken one by one, and the spans that they open and close.
 pub mod rows;
 
+/// Motion sensors that stay on, and the movements that their reports hide.
+pub mod holds;
+
 /// What a log holds.
 pub mod look;
 

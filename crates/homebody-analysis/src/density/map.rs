@@ -10,6 +10,7 @@ use std::ops::Range;
 
 use super::{Absence, Cell, Entrance, LEAST, Leaving, SEATED, Sign, State, Sum};
 use crate::dates::{ClockSet, MOST_DAYS, clocks_set, date_of, midnight, written};
+use crate::holds::{Holds, LONGEST, Movement};
 use crate::rows::{Ongoing, Row, Span, Tallies};
 use crate::signs::{Kind, LogSensors, OwnWords, Says, UnknownStates, is_seat, without};
 
@@ -213,6 +214,17 @@ impl Signs {
         (is_use || self.is_motion(row)).then_some(Sign { at: row.at, at_entrance, opens_door, is_use })
     }
 
+    /// The sign that a movement between reports is.
+    pub fn of_movement(&self, movement: &Movement) -> Sign {
+        let at_entrance = self.at_entrance[movement.sensor as usize];
+        Sign { at: movement.at, at_entrance, opens_door: false, is_use: false }
+    }
+
+    /// The kind of a sensor.
+    pub fn kind(&self, sensor: u32) -> Kind {
+        self.kinds[sensor as usize]
+    }
+
     /// Whether a movement is seen.
     pub fn is_motion(&self, row: &Row) -> bool {
         self.kinds[row.sensor as usize] == Kind::Motion && row.said.says == Says::Begins && row.said.begins()
@@ -242,6 +254,11 @@ pub struct Mapping<'a> {
     /// The spans over which a bed or a chair is taken for long.
     taken: Ongoing,
     leaving: Leaving,
+    holds: Holds,
+    /// Signs that wait until all before them are known, by their instants.
+    waiting: BTreeMap<(Micros, u64), Sign>,
+    /// The number of signs so far.
+    count: u64,
     absences: Vec<Absence>,
     /// Events of motion by their hour since 1970, of the days that may be in the map.
     events: BTreeMap<i64, u64>,
@@ -266,6 +283,9 @@ impl<'a> Mapping<'a> {
             is_seat: sensors.called.iter().map(|name| is_seat(name)).collect(),
             taken: Ongoing::new(log.sensors.len(), SEATED),
             leaving: Leaving::new(asked.away_after),
+            holds: Holds::new(log.sensors.len()),
+            waiting: BTreeMap::new(),
+            count: 0,
             absences: Vec::new(),
             events: BTreeMap::new(),
             has_signs: false,
@@ -282,6 +302,8 @@ impl<'a> Mapping<'a> {
     pub fn take(&mut self, event: &Event) {
         while let Some(&(begin, _)) = self.log.gaps.get(self.gaps).filter(|gap| gap.0 <= event.at) {
             self.taken.end_all(begin);
+            self.leave_until(Micros::MAX);
+            self.holds.end_all();
             self.absences.extend(self.leaving.last());
             self.leaving.forget();
             self.gaps += 1;
@@ -298,10 +320,16 @@ impl<'a> Mapping<'a> {
         if self.is_seat[row.sensor as usize] {
             self.taken.take(&row);
         }
+        let mut movements = Vec::new();
+        self.holds.take(&row, self.signs.kind(row.sensor), &mut movements);
+        movements.iter().for_each(|movement| self.wait(self.signs.of_movement(movement)));
         if let Some(sign) = self.signs.of(&row) {
             self.has_signs = true;
-            self.absences.extend(self.leaving.take(&sign));
+            self.wait(sign);
         }
+        // The signs of other logs need not wait.
+        let waits = if self.holds.hide_any() { LONGEST } else { 0 };
+        self.leave_until(row.at - waits);
         if self.signs.is_motion(&row) {
             // No map is longer.
             let from = self.asked.from.map_or(first, midnight).div_euclid(HOUR);
@@ -312,12 +340,25 @@ impl<'a> Mapping<'a> {
         }
     }
 
+    fn wait(&mut self, sign: Sign) {
+        self.waiting.insert((sign.at, self.count), sign);
+        self.count += 1;
+    }
+
+    /// Looks for absences in the signs up to an instant.
+    fn leave_until(&mut self, until: Micros) {
+        while let Some(first) = self.waiting.first_entry().filter(|first| first.key().0 <= until) {
+            self.absences.extend(self.leaving.take(&first.remove()));
+        }
+    }
+
     /// The map of the rows so far.
     ///
     /// # Errors
     ///
     /// Those that [`NoMap`] lists.
     pub fn end(mut self, name: &str) -> Result<Map, NoMap> {
+        self.leave_until(Micros::MAX);
         let (first, last) = self.span.ok_or(NoMap::Empty)?;
         let kinds = &self.sensors.kinds;
         let motion_sensors = kinds.iter().filter(|kind| **kind == Kind::Motion).count();

@@ -135,7 +135,7 @@ mod tests {
         };
         minutes
             .filter(|&(day, minute)| !is_in(out, day, minute) && (minute % 5 == 0 || is_in(lively, day, minute)))
-            .map(|(day, minute)| Sign { at: at(day, minute), room: 0, sensor: 0, is_seen: true })
+            .map(|(day, minute)| Sign { at: at(day, minute), room: 0, sensor: 0, is_seen: true, is_held: false })
             .collect()
     }
 

@@ -11,12 +11,13 @@ use super::known::Known;
 use super::known_time::{KnownDay, KnownTime};
 use super::of_day::{Common, OfDay, UNKNOWN_H};
 use super::rooms::Rooms;
-use super::signs::{Sign, gives_signs, signs};
+use super::signs::{Sign, gives_signs, signs, with_movements};
 use super::silent::Listening;
 use super::timeline::{Timeline, within_h};
 use super::walking::Paces;
 use crate::dates::{MOST_DAYS, date_of};
 use crate::density::{Absence, Asked, Cell, Chosen, Entrance, Leaving, NoMap, SEATED, Signs, apart};
+use crate::holds::{Holds, Movement};
 use crate::rows::{Ongoing, Row, Span, Tallies};
 use crate::signs::{Kind, LogSensors, is_seat};
 use homebody_core::time::{DAY, Micros, SECOND};
@@ -92,6 +93,9 @@ struct SoFar {
     /// The spans over which a bed or a chair is taken for long.
     taken: Ongoing,
     leaving: Leaving,
+    holds: Holds,
+    /// The movements of the last days that lie between reports.
+    movements: Vec<Movement>,
     /// The absences of the last weeks that are over, and whether any ever was a guess.
     absences: Vec<Absence>,
     guesses_absences: bool,
@@ -130,6 +134,8 @@ impl<'a> Measuring<'a> {
             is_seat: called.iter().map(|name| is_seat(name)).collect(),
             taken: Ongoing::new(count, SEATED),
             leaving: Leaving::new(asked.away_after),
+            holds: Holds::new(count),
+            movements: Vec::new(),
             absences: Vec::new(),
             guesses_absences: false,
             listening: Listening::new(count),
@@ -302,24 +308,28 @@ impl<'a> Measuring<'a> {
     fn go_through(&mut self, from: usize, (begin, end): Span) {
         let so_far = &mut self.so_far;
         let signs = Signs::new(&self.log.sensors, &so_far.kinds, &so_far.entrance);
-        let mut breaks = so_far.time.breaks((begin, end)).into_iter().peekable();
+        let all_breaks = so_far.time.breaks((begin, end));
+        let mut breaks = all_breaks.iter().copied().peekable();
+        let mut movements = Vec::new();
         for row in &self.window[from..] {
             while let Some(at) = breaks.next_if(|at| *at <= row.at) {
-                so_far.break_off(at, so_far.time.is_gap(at));
+                so_far.break_off(at);
             }
             so_far.ongoing.take(row);
             if so_far.is_seat[row.sensor as usize] {
                 so_far.taken.take(row);
             }
-            let Some(sign) = signs.of(row) else { continue };
-            so_far.has_signs = true;
-            if let Some(absence) = so_far.leaving.take(&sign) {
-                so_far.add_absence(absence, end);
-            }
+            so_far.holds.take(row, so_far.kinds[row.sensor as usize], &mut movements);
         }
-        for at in breaks {
-            so_far.break_off(at, so_far.time.is_gap(at));
-        }
+        breaks.for_each(|at| so_far.break_off(at));
+        so_far.holds.pass(end, &mut movements);
+        let of_rows = self.window[from..].iter().filter_map(|row| signs.of(row));
+        let mut all: Vec<_> = of_rows.collect();
+        so_far.has_signs |= !all.is_empty();
+        all.extend(movements.iter().filter(|movement| movement.at >= begin).map(|of| signs.of_movement(of)));
+        all.sort_by_key(|sign| sign.at);
+        so_far.leave(&all, &all_breaks, end);
+        so_far.movements.extend(movements);
         let is_bed = |sensor: usize| self.named.is_bed(sensor, so_far.kinds[sensor]);
         let lies = |sensor: usize| so_far.ongoing.spans(sensor, Some(end)).iter().any(|span| span.1 > span.0);
         so_far.has_bed |= (0..so_far.kinds.len()).any(|sensor| is_bed(sensor) && lies(sensor));
@@ -341,7 +351,7 @@ impl<'a> Measuring<'a> {
     /// The timeline of the last days, when one of them ends.
     fn timeline(&mut self, begin: Micros, away: &[Span], known: &KnownDay) -> Timeline {
         let so_far = &mut self.so_far;
-        let signs = signs(&self.window, &so_far.kinds, &so_far.rooms);
+        let signs = signs(&self.window, &so_far.kinds, &so_far.rooms, &so_far.holds);
         let today = &signs[signs.partition_point(|sign| sign.at < begin)..];
         let seen: Vec<Sign> = today.iter().filter(|sign| sign.is_seen).copied().collect();
         so_far.signs[0] += today.len() as u64;
@@ -382,9 +392,10 @@ impl<'a> Measuring<'a> {
             named: &self.named,
             has_bed: so_far.has_bed,
             has_spoken: &so_far.has_spoken,
+            holds: &so_far.holds,
             until: known.until,
         };
-        timeline.hear(&heard, &signs);
+        timeline.hear(&heard, &with_movements(&signs, &so_far.movements, &so_far.rooms));
         timeline
     }
 }
@@ -409,17 +420,33 @@ impl SoFar {
         }
     }
 
-    /// Ends open spans where an unknown time begins. A resident who left before a gap may have come back in it.
-    fn break_off(&mut self, at: Micros, is_gap: bool) {
+    /// Ends open spans where an unknown time begins.
+    fn break_off(&mut self, at: Micros) {
         self.ongoing.end_all(at);
         self.taken.end_all(at);
+        self.holds.end_all();
         self.paces.forget();
-        if is_gap {
-            if let Some(absence) = self.leaving.last() {
-                self.add_absence(absence, at);
+    }
+
+    /// Looks for absences in the signs of a day. A resident who left before a gap may have come back in it.
+    fn leave(&mut self, signs: &[crate::density::Sign], breaks: &[Micros], end: Micros) {
+        let mut gaps = breaks.iter().copied().filter(|at| self.time.is_gap(*at)).collect::<VecDeque<_>>();
+        for sign in signs {
+            while gaps.front().is_some_and(|at| *at <= sign.at) {
+                self.leave_before(gaps.pop_front().unwrap_or(end));
             }
-            self.leaving.forget();
+            if let Some(absence) = self.leaving.take(sign) {
+                self.add_absence(absence, end);
+            }
         }
+        gaps.into_iter().for_each(|at| self.leave_before(at));
+    }
+
+    fn leave_before(&mut self, gap: Micros) {
+        if let Some(absence) = self.leaving.last() {
+            self.add_absence(absence, gap);
+        }
+        self.leaving.forget();
     }
 
     /// Keeps the hours of a day with those of the last two weeks. The first whole days give the height of a level of density.
@@ -440,6 +467,7 @@ impl SoFar {
     fn remember(&mut self, timeline: Timeline, begin: Micros) {
         self.last = timeline;
         self.ongoing.retain(|span| span.1 >= begin - (DAYS_BEFORE - 1) * DAY);
+        self.movements.retain(|movement| movement.at >= begin - (DAYS_BEFORE - 1) * DAY);
         self.taken.retain(|span| span.1 >= begin - ABSENCES_KEPT);
         self.absences.retain(|absence| absence.end >= begin - ABSENCES_KEPT);
     }

@@ -1,14 +1,17 @@
 //! What measures are taken from, as a log tells it.
 
+use super::of_day::VISIT;
 use super::rooms::Purpose;
 use super::signs::{Sign, agreed};
 use super::timeline::{Stay, Timeline, joined};
 use super::walking::walks;
 use super::ways::Ways;
+use crate::holds::Holds;
 use crate::rows::Span;
 use crate::signs::{Kind, without};
 use homebody_core::names::words;
 use homebody_core::time::{Micros, SECOND};
+use homebody_core::vocabulary::{WINDOW_WORDS, has_any};
 
 const MINUTE: Micros = 60 * SECOND;
 
@@ -57,6 +60,8 @@ pub struct Heard<'a> {
     pub has_bed: bool,
     /// The sensors that have given a sign yet.
     pub has_spoken: &'a [bool],
+    /// For how long sensors stay on.
+    pub holds: &'a Holds,
     /// Until when the last day is known.
     pub until: Micros,
 }
@@ -65,13 +70,15 @@ pub struct Heard<'a> {
 pub struct Named {
     bed: Vec<bool>,
     shower: Vec<bool>,
+    window: Vec<bool>,
 }
 
 impl Named {
     /// Of sensors with these names.
     pub fn of(called: &[String]) -> Named {
         let all = |words: &[&str]| called.iter().map(|name| is_named(name, words)).collect();
-        Named { bed: all(&BEDS), shower: all(&SHOWERS) }
+        let window = called.iter().map(|name| has_any(&words(name), WINDOW_WORDS)).collect();
+        Named { bed: all(&BEDS), shower: all(&SHOWERS), window }
     }
 
     /// Whether a sensor of this kind is in a bed.
@@ -96,6 +103,13 @@ impl Timeline {
         let rooms = self.rooms.of_sensors.iter().enumerate();
         let mut of_purpose = rooms.filter(|(_, room)| room.is_some_and(|room| self.rooms.purpose(room) == purpose));
         of_purpose.any(|(sensor, _)| heard.kinds[sensor] == Kind::Motion && heard.has_spoken[sensor])
+    }
+
+    /// The longest time that a motion sensor of a room for this stays on; 0 where all say when they see nothing more.
+    fn hold(&self, heard: &Heard, purpose: Purpose) -> Micros {
+        let rooms = self.rooms.of_sensors.iter().enumerate();
+        let of_purpose = rooms.filter(|(_, room)| room.is_some_and(|room| self.rooms.purpose(room) == purpose));
+        of_purpose.filter_map(|(sensor, _)| heard.holds.of(sensor)).max().unwrap_or(0)
     }
 
     /// Finds the times in bed: by what is in the bed, or else by silence in the bedroom.
@@ -134,9 +148,10 @@ impl Timeline {
         }
         self.in_bed = Some(lain);
         // Without a movement in the bedroom, or of who lies in bed, nobody knows who is awake.
-        if sees_bedroom {
-            (self.asleep, self.stirs) = (Some(asleep), Some(stirs));
-        }
+        let hold = self.hold(heard, Purpose::Bedroom);
+        self.asleep = (sees_bedroom && hold < SLEEPS).then_some(asleep);
+        self.stirs = (sees_bedroom && hold <= BOUT).then_some(stirs);
+        self.hides_stirs = sees_bedroom && hold > BOUT;
     }
 
     /// Finds showers and meals.
@@ -147,6 +162,8 @@ impl Timeline {
             let long = spans.into_iter().filter(|span| span.1 - span.0 >= least);
             Some(long.map(|span| span.0).collect())
         };
+        let hold = self.hold(heard, Purpose::Bathroom);
+        self.hides_visits = hold > VISIT;
         if !showers.is_empty() {
             // Water flows from its beginning to its end, and some motion sensors say when they see nothing more.
             let ended =
@@ -155,6 +172,8 @@ impl Timeline {
                 showers.iter().flat_map(|&sensor| (heard.spans)(sensor)).map(|span| ended(&span)).collect();
             seen.sort_unstable();
             self.showers = begins(joined(seen.into_iter(), SHOWER_APART), SHOWER_LASTS);
+        } else if hold > BATHROOM_LIVELY {
+            self.hides_showers = true;
         } else if self.is_seen(heard, Purpose::Bathroom) {
             let in_bathroom: Vec<&Sign> =
                 signs.iter().filter(|sign| self.rooms.purpose(sign.room) == Purpose::Bathroom).collect();
@@ -166,7 +185,10 @@ impl Timeline {
             self.showers = begins(by_day, BATHROOM_LONG);
             self.guesses_showers = true;
         }
-        if self.rooms.has(Purpose::Kitchen) {
+        // Who opens a window does not cook.
+        let in_kitchen = |room: &Option<usize>| room.is_some_and(|room| self.rooms.purpose(room) == Purpose::Kitchen);
+        let tells_cooking = |(sensor, room): (usize, &Option<usize>)| in_kitchen(room) && !heard.named.window[sensor];
+        if self.rooms.of_sensors.iter().enumerate().any(tells_cooking) {
             let cooked = self.visits(Purpose::Kitchen, 0);
             let mut meals = Vec::new();
             for (begin, end) in joined(cooked.iter().copied(), MEAL_APART) {
@@ -191,7 +213,8 @@ fn is_named(name: &str, as_one_of: &[&str]) -> bool {
 }
 
 /// Somebody is in the room of the last sign until there is one of another, or until they leave. A single sign of a room is a
-/// glimpse of somebody who passes: a moment of its own between two other rooms, and nothing within one.
+/// glimpse of somebody who passes: a moment of its own between two other rooms, and nothing within one. It is none of a sensor that
+/// stays on, unless the next sign comes soon.
 fn stays(signs: &[Sign], away: &[Span], last: Micros) -> Vec<Stay> {
     let rooms: Vec<&[Sign]> = signs.chunk_by(|a, b| a.room == b.room).collect();
     let mut stays: Vec<Stay> = Vec::new();
@@ -200,7 +223,10 @@ fn stays(signs: &[Sign], away: &[Span], last: Micros) -> Vec<Stay> {
         let (room, begin) = (of_room[0].room, of_room[0].at);
         let end = next.map_or(last.max(begin), |next| next[0].at);
         let last = of_room[of_room.len() - 1].at;
-        let is_glimpse = of_room.len() == 1 || last - begin < GLIMPSE && end - last < SEEN_PASSING;
+        // A sensor that stays on reports a whole stay at once, if the next one reports anew and has not been on all the time.
+        let is_all = of_room[0].is_held && next.is_none_or(|next| next[0].is_seen);
+        let is_alone = of_room.len() == 1 && !is_all;
+        let is_glimpse = is_alone || last - begin < GLIMPSE && end - last < SEEN_PASSING;
         match stays.last_mut() {
             Some(before) if before.room == room => before.end = end,
             Some(before) if is_glimpse && next.is_some_and(|next| next[0].room == before.room) => before.end = end,

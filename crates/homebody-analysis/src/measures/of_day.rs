@@ -9,7 +9,7 @@ use crate::signs::without;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 
 /// Who is in the bathroom for less passes through it (ours).
-const VISIT: Micros = 20 * SECOND;
+pub const VISIT: Micros = 20 * SECOND;
 /// Who comes back so soon has not left (ours).
 const VISITS_APART: Micros = 60 * SECOND;
 /// An outing lasts for so long at least.
@@ -118,6 +118,11 @@ impl<'a> OfDay<'a> {
         Some(self.common.timeline).filter(|timeline| !timeline.is_unwatched)
     }
 
+    /// The same, if the sensors are in so many rooms that are known.
+    fn among_rooms(&self, least: usize) -> Option<&Timeline> {
+        self.watched().filter(|timeline| timeline.rooms.rooms.len() >= least)
+    }
+
     pub(super) fn time_in_bed(&self) -> Option<f64> {
         Some(within_h(self.common.timeline.in_bed.as_ref()?, self.by_night()?))
     }
@@ -179,10 +184,7 @@ impl<'a> OfDay<'a> {
     }
 
     pub(super) fn room_changes(&self) -> Option<f64> {
-        let stays = &self.watched()?.stays;
-        if self.common.timeline.rooms.rooms.len() < 2 {
-            return None;
-        }
+        let stays = &self.among_rooms(2)?.stays;
         let changes = stays.windows(2).filter(|pair| pair[0].room != pair[1].room).map(|pair| pair[1].begin);
         self.count(Some(&changes.collect::<Vec<_>>()))
     }
@@ -240,12 +242,12 @@ impl<'a> OfDay<'a> {
     }
 
     pub(super) fn pacing(&self) -> Option<f64> {
-        self.watched()?;
+        self.among_rooms(2)?;
         self.count(Some(&self.common.wandering.pacing))
     }
 
     pub(super) fn lapping(&self) -> Option<f64> {
-        self.watched()?;
+        self.among_rooms(3)?;
         self.count(Some(&self.common.wandering.lapping))
     }
 

@@ -27,7 +27,9 @@ impl Remarks {
         told.rooms(log, known, measured);
         told.outings(measured);
         let timeline = &measured.timeline;
-        if timeline.showers.is_none() && timeline.rooms.has(Purpose::Bathroom) {
+        if timeline.hides_showers {
+            told.remark("The motion sensor in the bathroom stays on for more than a minute after a movement, so nothing is known of showers");
+        } else if timeline.showers.is_none() && timeline.rooms.has(Purpose::Bathroom) {
             told.remark(
                 "No motion sensor is in the bathroom and no sensor at the shower, so nothing is known of showers",
             );
@@ -40,6 +42,16 @@ impl Remarks {
             told.remark("Nights are a guess by what is used in the bedroom: no motion sensor is there, and none tells of the bed");
         } else if timeline.in_bed.is_some() && timeline.asleep.is_none() {
             told.remark("No motion sensor is in the bedroom, so time in bed is known, and sleep is not");
+        }
+        if timeline.hides_visits {
+            told.guess(&["bathroom_day", "bathroom_night"]);
+            told.remark(
+                "Visits to the bathroom are a guess: its motion sensor stays on for more than 20 s after a movement, so passing its door may \
+                 count as a visit",
+            );
+        }
+        if timeline.hides_stirs {
+            told.remark("A motion sensor in the bedroom stays on for more than 30 s after a movement, so nothing is known of restlessness");
         }
         if timeline.guesses_showers {
             told.guess(&["showers"]);
@@ -61,7 +73,8 @@ impl Remarks {
     }
 
     fn guess(&mut self, measures: &[&'static str]) {
-        self.guesses.extend(measures);
+        let new = measures.iter().filter(|measure| !self.guesses.contains(measure));
+        self.guesses.extend(new.copied().collect::<Vec<_>>());
     }
 
     /// Remarks on rooms, and on measures that need a room without a sensor.

@@ -3,6 +3,7 @@
 //! Whatever is used, opened and closed is a sign as much as a movement that is seen: many real homes have hardly a motion sensor.
 
 use super::rooms::Rooms;
+use crate::holds::{Holds, Movement};
 use crate::rows::Row;
 use crate::signs::{Kind, Said, Says};
 use homebody_core::time::{Micros, SECOND};
@@ -19,13 +20,15 @@ pub struct Sign {
     pub room: usize,
     /// The sensor, by its number in the log.
     pub sensor: usize,
-    /// Whether a movement was seen. Else something was used.
+    /// Whether a movement was seen as it began. Else something was used, or a movement went on.
     pub is_seen: bool,
+    /// Whether its sensor stays on for a hold time: then a single sign is as much as many of another sensor.
+    pub is_held: bool,
 }
 
 /// The signs of the resident in known rooms, by rows in order of time. A movement is one sign. Things in use give one as they begin, and
 /// one as they end.
-pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
+pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms, holds: &Holds) -> Vec<Sign> {
     let sign = |row: &Row| {
         let sensor = row.sensor as usize;
         let room = rooms.of_sensors[sensor]?;
@@ -34,9 +37,29 @@ pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
             room,
             sensor,
             is_seen: kinds[sensor] == Kind::Motion,
+            is_held: holds.of(sensor).is_some(),
         })
     };
     rows.iter().filter_map(sign).collect()
+}
+
+/// The same signs and those of movements between reports, in the order of time. A movement that may have been before the last sign of
+/// another room is left out.
+pub fn with_movements(signs: &[Sign], movements: &[Movement], rooms: &Rooms) -> Vec<Sign> {
+    let of_rows = signs.iter().map(|sign| (*sign, 0));
+    let of_movements = movements.iter().filter_map(|movement| {
+        let sensor = movement.sensor as usize;
+        let sign = Sign { at: movement.at, room: rooms.of_sensors[sensor]?, sensor, is_seen: false, is_held: true };
+        Some((sign, movement.within))
+    });
+    let mut all: Vec<(Sign, Micros)> = of_rows.chain(of_movements).collect();
+    all.sort_by_key(|(sign, _)| sign.at);
+    let is_sure = |index: &usize| {
+        let (sign, within) = all[*index];
+        let before = all[..*index].iter().rev().map(|(other, _)| other).take_while(|other| other.at > sign.at - within);
+        within == 0 || before.into_iter().all(|other| other.room == sign.room)
+    };
+    (0..all.len()).filter(is_sure).map(|index| all[index].0).collect()
 }
 
 /// Whether such a row of a sensor of this kind is a sign of the resident.
@@ -95,7 +118,10 @@ mod tests {
 
     /// Signs by their seconds, rooms and sensors.
     fn at(signs: &[(Micros, usize, usize)]) -> Vec<Sign> {
-        signs.iter().map(|&(at, room, sensor)| Sign { at: at * SECOND, room, sensor, is_seen: true }).collect()
+        signs
+            .iter()
+            .map(|&(at, room, sensor)| Sign { at: at * SECOND, room, sensor, is_seen: true, is_held: false })
+            .collect()
     }
 
     fn rooms(signs: &[(Micros, usize, usize)]) -> Vec<usize> {

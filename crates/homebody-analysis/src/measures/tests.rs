@@ -71,6 +71,72 @@ fn ordinary_days_are_measured_and_nothing_is_alarming() {
     assert!(told.alerts.is_empty(), "{told}");
 }
 
+/// The same log by sensors that stay on for so many seconds after a movement.
+fn held(log: &Log, hold_s: Micros) -> Log {
+    let values = vec!["ON".to_owned(), "OFF".to_owned()];
+    let mut held = Log { sensors: log.sensors.clone(), values, ..Log::default() };
+    for sensor in 0..log.sensors.len() as u32 {
+        let at: Vec<Micros> = log.events.iter().filter(|event| event.sensor == sensor).map(|event| event.at).collect();
+        for on in at.chunk_by(|a, b| b - a <= hold_s * SECOND) {
+            held.events.push(Event { at: on[0], sensor, value: 0 });
+            held.events.push(Event { at: on[on.len() - 1] + hold_s * SECOND, sensor, value: 1 });
+        }
+    }
+    held.events.sort_by_key(|event| event.at);
+    held
+}
+
+#[test]
+fn sensors_that_stay_on_hide_no_stays() {
+    let log = log_of(20, &|_, _, _| true);
+    let (plain, _) = measured(&log);
+    // A movement a minute: with a hold time of 90 s only the first of each stay is reported.
+    let reported = held(&log, 90);
+    assert!(3 * reported.events.len() < 4 * log.events.len());
+    let (held, _) = measured(&reported);
+    for name in ["bathroom_night", "bathroom_day", "meals", "time_out", "outings"] {
+        assert_eq!(values(&held, name)[5..19], values(&plain, name)[5..19], "{name}");
+    }
+    for name in ["time_in_bed", "sleep", "sedentary"] {
+        for day in 5..19 {
+            let [a, b] = [&held, &plain].map(|measures| values(measures, name)[day].unwrap());
+            assert!((a - b).abs() < 0.1, "{name}: {a}, {b}");
+        }
+    }
+    // What such sensors hide is not known, and what they make doubtful is a guess.
+    for name in ["showers", "restlessness"] {
+        assert!(values(&held, name).iter().all(Option::is_none), "{name}");
+        assert!(values(&plain, name).iter().any(Option::is_some), "{name}");
+        assert!(held.remarks.iter().any(|remark| remark.ends_with(&format!("nothing is known of {name}"))), "{name}");
+    }
+    assert!(held.guesses.contains(&"bathroom_day") && !plain.guesses.contains(&"bathroom_day"));
+}
+
+#[test]
+fn what_no_sensor_can_tell_is_not_zero() {
+    let all = log_of(5, &|_, _, _| true);
+    let of_rooms = |rooms: &[u32]| Log {
+        events: all.events.iter().filter(|event| rooms.contains(&event.sensor)).copied().collect(),
+        ..all.clone()
+    };
+    let (one, two, three) = (of_rooms(&[LIVING]), of_rooms(&[LIVING, BATHROOM]), of_rooms(&[LIVING, BATHROOM, KITCHEN]));
+    let known = |log: &Log, name: &str| values(&measured(log).0, name).iter().any(Option::is_some);
+    assert_eq!([&one, &two, &three].map(|log| known(log, "pacing")), [false, true, true]);
+    assert_eq!([&one, &two, &three].map(|log| known(log, "lapping")), [false, false, true]);
+    // A window in the kitchen tells of no meal, and a fridge does.
+    for (name, is_known) in [("kitchen window", false), ("kitchen fridge", true)] {
+        let mut log = Log { values: vec!["ON".into(), "OPEN".into(), "CLOSE".into()], ..two.clone() };
+        log.sensors[KITCHEN as usize] = name.into();
+        for minute in [500, 700, 1900, 2100, 3400] {
+            for (at, value) in [(minute, 1), (minute + 3, 2)] {
+                log.events.push(Event { at: at * MINUTE, sensor: KITCHEN, value });
+            }
+        }
+        log.events.sort_by_key(|event| event.at);
+        assert_eq!(known(&log, "meals"), is_known, "{name}");
+    }
+}
+
 #[test]
 fn three_days_have_no_usual_and_nothing_is_invented() {
     let (measures, told) = measured(&log_of(3, &|_, _, _| true));

@@ -70,6 +70,12 @@ pub struct Timeline {
     pub stirs: Option<Vec<Micros>>,
     /// Whether showers are guessed.
     pub guesses_showers: bool,
+    /// Whether the bathroom's motion sensors stay on for so long that visits to it are a guess.
+    pub hides_visits: bool,
+    /// Whether the bathroom's motion sensors stay on for so long that they hide showers.
+    pub hides_showers: bool,
+    /// Whether the bedroom's motion sensors stay on for so long that they hide movements in bed.
+    pub hides_stirs: bool,
     /// Whether the times in bed are a guess by what is used in the bedroom.
     pub guesses_nights: bool,
     /// When showers and baths began.

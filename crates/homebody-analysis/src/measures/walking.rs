@@ -143,6 +143,7 @@ mod tests {
                     room: sensor,
                     sensor,
                     is_seen: true,
+                    is_held: false,
                 })
             };
             (0..count).flat_map(way).collect()

@@ -1,0 +1,200 @@
+//! Motion sensors that stay on for a hold time after the last movement that they see.
+//!
+//! Such a sensor reports `ON` once for all movements that follow each other within its hold time, often 10 s to some minutes. Its reports
+//! alone hide how long somebody moved. Its last movement was one hold time before its `OFF`, and until then no two were farther apart.
+//!
+//! The hold time of a sensor is the second shortest time for which it was on so far: a single movement keeps it on for so long. With
+//! less than [`SHORTEST`] its `ON` says enough. Sensors of CASAS have 1.1 s, those of Zigbee 10 s to 3 minutes (our reading of their manuals).
+
+use crate::rows::Row;
+use crate::signs::{Kind, Says};
+use homebody_core::time::{Micros, SECOND};
+
+/// A shorter hold time hides nothing (our choice).
+const SHORTEST: Micros = 10 * SECOND;
+
+/// No hold time is taken to be longer: a sensor that is always on for longer sees movement all the time (our choice).
+pub const LONGEST: Micros = 300 * SECOND;
+
+/// A movement between the reports of a sensor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Movement {
+    /// When, in microseconds since 1970 on the clock on the wall.
+    pub at: Micros,
+    /// The sensor, by its number in the log.
+    pub sensor: u32,
+    /// How much earlier it may have been: 0 for the last one before an `OFF`, or else the hold time.
+    pub within: Micros,
+}
+
+/// The hold times of the sensors of a log, and the movements that lie between their reports.
+#[derive(Clone, Debug)]
+pub struct Holds {
+    sensors: Vec<OfSensor>,
+    /// The sensors that are on.
+    on: Vec<u32>,
+    /// No movement is known before this instant that was not returned yet.
+    due: Micros,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct OfSensor {
+    /// Since when it is on, and its last movement so far.
+    on: Option<(Micros, Micros)>,
+    /// The two shortest times for which it was on.
+    shortest: [Micros; 2],
+}
+
+impl OfSensor {
+    /// Its hold time, unless its reports say enough.
+    fn hold(&self) -> Option<Micros> {
+        let is_known = (SHORTEST..Micros::MAX).contains(&self.shortest[1]);
+        is_known.then(|| self.shortest[1].min(LONGEST))
+    }
+
+    /// The next movement that is certain while it is still on at `now`.
+    fn next(&self, now: Micros) -> Option<Micros> {
+        let (hold, (_, last)) = (self.hold()?, self.on?);
+        (last + hold <= now - hold).then_some(last + hold)
+    }
+}
+
+impl Holds {
+    /// For so many sensors, all off.
+    pub fn new(sensors: usize) -> Holds {
+        let sensor = OfSensor { on: None, shortest: [Micros::MAX; 2] };
+        Holds { sensors: vec![sensor; sensors], on: Vec::new(), due: Micros::MAX }
+    }
+
+    /// The hold time of a sensor so far, if its reports hide movements.
+    pub fn of(&self, sensor: usize) -> Option<Micros> {
+        self.sensors.get(sensor)?.hold()
+    }
+
+    /// Whether any sensor hides movements.
+    pub fn hide_any(&self) -> bool {
+        self.sensors.iter().any(|sensor| sensor.hold().is_some())
+    }
+
+    /// Takes a row, in the order of time. Adds the movements that are known with it: none lies more than [`LONGEST`] before it.
+    pub fn take(&mut self, row: &Row, kind: Kind, found: &mut Vec<Movement>) {
+        self.pass(row.at, found);
+        if kind != Kind::Motion {
+            return;
+        }
+        let sensor = &mut self.sensors[row.sensor as usize];
+        match row.said.says {
+            Says::Begins if row.said.unknown_from.is_some() || sensor.on.is_none() => {
+                if sensor.on.replace((row.at, row.at)).is_none() {
+                    self.on.push(row.sensor);
+                }
+            }
+            // It reports again that it is on: its row is a sign of its own.
+            Says::Begins => sensor.on = sensor.on.map(|(since, _)| (since, row.at)),
+            says => {
+                if says == Says::Ends && row.said.unknown_from.is_none() {
+                    sensor.end(row, found);
+                }
+                sensor.on = None;
+                self.on.retain(|on| *on != row.sensor);
+            }
+        }
+        self.due = self.on.iter().filter_map(|on| self.sensors[*on as usize].due()).min().unwrap_or(Micros::MAX);
+    }
+
+    /// Adds the movements that are known as time passes without a row.
+    pub fn pass(&mut self, now: Micros, found: &mut Vec<Movement>) {
+        if now < self.due {
+            return;
+        }
+        self.due = Micros::MAX;
+        for &number in &self.on {
+            let sensor = &mut self.sensors[number as usize];
+            while let Some(at) = sensor.next(now) {
+                sensor.on = sensor.on.map(|(since, _)| (since, at));
+                found.push(Movement { at, sensor: number, within: sensor.hold().unwrap_or(0) });
+            }
+            self.due = self.due.min(sensor.due().unwrap_or(Micros::MAX));
+        }
+    }
+
+    /// Forgets what is on where a time begins that is not known.
+    pub fn end_all(&mut self) {
+        self.sensors.iter_mut().for_each(|sensor| sensor.on = None);
+        self.on.clear();
+        self.due = Micros::MAX;
+    }
+}
+
+impl OfSensor {
+    /// Until when no further movement of it is certain.
+    fn due(&self) -> Option<Micros> {
+        let (hold, (_, last)) = (self.hold()?, self.on?);
+        Some(last + 2 * hold)
+    }
+
+    /// Learns from an `OFF`, and adds the last movement before it.
+    fn end(&mut self, row: &Row, found: &mut Vec<Movement>) {
+        let Some((since, last)) = self.on else { return };
+        let length = row.at - since;
+        if length < self.shortest[1] {
+            self.shortest[1] = length;
+            self.shortest.sort_unstable();
+        }
+        let Some(hold) = self.hold() else { return };
+        let at = row.at - hold;
+        if at > last {
+            found.push(Movement { at, sensor: row.sensor, within: 0 });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::signs::Said;
+
+    /// The movements by rows of one sensor: the seconds of each `ON` and `OFF` in turn.
+    fn movements(on_off: &[(Micros, Micros)]) -> (Vec<Micros>, Option<Micros>) {
+        let (mut holds, mut found) = (Holds::new(1), Vec::new());
+        let said = |says| Said { says, unknown_from: None, is_restored: false };
+        for &(on, off) in on_off {
+            for (at, says) in [(on, Says::Begins), (off, Says::Ends)] {
+                holds.take(&Row { at: at * SECOND, sensor: 0, said: said(says) }, Kind::Motion, &mut found);
+            }
+        }
+        (found.iter().map(|movement| movement.at / SECOND).collect(), holds.of(0).map(|hold| hold / SECOND))
+    }
+
+    #[test]
+    fn the_last_movement_is_one_hold_time_before_the_end() {
+        assert_eq!(movements(&[(0, 90), (200, 290), (400, 500)]), (vec![410], Some(90)));
+        // Before it no two are farther apart than the hold time.
+        assert_eq!(movements(&[(0, 90), (200, 290), (400, 800)]).0, [490, 580, 670, 710]);
+        // One short time alone is no hold time.
+        assert_eq!(movements(&[(0, 2), (200, 290), (400, 490)]).1, Some(90));
+    }
+
+    #[test]
+    fn a_short_hold_time_hides_nothing() {
+        assert_eq!(movements(&[(0, 1), (20, 22), (40, 60)]), (vec![], None));
+    }
+
+    #[test]
+    fn movements_of_a_sensor_that_stays_on_are_known_as_time_passes() {
+        let (mut holds, mut found) = (Holds::new(1), Vec::new());
+        let said = |says| Said { says, unknown_from: None, is_restored: false };
+        let rows = [(0, Says::Begins), (60, Says::Ends), (100, Says::Begins), (160, Says::Ends), (300, Says::Begins)];
+        for (at, says) in rows {
+            holds.take(&Row { at: at * SECOND, sensor: 0, said: said(says) }, Kind::Motion, &mut found);
+        }
+        assert!(found.is_empty());
+        holds.pass(419 * SECOND, &mut found);
+        assert!(found.is_empty());
+        holds.pass(480 * SECOND, &mut found);
+        assert_eq!(found.iter().map(|movement| movement.at / SECOND).collect::<Vec<_>>(), [360, 420]);
+        holds.end_all();
+        holds.pass(900 * SECOND, &mut found);
+        assert_eq!(found.len(), 2);
+    }
+}
