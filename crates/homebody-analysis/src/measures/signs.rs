@@ -54,8 +54,8 @@ pub fn gives_signs(kind: Kind, said: &Said) -> bool {
 pub fn agreed(signs: &[Sign]) -> Vec<Sign> {
     let (mut from, mut to) = (0, 0);
     let mut agreed = Vec::with_capacity(signs.len());
-    // By room: its sensors that speak.
-    let mut speaking: Vec<(usize, Vec<usize>)> = Vec::new();
+    // The sensors that speak, with their rooms; and by room, how many do.
+    let (mut sensors, mut speaking): (Vec<(usize, usize)>, Vec<(usize, usize)>) = Default::default();
     for sign in signs {
         while signs[from].at < sign.at - TOGETHER {
             from += 1;
@@ -68,18 +68,19 @@ pub fn agreed(signs: &[Sign]) -> Vec<Sign> {
             agreed.push(*sign);
             continue;
         }
+        sensors.clear();
         speaking.clear();
         for other in together {
-            let known = speaking.iter().position(|(room, _)| *room == other.room);
-            let number = known.unwrap_or(speaking.len());
-            if known.is_none() {
-                speaking.push((other.room, Vec::new()));
+            if sensors.contains(&(other.room, other.sensor)) {
+                continue;
             }
-            if !speaking[number].1.contains(&other.sensor) {
-                speaking[number].1.push(other.sensor);
+            sensors.push((other.room, other.sensor));
+            match speaking.iter_mut().find(|(room, _)| *room == other.room) {
+                Some((_, count)) => *count += 1,
+                None => speaking.push((other.room, 1)),
             }
         }
-        let rank = |(room, sensors): &(usize, Vec<usize>)| (sensors.len(), *room == sign.room);
+        let rank = |&(room, count): &(usize, usize)| (count, room == sign.room);
         let most = speaking.iter().reduce(|most, other| if rank(other) > rank(most) { other } else { most });
         agreed.push(Sign { room: most.map_or(sign.room, |(room, _)| *room), ..*sign });
     }
