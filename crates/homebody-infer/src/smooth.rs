@@ -5,7 +5,7 @@
 use crate::belief::Belief;
 use crate::learn::Senses;
 use crate::pair::Pair;
-use crate::said::{Message, Said};
+use crate::said::Message;
 use crate::spells::Spell;
 use crate::states::State;
 use crate::steps::{Heard, Steps};
@@ -212,12 +212,12 @@ impl<'a> Instant<'a> {
         let mut expected = vec![0.0; sensors];
         for (belief, senses) in &self.pairs {
             for (body, senses) in senses.iter().enumerate().filter(|(_, senses)| senses.states().len() > 1) {
-                let chances = belief.alone(body);
-                for (sensor, expected) in expected.iter_mut().enumerate() {
-                    let rates = senses.rate(sensor, Said::On);
-                    let of = |(chance, &state): (&f32, &u32)| chance * rates[state as usize];
-                    *expected += chances.iter().zip(&belief.states[body]).map(of).sum::<f32>();
+                let mut of_body = vec![0.0; sensors];
+                for (chance, &state) in belief.alone(body).into_iter().zip(&belief.states[body]) {
+                    let rates = senses.on_rates(state);
+                    of_body.iter_mut().zip(rates).for_each(|(sum, rate)| *sum += chance * rate);
                 }
+                expected.iter_mut().zip(of_body).for_each(|(sum, own)| *sum += own);
             }
         }
         expected
