@@ -62,14 +62,10 @@ pub fn translate(
     let Some(first) = bodies.first() else { return };
     let nobody = first.nobody();
     let mut smoother = Smoother::new(bodies, &nobody, Steps::new(&first.timing, spells));
-    for message in messages {
-        smoother.steps.hear(&message);
-        while smoother.steps.len() >= BLOCK + AHEAD {
-            smoother.smooth(BLOCK, &mut tell);
-        }
-    }
-    smoother.steps.go_on(end, None);
-    smoother.smooth(usize::MAX, &mut tell);
+    messages.into_iter().for_each(|message| {
+        smoother.hear(&message, &mut tell);
+    });
+    smoother.end(end, &mut tell);
 }
 
 /// Asks the same as time goes on, and tells at once, by what was said until then: of each instant, in order of time, with the
@@ -156,7 +152,8 @@ fn go_on(pairs: &mut [Pair], steps: &Steps, number: usize) {
     pairs.iter_mut().zip(expected).for_each(|(pair, own)| pair.hear(heard, (all - own).max(0.0)));
 }
 
-struct Smoother<'a> {
+/// Asks of messages, one by one, where people were.
+pub(crate) struct Smoother<'a> {
     pairs: Vec<Pair<'a>>,
     /// Who may visit the first of the pairs, who lives alone.
     visits: Option<Visits<'a>>,
@@ -166,12 +163,30 @@ struct Smoother<'a> {
 }
 
 impl<'a> Smoother<'a> {
-    fn new(bodies: &'a [Senses], nobody: &'a Senses, steps: Steps<'a>) -> Smoother<'a> {
+    /// For these bodies; `nobody` is [`Senses::nobody`] of the first.
+    pub fn new(bodies: &'a [Senses], nobody: &'a Senses, steps: Steps<'a>) -> Smoother<'a> {
         let (residents, visits) = match bodies {
             [alone, guest] if guest.visits && !alone.visits => (&bodies[..1], Some(Visits::new([alone, guest]))),
             all => (all, None),
         };
         Smoother { pairs: in_pairs(residents, nobody), visits, steps, gone: 0 }
+    }
+
+    /// Takes the next message. The answer is true where a block was full, of which `tell` has heard.
+    pub fn hear(&mut self, message: &Message, tell: &mut impl FnMut(Instant)) -> bool {
+        self.steps.hear(message);
+        let mut is_told = false;
+        while self.steps.len() >= BLOCK + AHEAD {
+            self.smooth(BLOCK, tell);
+            is_told = true;
+        }
+        is_told
+    }
+
+    /// Tells of all that is left until an instant.
+    pub fn end(&mut self, end: Micros, tell: &mut impl FnMut(Instant)) {
+        self.steps.go_on(end, None);
+        self.smooth(usize::MAX, tell);
     }
 
     /// Tells of the first steps, and forgets them.
