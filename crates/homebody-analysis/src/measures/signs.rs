@@ -36,7 +36,9 @@ pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms) -> Vec<Sign> {
             is_seen: kinds[sensor] == Kind::Motion,
         })
     };
-    rows.iter().filter_map(sign).collect()
+    let mut signs = Vec::with_capacity(rows.len());
+    signs.extend(rows.iter().filter_map(sign));
+    signs
 }
 
 /// Whether such a row of a sensor of this kind is a sign of the resident.
@@ -53,24 +55,29 @@ pub fn gives_signs(kind: Kind, said: &Said) -> bool {
 /// is the sensor's own room.
 pub fn agreed(signs: &[Sign]) -> Vec<Sign> {
     let (mut from, mut to) = (0, 0);
+    // The signs of one room around the current one.
+    let mut of_room = 0..0;
     let mut agreed = Vec::with_capacity(signs.len());
     // The sensors that speak, with their rooms; and by room, how many do.
     let (mut sensors, mut speaking): (Vec<(usize, usize)>, Vec<(usize, usize)>) = Default::default();
-    for sign in signs {
+    for (number, sign) in signs.iter().enumerate() {
+        if number == of_room.end {
+            let others = signs[number..].iter().position(|other| other.room != sign.room);
+            of_room = number..others.map_or(signs.len(), |others| number + others);
+        }
         while signs[from].at < sign.at - TOGETHER {
             from += 1;
         }
         while signs.get(to).is_some_and(|other| other.at <= sign.at + TOGETHER) {
             to += 1;
         }
-        let together = &signs[from..to];
-        if together.iter().all(|other| other.room == sign.room) {
+        if of_room.start <= from && to <= of_room.end {
             agreed.push(*sign);
             continue;
         }
         sensors.clear();
         speaking.clear();
-        for other in together {
+        for other in &signs[from..to] {
             if sensors.contains(&(other.room, other.sensor)) {
                 continue;
             }
