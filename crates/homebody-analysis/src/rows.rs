@@ -1,6 +1,6 @@
 //! Rows of a log, taken one by one: the meaning of each, and the spans that they open and close. Nothing here keeps all rows.
 
-use crate::signs::{Kind, Meanings, Said, Says, Tally, taken_by};
+use crate::signs::{Beforehand, Kind, Meanings, Said, Says, Tally};
 use homebody_core::time::Micros;
 use homebody_log::{Event, Log};
 
@@ -18,6 +18,7 @@ pub struct Row {
 /// Counts of the rows of each sensor so far, by their look.
 pub struct Tallies {
     meanings: Meanings,
+    beforehand: Beforehand,
     tallies: Vec<Tally>,
     gaps: Vec<Span>,
 }
@@ -26,7 +27,7 @@ impl Tallies {
     /// For a log before its first row.
     pub fn new(log: &Log) -> Tallies {
         let tallies = vec![Tally::default(); log.sensors.len()];
-        Tallies { meanings: Meanings::of(log), tallies, gaps: log.gaps.clone() }
+        Tallies { meanings: Meanings::of(log), beforehand: Beforehand::of(log), tallies, gaps: log.gaps.clone() }
     }
 
     /// Takes a row, in the order of time. Returns the row if it says something other than a number.
@@ -37,8 +38,9 @@ impl Tallies {
     }
 
     /// The kinds of the log's sensors, by all that is known of them and by the rows so far.
-    pub fn kinds(&self, log: &Log) -> Vec<Kind> {
-        taken_by(log, &self.tallies.iter().collect::<Vec<_>>()).into_iter().map(|taken| taken.kind).collect()
+    pub fn kinds(&self) -> Vec<Kind> {
+        let taken = self.beforehand.taken(&self.tallies.iter().collect::<Vec<_>>());
+        taken.into_iter().map(|taken| taken.kind).collect()
     }
 }
 

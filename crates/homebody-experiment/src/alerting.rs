@@ -145,7 +145,7 @@ pub fn quality(people: &[Watched], rules: &Rules, days: u32) -> Quality {
             rows.extend(row.filter(|row| row.sensitivity > 0.0));
         }
     }
-    let swept = swept(people, rules);
+    let swept: Vec<(f64, Vec<Told>)> = swept(people, rules).collect();
     let curve = |condition: &&'static str| Curve {
         condition: (*condition).to_owned(),
         points: swept.iter().map(|(k_sd, told)| point(people, told, *k_sd, Some(condition))).collect(),
@@ -173,15 +173,15 @@ fn told(measures: &Measures, rules: &Rules) -> Told {
     of_somebody.map(|alert| (number(alert.date), alert.rule)).collect()
 }
 
-/// What is told with each of the numbers of standard deviations.
-fn swept(people: &[Watched], rules: &Rules) -> Vec<(f64, Vec<Told>)> {
-    let with = |k_sd: f64| {
+/// The alerts with each of the numbers of standard deviations, the least first.
+fn swept(people: &[Watched], rules: &Rules) -> impl Iterator<Item = (f64, Vec<Told>)> {
+    let with = move |k_sd: f64| {
         let mut rules = rules.clone();
         rules.rules.iter_mut().for_each(|rule| rule.k_sd = k_sd);
         rules.several = rules.several.map(|several| Several { k_sd: k_sd - 1.0, ..several });
         (k_sd, people.iter().map(|watched| told(watched.measures, &rules)).collect())
     };
-    SWEEP.into_iter().map(with).collect()
+    SWEEP.into_iter().map(with)
 }
 
 fn point(people: &[Watched], told: &[Told], k_sd: f64, condition: Option<&str>) -> Point {
@@ -212,12 +212,16 @@ pub struct Adequacy {
 
 /// How soon people are found by what was measured of them.
 pub fn adequacy(people: &[Watched], rules: &Rules) -> Adequacy {
-    let swept = swept(people, rules);
     let of = |told: &[Told]| false_alarms_of(people, told, "any").0;
-    let bearable = swept.iter().find(|(_, told)| of(told) <= BEARABLE_PER_WEEK);
-    let (k_sd, told) = bearable.unwrap_or(&swept[swept.len() - 1]);
+    let (mut k_sd, mut told) = Default::default();
+    for with_more in swept(people, rules) {
+        (k_sd, told) = with_more;
+        if of(&told) <= BEARABLE_PER_WEEK {
+            break;
+        }
+    }
     let days = |condition: &'static str| -> Vec<f64> {
-        let firsts = firsts(people, told, Some(condition), "any");
+        let firsts = firsts(people, &told, Some(condition), "any");
         firsts.into_iter().map(|first| first.unwrap_or(WITHIN).min(WITHIN) as f64).collect()
     };
     let by_condition: Vec<(&str, Vec<f64>)> =
@@ -225,8 +229,8 @@ pub fn adequacy(people: &[Watched], rules: &Rules) -> Adequacy {
     let by_person: Vec<f64> = by_condition.iter().flat_map(|(_, days)| days.iter().copied()).collect();
     let found = by_person.iter().filter(|days| **days < WITHIN as f64).count();
     Adequacy {
-        k_sd: *k_sd,
-        false_alarms_per_week: of(told),
+        k_sd,
+        false_alarms_per_week: of(&told),
         found: found as f64 / by_person.len().max(1) as f64,
         days: mean(&by_person),
         by_condition: by_condition.iter().map(|(name, days)| ((*name).to_owned(), mean(days))).collect(),

@@ -113,6 +113,8 @@ pub struct LoggedLife {
     life: Life,
     beside: Beside,
     rooms: BTreeMap<String, String>,
+    /// By sensor, the places of its rows in the log.
+    of_sensors: Vec<Vec<u32>>,
     /// How far it is from sensor to sensor, where that is asked for.
     ways: Option<Ways>,
     recorded: Range<Micros>,
@@ -133,12 +135,16 @@ impl LoggedLife {
     ///
     /// If the home cannot be lived in.
     pub fn live(home: &Home, seed: u64, days: u32) -> Result<LoggedLife, NotMeasured> {
-        let Lived { log, life, beside } = lived(home, seed, i64::from(days) * DAY)?;
+        let Lived { mut log, life, beside } = lived(home, seed, i64::from(days) * DAY)?;
+        log.events.sort_by_key(|event| event.at);
+        let mut of_sensors = vec![Vec::new(); log.sensors.len()];
+        (0..).zip(&log.events).for_each(|(place, event)| of_sensors[event.sensor as usize].push(place));
         let sensors = home.scenario.home.placed_sensors();
         let room = |sensor: &Sensor| Some((sensor.name.clone(), sensor.info(home.scenario.home.plan()).room?));
         let begin = midnight(home.scenario.calendar.local(0).date());
         let rooms = sensors.iter().filter_map(room).collect();
-        Ok(LoggedLife { log, life, beside, rooms, ways: None, recorded: begin..begin + i64::from(days) * DAY })
+        let recorded = begin..begin + i64::from(days) * DAY;
+        Ok(LoggedLife { log, life, beside, rooms, of_sensors, ways: None, recorded })
     }
 
     /// Measures of the days by the log.
@@ -156,17 +162,17 @@ impl LoggedLife {
     ///
     /// If none of them looks for motion.
     pub fn heard_by(&self, keep: &dyn Fn(&str) -> bool) -> Result<Measures, NotMeasured> {
-        let kept: Vec<&String> = self.log.sensors.iter().filter(|sensor| keep(sensor)).collect();
-        let mut next = 0..;
-        let numbers: Vec<Option<u32>> =
-            self.log.sensors.iter().map(|sensor| keep(sensor).then(|| next.next()).flatten()).collect();
-        let of_kept = |event: &Event| numbers[event.sensor as usize].map(|sensor| Event { sensor, ..*event });
-        let log = Log {
-            sensors: kept.into_iter().cloned().collect(),
-            values: self.log.values.clone(),
-            events: self.log.events.iter().filter_map(of_kept).collect(),
-            ..Log::default()
-        };
+        let (mut sensors, mut rows): (Vec<String>, Vec<(u32, u32)>) = Default::default();
+        for (name, places) in self.log.sensors.iter().zip(&self.of_sensors).filter(|(name, _)| keep(name)) {
+            let sensor = sensors.len() as u32;
+            rows.extend(places.iter().map(|&place| (place, sensor)));
+            sensors.push(name.clone());
+        }
+        // Those of each sensor are in order, so that a stable sort merges them.
+        rows.sort();
+        let event = |&(place, sensor): &(u32, u32)| Event { sensor, ..self.log.events[place as usize] };
+        let (values, events) = (self.log.values.clone(), rows.iter().map(event).collect());
+        let log = Log { sensors, values, events, ..Log::default() };
         self.heard_of(&log)
     }
 

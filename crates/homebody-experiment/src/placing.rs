@@ -25,6 +25,7 @@ use homebody_core::scenario::home::{FurnitureFile, HomeFile, SensorFile};
 use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::json;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A sensor on a wall hangs so far from the corner along each wall, and so high (ours).
 const FROM_CORNER_M: f64 = 0.15;
@@ -156,6 +157,9 @@ pub enum Trying {
     Another,
 }
 
+/// How much layouts tell, by their sensors in order of name: the score, and each goal.
+type Known = BTreeMap<Vec<String>, (f64, Vec<Reached>)>;
+
 /// The best, and of those that are as good the first.
 fn best_of(layouts: Vec<Layout>) -> Option<Layout> {
     layouts.into_iter().reduce(|best, other| if other.score > best.score { other } else { best })
@@ -191,7 +195,7 @@ impl Trial<'_> {
     /// tells more. `told` hears what is tried next, and of how many sensors there are by now. The search is given up where
     /// it answers no.
     pub fn best(&self, candidates: &[String], count: usize, told: &dyn Fn(Trying, usize) -> bool) -> Option<Placed> {
-        let coverage = self.coverage();
+        let (coverage, mut known) = (self.coverage(), Known::new());
         let count = count.min(candidates.len());
         let mut steps: Vec<Layout> = Vec::new();
         while steps.len() < count {
@@ -204,7 +208,7 @@ impl Trial<'_> {
             let with = |names: &[&String]| {
                 [&before[..], &names.iter().map(|name| (*name).clone()).collect::<Vec<_>>()].concat()
             };
-            let mut ones = self.all(left.iter().map(|name| with(&[name])).collect(), &coverage);
+            let mut ones = self.all(left.iter().map(|name| with(&[name])).collect(), &coverage, &mut known);
             // Of those that are as good, the first.
             ones.sort_by(|a, b| b.score.total_cmp(&a.score));
             if ones.first().is_some_and(|one| one.score <= score + ADDS) && steps.len() + 2 <= count {
@@ -213,7 +217,7 @@ impl Trial<'_> {
                 }
                 let best: Vec<&String> = ones.iter().take(PAIRED).filter_map(|one| one.sensors.last()).collect();
                 let pairs = (0..best.len()).flat_map(|a| (a + 1..best.len()).map(move |b| (a, b)));
-                let twos = self.all(pairs.map(|(a, b)| with(&[best[a], best[b]])).collect(), &coverage);
+                let twos = self.all(pairs.map(|(a, b)| with(&[best[a], best[b]])).collect(), &coverage, &mut known);
                 let two = best_of(twos).filter(|two| two.score > score + ADDS);
                 let one =
                     |two: &Layout| ones.iter().find(|one| one.sensors[..] == two.sensors[..two.sensors.len() - 1]);
@@ -228,7 +232,7 @@ impl Trial<'_> {
             }
             steps.push(ones.swap_remove(0));
         }
-        let swapped = self.swaps(&steps, candidates, &coverage, told)?;
+        let swapped = self.swaps(&steps, candidates, (&coverage, &mut known), told)?;
         Some(Placed { steps, swapped })
     }
 
@@ -237,7 +241,7 @@ impl Trial<'_> {
         &self,
         steps: &[Layout],
         candidates: &[String],
-        coverage: &Coverage,
+        (coverage, known): (&Coverage, &mut Known),
         told: &dyn Fn(Trying, usize) -> bool,
     ) -> Option<Vec<Swap>> {
         let mut swaps: Vec<Swap> = Vec::new();
@@ -254,7 +258,7 @@ impl Trial<'_> {
                 sensors[place].clone_from(name);
                 sensors
             };
-            let tried = self.all(tries.iter().map(instead).collect(), coverage);
+            let tried = self.all(tries.iter().map(instead).collect(), coverage, known);
             let best = best_of(tried).filter(|best| best.score > layout.score + ADDS);
             let Some(best) = best else { break };
             let place = (0..best.sensors.len()).find(|&place| best.sensors[place] != layout.sensors[place]);
@@ -264,9 +268,25 @@ impl Trial<'_> {
         Some(swaps)
     }
 
-    /// How much each of some layouts tells, in their order.
-    fn all(&self, layouts: Vec<Vec<String>>, coverage: &Coverage) -> Vec<Layout> {
-        layouts.into_par_iter().map(|sensors| self.layout(sensors, coverage)).collect()
+    /// How much each of some layouts tells, in their order. The same sensors tell the same in whatever order.
+    fn all(&self, layouts: Vec<Vec<String>>, coverage: &Coverage, known: &mut Known) -> Vec<Layout> {
+        let sorted = |sensors: &[String]| {
+            let mut sensors = sensors.to_vec();
+            sensors.sort_unstable();
+            sensors
+        };
+        let new = layouts.iter().map(|sensors| sorted(sensors)).filter(|sensors| !known.contains_key(sensors));
+        let new: BTreeSet<Vec<String>> = new.collect();
+        let found = new.into_par_iter().map(|sensors| {
+            let Layout { score, goals, .. } = self.layout(sensors.clone(), coverage);
+            (sensors, (score, goals))
+        });
+        known.par_extend(found);
+        let layout = |sensors: Vec<String>| {
+            let (score, goals) = known.get(&sorted(&sensors))?.clone();
+            Some(Layout { sensors, score, goals })
+        };
+        layouts.into_iter().filter_map(layout).collect()
     }
 
     /// How much some of the sensors tell.

@@ -88,9 +88,18 @@ fn sum(all: &[f32]) -> f32 {
     rest + sums.iter().sum::<f32>()
 }
 
-/// The largest of numbers that are none below nothing.
-fn largest(all: impl Iterator<Item = f32>) -> f32 {
-    all.fold(0.0, |most, one| if one > most { one } else { most })
+/// The largest of what pairs of numbers come to, which is never below nothing.
+fn largest(all: &[f32], others: &[f32], of: impl Fn(f32, f32) -> f32) -> f32 {
+    let larger = |most: f32, one: f32| if one > most { one } else { most };
+    let mut most = [0.0; PARTS];
+    let (all, others) = (all.chunks_exact(PARTS), others.chunks_exact(PARTS));
+    let rest = all.remainder().iter().zip(others.remainder()).fold(0.0, |most, (&a, &b)| larger(most, of(a, b)));
+    for (all, others) in all.zip(others) {
+        for ((most, &a), &b) in most.iter_mut().zip(all).zip(others) {
+            *most = larger(*most, of(a, b));
+        }
+    }
+    most.into_iter().fold(rest, larger)
 }
 
 /// The states that count, of chances by state: from a part of the best on, and the best of too many. Where something is said
@@ -98,7 +107,7 @@ fn largest(all: impl Iterator<Item = f32>) -> f32 {
 pub(crate) fn likely(chances: &[f32], (most, part): (usize, f32), said: Option<(&[f32], f32)>, likely: &mut Vec<u32>) {
     likely.clear();
     let all = || (0..).zip(chances);
-    let least = largest(chances.iter().copied()) * part;
+    let least = largest(chances, chances, |chance, _| chance) * part;
     let counts = all().filter(|(_, chance)| **chance > least).map(|(state, _)| state);
     match said {
         None => {
@@ -108,10 +117,13 @@ pub(crate) fn likely(chances: &[f32], (most, part): (usize, f32), said: Option<(
         Some((rates, of_nothing)) => {
             let then = |state: u32| chances[state as usize] * (rates[state as usize] + of_nothing);
             let all_then = || chances.iter().zip(rates).map(|(chance, rate)| chance * (rate + of_nothing));
-            let least_then = largest(all_then()) * part;
+            let least_then = largest(chances, rates, |chance, rate| chance * (rate + of_nothing)) * part;
             let counts_then = |(_, then): &(u32, f32)| *then > least_then;
             let too_many = |count: usize| count > most;
-            if too_many(counts.clone().count()) || too_many((0..).zip(all_then()).filter(counts_then).count()) {
+            let may_be = too_many(chances.len());
+            if may_be
+                && (too_many(counts.clone().count()) || too_many((0..).zip(all_then()).filter(counts_then).count()))
+            {
                 let mut before: Vec<u32> = counts.collect();
                 best(&mut before, most, |state| chances[state as usize]);
                 likely.extend((0..).zip(all_then()).filter(counts_then).map(|(state, _)| state));

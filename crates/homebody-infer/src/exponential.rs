@@ -9,12 +9,15 @@ pub(crate) fn exp(exponent: f32) -> f32 {
     /// A float of this size has no digits after the point: adding it rounds.
     const ROUNDS: f32 = 12_582_912.0;
     let exponent = exponent.clamp(-87.0, 88.0);
-    let whole = (exponent * LOG2_E + ROUNDS) - ROUNDS;
+    let rounded = exponent * LOG2_E + ROUNDS;
+    let whole = rounded - ROUNDS;
     let rest = exponent - whole * LN_2_HIGH - whole * LN_2_LOW;
     // The series of the rest, which is at most half of the logarithm of 2 on either side of nothing.
     let series = [1.0 / 720.0, 1.0 / 120.0, 1.0 / 24.0, 1.0 / 6.0, 0.5, 1.0, 1.0];
     let value = series.into_iter().fold(0.0, |value, next| value * rest + next);
-    value * f32::from_bits(((whole as i32 + 127) as u32) << 23)
+    // The last bits of what is rounded are the whole number: taking them is quicker than to convert it.
+    let whole = rounded.to_bits().wrapping_sub(ROUNDS.to_bits());
+    value * f32::from_bits(whole.wrapping_add(127) << 23)
 }
 
 #[cfg(test)]

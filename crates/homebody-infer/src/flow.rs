@@ -5,6 +5,7 @@
 //! somebody is after `t` seconds in which nothing is said, where `Q` has the rates of the turns and `L`, on its diagonal, the
 //! rates at which something would have been said.
 
+use crate::exponential::exp;
 use crate::states::{Kind, States};
 
 /// Matrices for spans that grow by the square root of two.
@@ -13,8 +14,8 @@ pub(crate) struct Flow {
     states: usize,
     /// By span: where from, where to, row by row.
     steps: Vec<Vec<f32>>,
-    /// By state: how fast the chance of staying falls when nothing is said, a second; negative.
-    falls: Vec<f64>,
+    /// The chance of staying in a state for a whole span in silence, by span and state: first its logarithm, then itself.
+    stays: Vec<Vec<(f32, f32)>>,
 }
 
 /// The shortest span, in seconds.
@@ -46,7 +47,7 @@ impl Flow {
         // All grows unlikely at least so fast; what is common to all states says nothing.
         let least = silence.iter().copied().fold(f64::INFINITY, f64::min);
         (0..size).for_each(|state| rates[state][state] += least);
-        let falls = (0..size).map(|state| rates[state][state]).collect();
+        let falls: Vec<f64> = (0..size).map(|state| rates[state][state]).collect();
         let first = exponential(&rates, SHORTEST_S);
         let second = exponential(&rates, SHORTEST_S * std::f64::consts::SQRT_2);
         let mut steps = vec![first, second];
@@ -55,7 +56,7 @@ impl Flow {
             steps.push(product(half, half, size));
         }
         let steps = steps.into_iter().map(|step| step.into_iter().map(|one| one as f32).collect()).collect();
-        Flow { states: size, steps, falls }
+        Flow { states: size, steps, stays: stays(&falls) }
     }
 
     /// The number of the span that comes nearest.
@@ -75,15 +76,24 @@ impl Flow {
         &self.steps[span][state as usize * self.states..][..self.states]
     }
 
-    /// The logarithm of the chance of staying in a state for the whole span.
-    pub fn stays(&self, span: usize, state: u32) -> f32 {
-        (self.falls[state as usize] * Flow::span_s(span)) as f32
+    /// For each state, the logarithm of the chance of staying there for the whole span. Then that chance.
+    pub fn stays(&self, span: usize) -> &[(f32, f32)] {
+        &self.stays[span]
     }
 
     /// Of nobody, who is always in the one state.
     pub fn nobody() -> Flow {
-        Flow { states: 1, steps: vec![vec![1.0]; SPANS], falls: vec![0.0] }
+        Flow { states: 1, steps: vec![vec![1.0]; SPANS], stays: stays(&[0.0]) }
     }
+}
+
+/// The chances of staying, from how fast the logarithm of each falls a second; negative.
+fn stays(falls: &[f64]) -> Vec<Vec<(f32, f32)>> {
+    let of = |span: usize, fall: f64| {
+        let usual = (fall * Flow::span_s(span)) as f32;
+        (usual, exp(usual))
+    };
+    (0..SPANS).map(|span| falls.iter().map(|&fall| of(span, fall)).collect()).collect()
 }
 
 /// How often a second somebody turns from a state to another.

@@ -2,8 +2,9 @@
 
 use crate::learn::Senses;
 use crate::said::Message;
-use crate::smooth::translate;
+use crate::smooth::{Instant, Smoother};
 use crate::spells::{Ill, Spell, spells};
+use crate::steps::Steps;
 use crate::watch::{Day, Watch};
 use homebody_core::geometry::Point;
 use homebody_core::time::{DAY, Micros};
@@ -91,8 +92,19 @@ pub struct Examination<'a> {
     /// By sensor, its messages.
     own: Vec<Vec<Message>>,
     spells: Vec<Spell>,
+    /// By pass: the same, and those of the sensors that it leaves out.
+    spells_of: Vec<Vec<Spell>>,
     /// The sensors that notice people.
     feel: Vec<usize>,
+    nobody: Senses,
+}
+
+/// A pass that has begun.
+pub struct Pass<'a> {
+    messages: std::slice::Iter<'a, Message>,
+    end: Micros,
+    smoother: Smoother<'a>,
+    watch: Watch<'a>,
 }
 
 /// The days of each sensor that one pass counted.
@@ -107,26 +119,24 @@ impl<'a> Examination<'a> {
         let sensors = bodies.first()?.timing.len();
         let mut own = vec![Vec::new(); sensors];
         messages.iter().for_each(|message| own[message.sensor].push(*message));
-        let feel = (0..sensors).filter(|&sensor| bodies[0].timing[sensor].feels).collect();
-        Some(Examination { bodies, messages, end, own, spells: spells(messages.iter().copied(), sensors, end), feel })
+        let feel: Vec<usize> = (0..sensors).filter(|&sensor| bodies[0].timing[sensor].feels).collect();
+        let spells = spells(messages.iter().copied(), sensors, end);
+        let dead = |sensor: usize| Spell { sensor, from: 0, to: end, ill: Ill::Dead };
+        let of_pass = |pass: usize| spells.iter().copied().chain(left_out(&feel, pass).into_iter().map(dead)).collect();
+        let spells_of = (0..Examination::PASSES).map(of_pass).collect();
+        let nobody = bodies[0].nobody();
+        Some(Examination { bodies, messages, end, own, spells, spells_of, feel, nobody })
     }
 
-    /// The sensors that a pass leaves out.
-    fn left_out(&self, pass: usize) -> Vec<usize> {
-        let of_part = |part: usize| self.feel.iter().copied().skip(part).step_by(PARTS).collect();
-        pass.checked_sub(1).map(of_part).unwrap_or_default()
-    }
-
-    /// Runs one pass. `progress` gets the share of it that is done, from 0 to 1.
-    pub fn pass(&self, pass: usize, mut progress: impl FnMut(f64)) -> Counted {
-        let dead = |sensor: usize| Spell { sensor, from: 0, to: self.end, ill: Ill::Dead };
-        let spells: Vec<Spell> = self.spells.iter().copied().chain(self.left_out(pass).into_iter().map(dead)).collect();
-        let mut watch = Watch::new(&self.bodies[0].timing, &self.own);
-        translate(self.bodies, &spells, self.messages.iter().copied(), self.end, |instant| {
-            watch.see(&instant);
-            progress(instant.at as f64 / self.end.max(1) as f64);
-        });
-        Counted(watch.finish())
+    /// Begins one pass.
+    pub fn pass(&self, pass: usize) -> Pass<'_> {
+        let timing = &self.bodies[0].timing;
+        Pass {
+            messages: self.messages.iter(),
+            end: self.end,
+            smoother: Smoother::new(self.bodies, &self.nobody, Steps::new(timing, &self.spells_of[pass])),
+            watch: Watch::new(timing, &self.own),
+        }
     }
 
     /// The findings of all passes, in order of time.
@@ -149,7 +159,7 @@ impl<'a> Examination<'a> {
         }
         let mut clocks = Vec::new();
         for (part, Counted(of_others)) in others.iter().enumerate() {
-            for sensor in self.left_out(part + 1) {
+            for sensor in left_out(&self.feel, part + 1) {
                 let days = &of_others[sensor];
                 clocks.extend(clock(days).map(|ailment| Finding { sensor, from: 0, to: self.end, ailment }));
                 let is_doubtful = findings.iter().any(|finding| finding.sensor == sensor);
@@ -166,8 +176,40 @@ impl<'a> Examination<'a> {
 /// Examines the sensors of a log, one pass after the other.
 pub fn health(bodies: &[Senses], messages: &[Message], end: Micros) -> Vec<Finding> {
     let Some(examination) = Examination::new(bodies, messages, end) else { return Vec::new() };
-    let passes: Vec<Counted> = (0..Examination::PASSES).map(|pass| examination.pass(pass, |_| ())).collect();
-    examination.findings(&passes)
+    let counted = |pass: usize| {
+        let mut pass = examination.pass(pass);
+        while pass.go_on().is_some() {}
+        pass.counted()
+    };
+    examination.findings(&(0..Examination::PASSES).map(counted).collect::<Vec<Counted>>())
+}
+
+/// The sensors that a pass leaves out, of those that notice people.
+fn left_out(feel: &[usize], pass: usize) -> Vec<usize> {
+    let of_part = |part: usize| feel.iter().copied().skip(part).step_by(PARTS).collect();
+    pass.checked_sub(1).map(of_part).unwrap_or_default()
+}
+
+impl Pass<'_> {
+    /// Goes on by some thousands of instants: the share of the log that is done, from 0 to 1; `None` at its end.
+    pub fn go_on(&mut self) -> Option<f64> {
+        let Pass { messages, end, smoother, watch } = self;
+        let mut done = 0;
+        let mut see = |instant: Instant| {
+            watch.see(&instant);
+            done = instant.at;
+        };
+        if messages.any(|message| smoother.hear(message, &mut see)) {
+            return Some(done as f64 / (*end).max(1) as f64);
+        }
+        smoother.end(*end, &mut see);
+        None
+    }
+
+    /// The days of each sensor, once it is at its end.
+    pub fn counted(self) -> Counted {
+        Counted(self.watch.finish())
+    }
 }
 
 impl Finding {

@@ -50,6 +50,8 @@ pub struct Senses {
     pub(crate) timing: Vec<Timing>,
     /// By channel and state: messages a second while the sensor can say so.
     pub(crate) rates: Vec<Vec<f32>>,
+    /// By state, how often each sensor says ON: the same numbers.
+    on_rates: Vec<f32>,
     /// By channel: the states in which it was heard, and by how much more often than what comes of nothing.
     heard_of: Vec<Vec<(u32, f32)>>,
     pub(crate) flow: Flow,
@@ -147,7 +149,8 @@ impl Senses {
         let counted = Counted { time_s: counts.time_s, turns: counts.turns };
         let flow = counted.flow(&states, &rates, OUT_S);
         let heard_of = rates.iter().map(|rates| heard_of(rates)).collect();
-        Ok(Senses { states, timing, rates, heard_of, flow, counted, visits: false })
+        let on_rates = on_rates(&rates, states.len());
+        Ok(Senses { states, timing, rates, on_rates, heard_of, flow, counted, visits: false })
     }
 
     /// The same for a body that is seldom at home: somebody who visits.
@@ -161,16 +164,23 @@ impl Senses {
         // Whether what feels somebody is over depends on the other alone.
         let is_over = |channel: usize| channel % KINDS == Said::Off as usize && self.timing[channel / KINDS].feels;
         let of = |channel: usize| if is_over(channel) { f32::MAX } else { 0.0 };
-        let rates = (0..self.rates.len()).map(|channel| vec![of(channel)]).collect();
+        let rates: Vec<Vec<f32>> = (0..self.rates.len()).map(|channel| vec![of(channel)]).collect();
         let counted = Counted { time_s: Vec::new(), turns: Vec::new() };
         let (states, timing) = (States::nobody(), self.timing.clone());
         let heard_of = vec![Vec::new(); self.rates.len()];
-        Senses { states, timing, rates, heard_of, flow: Flow::nobody(), counted, visits: false }
+        let on_rates = on_rates(&rates, 1);
+        Senses { states, timing, rates, on_rates, heard_of, flow: Flow::nobody(), counted, visits: false }
     }
 
     /// How often a sensor says something, in messages a second while it can: by state.
     pub(crate) fn rate(&self, sensor: usize, said: Said) -> &[f32] {
         &self.rates[channel(sensor, said)]
+    }
+
+    /// How often each sensor says ON in a state.
+    pub(crate) fn on_rates(&self, state: u32) -> &[f32] {
+        let sensors = self.timing.len();
+        &self.on_rates[state as usize * sensors..][..sensors]
     }
 
     /// In which states a sensor says something, and by how much more often a second than of nothing.
@@ -197,6 +207,12 @@ impl Senses {
     pub fn states(&self) -> &States {
         &self.states
     }
+}
+
+/// How often each sensor says ON, state by state.
+fn on_rates(rates: &[Vec<f32>], states: usize) -> Vec<f32> {
+    let of = |state: usize| (0..rates.len() / KINDS).map(move |sensor| rates[channel(sensor, Said::On)][state]);
+    (0..states).flat_map(of).collect()
 }
 
 /// In which states something is said, by how often it is in each. What comes of nothing is the same in all others.

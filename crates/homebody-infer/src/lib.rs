@@ -29,7 +29,7 @@ mod turns;
 mod visits;
 mod watch;
 
-pub use health::{Ailment, Counted, Examination, Finding, health};
+pub use health::{Ailment, Counted, Examination, Finding, Pass, health};
 pub use learn::{NotLearnt, Senses};
 pub use said::{Message, Said};
 pub use smooth::{Chances, Follower, Guess, Instant, follow, translate};

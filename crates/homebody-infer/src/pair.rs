@@ -8,7 +8,7 @@ use crate::exponential::exp;
 use crate::learn::Senses;
 use crate::said::Said;
 use crate::steps::{Heard, Steps, Unusual};
-use crate::turns::{Between, Turns, turned_over};
+use crate::turns::{Between, Odd, Turns, turned_over};
 
 /// Whatever is said may have come of nothing, in whatever state (ours).
 const OF_NOTHING: f32 = 3e-6;
@@ -27,6 +27,8 @@ pub(crate) struct Pair<'a> {
     pub before: Belief,
     /// After each step, by what was said so far; then, of those that are told, by all.
     pub beliefs: Vec<Belief>,
+    /// For each step and body, the states whose span is not as usual.
+    odd: Vec<[Vec<Odd>; 2]>,
     /// By step: how often others than these two would have said what was said.
     others: Vec<f32>,
     /// The logarithm of how likely all was that was said so far, and left unsaid.
@@ -49,8 +51,9 @@ struct Work {
     all: [Vec<f32>; 2],
     half: Vec<f32>,
     over: Vec<f32>,
-    /// Beliefs of steps that are done with.
+    /// Memory of steps that are done with.
     spare: Vec<Belief>,
+    spare_odd: Vec<[Vec<Odd>; 2]>,
 }
 
 impl<'a> Pair<'a> {
@@ -72,6 +75,7 @@ impl<'a> Pair<'a> {
             senses,
             before,
             beliefs: Vec::new(),
+            odd: Vec::new(),
             others: Vec::new(),
             evidence: 0.0,
             evidence_before: 0.0,
@@ -86,6 +90,7 @@ impl<'a> Pair<'a> {
                 half: Vec::new(),
                 over: Vec::new(),
                 spare: Vec::new(),
+                spare_odd: Vec::new(),
             },
         }
     }
@@ -100,6 +105,8 @@ impl<'a> Pair<'a> {
         let step = steps.get(number);
         let unusual = steps.unusual(number);
         let mut belief = self.work.spare.pop().unwrap_or_default();
+        let mut odd = self.work.spare_odd.pop().unwrap_or_default();
+        odd.iter_mut().for_each(Vec::clear);
         match step.span {
             None => belief.clone_from(self.last()),
             Some(span) => {
@@ -108,8 +115,10 @@ impl<'a> Pair<'a> {
                 self.ends(&mut from, unusual);
                 self.after(&from, (span, unusual), step.said, &mut belief);
                 self.work.from = from;
+                odd.iter_mut().zip(&self.work.turns).for_each(|(odd, turns)| odd.extend_from_slice(turns.odd()));
             }
         }
+        self.odd.push(odd);
         self.ends(&mut belief, unusual);
         self.evidence += belief.normalise();
         self.beliefs.push(belief);
@@ -265,13 +274,11 @@ impl<'a> Pair<'a> {
             Some(span) => {
                 before.take_states(previous);
                 let Work { turns, between, half, over, .. } = &mut self.work;
-                let [first, second] = &mut *turns;
-                first.set(self.senses[0], span, unusual);
+                turns.iter_mut().zip(&self.odd[place]).for_each(|(turns, odd)| turns.set_again(span, odd));
                 if let ([_], [_]) = (&before.states[1][..], &after.states[1][..]) {
                     let states = (&after.states[0][..], &before.states[0][..]);
-                    first.back(self.senses[0], &after.chances, states, &mut before.chances);
+                    turns[0].back(self.senses[0], &after.chances, states, &mut before.chances);
                 } else {
-                    second.set(self.senses[1], span, unusual);
                     for body in 0..2 {
                         let (from, to) = (&before.states[body], &after.states[body]);
                         turns[body].between(self.senses[body], from, to, &mut between[body]);
@@ -295,6 +302,7 @@ impl<'a> Pair<'a> {
         let old = std::mem::replace(&mut self.before, before);
         self.work.spare.push(old);
         self.work.spare.extend(self.beliefs.drain(..steps));
+        self.work.spare_odd.extend(self.odd.drain(..steps));
         self.others.drain(..steps);
         self.evidences.drain(..steps);
     }

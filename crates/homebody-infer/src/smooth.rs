@@ -5,7 +5,7 @@
 use crate::belief::Belief;
 use crate::learn::Senses;
 use crate::pair::Pair;
-use crate::said::{Message, Said};
+use crate::said::Message;
 use crate::spells::Spell;
 use crate::states::State;
 use crate::steps::{Heard, Steps};
@@ -62,14 +62,10 @@ pub fn translate(
     let Some(first) = bodies.first() else { return };
     let nobody = first.nobody();
     let mut smoother = Smoother::new(bodies, &nobody, Steps::new(&first.timing, spells));
-    for message in messages {
-        smoother.steps.hear(&message);
-        while smoother.steps.len() >= BLOCK + AHEAD {
-            smoother.smooth(BLOCK, &mut tell);
-        }
-    }
-    smoother.steps.go_on(end, None);
-    smoother.smooth(usize::MAX, &mut tell);
+    messages.into_iter().for_each(|message| {
+        smoother.hear(&message, &mut tell);
+    });
+    smoother.end(end, &mut tell);
 }
 
 /// Asks the same as time goes on, and tells at once, by what was said until then: of each instant, in order of time, with the
@@ -156,7 +152,8 @@ fn go_on(pairs: &mut [Pair], steps: &Steps, number: usize) {
     pairs.iter_mut().zip(expected).for_each(|(pair, own)| pair.hear(heard, (all - own).max(0.0)));
 }
 
-struct Smoother<'a> {
+/// Asks of messages, one by one, where people were.
+pub(crate) struct Smoother<'a> {
     pairs: Vec<Pair<'a>>,
     /// Who may visit the first of the pairs, who lives alone.
     visits: Option<Visits<'a>>,
@@ -166,12 +163,30 @@ struct Smoother<'a> {
 }
 
 impl<'a> Smoother<'a> {
-    fn new(bodies: &'a [Senses], nobody: &'a Senses, steps: Steps<'a>) -> Smoother<'a> {
+    /// Begins with no message of these bodies; `nobody` is [`Senses::nobody`] of the first.
+    pub fn new(bodies: &'a [Senses], nobody: &'a Senses, steps: Steps<'a>) -> Smoother<'a> {
         let (residents, visits) = match bodies {
             [alone, guest] if guest.visits && !alone.visits => (&bodies[..1], Some(Visits::new([alone, guest]))),
             all => (all, None),
         };
         Smoother { pairs: in_pairs(residents, nobody), visits, steps, gone: 0 }
+    }
+
+    /// Takes the next message. It returns true where a block was full, of which `tell` has heard.
+    pub fn hear(&mut self, message: &Message, tell: &mut impl FnMut(Instant)) -> bool {
+        self.steps.hear(message);
+        let mut is_told = false;
+        while self.steps.len() >= BLOCK + AHEAD {
+            self.smooth(BLOCK, tell);
+            is_told = true;
+        }
+        is_told
+    }
+
+    /// Tells of all that is left until an instant.
+    pub fn end(&mut self, end: Micros, tell: &mut impl FnMut(Instant)) {
+        self.steps.go_on(end, None);
+        self.smooth(usize::MAX, tell);
     }
 
     /// Tells of the first steps, and forgets them.
@@ -212,12 +227,12 @@ impl<'a> Instant<'a> {
         let mut expected = vec![0.0; sensors];
         for (belief, senses) in &self.pairs {
             for (body, senses) in senses.iter().enumerate().filter(|(_, senses)| senses.states().len() > 1) {
-                let chances = belief.alone(body);
-                for (sensor, expected) in expected.iter_mut().enumerate() {
-                    let rates = senses.rate(sensor, Said::On);
-                    let of = |(chance, &state): (&f32, &u32)| chance * rates[state as usize];
-                    *expected += chances.iter().zip(&belief.states[body]).map(of).sum::<f32>();
+                let mut of_body = vec![0.0; sensors];
+                for (chance, &state) in belief.alone(body).into_iter().zip(&belief.states[body]) {
+                    let rates = senses.on_rates(state);
+                    of_body.iter_mut().zip(rates).for_each(|(sum, rate)| *sum += chance * rate);
                 }
+                expected.iter_mut().zip(of_body).for_each(|(sum, own)| *sum += own);
             }
         }
         expected

@@ -15,15 +15,27 @@ const RARE: f32 = 1e-6;
 #[derive(Clone, Debug)]
 pub(crate) struct Turns {
     span: usize,
-    /// By state: by how much less is said there in the span than if all could be.
-    unsaid: Vec<f32>,
-    /// By state: what that makes of the chance of those who come or go within the span.
+    /// The states whose span is not as usual.
+    odd: Vec<Odd>,
+    /// The factors and the chances of staying of all states.
     passing: Vec<f32>,
-    /// The states of which either is not as usual.
-    touched: Vec<u32>,
-    /// Chances by state, all nothing between two uses; and those of the states that count, as passing makes them.
+    stays: Vec<f32>,
+    /// Memory: numbers by state, all nothing between two uses; those of the states that count, as passing makes them; and powers.
     dense: Vec<f32>,
     weighed: Vec<f32>,
+    powers: Vec<f32>,
+}
+
+/// A state whose span is not as usual.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Odd {
+    state: u32,
+    /// The messages that are not said there in the span, and could be else.
+    unsaid: f32,
+    /// The factor that follows for the chance of those who come or go within the span.
+    passing: f32,
+    /// The chance of staying there for the whole span, but for that which its matrix has.
+    stays: f32,
 }
 
 /// The chances of getting from some states to others: those that are worth it, state by state of the first.
@@ -33,6 +45,9 @@ pub(crate) struct Between {
     first: Vec<u32>,
     /// Which of the others, and the chance.
     turns: Vec<(u32, f32)>,
+    /// Memory: what the span makes of the chances of the others, and the chances from one state to all of them.
+    passing: Vec<f32>,
+    chances: Vec<f32>,
 }
 
 impl Turns {
@@ -40,26 +55,25 @@ impl Turns {
     pub fn of(states: usize) -> Turns {
         Turns {
             span: 0,
-            unsaid: vec![0.0; states],
+            odd: Vec::new(),
             passing: vec![1.0; states],
-            touched: Vec::new(),
+            stays: vec![0.0; states],
             dense: vec![0.0; states],
             weighed: Vec::new(),
+            powers: Vec::new(),
         }
     }
 
     /// From now on those of this span, in which this is unusual.
     pub fn set(&mut self, senses: &Senses, span: usize, unusual: &[Unusual]) {
-        let Turns { unsaid, passing, touched, .. } = self;
+        self.forget();
         self.span = span;
-        for state in touched.drain(..) {
-            (unsaid[state as usize], passing[state as usize]) = (0.0, 1.0);
-        }
+        let Turns { odd, dense, powers, .. } = self;
         let mut add = |rates: &[(u32, f32)], seconds: f32| {
             for &(state, rate) in rates {
-                let unsaid = &mut unsaid[state as usize];
+                let unsaid = &mut dense[state as usize];
                 if *unsaid == 0.0 {
-                    touched.push(state);
+                    odd.push(Odd { state, unsaid: 0.0, passing: 1.0, stays: 0.0 });
                 }
                 *unsaid += rate * seconds;
             }
@@ -70,23 +84,42 @@ impl Turns {
                 add(senses.heard_of(one.sensor, Said::Off), -one.may_end_s);
             }
         }
+        odd.iter_mut().for_each(|odd| odd.unsaid = std::mem::take(&mut dense[odd.state as usize]));
+        odd.retain(|odd| odd.unsaid.abs() >= NOTHING);
         // Who comes or goes at any time of the span is there for a part of it: the mean of the exponential over all parts.
-        for &state in touched.iter() {
-            let unsaid = unsaid[state as usize];
-            if unsaid.abs() >= NOTHING {
-                passing[state as usize] = unsaid / (1.0 - exp(-unsaid));
-            }
+        exponentials(odd.iter().map(|odd| -odd.unsaid), powers);
+        odd.iter_mut().zip(powers.iter()).for_each(|(odd, power)| odd.passing = odd.unsaid / (1.0 - power));
+        let usual = senses.flow.stays(span);
+        exponentials(odd.iter().map(|odd| usual[odd.state as usize].0 + odd.unsaid), powers);
+        for (odd, power) in odd.iter_mut().zip(powers.iter()) {
+            odd.stays = (power - usual[odd.state as usize].1 * odd.passing * odd.passing).max(0.0);
+        }
+        self.spread();
+    }
+
+    /// The same of a span that was set before, when these states were not as usual.
+    pub fn set_again(&mut self, span: usize, odd: &[Odd]) {
+        self.forget();
+        self.span = span;
+        self.odd.extend_from_slice(odd);
+        self.spread();
+    }
+
+    /// The states whose span is not as usual.
+    pub fn odd(&self) -> &[Odd] {
+        &self.odd
+    }
+
+    fn forget(&mut self) {
+        for odd in self.odd.drain(..) {
+            (self.passing[odd.state as usize], self.stays[odd.state as usize]) = (1.0, 0.0);
         }
     }
 
-    /// The chance of staying in a state for the whole span, but for that which its matrix has.
-    fn stays(&self, senses: &Senses, state: u32) -> f32 {
-        let unsaid = self.unsaid[state as usize];
-        if unsaid.abs() < NOTHING {
-            return 0.0;
+    fn spread(&mut self) {
+        for odd in &self.odd {
+            (self.passing[odd.state as usize], self.stays[odd.state as usize]) = (odd.passing, odd.stays);
         }
-        let (usual, passing) = (senses.flow.stays(self.span, state), self.passing[state as usize]);
-        (exp(usual + unsaid) - exp(usual) * passing * passing).max(0.0)
     }
 
     /// Where a body is afterwards who was in one of several states, each with its chance: by state.
@@ -107,9 +140,9 @@ impl Turns {
         for (place, &state) in states.iter().enumerate().skip(rest) {
             add(to, chance(place), row(state));
         }
-        self.touched.iter().for_each(|&state| to[state as usize] *= self.passing[state as usize]);
+        self.odd.iter().for_each(|odd| to[odd.state as usize] *= odd.passing);
         for (&state, chance) in states.iter().zip(chances) {
-            to[state as usize] += chance * self.stays(senses, state);
+            to[state as usize] += chance * self.stays[state as usize];
         }
     }
 
@@ -122,36 +155,44 @@ impl Turns {
             self.dense[state as usize] = chance;
             self.weighed.push(chance * self.passing[state as usize]);
         }
-        for &state in from {
-            let row = senses.flow.row(self.span, state);
-            let passes = chosen(row, to, &self.weighed);
-            let stays = match self.unsaid[state as usize] == 0.0 {
-                true => 0.0,
-                false => self.dense[state as usize] * self.stays(senses, state),
-            };
+        let mut add = |state: u32, passes: f32| {
+            let stays = self.dense[state as usize] * self.stays[state as usize];
             before.push(passes * self.passing[state as usize] + stays);
+        };
+        let row = |state: u32| senses.flow.row(self.span, state);
+        let fours = from.chunks_exact(FOUR);
+        let rest = fours.remainder();
+        for four in fours {
+            let states: [u32; FOUR] = std::array::from_fn(|one| four[one]);
+            let passes = chosen(states.map(row), to, &self.weighed);
+            states.into_iter().zip(passes).for_each(|(state, passes)| add(state, passes));
+        }
+        for &state in rest {
+            let [passes] = chosen([row(state)], to, &self.weighed);
+            add(state, passes);
         }
         to.iter().for_each(|&state| self.dense[state as usize] = 0.0);
     }
 
     /// The chances of getting from some states to others.
     pub fn between(&self, senses: &Senses, from: &[u32], to: &[u32], between: &mut Between) {
-        let Between { first, turns } = between;
+        let Between { first, turns, passing, chances } = between;
         first.clear();
         turns.clear();
+        passing.clear();
+        passing.extend(to.iter().map(|&to| self.passing[to as usize]));
         for &state in from {
             first.push(turns.len() as u32);
-            let (row, passing) = (senses.flow.row(self.span, state), self.passing[state as usize]);
-            let chance = |to: u32| row[to as usize] * self.passing[to as usize] * passing;
-            let stays = self.stays(senses, state);
-            let most = to.iter().map(|&to| chance(to)).fold(0.0, |most, one| if one > most { one } else { most });
+            let (row, own) = (senses.flow.row(self.span, state), self.passing[state as usize]);
+            chances.clear();
+            chances.extend(to.iter().zip(passing.iter()).map(|(&to, passing)| row[to as usize] * passing * own));
+            let stays = self.stays[state as usize];
+            let most = chances.iter().fold(0.0, |most, &one| if one > most { one } else { most });
             let least = most.max(stays) * RARE;
-            for (place, &to) in (0..).zip(to) {
-                let chance = if to == state { chance(to) + stays } else { chance(to) };
-                if chance > least {
-                    turns.push((place, chance));
-                }
+            if let Ok(place) = to.binary_search(&state) {
+                chances[place] += stays;
             }
+            turns.extend((0..).zip(chances.iter().copied()).filter(|(_, chance)| *chance > least));
         }
         first.push(turns.len() as u32);
     }
@@ -185,23 +226,39 @@ impl Between {
     }
 }
 
+/// The exponentials of numbers, many at a time.
+fn exponentials(numbers: impl Iterator<Item = f32>, powers: &mut Vec<f32>) {
+    powers.clear();
+    powers.extend(numbers);
+    powers.iter_mut().for_each(|one| *one = exp(*one));
+}
+
 fn add(sums: &mut [f32], factor: f32, row: &[f32]) {
     sums.iter_mut().zip(row).for_each(|(sum, one)| *sum += factor * one);
 }
 
-/// The sum of some numbers of a row, each by its factor: in parts, so that none waits for the one before.
-fn chosen(row: &[f32], places: &[u32], factors: &[f32]) -> f32 {
+/// So many rows are gone through at once.
+const FOUR: usize = 4;
+
+/// The sum of some numbers of each of some rows, each number by its factor: in parts, so that none waits for the one before.
+fn chosen<const ROWS: usize>(rows: [&[f32]; ROWS], places: &[u32], factors: &[f32]) -> [f32; ROWS] {
     const PARTS: usize = 4;
-    let mut sums = [0.0; PARTS];
+    let mut sums = [[0.0; ROWS]; PARTS];
+    let mut rest = [0.0; ROWS];
+    // All rows are as long as the first, so that one look at a place is enough.
+    let rows = rows.map(|row| &row[..rows[0].len()]);
     let (places, factors) = (places.chunks_exact(PARTS), factors.chunks_exact(PARTS));
-    let rest = places.remainder().iter().zip(factors.remainder()).map(|(&place, factor)| row[place as usize] * factor);
-    let rest: f32 = rest.sum();
+    let add = |sums: &mut [f32; ROWS], place: u32, factor: f32| {
+        sums.iter_mut().zip(rows).for_each(|(sum, row)| *sum += row[place as usize] * factor);
+    };
+    let left = places.remainder().iter().zip(factors.remainder());
+    left.for_each(|(&place, &factor)| add(&mut rest, place, factor));
     for (places, factors) in places.zip(factors) {
-        for ((sum, &place), factor) in sums.iter_mut().zip(places).zip(factors) {
-            *sum += row[place as usize] * factor;
+        for ((sums, &place), &factor) in sums.iter_mut().zip(places).zip(factors) {
+            add(sums, place, factor);
         }
     }
-    rest + (sums[0] + sums[1]) + (sums[2] + sums[3])
+    std::array::from_fn(|row| rest[row] + (sums[0][row] + sums[1][row]) + (sums[2][row] + sums[3][row]))
 }
 
 /// Rows of so many columns, turned over.
@@ -219,6 +276,7 @@ pub(crate) fn turned_over(rows: &[f32], columns: usize, over: &mut Vec<f32>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::learn::tests::senses;
 
     /// Turns from three states to four, and rows of two numbers.
     const CHANCES: [[f32; 4]; 3] = [[0.9, 0.1, 0.0, 1e-9], [0.0, 0.5, 0.5, 0.0], [0.2, 0.0, 0.3, 0.4]];
@@ -253,6 +311,25 @@ mod tests {
     }
 
     #[test]
+    fn a_span_that_is_set_again_is_as_it_was() {
+        let senses = senses();
+        let states: Vec<u32> = (0..senses.states().len() as u32).collect();
+        let chances = vec![1.0; states.len()];
+        let forward = |turns: &Turns| {
+            let mut to = Vec::new();
+            turns.forward(&senses, &chances, &states, &mut to);
+            to
+        };
+        let mut turns = Turns::of(states.len());
+        turns.set(&senses, 8, &[Unusual { sensor: 0, deaf_s: 1.5, may_end_s: 0.0 }]);
+        let (once, odd) = (forward(&turns), turns.odd().to_vec());
+        turns.set(&senses, 8, &[]);
+        assert_ne!(forward(&turns), once, "nothing is unusual any more");
+        turns.set_again(8, &odd);
+        assert_eq!(forward(&turns), once);
+    }
+
+    #[test]
     fn rows_turned_over_twice_are_as_they_were() {
         let rows: Vec<f32> = (0..12).map(|number| number as f32).collect();
         let (mut once, mut twice) = (Vec::new(), Vec::new());
@@ -266,6 +343,7 @@ mod tests {
     fn chosen_numbers_are_added_by_their_factors() {
         let row: Vec<f32> = (0..20).map(|number| number as f32).collect();
         let places = [1, 4, 7, 10, 19];
-        assert_eq!(chosen(&row, &places, &[1.0, 0.5, 2.0, 0.0, 1.0]), 1.0 + 2.0 + 14.0 + 19.0);
+        let twice: Vec<f32> = row.iter().map(|number| 2.0 * number).collect();
+        assert_eq!(chosen([&row, &twice], &places, &[1.0, 0.5, 2.0, 0.0, 1.0]), [36.0, 72.0]);
     }
 }

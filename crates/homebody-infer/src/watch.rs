@@ -138,9 +138,9 @@ fn ahead(levels: &[f32], said: &[Micros]) -> Option<f64> {
         return None;
     }
     let sees: Vec<f64> = levels.iter().map(|&level| f64::from(level.min(SEES) / SEES)).collect();
+    let places: Vec<i64> = said.iter().map(|said| said % DAY / LAG).collect();
     let mean = |lag: i64| {
-        let at = |said: &Micros| (said % DAY / LAG) - lag;
-        let inside = said.iter().map(at).filter_map(|place| sees.get(usize::try_from(place).ok()?));
+        let inside = places.iter().filter_map(|place| sees.get(usize::try_from(place - lag).ok()?));
         let (count, sum) = inside.fold((0usize, 0.0), |(count, sum), sees| (count + 1, sum + sees));
         if count * 2 < said.len() { 0.0 } else { sum / count as f64 }
     };

@@ -4,12 +4,12 @@ use crate::error::Error;
 use crate::translation::{Heard, bodies, misfits};
 use homebody_core::problem::counted;
 use homebody_core::scenario::load::Scenario;
-use homebody_infer::{Ailment, Counted, Examination, Finding};
+use homebody_infer::{Ailment, Counted, Examination, Finding, Pass};
 use homebody_log::Log;
-use rayon::prelude::*;
+use rayon::ScopeFifo;
 use serde::Serialize;
 use std::fmt;
-use std::sync::Mutex;
+use std::sync::{Mutex, PoisonError};
 
 /// What is wrong with the sensors of a home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -69,18 +69,43 @@ pub fn health(log: &Log, scenario: &Scenario, progress: impl FnMut(f64) + Send) 
 
 /// Runs the passes of an examination at the same time, as far as there are processors.
 fn findings(examination: &Examination, progress: impl FnMut(f64) + Send) -> Vec<Finding> {
-    let done = Mutex::new((vec![0.0; Examination::PASSES], progress));
-    let pass = |pass: usize| {
-        examination.pass(pass, |share| {
-            // An instant that finds another at it leaves the share to the next one.
-            let Ok(mut done) = done.try_lock() else { return };
-            let (shares, progress) = &mut *done;
-            shares[pass] = share;
-            progress(shares.iter().sum::<f64>() / Examination::PASSES as f64);
-        })
+    let passes = Passes {
+        shares: Mutex::new((vec![0.0; Examination::PASSES], progress)),
+        counted: Mutex::new((0..Examination::PASSES).map(|_| None).collect()),
     };
-    let passes: Vec<Counted> = (0..Examination::PASSES).into_par_iter().map(pass).collect();
-    examination.findings(&passes)
+    rayon::scope_fifo(|scope| {
+        (0..Examination::PASSES).for_each(|number| passes.go_on(scope, number, examination.pass(number)));
+    });
+    let counted = passes.counted.into_inner().unwrap_or_else(PoisonError::into_inner);
+    examination.findings(&counted.into_iter().flatten().collect::<Vec<Counted>>())
+}
+
+/// The passes of an examination. They take turns: without turns one processor would run the last of five passes, and the
+/// other one would wait.
+struct Passes<F> {
+    /// Of each, the share that is done; and who hears of it.
+    shares: Mutex<(Vec<f64>, F)>,
+    /// Of each, what it counted.
+    counted: Mutex<Vec<Option<Counted>>>,
+}
+
+impl<F: FnMut(f64) + Send> Passes<F> {
+    /// Gives a pass one turn. It queues behind the others for the next.
+    fn go_on<'a>(&'a self, scope: &ScopeFifo<'a>, number: usize, mut pass: Pass<'a>) {
+        scope.spawn_fifo(move |scope| {
+            let share = pass.go_on();
+            // A turn that ends while another one tells its share leaves it to the next one.
+            if let Ok(mut shares) = self.shares.try_lock() {
+                let (shares, progress) = &mut *shares;
+                shares[number] = share.unwrap_or(1.0);
+                progress(shares.iter().sum::<f64>() / Examination::PASSES as f64);
+            }
+            if share.is_some() {
+                return self.go_on(scope, number, pass);
+            }
+            self.counted.lock().unwrap_or_else(PoisonError::into_inner)[number] = Some(pass.counted());
+        });
+    }
 }
 
 impl fmt::Display for Found {

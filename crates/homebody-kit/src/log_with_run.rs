@@ -245,7 +245,7 @@ impl LogWithRun {
             Ok(())
         })?;
         let called = self.log.called();
-        let kinds = tallies.kinds(&self.log);
+        let kinds = tallies.kinds();
         let mut mapping = Mapping::new(&self.log, LogSensors { called, kinds }, asked);
         self.rows(&mut |row| {
             mapping.take(row);

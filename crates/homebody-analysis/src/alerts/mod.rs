@@ -126,15 +126,15 @@ fn usual(rule: &Rule, values: &[Option<f64>], day: usize) -> Option<Usual> {
 
 /// Mean and standard deviation of the days before one, if enough count.
 fn of_before(values: &[Option<f64>], day: usize, (baseline, least): (usize, usize), least_sd: f64) -> Option<Usual> {
-    let before: Vec<f64> = values[day.saturating_sub(baseline)..day].iter().copied().flatten().collect();
-    let count = before.len() as f64;
-    if before.len() < least {
+    let before = values[day.saturating_sub(baseline)..day].iter().flatten();
+    let days = before.clone().count();
+    if days < least {
         return None;
     }
-    let mean = before.iter().sum::<f64>() / count;
-    let variance = before.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0);
+    let mean = before.clone().sum::<f64>() / days as f64;
+    let variance = before.map(|value| (value - mean) * (value - mean)).sum::<f64>() / (days as f64 - 1.0);
     let sd = variance.sqrt().max(least_sd);
-    (sd > 0.0).then_some(Usual { mean, sd, days: before.len() })
+    (sd > 0.0).then_some(Usual { mean, sd, days })
 }
 
 /// By how many standard deviations a value differs in a direction that counts; 0 where it does not.

@@ -7,7 +7,7 @@ use super::order::{MOST_WAITING, Order, Orders, Waiting};
 use super::sensor::{Course, Recorder};
 use crate::compare::natural;
 use crate::dates::{midnight, on_wall, zone_of_offsets};
-use crate::signs::{OwnWords, Says, Tally, is_number, says, taken_by};
+use crate::signs::{Beforehand, OwnWords, Says, Tally, is_number, says};
 use homebody_core::sensed::domain_of;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 use homebody_log::source::Clock;
@@ -195,7 +195,7 @@ impl Looker {
         let (days, by_day) = std::mem::take(&mut self.by_day).finish(about.sensors.len());
         let mut sensors: Vec<SensorLook> = Vec::new();
         let tallies: Vec<&Tally> = self.sensors.iter().map(|course| &course.tally).collect();
-        let taken = taken_by(about, &tallies);
+        let taken = Beforehand::of(about).taken(&tallies);
         for (index, ((id, course), taken)) in about.sensors.iter().zip(&self.sensors).zip(taken).enumerate() {
             let by_day = by_day.get(index).cloned().unwrap_or_default();
             sensors.push(course.look((id, taken), named(id), &about.values, by_day, self.latest, &text));

@@ -46,8 +46,9 @@ pub struct Measuring<'a> {
     rows: Tallies,
     /// The midnight at which the current day began; `None` before the first row.
     day: Option<Micros>,
-    /// The rows of the last days, without numbers.
+    /// The rows of the last days, without numbers; and how many of them are of days before the current one.
     window: Vec<Row>,
+    of_days_before: usize,
     /// Whether more rows came on the day than are kept.
     is_full: bool,
     /// By sensor, the first and the last of the day's numbers and other words.
@@ -80,7 +81,9 @@ pub struct Measured {
 struct SoFar {
     time: KnownTime,
     kinds: Vec<Kind>,
+    /// As the kinds of the sensors tell it.
     entrance: Entrance,
+    knows_entrance: bool,
     /// Whether a contact is at the entrance.
     has_door: bool,
     rooms: Rooms,
@@ -125,6 +128,7 @@ impl<'a> Measuring<'a> {
             time: KnownTime::new(asked.recorded.clone(), &log.gaps),
             kinds: vec![Kind::Reading; count],
             entrance: Entrance { sensors: Vec::new(), chosen: Chosen::None },
+            knows_entrance: false,
             has_door: false,
             rooms: Rooms::default(),
             has_spoken: vec![false; count],
@@ -158,6 +162,7 @@ impl<'a> Measuring<'a> {
             rows: Tallies::new(log),
             day: None,
             window: Vec::new(),
+            of_days_before: 0,
             is_full: false,
             other: vec![None; count],
             called,
@@ -187,7 +192,7 @@ impl<'a> Measuring<'a> {
         }
         self.so_far.time.take(event.at);
         match self.rows.take(event) {
-            Some(row) if self.window.len() - self.of_days_before() < MOST_ROWS => self.window.push(row),
+            Some(row) if self.window.len() - self.of_days_before < MOST_ROWS => self.window.push(row),
             Some(_) => self.is_full = true,
             None => {
                 if let Some(other) = self.other.get_mut(event.sensor as usize) {
@@ -202,13 +207,6 @@ impl<'a> Measuring<'a> {
     pub(super) fn recorded(&self) -> Option<Range<Micros>> {
         let time = &self.so_far.time;
         self.asked.recorded.clone().or_else(|| Some(time.first()?..time.last()? + 1))
-    }
-
-    /// The number of rows that are kept of earlier days.
-    fn of_days_before(&self) -> usize {
-        let day = self.day.unwrap_or(Micros::MIN);
-        // The rows of a day are in order once it has ended.
-        self.window.partition_point(|row| row.at < day)
     }
 
     /// Ends the log, and returns its days.
@@ -248,7 +246,7 @@ impl<'a> Measuring<'a> {
     /// Ends a day and measures it; `next` is the instant of the next row.
     fn end_day(&mut self, next: Option<Micros>) {
         let Some(begin) = self.day else { return };
-        let (end, from) = (begin + DAY, self.of_days_before());
+        let (end, from) = (begin + DAY, self.of_days_before);
         self.window[from..].sort_by_key(|row| row.at);
         if self.window.len() > from {
             self.know_sensors(from);
@@ -281,6 +279,7 @@ impl<'a> Measuring<'a> {
         self.so_far.remember(timeline, begin);
         let keeps = end - DAYS_BEFORE * DAY;
         self.window.retain(|row| row.at >= keeps);
+        self.of_days_before = self.window.len();
         self.other.fill(None);
         self.day = Some(end);
     }
@@ -288,7 +287,7 @@ impl<'a> Measuring<'a> {
     /// Learns the kinds of sensors from the rows of a day, and which of them give signs.
     fn know_sensors(&mut self, from: usize) {
         let so_far = &mut self.so_far;
-        let sensors = LogSensors { kinds: self.rows.kinds(self.log), called: std::mem::take(&mut self.called) };
+        let sensors = LogSensors { kinds: self.rows.kinds(), called: std::mem::take(&mut self.called) };
         for row in &self.window[from..] {
             let sensor = row.sensor as usize;
             so_far.has_spoken[sensor] |= gives_signs(sensors.kinds[sensor], &row.said);
@@ -297,7 +296,9 @@ impl<'a> Measuring<'a> {
         let is_one =
             |sensor: usize| has_spoken[sensor] && !matches!(sensors.kinds[sensor], Kind::Reading | Kind::Other);
         so_far.rooms = self.all_rooms.among(&is_one);
-        so_far.entrance = Entrance::find(&self.log.sensors, &sensors, &self.asked.doors);
+        if !std::mem::replace(&mut so_far.knows_entrance, true) || so_far.kinds != sensors.kinds {
+            so_far.entrance = Entrance::find(&self.log.sensors, &sensors, &self.asked.doors);
+        }
         so_far.has_motion |= sensors.kinds.contains(&Kind::Motion);
         so_far.has_door = Signs::new(&self.log.sensors, &sensors.kinds, &so_far.entrance).has_door();
         self.called = sensors.called;
@@ -342,7 +343,8 @@ impl<'a> Measuring<'a> {
         for (sensor, other) in self.other.iter().enumerate() {
             spoken.extend(other.iter().flat_map(|&(first, last)| [(first, sensor), (last, sensor)]));
         }
-        spoken.sort_unstable();
+        // The rows are in order of time already, which this kind of sorting makes use of.
+        spoken.sort();
         for (at, sensor) in spoken {
             self.so_far.listening.take(at, sensor, self.so_far.kinds[sensor], away);
         }

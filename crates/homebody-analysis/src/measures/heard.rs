@@ -90,8 +90,8 @@ impl Named {
 impl Timeline {
     /// Adds stays in rooms, times in bed, showers and meals by a log. Days, rooms and absences are there already.
     pub(super) fn hear(&mut self, heard: &Heard, signs: &[Sign]) {
-        let seen: Vec<Sign> = signs.iter().filter(|sign| sign.is_seen).copied().collect();
-        self.walks = heard.ways.map(|ways| walks(&seen, heard.ids, ways));
+        let seen = || signs.iter().filter(|sign| sign.is_seen).copied().collect::<Vec<Sign>>();
+        self.walks = heard.ways.map(|ways| walks(&seen(), heard.ids, ways));
         let away = self.away.as_deref().unwrap_or_default();
         self.stays = known_stays(stays(&agreed(signs), away, heard.until), &self.unknown);
         self.lie_down(heard, signs);

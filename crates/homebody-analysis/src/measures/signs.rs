@@ -40,7 +40,9 @@ pub fn signs(rows: &[Row], kinds: &[Kind], rooms: &Rooms, holds: &Holds) -> Vec<
             is_held: holds.of(sensor).is_some(),
         })
     };
-    rows.iter().filter_map(sign).collect()
+    let mut signs = Vec::with_capacity(rows.len());
+    signs.extend(rows.iter().filter_map(sign));
+    signs
 }
 
 /// The same signs and those of movements between reports, in the order of time. A movement that may have been before the last sign of
@@ -76,33 +78,39 @@ pub fn gives_signs(kind: Kind, said: &Said) -> bool {
 /// is the sensor's own room.
 pub fn agreed(signs: &[Sign]) -> Vec<Sign> {
     let (mut from, mut to) = (0, 0);
+    // The signs of one room around the current one.
+    let mut of_room = 0..0;
     let mut agreed = Vec::with_capacity(signs.len());
-    // By room: its sensors that speak.
-    let mut speaking: Vec<(usize, Vec<usize>)> = Vec::new();
-    for sign in signs {
+    // The sensors that speak, with their rooms; and by room, how many do.
+    let (mut sensors, mut speaking): (Vec<(usize, usize)>, Vec<(usize, usize)>) = Default::default();
+    for (number, sign) in signs.iter().enumerate() {
+        if number == of_room.end {
+            let others = signs[number..].iter().position(|other| other.room != sign.room);
+            of_room = number..others.map_or(signs.len(), |others| number + others);
+        }
         while signs[from].at < sign.at - TOGETHER {
             from += 1;
         }
         while signs.get(to).is_some_and(|other| other.at <= sign.at + TOGETHER) {
             to += 1;
         }
-        let together = &signs[from..to];
-        if together.iter().all(|other| other.room == sign.room) {
+        if of_room.start <= from && to <= of_room.end {
             agreed.push(*sign);
             continue;
         }
+        sensors.clear();
         speaking.clear();
-        for other in together {
-            let known = speaking.iter().position(|(room, _)| *room == other.room);
-            let number = known.unwrap_or(speaking.len());
-            if known.is_none() {
-                speaking.push((other.room, Vec::new()));
+        for other in &signs[from..to] {
+            if sensors.contains(&(other.room, other.sensor)) {
+                continue;
             }
-            if !speaking[number].1.contains(&other.sensor) {
-                speaking[number].1.push(other.sensor);
+            sensors.push((other.room, other.sensor));
+            match speaking.iter_mut().find(|(room, _)| *room == other.room) {
+                Some((_, count)) => *count += 1,
+                None => speaking.push((other.room, 1)),
             }
         }
-        let rank = |(room, sensors): &(usize, Vec<usize>)| (sensors.len(), *room == sign.room);
+        let rank = |&(room, count): &(usize, usize)| (count, room == sign.room);
         let most = speaking.iter().reduce(|most, other| if rank(other) > rank(most) { other } else { most });
         agreed.push(Sign { room: most.map_or(sign.room, |(room, _)| *room), ..*sign });
     }

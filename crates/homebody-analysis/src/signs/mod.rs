@@ -36,7 +36,7 @@ pub use homebody_core::states::{Says, says};
 pub use meanings::{Meanings, OwnWords, is_number};
 pub use named::is_seat;
 pub use spans::{Spans, UnknownStates, spans, spans_until, without};
-pub use taken::{LogSensors, kind_in_home, kinds, taken, taken_by};
+pub use taken::{Beforehand, LogSensors, kind_in_home, kinds, taken};
 pub use tally::Tally;
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::meanings::{Meanings, OwnWords};
 use super::named::{Named, is_room_letter_place, is_seat, known_and_named};
 use super::tally::Tally;
 use homebody_core::sensed::{Kind, Meaning, domain_of, meaning};
-use homebody_log::{Log, SaidBy, SensorInfo};
+use homebody_log::{Log, SaidBy};
 
 /// In a home with motion sensors more than one row of so many is theirs.
 const FEWER: u64 = 10;
@@ -38,32 +38,46 @@ pub fn taken(log: &Log) -> Vec<Taken> {
         let Some((says, is_number)) = meanings.said(event) else { continue };
         tallies[event.sensor as usize].take(event.at, says, is_number, &log.gaps);
     }
-    taken_by(log, &tallies.iter().collect::<Vec<_>>())
+    Beforehand::of(log).taken(&tallies.iter().collect::<Vec<_>>())
 }
 
-/// The same of a log whose rows have been taken; `tallies` are those of its sensors, in its order.
-pub fn taken_by(log: &Log, tallies: &[&Tally]) -> Vec<Taken> {
-    let sensors: Vec<Sensor> = log.sensors.iter().zip(tallies).map(|(id, tally)| Sensor::of(log, id, tally)).collect();
+/// The names, kinds and units of the sensors of a log. Each is looked up once, however often the kinds are asked for.
+pub struct Beforehand {
+    sensors: Vec<OfSensor>,
+    own: OwnWords,
+}
+
+impl Beforehand {
+    /// Of a log.
+    pub fn of(log: &Log) -> Beforehand {
+        Beforehand { sensors: log.sensors.iter().map(|id| OfSensor::of(log, id)).collect(), own: OwnWords::of(log) }
+    }
+
+    /// The kinds that the sensors are taken for; `tallies` are of their rows, in the order of the log.
+    pub fn taken(&self, tallies: &[&Tally]) -> Vec<Taken> {
+        let sensors: Vec<Sensor> =
+            self.sensors.iter().zip(tallies).map(|(known, tally)| Sensor { known, tally }).collect();
+        taken_by(&sensors, &self.own)
+    }
+}
+
+fn taken_by(sensors: &[Sensor], own: &OwnWords) -> Vec<Taken> {
     let sure: Vec<Option<Taken>> = sensors.iter().map(Sensor::surely).collect();
     let says_motion = sure.iter().flatten().any(|taken| taken.kind == Kind::Motion);
-    let mut all: Vec<Taken> = sure
-        .into_iter()
-        .zip(&sensors)
-        .map(|(sure, sensor)| sure.unwrap_or_else(|| sensor.guess(says_motion)))
-        .collect();
+    let mut all: Vec<Taken> =
+        sure.into_iter().zip(sensors).map(|(sure, sensor)| sure.unwrap_or_else(|| sensor.guess(says_motion))).collect();
     // A sensor at a door or a fridge may be its contact.
     let may_look = |(sensor, taken): &(&Sensor, &Taken)| {
         taken.kind == Kind::Motion && (taken.by < Evidence::Guess || !sensor.is_at_thing())
     };
     let looking: u64 = sensors.iter().zip(&all).filter(may_look).map(|(sensor, _)| sensor.tally.signs()).sum();
-    if looking * FEWER < tallies.iter().map(|tally| tally.signs()).sum() {
+    if looking * FEWER < sensors.iter().map(|sensor| sensor.tally.signs()).sum() {
         for (sensor, taken) in sensors.iter().zip(&mut all) {
             if taken.kind == Kind::Motion && taken.by == Evidence::Guess {
                 *taken = sensor.used();
             }
         }
     }
-    let own = OwnWords::of(log);
     for (sensor, taken) in all.iter_mut().enumerate() {
         if let Some(because) = own.because(sensor) {
             *taken = Taken::new(taken.kind, Evidence::Guess, format!("{}; {because}", taken.because));
@@ -82,20 +96,48 @@ pub fn kind_in_home(kind: &str, gives_readings: bool) -> Kind {
     }
 }
 
+/// A sensor by its name, its kind and its unit, without its rows.
+struct OfSensor {
+    /// The source's word for its kind, after the evidence that the word is.
+    kind: (Evidence, String),
+    /// The meaning of that word, or of its id.
+    meaning: Option<Meaning>,
+    /// The domain of its id, where nothing but the id tells its kind.
+    domain: Option<String>,
+    unit: Option<String>,
+    named: Option<(Named, String)>,
+    is_seat: bool,
+    is_room_letter_place: bool,
+}
+
+impl OfSensor {
+    fn of(log: &Log, id: &str) -> OfSensor {
+        let (known, named) = known_and_named(log, id);
+        let (kind, said_by) = known.map_or(("", SaidBy::Source), |known| (known.kind.as_str(), known.said_by));
+        let (by, of_id) = match said_by {
+            SaidBy::Table => (Evidence::Table, ""),
+            SaidBy::Home => (Evidence::Home, ""),
+            SaidBy::Source => (Evidence::Source, id),
+        };
+        OfSensor {
+            kind: (by, kind.to_owned()),
+            meaning: meaning(kind, of_id),
+            domain: domain_of(of_id).map(str::to_owned),
+            unit: known.and_then(|known| known.unit.clone()),
+            named,
+            is_seat: known.is_some_and(|known| is_seat(&known.name)) || is_seat(id),
+            is_room_letter_place: is_room_letter_place(id),
+        }
+    }
+}
+
 /// A sensor, with all that there is to go by.
 struct Sensor<'a> {
-    id: &'a str,
-    known: Option<&'a SensorInfo>,
-    named: Option<(Named, String)>,
+    known: &'a OfSensor,
     tally: &'a Tally,
 }
 
-impl<'a> Sensor<'a> {
-    fn of(log: &'a Log, id: &'a str, tally: &'a Tally) -> Sensor<'a> {
-        let (known, named) = known_and_named(log, id);
-        Sensor { id, known, named, tally }
-    }
-
+impl Sensor<'_> {
     /// Its kind by any evidence but how long it is on.
     fn surely(&self) -> Option<Taken> {
         self.by_its_kind().or_else(|| self.by_values()).or_else(|| self.by_name())
@@ -103,14 +145,10 @@ impl<'a> Sensor<'a> {
 
     /// By the kind that a table, the source or a home has for it, by its unit, and by the domain of its id.
     fn by_its_kind(&self) -> Option<Taken> {
-        let (kind, said_by) = self.known.map_or(("", SaidBy::Source), |known| (known.kind.as_str(), known.said_by));
-        let (by, id) = match said_by {
-            SaidBy::Table => (Evidence::Table, ""),
-            SaidBy::Home => (Evidence::Home, ""),
-            SaidBy::Source => (Evidence::Source, self.id),
-        };
-        let Some(kind_of) = meaning(kind, id).and_then(|meaning| self.kind(meaning)) else {
-            let unit = self.known?.unit.as_ref().filter(|_| self.tally.signs() == 0 || self.tally.says_numbers())?;
+        let (by, kind) = (self.known.kind.0, self.known.kind.1.as_str());
+        let Some(kind_of) = self.known.meaning.and_then(|meaning| self.kind(meaning)) else {
+            let is_reading = || self.tally.signs() == 0 || self.tally.says_numbers();
+            let unit = self.known.unit.as_ref().filter(|_| is_reading())?;
             return Some(Taken::new(Kind::Reading, by, format!("its unit {unit}")));
         };
         // A source may name a reading after what it belongs to; what a person writes holds.
@@ -120,7 +158,9 @@ impl<'a> Sensor<'a> {
         let because = match by {
             Evidence::Table => format!("{kind:?} in the table of sensors beside the log"),
             Evidence::Home => format!("{kind:?} in its home"),
-            _ if kind.is_empty() => format!("its id begins with {}", domain_of(id).unwrap_or_default()),
+            _ if kind.is_empty() => {
+                format!("its id begins with {}", self.known.domain.as_deref().unwrap_or_default())
+            }
             _ => format!("{kind:?} in its source"),
         };
         Some(Taken::new(kind_of, by, because))
@@ -130,16 +170,12 @@ impl<'a> Sensor<'a> {
     fn kind(&self, meaning: Meaning) -> Option<Kind> {
         match meaning {
             Meaning::Is(kind) => Some(kind),
-            Meaning::Somebody if self.is_seat() => Some(Kind::Used),
+            Meaning::Somebody if self.known.is_seat => Some(Kind::Used),
             Meaning::Somebody => Some(Kind::Motion),
             Meaning::Measured if self.tally.says_numbers() => Some(Kind::Reading),
             Meaning::Measured => Some(Kind::Used),
             Meaning::Readings => (self.tally.says_numbers() || self.tally.signs() == 0).then_some(Kind::Reading),
         }
-    }
-
-    fn is_seat(&self) -> bool {
-        self.known.is_some_and(|known| is_seat(&known.name)) || is_seat(self.id)
     }
 
     fn by_values(&self) -> Option<Taken> {
@@ -149,7 +185,7 @@ impl<'a> Sensor<'a> {
                 Some(Taken::new(Kind::Reading, Evidence::Values, "it says no word of sensors"))
             }
             // Some alarm systems say of a motion sensor that it is open.
-            () if self.tally.says_open() && !matches!(self.named, Some((Named::Motion, _))) => {
+            () if self.tally.says_open() && !matches!(self.known.named, Some((Named::Motion, _))) => {
                 Some(Taken::new(Kind::Contact, Evidence::Values, "it says OPEN and CLOSE"))
             }
             () => None,
@@ -161,7 +197,7 @@ impl<'a> Sensor<'a> {
     }
 
     fn by_name(&self) -> Option<Taken> {
-        let (named, word) = self.named.as_ref()?;
+        let (named, word) = self.known.named.as_ref()?;
         let kind = match named {
             Named::Motion => Kind::Motion,
             Named::Contact => Kind::Contact,
@@ -174,21 +210,21 @@ impl<'a> Sensor<'a> {
 
     /// Whether it is at a door or a thing, and its rows show how long it is on.
     fn is_at_thing(&self) -> bool {
-        let is_at = matches!(self.named, Some((Named::Door | Named::Seat | Named::Place, _)));
+        let is_at = matches!(self.known.named, Some((Named::Door | Named::Seat | Named::Place, _)));
         is_at && self.tally.has_spans()
     }
 
     /// Its kind by its name and by how long it is on; `says_motion` if a sensor of the log is surely one of motion.
     fn guess(&self, says_motion: bool) -> Taken {
         let motion = |because: &str| Taken::new(Kind::Motion, Evidence::Guess, because);
-        let Some((named, word)) = &self.named else {
+        let Some((named, word)) = &self.known.named else {
             return match self.tally.says_words() {
                 true => Taken::new(Kind::Reading, Evidence::Guess, "most of what it says are no words of sensors"),
                 false => motion("it says that something begins"),
             };
         };
         let is_as_brief = if *named == Named::Seat { self.tally.is_brief() } else { self.tally.blinks() };
-        let looks = match is_room_letter_place(self.id) {
+        let looks = match self.known.is_room_letter_place {
             true => self.tally.is_brief(),
             false => is_as_brief && !says_motion,
         };
@@ -201,7 +237,7 @@ impl<'a> Sensor<'a> {
 
     /// Its kind unless it looks for movement: a contact at a door, or else a thing that is used.
     fn used(&self) -> Taken {
-        match &self.named {
+        match &self.known.named {
             Some((Named::Door, word)) => Taken::new(Kind::Contact, Evidence::Name, format!("{word:?} in its name")),
             Some((_, word)) => Taken::new(Kind::Used, Evidence::Name, format!("{word:?} in its name")),
             None => {
