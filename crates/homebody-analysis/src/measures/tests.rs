@@ -119,7 +119,8 @@ fn what_no_sensor_can_tell_is_not_zero() {
         events: all.events.iter().filter(|event| rooms.contains(&event.sensor)).copied().collect(),
         ..all.clone()
     };
-    let (one, two, three) = (of_rooms(&[LIVING]), of_rooms(&[LIVING, BATHROOM]), of_rooms(&[LIVING, BATHROOM, KITCHEN]));
+    let (one, two, three) =
+        (of_rooms(&[LIVING]), of_rooms(&[LIVING, BATHROOM]), of_rooms(&[LIVING, BATHROOM, KITCHEN]));
     let known = |log: &Log, name: &str| values(&measured(log).0, name).iter().any(Option::is_some);
     assert_eq!([&one, &two, &three].map(|log| known(log, "pacing")), [false, true, true]);
     assert_eq!([&one, &two, &three].map(|log| known(log, "lapping")), [false, false, true]);
