@@ -8,7 +8,8 @@
 //! - they are longer apart than the least absence, 30 minutes unless asked otherwise,
 //! - an entrance sensor fired in the last minute of the first bout, and in the first minute of the second, and
 //! - no sensor of a bed or a chair said meanwhile, for more than five minutes, that somebody is there, and
-//! - there are no more stray firings than two, and one for each hour.
+//! - there are no more stray firings than two, and one for each hour; or the home is ten times as quiet as usual, for a faulty sensor
+//!   in it may fire more often.
 //!
 //! So a night with the last firing in the bedroom is sleep, and so is a nap in an armchair. The rule is that of the
 //! literature (Wang & Skubic 2008: a gap after the front door, an empty bed); the least absence is the upper end of its 10
@@ -30,9 +31,10 @@ const BOUT: Micros = 120 * SECOND;
 pub const SEATED: Micros = 300 * SECOND;
 /// A bout of fewer firings is stray, if they are of motion sensors alone.
 const LEAST_FIRINGS: usize = 3;
-/// More stray firings than these in all, and than one for each such time, are somebody's.
+/// More stray firings than these in all, and than one for each such time, are somebody's, unless they are a small share of the usual.
 const MOST_STRAY: usize = 2;
 const STRAY_EVERY: Micros = 3600 * SECOND;
+const QUIET: f64 = 0.1;
 /// How near to a bout's end the entrance has to fire.
 const EDGE: Micros = 60 * SECOND;
 
@@ -87,6 +89,9 @@ pub struct Leaving {
     stray: usize,
     /// The current bout.
     bout: Option<Bout>,
+    /// All signs so far, and the first and the last of them.
+    firings: usize,
+    span: Option<(Micros, Micros)>,
 }
 
 /// A bout of signs: whether the resident leaves after it, or comes with it.
@@ -149,11 +154,13 @@ impl Bout {
 impl Leaving {
     /// Before the first sign.
     pub fn new(least: Micros) -> Leaving {
-        Leaving { least, before: None, stray: 0, bout: None }
+        Leaving { least, before: None, stray: 0, bout: None, firings: 0, span: None }
     }
 
     /// Takes a sign; the absence that ended with the bout before it, if there is one.
     pub fn take(&mut self, sign: &Sign) -> Option<Absence> {
+        self.firings += 1;
+        self.span = Some((self.span.map_or(sign.at, |span| span.0), sign.at));
         if let Some(bout) = self.bout.as_mut().filter(|bout| sign.at - bout.end <= BOUT) {
             bout.add(sign);
             return None;
@@ -176,7 +183,8 @@ impl Leaving {
         let (before, bout) = self.before.zip(self.bout.filter(Bout::is_somebodys))?;
         let (begin, end) = (before.end, bout.begin);
         let is_guess = !before.leaves_by_door() || !bout.comes_by_door;
-        let is_one = before.leaves() && bout.comes && end - begin > self.least && is_empty(self.stray, end - begin);
+        let is_one =
+            before.leaves() && bout.comes && end - begin > self.least && self.is_empty(self.stray, end - begin);
         is_one.then_some(Absence { begin, end, stray: self.stray, is_guess })
     }
 
@@ -187,19 +195,20 @@ impl Leaving {
         let stray = if is_somebodys { 0 } else { self.stray + self.bout.map_or(0, |bout| bout.firings) };
         let last = if is_somebodys { self.bout } else { self.before }?;
         let leaves = last.leaves() && (last.leaves_by_door() || !has_door) && now - last.end > self.least;
-        let leaves = leaves && is_empty(stray, now - last.end);
+        let leaves = leaves && self.is_empty(stray, now - last.end);
         leaves.then_some(Absence { begin: last.end, end: now, stray, is_guess: true })
     }
 
     /// Begins anew after a gap.
     pub fn forget(&mut self) {
-        *self = Leaving::new(self.least);
+        (self.before, self.bout, self.stray) = (None, None, 0);
     }
-}
 
-/// Whether a home may have been empty for so long with so many stray firings.
-fn is_empty(stray: usize, length: Micros) -> bool {
-    stray <= MOST_STRAY + (length / STRAY_EVERY) as usize
+    /// Whether the home may have been empty for so long with so many stray firings.
+    fn is_empty(&self, stray: usize, length: Micros) -> bool {
+        let usual = self.span.map_or(0.0, |(first, last)| self.firings as f64 / (last - first).max(1) as f64);
+        stray <= MOST_STRAY + (length / STRAY_EVERY) as usize || stray as f64 <= QUIET * usual * length as f64
+    }
 }
 
 impl Absence {
@@ -310,6 +319,11 @@ mod tests {
         assert_eq!(with(5).len(), 1);
         assert_eq!(with(5)[0].stray, 5);
         assert_eq!(with(6), []);
+        // A home that is usually a hundred times as lively is empty all the same.
+        let mut lively: Vec<i64> = (1..20_000).chain([20_010, 20_020, -20_030]).collect();
+        lively.extend((0..6).map(|movement| 20_600 + movement * 1000));
+        lively.extend([-30_860, 30_870, 30_880]);
+        assert_eq!(absences(&signs(&lively), &[], LEAST).len(), 1);
     }
 
     #[test]
