@@ -135,7 +135,13 @@ fn utc_is_told_on_the_wall_where_that_is_known() {
     };
     assert_eq!(told(None), "2009-03-08 08:00:00Z");
     let zone = homebody_core::scenario::calendar::Calendar::zone("America/Chicago").unwrap();
-    assert_eq!(told(Some(zone)), "2009-03-08 03:00:00");
+    assert_eq!(told(Some(zone.clone())), "2009-03-08 03:00:00");
+    // A log may name its own zone, as a run in a database does.
+    log.zone = Some(zone);
+    let mut looker = Looker::new(None).by_own_zone();
+    looker.take(&log);
+    assert_eq!(looker.look("a", "csv", &log, &|_| None, None).first.unwrap(), "2009-03-08 03:00:00");
+    assert_eq!(told(None), "2009-03-08 08:00:00Z", "the control");
 }
 
 #[test]
