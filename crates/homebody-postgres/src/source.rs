@@ -348,7 +348,7 @@ fn no_run(connection: &Connection, server: &Server, schema: &str) -> Option<LogE
     Some(wrong(server, format!("there is no run {asked}"), &hint))
 }
 
-/// The zone of a run's home, as the table of runs names it; none where there is no such table, or it may not be read.
+/// The zone of a run's home, if there is a table of runs that may be read and names it.
 fn zone(connection: &Connection, schema: &str, run: Option<i64>) -> Option<String> {
     let sql = format!("SELECT zone FROM {} WHERE run_id = $1", quoted(schema, RUNS));
     connection.wait(connection.client.query_opt(&sql, &[&run?])).ok()??.get(0)

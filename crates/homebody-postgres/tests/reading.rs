@@ -82,7 +82,7 @@ fn a_run_that_is_not_there_is_named_whatever_the_table_is_called() {
     let error = log(&format!("{url}&run=12"), &usual).unwrap_err().to_string();
     assert!(error.contains("there is no run 12") && error.contains("there are runs 3, 7"), "{error}");
     assert_eq!(log(&format!("{url}&run=7"), &usual).unwrap().rows, 10);
-    // The control: where there is no table of runs, the table is what is missing.
+    // The control: without a table of runs, the table of rows is missing.
     server.psql(&database, "DROP TABLE homebody_run");
     let error = log(&format!("{url}&run=12"), &usual).unwrap_err().to_string();
     assert!(error.contains("there is no table \"firing\""), "{error}");
