@@ -124,9 +124,14 @@ const CHANGING: [&str; 18] = [
     "Africa/Cairo",
 ];
 
+/// The zone of a log's home, as its place names it or its offsets show it.
+pub fn zone_of(log: &Log) -> Option<TimeZone> {
+    log.zone.clone().or_else(|| zone_of_offsets(&log.offsets))
+}
+
 /// A zone that has these offsets from UTC when they were written: the clock on the wall of the home, whatever it is called. If
 /// no known zone changes as they do, it is the offset that the most time has. `None` without offsets, and of those of UTC.
-pub fn zone_of_offsets(offsets: &[OffsetSpan]) -> Option<TimeZone> {
+fn zone_of_offsets(offsets: &[OffsetSpan]) -> Option<TimeZone> {
     let first = offsets.first()?;
     if offsets.iter().all(|span| span.ahead == 0) {
         return None;

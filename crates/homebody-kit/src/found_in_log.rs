@@ -9,11 +9,15 @@ use crate::log_with_run::LogWithRun;
 use homebody_analysis::alerts::{Rules, USUAL, alerts};
 use homebody_analysis::dates::{midnight, on_wall};
 use homebody_analysis::falls::rules::FallRules;
+use homebody_analysis::measures::Rooms;
 use homebody_analysis::signs::{Kind, kinds};
 use homebody_core::activity::FALLEN;
 use homebody_core::time::{DAY, Micros};
 use homebody_log::Activity;
 use std::borrow::Cow;
+
+/// The remark on rooms that are guessed, as measures guess them.
+const GUESSED: &str = "Rooms are a guess by the names of sensors; guessed_rooms of homebody measure --json lists them";
 
 /// Looks through a log. Instants are those of the wall, in microseconds since 1970.
 ///
@@ -38,19 +42,26 @@ pub fn find_in_log(query: &Query, read: &LogWithRun) -> Result<Found, Error> {
         What::On | What::Still => None,
     };
     let home = rooms.map(|stays| at_home(stays.iter().map(|stay| (stay.begin, stay.end))));
-    let listener = |(name, kind): (&String, Kind)| Listener {
+    let guessed = (query.what == What::Room && told.is_none() && read.rooms.is_empty())
+        .then(|| Rooms::of(&read.log.sensors, &read.rooms));
+    let guess = |sensor: usize| Some(guessed.as_ref()?.name_of(sensor)?.to_owned());
+    let listener = |(sensor, (name, kind)): (usize, (&String, Kind))| Listener {
         name: name.clone(),
-        room: read.rooms.get(name).cloned(),
+        room: read.rooms.get(name).cloned().or_else(|| guess(sensor)),
         tells_of_nobody: kind == Kind::Other,
     };
     let mut rows = |take: &mut TakeRow| {
         read.log.in_order().into_iter().for_each(|row| take(row.at, row.sensor, row.value));
         Ok(())
     };
-    let sensors = read.log.sensors.iter().zip(kinds(&read.log)).map(listener).collect();
+    let sensors = read.log.sensors.iter().zip(kinds(&read.log)).enumerate().map(listener).collect();
     let gaps = read.log.gaps.clone();
     let mut ground = Ground { span, days, told, home, sensors, values: &read.log.values, gaps, rows: &mut rows };
-    Ok(find(query, &mut ground)?)
+    let mut found = find(query, &mut ground)?;
+    if guessed.is_some() {
+        found.remarks.insert(0, GUESSED.to_owned());
+    }
+    Ok(found)
 }
 
 /// From the first row to the last.
@@ -134,4 +145,31 @@ fn of_alerts(read: &LogWithRun) -> Result<Vec<Stay<'static>>, Error> {
         words: Cow::Owned(alert.words),
     };
     Ok(alerts(&measures, &rules).alerts.into_iter().map(stay).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::log_with_run::NamedLog;
+
+    #[test]
+    fn rooms_that_measures_guess_are_found_and_said_to_be_a_guess() {
+        let folder = tempfile::tempdir().unwrap();
+        let find = |sensor: &str| {
+            let path = folder.path().join("log.csv");
+            let rows = format!(
+                "time,sensor,value\n2024-02-26 02:00:00,{sensor},ON\n2024-02-26 02:01:00,{sensor},OFF\n\
+                 2024-02-26 02:05:00,hall_motion,ON\n2024-02-26 02:06:00,hall_motion,OFF\n"
+            );
+            std::fs::write(&path, rows).unwrap();
+            let read = LogWithRun::of(NamedLog::find(&path.display().to_string()).unwrap(), None).unwrap();
+            let query = Query { what: What::Room, name: Some("bathroom".into()), hours: None, least: 0 };
+            find_in_log(&query, &read)
+        };
+        let found = find("bathroom_motion").unwrap();
+        assert_eq!((found.hits.len(), found.remarks[0].as_str()), (1, GUESSED), "{:?}", found.hits);
+        // The control: no word of a name tells of a bathroom.
+        let error = find("m17").unwrap_err().to_string();
+        assert!(error.contains("there is no room \"bathroom\""), "{error}");
+    }
 }

@@ -90,7 +90,7 @@ impl NamedLog {
                 *sensor = name.to_owned();
             }
         }
-        let zone = known.or(asked).unwrap_or(TimeZone::UTC);
+        let zone = known.or(asked).or_else(|| log.zone.clone()).unwrap_or(TimeZone::UTC);
         let zone = (!is_naive).then(|| zone.iana_name().unwrap_or("UTC").to_owned());
         Ok(Instants { log, lives, zone })
     }

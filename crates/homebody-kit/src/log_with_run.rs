@@ -3,7 +3,7 @@
 
 use crate::error::Error;
 use crate::long_log::{Kept, LongLog, MOST_ROWS, TakeRow};
-use homebody_analysis::dates::{date_of, on_wall, put_on_wall, zone_of_offsets};
+use homebody_analysis::dates::{date_of, on_wall, put_on_wall, zone_of};
 use homebody_analysis::density::{Asked, Map, Mapping, NoMap};
 use homebody_analysis::look::HomeSensor;
 use homebody_analysis::measures::{Known, Measures, Measuring, Ways};
@@ -156,7 +156,7 @@ impl LogWithRun {
             name_sensors(&mut log, scenario);
         }
         let rooms = scenario.as_ref().map_or_else(|| rooms_told(&log), sensor_rooms);
-        let zone = asked.or(known_zone).or_else(|| zone_of_offsets(&log.offsets));
+        let zone = asked.or(known_zone).or_else(|| zone_of(&log));
         let told = truth.clone().map(|truth| (truth, zone.clone().filter(|_| log.clock == Clock::Utc)));
         // One that is being lived, or was killed, says how long it is to be, and not how far it has come.
         let lived = run.as_ref().filter(|run| run.is_complete());

@@ -106,7 +106,8 @@ with another.
 `homebody convert` writes them along. Each row has the labels of what goes on in the column `activity`, parted by `|`, and a table has
 them whole, as `start_time,end_time,activity`: in a database it is called `activity`, elsewhere it is a file beside the log, such as
 `week.activity.csv`, which pyadlml reads. In the form of CASAS a note stands at the first row from that instant on that has none yet. A run's
-own truth goes along with `--activities` alone.
+own truth goes along with `--activities` only. A log with labels of its own needs no option; with this one it is refused, as it has no
+truth.
 
 ## Texts that are written
 
@@ -149,6 +150,8 @@ homebody look day.csv.gz
 | silence | nothing says anything for 12 h or more |
 | dead | a sensor says nothing more for two days or more before the log ends, and for three times as long as ever before |
 | stuck | a motion sensor is on for 6 h or more; or all of 50 readings or more over a day are one number |
+| not known | a row says that the state of the sensor is not known, such as `unavailable` |
+| restored | a row says the state again after a stretch in which it was not known: after such a row, or after a gap of the recorder |
 
 A log whose newest rows come first, or whose rows come sensor by sensor, is looked at in the order of time, and `look` says so.
 Sensors of which no row says that something ends repeat nothing, and numbers do not either.

@@ -258,6 +258,33 @@ fn a_log_of_one_sensor_and_hours_that_clocks_skip_or_tell_twice_are_read_whole()
     );
 }
 
+/// As `sqlite3 -header` writes a table.
+#[test]
+fn cells_may_be_parted_by_bars() {
+    let folder = Folder::new("bars");
+    let rows: Vec<[String; 4]> = (0..30)
+        .map(|row| {
+            let (sensor, value) = (["hall_motion", "bath_motion"][row / 2 % 2], ["on", "off"][row % 2]);
+            [
+                row.to_string(),
+                format!("binary_sensor.{sensor}"),
+                value.into(),
+                format!("{}.5", 1_708_914_495 + 20 * row),
+            ]
+        })
+        .collect();
+    let heading = ["state_id", "entity_id", "state", "last_updated_ts"].map(String::from);
+    let table = |mark: &str, has_heading: bool| {
+        let heading = has_heading.then_some(&heading);
+        heading.into_iter().chain(&rows).map(|row| row.join(mark) + "\n").collect::<String>()
+    };
+    let read = |mark: &str, has_heading: bool| from_text(&folder, "csv", "log.csv", &table(mark, has_heading));
+    let (bars, commas) = (read("|", true), read(",", true));
+    assert_eq!((bars.rows, bars.sensors.len(), bars.skipped), (30, 2, 0));
+    assert_eq!((&bars.events, &bars.values), (&commas.events, &commas.values));
+    assert_eq!(read("|", false).events.len(), 30, "without a heading, too");
+}
+
 #[test]
 fn tables_as_psql_prints_them() {
     let folder = Folder::new("psql");

@@ -80,6 +80,24 @@ fn a_log_goes_from_form_to_form_and_comes_back_the_same() {
     assert!(matches!(again, Err(LogError::Exists { .. })));
 }
 
+#[test]
+fn a_database_of_ours_names_the_zone_of_its_home() {
+    let folder = Folder::new("zone");
+    let database = Connection::open(folder.path().join("log.db")).unwrap();
+    let rows = "CREATE TABLE firing (fired_at TEXT, sensor TEXT, value TEXT);
+        INSERT INTO firing VALUES ('2009-03-07T22:00:05Z', 'hall', 'ON')";
+    database.execute_batch(rows).unwrap();
+    let zone = || {
+        let log = read(&folder.url("sqlite:log.db"), &LoggerFile::default()).unwrap();
+        log.zone.and_then(|zone| zone.iana_name().map(str::to_owned))
+    };
+    assert_eq!(zone(), None);
+    database.execute_batch("CREATE TABLE run (zone TEXT); INSERT INTO run VALUES ('America/Chicago')").unwrap();
+    assert_eq!(zone().as_deref(), Some("America/Chicago"));
+    database.execute_batch("INSERT INTO run VALUES ('Europe/Berlin')").unwrap();
+    assert_eq!(zone(), None, "two homes have no one zone");
+}
+
 /// What CSV can hold comes back as it was, with blanks at its ends and control characters; CASAS refuses what it cannot hold.
 #[test]
 fn odd_texts_come_back_as_they_were_or_are_refused() {

@@ -13,8 +13,8 @@ const TOP: f64 = 122.0;
 /// Height of a measure, and of the gap below it.
 const ROW: f64 = 20.0;
 const GAP: f64 = 3.0;
-/// The right edges of the columns of quantiles.
-const QUANTILES: [f64; 3] = [RIGHT + 52.0, RIGHT + 100.0, RIGHT + 144.0];
+/// The right edges of the columns of figures: the lowest, the median, the highest.
+const FIGURES: [f64; 3] = [RIGHT + 52.0, RIGHT + 100.0, RIGHT + 144.0];
 const AXIS: Type = Type::new(12.0, MUTED);
 const HATCH: &str = "unknown";
 
@@ -61,7 +61,7 @@ fn legend(svg: &mut Svg) {
         svg.rectangle(Point::new(left + BOX.x * place as f64, Y - BOX.y / 2.0), BOX, &Paint::fill(colour));
     }
     svg.text("high", Point::new(RIGHT + 10.0, Y), &Type::new(13.0, INK));
-    for (head, right) in ["10 %", "median", "90 %"].into_iter().zip(QUANTILES) {
+    for (head, right) in ["lowest", "median", "highest"].into_iter().zip(FIGURES) {
         svg.text(head, Point::new(right, TOP - 14.0), &Type::new(11.0, INK).anchored(Anchor::End));
     }
 }
@@ -71,11 +71,7 @@ fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
     let mut known = measures.known(number);
     known.sort_by(f64::total_cmp);
     let at = |share: f64| known[((known.len() - 1) as f64 * share).round() as usize];
-    let (low, high) = (at(0.05), at(0.95));
-    let level = |value: f64| {
-        let share = if high > low { (value - low) / (high - low) } else { 0.0 };
-        ((share * DENSITY.len() as f64) as usize).min(DENSITY.len() - 1)
-    };
+    let scale = Scale::of(&known);
     let (middle, bottom) = (top + (ROW - GAP) / 2.0, top + ROW - GAP);
     let column = (RIGHT - LEFT) / measures.days.len() as f64;
     svg.rectangle(Point::new(LEFT, top), Point::new(RIGHT - LEFT, bottom - top), &Paint::fill(QUIET));
@@ -87,7 +83,7 @@ fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
     for (shade, colour) in DENSITY.iter().enumerate() {
         let mut path = String::new();
         for (day, value) in measures.days.iter().map(|day| day.values[number]).enumerate() {
-            if value.map(level) == Some(shade) {
+            if value.map(|value| scale.level(value)) == Some(shade) {
                 let (left, right) = (LEFT + column * day as f64, LEFT + column * (day + 1) as f64);
                 let _ = write!(path, "M{} {}H{}V{}H{}Z", Px(left), Px(top), Px(right), Px(bottom), Px(left));
             }
@@ -100,8 +96,75 @@ fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
     svg.text(measure.title, Point::new(LEFT - 8.0, middle), &Type::new(13.0, INK).anchored(Anchor::End));
     // Small values have two decimals.
     let decimals = if at(0.9) < 3.0 { 2 } else { 1 };
-    for (share, right) in [0.1, 0.5, 0.9].into_iter().zip(QUANTILES) {
+    for (share, right) in [0.0, 0.5, 1.0].into_iter().zip(FIGURES) {
         svg.text(&format!("{:.decimals$}", at(share)), Point::new(right, middle), &AXIS.anchored(Anchor::End));
     }
-    svg.text(measure.unit, Point::new(QUANTILES[2] + 8.0, middle), &AXIS);
+    svg.text(measure.unit, Point::new(FIGURES[2] + 8.0, middle), &AXIS);
+}
+
+/// Which colour a value of a measure has.
+struct Scale {
+    /// The different values, in their order.
+    values: Vec<f64>,
+    /// Whether few values far from all others would give these one colour: then their order tells the colour.
+    is_by_order: bool,
+}
+
+impl Scale {
+    /// The scale from the lowest to the highest of values in their order.
+    fn of(sorted: &[f64]) -> Scale {
+        let mut values = sorted.to_vec();
+        values.dedup();
+        let scale = Scale { values, is_by_order: false };
+        // Most of the different values would share the palest two colours (our choice).
+        let pale = scale.values.iter().filter(|&&value| scale.level(value) < 2).count();
+        Scale { is_by_order: scale.values.len() > 2 && 2 * pale > scale.values.len(), ..scale }
+    }
+
+    /// The colour of one of the values. Nothing at all has a colour of its own.
+    fn level(&self, value: f64) -> usize {
+        let (Some(&low), Some(&high)) = (self.values.first(), self.values.last()) else { return 0 };
+        if value <= low || high <= low {
+            return 0;
+        }
+        let share = match self.is_by_order {
+            true => self.values.partition_point(|&other| other < value) as f64 / (self.values.len() - 1) as f64,
+            false => (value - low) / (high - low),
+        };
+        let palest = usize::from(low == 0.0);
+        let colours = DENSITY.len() - palest;
+        palest + ((share * colours as f64) as usize).min(colours - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn levels(values: &[f64]) -> Vec<usize> {
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let scale = Scale::of(&sorted);
+        values.iter().map(|&value| scale.level(value)).collect()
+    }
+
+    #[test]
+    fn a_row_goes_from_its_lowest_to_its_highest() {
+        // Two rare days stand out, and so does a day of two from one of one.
+        let mut rare = vec![0.0; 60];
+        (rare[7], rare[30]) = (1.0, 2.0);
+        let rare = levels(&rare);
+        assert!(rare[0] == 0 && rare[7] > 0 && rare[30] == DENSITY.len() - 1 && rare[7] < rare[30], "{rare:?}");
+        assert_eq!(levels(&[6.0, 7.0, 8.0, 9.0]), [0, 2, 5, 7]);
+        assert_eq!(levels(&[4.0, 4.0]), [0, 0], "the control: what never changes has one colour");
+    }
+
+    #[test]
+    fn few_values_far_away_leave_the_order_of_all_others_to_see() {
+        let far = levels(&[0.0, 1.0, 2.0, 3.0, 900.0]);
+        assert!(far.is_sorted_by(|a, b| a < b), "{far:?}");
+        assert_eq!((far[0], far[4]), (0, DENSITY.len() - 1));
+        let least = levels(&[0.0, 0.001, 900.0]);
+        assert!(least[0] < least[1] && least[1] < least[2], "{least:?}");
+    }
 }

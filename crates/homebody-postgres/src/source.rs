@@ -39,6 +39,9 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
     let table = Found::find(&connection, &server, file)?;
     let run = table.run(&connection, &server)?;
     let number = run.as_deref().and_then(|run| run.parse().ok());
+    if let Some(zone) = zone(&connection, &table.schema, number) {
+        reading.in_zone(&zone);
+    }
     sensors::known(&connection, &table.schema, number)?.into_iter().for_each(|sensor| reading.know(sensor));
     connection.wait(connection.client.batch_execute(BEGIN))?;
     reading.has_spans = spans(&connection, &server, &table, run.as_deref(), reading)?;
@@ -190,7 +193,11 @@ impl Found {
         let table = file.table.clone().unwrap_or_else(|| table_of_run(connection, server, &schema));
         let columns = columns_of(connection, &schema, &table)?;
         if columns.is_empty() {
-            return Err(no_table(connection, server, &schema, &table)?);
+            let no_run = if file.table.is_none() { no_run(connection, server, &schema) } else { None };
+            return Err(match no_run {
+                Some(no_run) => no_run,
+                None => no_table(connection, server, &schema, &table)?,
+            });
         }
         let has = |name: &String| columns.iter().any(|(column, _)| column == name).then(|| name.clone());
         let by_types = || Some(&columns).filter(|_| file.columns == ColumnsFile::default()).and_then(|it| by_types(it));
@@ -321,6 +328,30 @@ fn table_of_run(connection: &Connection, server: &Server, schema: &str) -> Strin
     let told = connection.wait(connection.client.query(&sql, &[&server.run])).unwrap_or_default();
     let told: Option<Option<String>> = (told.len() == 1).then(|| told[0].get(0));
     told.flatten().unwrap_or_else(|| "firing".into())
+}
+
+/// The error where the table of runs does not have the run that is asked for, and has others.
+fn no_run(connection: &Connection, server: &Server, schema: &str) -> Option<LogError> {
+    let asked = server.run.as_ref()?;
+    let sql = format!(
+        "SELECT run_id::text FROM {} WHERE holds = 'log' ORDER BY run_id LIMIT {}",
+        quoted(schema, RUNS),
+        MOST_NAMED + 1
+    );
+    let found = connection.wait(connection.client.query(&sql, &[])).ok()?;
+    let runs: Vec<&str> = found.iter().map(|row| row.get(0)).collect();
+    let hint = match &runs[..] {
+        [] => return None,
+        [one] => format!("there is one run, {one}: ?run={one}"),
+        several => format!("there are runs {}", listed(several)),
+    };
+    Some(wrong(server, format!("there is no run {asked}"), &hint))
+}
+
+/// The zone of a run's home, if there is a table of runs that may be read and names it.
+fn zone(connection: &Connection, schema: &str, run: Option<i64>) -> Option<String> {
+    let sql = format!("SELECT zone FROM {} WHERE run_id = $1", quoted(schema, RUNS));
+    connection.wait(connection.client.query_opt(&sql, &[&run?])).ok()??.get(0)
 }
 
 /// The columns of a log under names that say nothing: two texts side by side are sensor and value, and what is right before them the time, if

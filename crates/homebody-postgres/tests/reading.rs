@@ -70,6 +70,45 @@ fn of_several_runs_one_is_named() {
 }
 
 #[test]
+fn a_run_that_is_not_there_is_named_whatever_the_table_is_called() {
+    let Some(server) = Server::shared() else { return };
+    let database = server.database("absent");
+    let url = server.url("postgres", &database, "");
+    let said = LoggerFile { table: Some("said".into()), ..Default::default() };
+    for run in [3, 7] {
+        Life::new(run, 10).live_as(&url, None, Policy::default(), &said).unwrap();
+    }
+    let usual = LoggerFile::default();
+    let error = log(&format!("{url}&run=12"), &usual).unwrap_err().to_string();
+    assert!(error.contains("there is no run 12") && error.contains("there are runs 3, 7"), "{error}");
+    assert_eq!(log(&format!("{url}&run=7"), &usual).unwrap().rows, 10);
+    // The control: without a table of runs, the table of rows is missing.
+    server.psql(&database, "DROP TABLE homebody_run");
+    let error = log(&format!("{url}&run=12"), &usual).unwrap_err().to_string();
+    assert!(error.contains("there is no table \"firing\""), "{error}");
+}
+
+#[test]
+fn a_run_tells_the_zone_of_its_home() {
+    let Some(server) = Server::shared() else { return };
+    let database = server.database("zones");
+    let url = server.url("postgres", &database, "");
+    for run in [1, 2] {
+        Life::new(run, 10).live(&url, None, Policy::default()).unwrap();
+    }
+    server.psql(&database, "UPDATE homebody_run SET zone = 'UTC' WHERE run_id = 2");
+    let zone = |run| {
+        let log = log(&format!("{url}&run={run}"), &LoggerFile::default()).unwrap();
+        assert_eq!(log.clock, Clock::Utc);
+        log.zone.and_then(|zone| zone.iana_name().map(str::to_owned))
+    };
+    assert_eq!(zone(1).as_deref(), Some("America/Chicago"));
+    assert_eq!(zone(2), None, "UTC is also said where the zone is not known");
+    server.psql(&database, "DELETE FROM homebody_run WHERE run_id = 1");
+    assert_eq!(zone(1), None, "the control");
+}
+
+#[test]
 fn tables_of_others_are_read_and_what_is_missing_is_told() {
     let Some(server) = Server::shared() else { return };
     let database = server.database("others");

@@ -131,7 +131,7 @@ impl Log {
         py.detach(|| {
             let log = &self.instants()?.log;
             let skipped = log.problems.iter().map(|skipped| format!("line {}: {}", skipped.line, skipped.why));
-            let is_of_no_place = log.clock == Clock::Utc && self.zone.is_none();
+            let is_of_no_place = log.clock == Clock::Utc && self.zone.is_none() && log.zone.is_none();
             let is_of_no_place = is_of_no_place && self.named().map_err(raised)?.zone().is_none();
             let hours = "its hours are those of UTC: time_zone tells the home's own";
             let hours = is_of_no_place.then(|| hours.to_owned());

@@ -197,6 +197,15 @@ fn a_late_night_is_late_whatever_made_it_so() {
     assert!(by.iter().all(|hour| (8.5..11.0).contains(hour)), "{by:?}");
 }
 
+/// The host only welcomes who stays for days.
+#[test]
+fn a_stay_of_days_is_measured_from_coming_to_leaving() {
+    let mut run = run(&format!("{BED}From day 10 her son stays for a week.\n"), DAYS);
+    run.advance(DAYS * DAY, &mut Events::default()).unwrap();
+    let of_son = Household::differences(&run).into_iter().filter(|of| of.text.contains("her son"));
+    assert_eq!(of_son.collect::<Vec<_>>(), []);
+}
+
 #[test]
 fn the_ordinary_life_is_lived_as_it_is_said() {
     let mut run = run(ORDINARY, DAYS);

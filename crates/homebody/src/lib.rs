@@ -13,6 +13,7 @@ mod start;
 mod prometheus;
 mod watched;
 
+use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser};
 use commands::Command;
 use failure::{EXIT_CODES, Failure};
@@ -50,13 +51,35 @@ pub fn run(words: Vec<OsString>) -> u8 {
     homebody_kit::elsewhere::install_all();
     let arguments = match Arguments::try_parse_from(&words) {
         Ok(arguments) => arguments,
-        Err(error) => return refuse(&error, &words),
+        Err(error) => return refuse(&with_meant(error, &words), &words),
     };
     tell_as(arguments.told);
     match arguments.command.run(Arguments::command) {
         Ok(()) => 0,
         Err(failure) => report(&failure),
     }
+}
+
+/// The error, with a tip that works: where clap proposes an argument that is refused, too, that one's tips stand in its place.
+fn with_meant(mut error: clap::Error, words: &[OsString]) -> clap::Error {
+    let text = |value: Option<&ContextValue>| match value {
+        Some(ContextValue::String(text)) => Some(text.clone()),
+        _ => None,
+    };
+    let written = text(error.get(ContextKind::InvalidArg));
+    let Some((written, meant)) = written.zip(text(error.get(ContextKind::SuggestedArg))) else { return error };
+    let replaced = |word: &OsString| match word.to_string_lossy().strip_prefix(&written) {
+        Some("") => OsString::from(&meant),
+        Some(value) if value.starts_with('=') => OsString::from(format!("{meant}{value}")),
+        _ => word.clone(),
+    };
+    let Err(other) = Arguments::try_parse_from(words.iter().map(replaced)) else { return error };
+    let is_refused = text(other.get(ContextKind::InvalidArg)).is_some_and(|arg| arg.starts_with(&meant));
+    if let Some(tips) = other.get(ContextKind::Suggested).filter(|_| is_refused) {
+        error.remove(ContextKind::SuggestedArg);
+        error.insert(ContextKind::Suggested, tips.clone());
+    }
+    error
 }
 
 /// Tells what is wrong with the words of the command. They are quoted, but for the passwords that somebody wrote into them.

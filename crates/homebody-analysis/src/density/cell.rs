@@ -5,6 +5,9 @@ use serde::Serialize;
 /// At home for less than this in an hour, it is away; Wang & Skubic give no number, this is ours.
 pub const LEAST_AT_HOME_H: f64 = 1.0 / 6.0;
 
+/// Of an hour with less data than this nothing is known (our choice): a few firings in some minutes would make it the darkest of all.
+pub const LEAST_RECORDED_H: f64 = 1.0 / 4.0;
+
 /// What some cells come to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Sum {
@@ -32,7 +35,7 @@ pub struct Cell {
 /// What is known of an hour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum State {
-    /// Too little of the hour was recorded, less than ten minutes.
+    /// Too little of the hour was recorded, less than a quarter.
     NoData,
     /// Somebody was at home for less than ten minutes of it.
     Away,
@@ -49,7 +52,7 @@ impl Cell {
     /// What is known of the hour.
     pub fn state(&self) -> State {
         match () {
-            () if self.recorded_h < LEAST_AT_HOME_H => State::NoData,
+            () if self.recorded_h < LEAST_RECORDED_H => State::NoData,
             () if self.at_home_h() < LEAST_AT_HOME_H => State::Away,
             () => State::Density(self.events as f64 / self.at_home_h()),
         }

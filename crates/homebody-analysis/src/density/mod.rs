@@ -4,8 +4,8 @@
 //! A cell is an hour of a day on the clock on the wall; where the zone is known, one that is left out as clocks are set on is without data,
 //! and one that comes twice has two hours. Its density is the number of motion events divided by the hours
 //! that somebody was at home in it, `events / at_home_h`; where these are less than ten minutes, the hour is away and has
-//! none. An event is a row by which a motion sensor says that something began: `ON`, `FIRE`, `true`. Contacts, lights and
-//! readings are no motion. `away` says when nobody was at home, `texture` how alike neighbouring hours are.
+//! none. An hour is without data if less than a quarter of it is recorded. An event is a row by which a motion sensor says that
+//! something began: `ON`, `FIRE`, `true`. Contacts, lights and readings are no motion. `away` says when nobody was at home, `texture` how alike neighbouring hours are.
 //!
 //! | figure | unit | definition |
 //! |---|---|---|
@@ -13,7 +13,7 @@
 //! | away | hours a day | the hours away divided by the days recorded |
 //! | distance of two maps | 0 to 2.24 | the Euclidean distance of their five features, each divided by the most it can be: homogeneity by 1, contrast by 49, entropy by ln 64, density by the top of the maps' common scale, away by 24 |
 //!
-//! Wang & Skubic define density, features and distance. Ten minutes, the scale of a feature and the top are ours: eight
+//! Wang & Skubic define density, features and distance. Ten minutes, the quarter, the scale of a feature and the top are ours: eight
 //! steps of a round height, such that one in a hundred cells is above the top. To judge a distance, hold it against those
 //! among the weeks of the log it is taken from.
 //!

@@ -27,6 +27,16 @@ fn a_cell_is_events_by_hours_at_home() {
 }
 
 #[test]
+fn an_hour_that_is_known_for_minutes_is_not_the_darkest() {
+    let last = |seconds: i64| {
+        let rows = [(0, "M1", "ON"), (1800, "M1", "OFF"), (H + 60, "M1", "ON"), (H + seconds, "M1", "ON")];
+        map(&rows, &Asked::default()).cells[0][1].state()
+    };
+    assert_eq!(last(11 * 60), State::NoData);
+    assert!(matches!(last(16 * 60), State::Density(density) if (7.0..8.0).contains(&density)), "the control");
+}
+
+#[test]
 fn what_is_away_is_no_hour_at_home() {
     // Leaves at 01:30 by the front door and comes back at 03:00; the run was a whole day.
     let front = "front door";

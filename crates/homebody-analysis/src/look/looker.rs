@@ -6,7 +6,7 @@ use super::home::of_home;
 use super::order::{MOST_WAITING, Order, Orders, Waiting};
 use super::sensor::{Course, Recorder};
 use crate::compare::natural;
-use crate::dates::{midnight, on_wall, zone_of_offsets};
+use crate::dates::{midnight, on_wall, zone_of};
 use crate::signs::{Beforehand, OwnWords, Says, Tally, is_number, says};
 use homebody_core::sensed::domain_of;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
@@ -42,7 +42,7 @@ pub fn looked<E>(mut looker: Looker, stream: &mut Stream<'_, E>) -> Result<(Look
 /// Takes the rows of a log, part by part.
 pub struct Looker {
     zone: Option<TimeZone>,
-    is_by_offsets: bool,
+    is_by_own_zone: bool,
     /// By value: what it says, and the number that it is.
     values: Vec<(Says, Option<f64>)>,
     sensors: Vec<Course>,
@@ -67,7 +67,7 @@ impl Looker {
     pub fn new(zone: Option<TimeZone>) -> Looker {
         Looker {
             zone,
-            is_by_offsets: false,
+            is_by_own_zone: false,
             values: Vec::new(),
             sensors: Vec::new(),
             by_day: DayCounts::default(),
@@ -84,16 +84,16 @@ impl Looker {
         }
     }
 
-    /// Puts instants that are written with offsets on the wall that these are of, where no zone is given.
-    pub fn by_offsets(self) -> Looker {
-        Looker { is_by_offsets: self.zone.is_none(), ..self }
+    /// Puts instants on the wall of the zone that the log tells, by its name or by offsets, where no zone is given.
+    pub fn by_own_zone(self) -> Looker {
+        Looker { is_by_own_zone: self.zone.is_none(), ..self }
     }
 
     /// Looks at the rows a second time: its first rows need not have all offsets, the order shows at the end, and so do words that one
     /// sensor alone has. `None` where the first time was enough.
     fn again(&self, about: &Log) -> Option<Looker> {
-        let of_offsets = zone_of_offsets(&about.offsets).filter(|_| self.is_by_offsets);
-        let zone = of_offsets.or_else(|| self.zone.clone());
+        let own_zone = zone_of(about).filter(|_| self.is_by_own_zone);
+        let zone = own_zone.or_else(|| self.zone.clone());
         let own = OwnWords::of(about);
         let is_sorted = self.waiting.is_some() || !self.is_to_sort(about);
         if is_sorted && zone == self.zone && own.is_empty() {
@@ -110,8 +110,8 @@ impl Looker {
 
     /// Takes the rows of a part; its sensors and values are all that have come so far.
     pub fn take(&mut self, part: &Log) {
-        if self.is_by_offsets && self.zone.is_none() && self.orders.is_empty() {
-            self.zone = zone_of_offsets(&part.offsets);
+        if self.is_by_own_zone && self.zone.is_none() && self.orders.is_empty() {
+            self.zone = zone_of(part);
         }
         let number = |value: &String| value.parse().ok().filter(|_| is_number(value));
         self.values.extend(part.values[self.values.len()..].iter().map(|value| (says(value), number(value))));

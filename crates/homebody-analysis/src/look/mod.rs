@@ -9,6 +9,8 @@
 //! | silence | nothing says anything for 12 h or more |
 //! | dead | a sensor says nothing more for two days or more before the log ends, and for three times as long as ever before |
 //! | stuck | a motion sensor is on for 6 h or more; or all of 50 readings or more over a day are one number |
+//! | not known | a row says that the state of the sensor is not known, such as `unavailable` |
+//! | restored | a row says the state again after a stretch in which it was not known: after such a row, or after a gap of the recorder |
 //!
 //! Rows are taken as they come, and none is kept: a log may be of any size. One whose newest rows come first, or whose rows come sensor by
 //! sensor, is read again and looked at in the order of time, as far as so many rows can wait. All lengths are our choice.

@@ -2,6 +2,7 @@ use super::*;
 use crate::sample::log;
 use crate::signs::Kind;
 use homebody_core::time::Micros;
+use homebody_log::Log;
 use homebody_log::source::Clock;
 use jiff::tz::TimeZone;
 
@@ -135,7 +136,12 @@ fn utc_is_told_on_the_wall_where_that_is_known() {
     };
     assert_eq!(told(None), "2009-03-08 08:00:00Z");
     let zone = homebody_core::scenario::calendar::Calendar::zone("America/Chicago").unwrap();
-    assert_eq!(told(Some(zone)), "2009-03-08 03:00:00");
+    assert_eq!(told(Some(zone.clone())), "2009-03-08 03:00:00");
+    // A log may name its own zone, as a run in a database does.
+    let log = Log { zone: Some(zone), ..log.clone() };
+    let mut looker = Looker::new(None).by_own_zone();
+    looker.take(&log);
+    assert_eq!(looker.look("a", "csv", &log, &|_| None, None).first.unwrap(), "2009-03-08 03:00:00");
 }
 
 #[test]

@@ -67,9 +67,9 @@ impl Measures {
         let measured = measuring.end()?;
         let Remarks { remarks, guesses } = Remarks::of(log, &known, &measured);
         let (days, silent, rooms) = (measured.days, measured.silent, measured.all_rooms);
-        let guessed = log.sensors.iter().zip(&rooms.of_sensors).filter(|_| known.rooms.is_empty());
+        let guessed = log.sensors.iter().zip(0..).filter(|_| known.rooms.is_empty());
         let guessed_rooms =
-            guessed.filter_map(|(id, room)| Some((id.clone(), rooms.rooms[(*room)?].0.clone()))).collect();
+            guessed.filter_map(|(id, sensor)| Some((id.clone(), rooms.name_of(sensor)?.into()))).collect();
         let mut measures = Measures {
             name: name.to_owned(),
             measures: MEASURES,

@@ -113,6 +113,11 @@ impl Rooms {
         })
     }
 
+    /// The name of a sensor's room, if the sensor is in a room.
+    pub fn name_of(&self, sensor: usize) -> Option<&str> {
+        Some(&self.rooms[self.of_sensors.get(sensor).copied().flatten()?].0)
+    }
+
     /// What a room is for.
     pub fn purpose(&self, room: usize) -> Purpose {
         self.rooms[room].1

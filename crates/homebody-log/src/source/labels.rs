@@ -62,8 +62,8 @@ pub(super) struct LabelTable {
     pub is_named: bool,
 }
 
-/// The possible delimiters: blanks or tabs, commas, semicolons.
-const DELIMITERS: [Option<char>; 3] = [None, Some(','), Some(';')];
+/// The possible delimiters: blanks or tabs, commas, semicolons, bars.
+const DELIMITERS: [Option<char>; 4] = [None, Some(','), Some(';'), Some('|')];
 
 /// A row's two ends, and the cells behind them.
 type Row<'l> = ([Instant; 2], Vec<Cow<'l, str>>);

@@ -4,6 +4,7 @@ use super::activities::Activity;
 use crate::sensor_info::SensorInfo;
 use crate::skipped::Skipped;
 use homebody_core::time::Micros;
+use jiff::tz::TimeZone;
 use serde::Serialize;
 
 /// A log in memory, or a part of one that is streamed; its rows in the order in which they were stored.
@@ -29,6 +30,8 @@ pub struct Log {
     pub columns: Vec<ColumnUse>,
     /// The offsets from UTC that its instants were written with, in the order of the rows; empty without offsets.
     pub offsets: Vec<OffsetSpan>,
+    /// The zone of its home, where the place of the log names it.
+    pub zone: Option<TimeZone>,
     /// Spans without a record, in the order of time. The state before such a span is unknown within it.
     pub gaps: Vec<(Micros, Micros)>,
     /// What else is left out than lines: a sentence each.

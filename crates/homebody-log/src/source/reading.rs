@@ -13,6 +13,7 @@ use crate::sensor_info::SensorInfo;
 use crate::skipped::Skipped;
 use foldhash::HashMap;
 use homebody_core::problem::readable;
+use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::{DAY, Micros};
 use jiff::Timestamp;
 use std::collections::BTreeMap;
@@ -234,6 +235,11 @@ impl<'t> Reading<'t> {
             self.skip(*line, OTHER_CLOCK.into());
         }
         self.log.problems.sort_by_key(|problem| problem.line);
+    }
+
+    /// Takes the name of the zone of the log's home, before the first row. UTC is also the name for a zone that is not known.
+    pub fn in_zone(&mut self, name: &str) {
+        self.log.zone = Calendar::zone(name).ok().filter(|_| name != "UTC");
     }
 
     /// Takes a note, at the last row, that an activity begins or ends.

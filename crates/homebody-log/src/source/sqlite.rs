@@ -51,6 +51,9 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         None => return Err(LogError::NoLog { place: place_of(path), why: why() }),
     };
     reading.has_spans = spans(&connection, reading).map_err(database)?;
+    if let Some(zone) = zone(&connection).map_err(database)? {
+        reading.in_zone(&zone);
+    }
     // The log's table in a file has places, too, so it comes first.
     sensors(&connection).map_err(database)?.into_iter().for_each(|sensor| reading.know(sensor));
     let sql = rows_of(&connection, file, &table, reading).map_err(database)?;
@@ -106,6 +109,18 @@ fn spans(connection: &Connection, reading: &mut Reading<'_>) -> rusqlite::Result
         }
     }
     Ok(true)
+}
+
+/// The zone of the homes, as the table of runs that our logs have names it; none where several zones are named.
+fn zone(connection: &Connection) -> rusqlite::Result<Option<String>> {
+    let has = tables(connection)?.iter().any(|name| name == "run")
+        && columns(connection, "run")?.iter().any(|name| name == "zone");
+    if !has {
+        return Ok(None);
+    }
+    let mut statement = connection.prepare("SELECT DISTINCT zone FROM run WHERE typeof(zone) = 'text' LIMIT 2")?;
+    let zones: Vec<String> = statement.query_map([], |row| row.get(0))?.collect::<rusqlite::Result<_>>()?;
+    Ok(<[String; 1]>::try_from(zones).ok().map(|[zone]| zone))
 }
 
 /// The sensors in the table that our logs have; none without such a table.

@@ -94,17 +94,21 @@ impl Start {
         let is_steady =
             |mark: u8| counts(mark).next().is_some_and(|first| first > 0 && counts(mark).all(|it| it == first));
         let first = |mark: u8| counts(mark).next().unwrap_or(0);
+        // The table that psql prints has a line of dashes, and a table of Markdown begins with a bar.
+        let has_bars = lines.len() > 1 && !lines[1].contains("-+-") && !lines[0].starts_with(['|', '+']);
         let by_first = match () {
             () if first(b';') > first(b',') || is_steady(b';') && !is_steady(b',') => b';',
             () if lines.len() > 1 && is_steady(b'\t') && first(b',') == 0 && first(b';') == 0 => b'\t',
+            () if has_bars && is_steady(b'|') && first(b',') == 0 && first(b';') == 0 => b'|',
             () => b',',
         };
         if is_steady(by_first) {
             return by_first;
         }
-        let usual = [b';', b'\t', b','].map(|mark| (mark, self.usual(mark).unwrap_or(0)));
+        let usual = [b';', b'\t', b'|', b','].map(|mark| (mark, self.usual(mark).unwrap_or(0)));
         // A number has one comma in each cell at most.
-        let best = usual.iter().find(|(mark, count)| *count > 0 && (*mark == b',' || usual[2].1 <= count + 1));
+        let mut usual_ones = usual.iter().filter(|(mark, _)| has_bars || *mark != b'|');
+        let best = usual_ones.find(|(mark, count)| *count > 0 && (*mark == b',' || usual[3].1 <= count + 1));
         best.map_or(by_first, |(mark, _)| *mark)
     }
 
@@ -151,7 +155,7 @@ fn is_pair(line: &str) -> bool {
 fn told_delimiter(line: &str) -> Option<u8> {
     let mark = line.trim_matches(['"', '\u{feff}']).to_lowercase();
     match *mark.strip_prefix("sep=")?.as_bytes() {
-        [mark @ (b';' | b',' | b'\t'), ..] => Some(mark),
+        [mark @ (b';' | b',' | b'\t' | b'|'), ..] => Some(mark),
         // The blanks at a line's end are left out.
         [] => Some(b'\t'),
         _ => None,

@@ -5,6 +5,7 @@ use super::activities;
 use super::adverbs::Adverbs;
 use super::alone::read_alone;
 use super::amounts::number;
+use super::calendar::is_weekday;
 use super::clause::place;
 use super::draft::Draft;
 use super::faults::Faults;
@@ -265,6 +266,12 @@ fn without_label(names: &Names, _text: &str, words: &[Word]) -> Option<Vec<Word>
     ends.then(|| words[length + 1..].to_vec())
 }
 
+/// Whether a word is one of a list of days or times of day.
+fn lists(word: &Word) -> bool {
+    let is_part = ["morning", "afternoon", "evening", "night"].contains(&word.text.trim_end_matches('s'));
+    matches!(word.token, Token::Clock(..)) || is_weekday(&word.text) || is_part
+}
+
 /// "a 20 minute walk every day": a walk every day for 20 minutes.
 fn without_length(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>> {
     (0..words.len()).find_map(|from| {
@@ -280,9 +287,11 @@ fn without_length(names: &Names, text: &str, words: &[Word]) -> Option<Vec<Word>
             names_doing.then_some((length, reader.at))
         });
         let (length, rest) = length?;
-        let is_end =
+        let joins =
             |word: &Word| word.token == Token::Comma || ["and", "then", "or", "but"].contains(&word.text.as_str());
-        let end = words[rest..].iter().position(is_end).map_or(words.len(), |end| rest + end);
+        // "on Monday, Wednesday, and Friday": a list of days or times goes through.
+        let is_end = |at: usize| joins(&words[at]) && !words[at..].iter().find(|word| !joins(word)).is_some_and(lists);
+        let end = (rest..words.len()).find(|&at| is_end(at)).unwrap_or(words.len());
         let mut said = words[from..from + length].to_vec();
         if let Some(unit) = said.last_mut() {
             unit.text = unit.text.replace('\'', "");

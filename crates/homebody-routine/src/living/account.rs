@@ -32,14 +32,17 @@ const LATE_SHARE: f64 = 0.1;
 /// What takes less than this of its length on average is told (ours).
 const SHORT: f64 = 0.7;
 
-/// All sentences of a life of so many days that differ from what came of them.
-pub fn differences(life: &Life, tally: &Tally, days: i32) -> Vec<Difference> {
+/// All sentences of a life of so many days that differ from what came of them. A host only welcomes who stays for days: how long they stay is
+/// in the tallies of the visitors.
+pub fn differences(life: &Life, tally: &Tally, of_visitors: &[&Tally], days: i32) -> Vec<Difference> {
     let mut all = foretold(life, days);
     for (id, file, said) in life.sentences().filter(|(id, ..)| id.source != Life::UNSAID) {
         if all.iter().any(|known| known.file == file && known.line == said.line && known.text == said.text) {
             continue;
         }
-        if let Some((expected, lived)) = difference(life, id, tally.of(id)) {
+        let lived = tally.of(id);
+        let lengths = of_visitors.iter().map(|visitor| visitor.of(id)).find(|stay| stay.begun > 0).unwrap_or(lived);
+        if let Some((expected, lived)) = difference(life, id, lived, lengths) {
             let (resident, file) = (life.name.clone(), file.to_owned());
             let (line, text) = (said.line, said.text.clone());
             all.push(Difference { resident, file, line, text, expected, lived, told: false });
@@ -87,8 +90,8 @@ fn phase(life: &Life, id: SentenceId) -> Option<Phase> {
 }
 
 /// What was expected of a sentence, and what came of it, if they differ.
-fn difference(life: &Life, id: SentenceId, lived: Lived) -> Option<(String, String)> {
-    let Lived { planned, begun, done, no_way, planned_s, lasted_s, late } = lived;
+fn difference(life: &Life, id: SentenceId, lived: Lived, lengths: Lived) -> Option<(String, String)> {
+    let Lived { planned, begun, no_way, late, .. } = lived;
     match id.kind {
         SentenceKind::Rule => return None,
         SentenceKind::Change => {
@@ -113,6 +116,7 @@ fn difference(life: &Life, id: SentenceId, lived: Lived) -> Option<(String, Stri
         let minutes = LATE / (60 * SECOND);
         return Some(("at its time".to_owned(), format!("begun more than {minutes} min late {late} of {begun} times")));
     }
+    let Lived { begun, done, planned_s, lasted_s, .. } = lengths;
     if habit.lasts.is_some() && done > 0 && lasted_s / f64::from(done) < SHORT * planned_s / f64::from(begun) {
         let minutes = |sum_s: f64, times: u32| sum_s / f64::from(times) / 60.0;
         let expected = format!("{:.0} min on average", minutes(planned_s, begun));

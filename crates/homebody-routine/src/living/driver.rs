@@ -192,6 +192,11 @@ impl RoutineDriver {
         self.visitor.is_some()
     }
 
+    /// The resident whose life it is: of a visitor the host.
+    pub fn host(&self) -> ResidentId {
+        self.host
+    }
+
     pub fn life(&self) -> &Life {
         &self.life
     }
@@ -268,7 +273,10 @@ impl RoutineDriver {
             if over.is_essential {
                 self.at_table = now;
             }
-            self.let_follow(over.of, now);
+            // The host does what comes after a stay.
+            if self.visitor.is_none() {
+                self.let_follow(over.of, now);
+            }
         }
         self.watches.leave_behind();
         if let Some((rank, still)) = still {

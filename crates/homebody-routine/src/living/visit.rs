@@ -67,6 +67,10 @@ impl RoutineDriver {
         // Out of the home is no activity of theirs.
         steps.push_back(Step::Name(String::new()));
         self.play(steps, stream, VISITING);
+        if let Some(playing) = self.scripts.last_mut().filter(|_| self.stays_over) {
+            (playing.of, playing.since) = (item.of, begin);
+            self.tally.begin(&item, begin);
+        }
     }
 
     /// Days and nights of who stays over: by the hours of the host they sleep, eat and go to the bathroom; in between they

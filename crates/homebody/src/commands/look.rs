@@ -92,7 +92,7 @@ impl Arguments {
         };
         let zone = zone.or_else(|| named.zone());
         let reading = Working::on(format!("reading {}", named.name));
-        let (looker, mut about) = looked(Looker::new(zone).by_offsets(), &mut |take| named.stream(take))?;
+        let (looker, mut about) = looked(Looker::new(zone).by_own_zone(), &mut |take| named.stream(take))?;
         drop(reading);
         named.know_home(&mut about);
         let known = |id: &str| about.known.iter().find(|known| known.id == id).map(|known| known.name.as_str());
