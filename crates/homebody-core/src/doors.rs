@@ -1,13 +1,13 @@
-//! Where a door leads by its name: out of the home, to a room or a thing inside, or nobody knows.
+//! The way that a door leads by its name: out of the home, or to a room or a thing inside.
 //!
-//! A thing inside wins, then a front door, then a room: a `living room front door` leads out, and a `main bedroom door` does not. The languages that join words put the door last, as in
-//! `Kühlschranktür`, `koelkastdeur` and `badrumsdörr`: what stands before it counts like a word.
+//! A thing inside wins, then a front door, then a room: a `living room front door` leads out, and a `main bedroom door` does not. The
+//! languages that join words put the door last, as in `Kühlschranktür`, `koelkastdeur` and `badrumsdörr`. The word before it counts, too.
 
 use crate::languages::{RoomUse, room_use};
 use crate::names::words;
 use crate::vocabulary::{CONTACT_WORDS, DOOR_WORDS, FRONT_WORDS, ROLE_WORDS, WINDOW_WORDS, has_any};
 
-/// Where a door leads by its name.
+/// The way that a door leads by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Leads {
     /// Its name speaks of an entrance, the house or outside.
@@ -62,7 +62,7 @@ const INNER_THINGS: [&str; 17] = [
 const ROOMS: &str = "-zimmer -kammer büro keller bureau oficina ufficio escritório kantoor -kamer kontor arbetsrum -rum -rom -værelse \
     -huone -huoneen keittiö keittiön sauna saunan vessa vessan parveke parvekkeen kuchyň salle camera vardagsrum shed greenhouse loft";
 
-/// Words for furniture, appliances, vehicles, flaps for pets and letter boxes: what opens, and nobody goes through it.
+/// Words for furniture, appliances, vehicles, flaps for pets and letter boxes: they open, and no person goes through them.
 const THINGS: &str = "schrank -schrank schublade -schublade lade truhe -truhe tresor safe locker garderobe kast -kast skåp -skåp skap -skap \
     skab -skab garderob -garderob kaappi -kaappi kaapin -kaapin laatikko placard tiroir cassetto armadietto cajón gaveta szafka szuflada \
     skříň skříňka zásuvka ящик 柜 抽屉 引き出し \
@@ -79,7 +79,7 @@ const THINGS: &str = "schrank -schrank schublade -schublade lade truhe -truhe tr
 const PLAIN: &str =
     "binary sensor state status opening open d dw door contact windows reed aqara sonoff shelly tuya ikea zigbee lumi";
 
-/// Where a door leads by its name.
+/// The way that a door leads by its name.
 pub fn leads(name: &str) -> Leads {
     let words = words(name);
     let stems: Vec<String> = words.iter().flat_map(|word| before_a_door(word)).collect();

@@ -253,8 +253,28 @@ mod tests {
     #[test]
     fn words_for_no_state_say_that_it_is_unknown() {
         for value in [
-            "", " ", "-", "--", "unavailable", "N/A", "None", "NULL", "NaN", "offline", "UNDEF", "UNINIT", "undef", "not available",
-            "not_available", "disconnected", "lost", "error", "dead", "No data", "nicht verfügbar", "离线",
+            "",
+            " ",
+            "-",
+            "--",
+            "unavailable",
+            "N/A",
+            "None",
+            "NULL",
+            "NaN",
+            "offline",
+            "UNDEF",
+            "UNINIT",
+            "undef",
+            "not available",
+            "not_available",
+            "disconnected",
+            "lost",
+            "error",
+            "dead",
+            "No data",
+            "nicht verfügbar",
+            "离线",
         ] {
             assert_eq!(says(value), Says::Unknown, "{value:?}");
         }

@@ -21,7 +21,7 @@ pub struct Entrance {
 pub enum Chosen {
     /// Somebody says so.
     Asked,
-    /// Their names speak of an entrance, or they are contacts of doors of which nothing else is said.
+    /// Their names speak of an entrance, or are those of bare doors.
     Known,
     /// They are other contacts, or their names speak of a door or a hall, and no better ones are there.
     Guessed,
@@ -30,8 +30,8 @@ pub enum Chosen {
 }
 
 impl Entrance {
-    /// Those of the names that are asked for; else those that speak of an entrance, and doors of which nothing else is said if
-    /// no front door has a contact; else other contacts, and what speaks of a door or a hall. What is inside leads nowhere.
+    /// The sensors that a person asks for. Without these, sensors whose names speak of an entrance, and bare doors if no front door
+    /// has a contact. Without these, other contacts, and names that speak of a door or a hall. A thing inside leads nowhere.
     pub fn find(ids: &[String], sensors: &LogSensors, asked: &[String]) -> Entrance {
         let with = |chosen, takes: &dyn Fn(usize) -> bool| {
             let taken = ids.iter().enumerate().filter(|(sensor, _)| takes(*sensor)).map(|(_, id)| id.clone());
