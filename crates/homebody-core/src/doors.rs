@@ -101,8 +101,8 @@ pub fn leads(name: &str) -> Leads {
         return Leads::Out;
     }
     let is_plain = |word: &String| {
-        let word = std::slice::from_ref(word);
-        [PLAIN, DOOR_WORDS, CONTACT_WORDS].iter().any(|known| has_any(word, known))
+        let alone = std::slice::from_ref(word);
+        before_a_door(word).is_empty() && [PLAIN, DOOR_WORDS, CONTACT_WORDS].iter().any(|known| has_any(alone, known))
     };
     // Such as those of `D002` and `0x00158d`.
     let is_of_id =

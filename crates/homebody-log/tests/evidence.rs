@@ -496,8 +496,8 @@ fn columns(log: &Log) -> Vec<(&str, ColumnRole)> {
 #[test]
 fn forms_without_a_heading_say_where_time_sensor_and_value_are() {
     let folder = Folder::new("columns");
-    let state = |minute| ["OFF", "ON"][minute % 2];
-    let item = |minute| {
+    let state = |minute: usize| ["OFF", "ON"][minute % 2];
+    let item = |minute: usize| {
         let (from, to) = (state(minute + 1), state(minute));
         format!(
             "2009-03-02 07:{minute:02}:00.421 [INFO ] [openhab.event.ItemStateChangedEvent   ] - Item 'Hall' changed from {from} to {to}\n"

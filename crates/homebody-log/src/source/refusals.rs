@@ -21,8 +21,12 @@ impl Pick<'_> {
     /// Refuses rows without a heading of a time, a number and a thing that is used or opened, in any order: nothing says whether the
     /// number is a duration or a reading.
     pub fn no_lengths(&self, sensor: usize, value: usize) -> Result<(), String> {
+        /// Nothing is used for longer, in seconds (our choice).
+        const LONGEST_S: f64 = 1e6;
         let (things, numbers) = (self.cells(sensor), self.cells(value));
-        let may_last = |text: &String| text.replace(',', ".").parse::<f64>().is_ok_and(|number| number > 0.0);
+        let may_last = |text: &String| {
+            text.replace(',', ".").parse::<f64>().is_ok_and(|number| number > 0.0 && number < LONGEST_S)
+        };
         let may_be = !self.first.has_heading
             && numbers.texts.len() > 2
             && numbers.texts.keys().all(may_last)
@@ -33,7 +37,9 @@ impl Pick<'_> {
         }
         let names = |number: &'static str| {
             let mut columns: Vec<(usize, &str)> = vec![(sensor, "sensor"), (value, number)];
-            columns.extend(self.all_taken(ColumnRole::Time).map(|column| (column, "time")));
+            let times: Vec<usize> = self.all_taken(ColumnRole::Time).collect();
+            let names_of_times = if times.len() > 1 { &["date", "time"][..] } else { &["time"] };
+            columns.extend(times.into_iter().zip(names_of_times.iter().copied()));
             columns.sort_unstable();
             columns.iter().map(|(_, name)| *name).collect::<Vec<_>>().join(",")
         };
