@@ -24,6 +24,7 @@ pub mod vocabulary;
 pub mod sensed;
 pub mod states;
 pub mod languages;
+pub mod doors;
 pub mod activity;
 
 // What the user wrote, and what is wrong with it.

@@ -108,7 +108,11 @@ const WORDS: [(Says, &str); 5] = [
     ),
     (
         Says::Unknown,
-        "unavailable unknown none null nan n/a undefined unbekannt inconnu desconocido sconosciuto onbekend okand ukjent",
+        "unavailable unknown none null nan na n/a undefined undef uninit uninitialized offline disconnected notconnected unreachable \
+        notavailable nodata nosignal lost error err fault failed failure invalid missing timeout stale dead \
+        unbekannt nichtverfugbar nichterreichbar getrennt fehler inconnu indisponible horsligne erreur desconocido nodisponible \
+        desconectado sconosciuto nondisponibile disconnesso errore onbekend nietbeschikbaar okand ukjent \
+        desconhecido indisponivel nieznany niedostepny neznamy nedostupny неизвестно недоступно офлайн 未知 离线 離線 不可用 不明",
     ),
 ];
 
@@ -132,7 +136,7 @@ pub fn says(value: &str) -> Says {
     let value = value.trim();
     // Nearly all values are numbers or one of these.
     match value.as_bytes() {
-        b"" => return Says::Unknown,
+        b"" | b"-" | b"--" | b"---" | b"?" => return Says::Unknown,
         b"ON" | b"on" | b"1" => return Says::Begins,
         b"OFF" | b"off" | b"0" => return Says::Ends,
         [b'0'..=b'9' | b'+' | b'-' | b'.', ..] => return Says::Else,
@@ -233,7 +237,7 @@ mod tests {
         for value in [
             "21.5",
             "01",
-            "-",
+            "-5",
             "zone",
             "no zone",
             "not",
@@ -244,8 +248,38 @@ mod tests {
         ] {
             assert_eq!(says(value), Says::Else, "{value}");
         }
-        for value in ["", " ", "unavailable", "N/A", "None"] {
+    }
+
+    #[test]
+    fn words_for_no_state_say_that_it_is_unknown() {
+        for value in [
+            "",
+            " ",
+            "-",
+            "--",
+            "unavailable",
+            "N/A",
+            "None",
+            "NULL",
+            "NaN",
+            "offline",
+            "UNDEF",
+            "UNINIT",
+            "undef",
+            "not available",
+            "not_available",
+            "disconnected",
+            "lost",
+            "error",
+            "dead",
+            "No data",
+            "nicht verfügbar",
+            "离线",
+        ] {
             assert_eq!(says(value), Says::Unknown, "{value:?}");
+        }
+        for value in ["online", "connected", "available", "-1", "errors today"] {
+            assert_ne!(says(value), Says::Unknown, "{value:?}");
         }
     }
 

@@ -144,7 +144,7 @@ pub const ROLE_WORDS: &[(Role, &str)] = &[
 
 /// The words for doors.
 pub const DOOR_WORDS: &str = "door doorway frontdoor maindoor backdoor gate tür -tür türe porte puerta porta portone deur -deur dörr \
-    -dörr dør drzwi dveře дверь 门 ドア 扉";
+    -dörr dør ovi drzwi dveře дверь 门 ドア 扉";
 
 /// The words for the front door.
 pub const FRONT_WORDS: &str = "front entrance entry main apartment haustür wohnungstür eingang -eingangstür entrée ingresso entrada \

@@ -487,3 +487,51 @@ fn domoticz_names_its_devices() {
     Connection::open(&path).unwrap().execute_batch(sql).unwrap();
     assert_eq!(log_of(&path).0.name, "sqlite");
 }
+
+/// The columns with their roles.
+fn columns(log: &Log) -> Vec<(&str, ColumnRole)> {
+    log.columns.iter().map(|of| (of.column.as_str(), of.used_as)).collect()
+}
+
+#[test]
+fn forms_without_a_heading_say_where_time_sensor_and_value_are() {
+    let folder = Folder::new("columns");
+    let state = |minute: usize| ["OFF", "ON"][minute % 2];
+    let item = |minute: usize| {
+        let (from, to) = (state(minute + 1), state(minute));
+        format!(
+            "2009-03-02 07:{minute:02}:00.421 [INFO ] [openhab.event.ItemStateChangedEvent   ] - Item 'Hall' changed from {from} to {to}\n"
+        )
+    };
+    let openhab = from_text(&folder, "openhab", "events.log", &(0..9).map(item).collect::<String>());
+    let record =
+        "Bathing,4/1/2003,20:41:35,21:32:50\n100,68\nToilet Flush,Sink faucet\n20:51:52,20:58:22\n20:52:05,21:05:51\n";
+    let mit = from_text(&folder, "mit", "activities_data.csv", record);
+    let span = |at: usize| format!("{} {}\tHall\n", time(2 * at), time(2 * at + 1));
+    let intervals = from_text(&folder, "intervals", "intervals.txt", &(0..9).map(span).collect::<String>());
+    let xes = "<log>\n<trace><event><string key=\"concept:name\" value=\"Eat\"/>\
+        <date key=\"time:timestamp\" value=\"2009-03-02T07:00:00Z\"/></event></trace></log>\n";
+    let xes = from_text(&folder, "xes", "events.xes", xes);
+    for (log, roles) in [
+        (&openhab, &[ColumnRole::Time, ColumnRole::Sensor, ColumnRole::Value][..]),
+        (&mit, &[ColumnRole::Time, ColumnRole::Label, ColumnRole::Sensor, ColumnRole::Time, ColumnRole::End]),
+        (&intervals, &[ColumnRole::Time, ColumnRole::End, ColumnRole::Sensor]),
+        (&xes, &[ColumnRole::Time, ColumnRole::Label, ColumnRole::End]),
+    ] {
+        assert_eq!(columns(log).into_iter().map(|(_, role)| role).collect::<Vec<_>>(), roles, "{:?}", columns(log));
+        assert!(log.columns.iter().all(|of| !of.because.is_empty() && !of.is_guess));
+    }
+}
+
+#[test]
+fn a_reading_before_a_colon_is_no_room() {
+    let folder = Folder::new("colon");
+    let log = |between: &'static str| {
+        let text = lines(20, move |row| format!("Flur_1 {between} {}", ["on", "off"][row % 2]));
+        from_text(&folder, "casas", "log.txt", &text)
+    };
+    let (reading, room) = (log("motion:"), log("Kitchen"));
+    assert_eq!(columns(&reading)[3], ("column 4", ColumnRole::Kind));
+    assert_eq!((reading.known[0].room.as_deref(), reading.known[0].kind.as_str()), (None, "motion"));
+    assert_eq!(room.known[0].room.as_deref(), Some("Kitchen"));
+}

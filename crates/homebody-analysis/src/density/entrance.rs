@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::signs::{Kind, LogSensors};
+use homebody_core::doors::{Leads, leads};
 use homebody_core::names::words;
-use homebody_core::vocabulary::{FRONT_WORDS, ROLE_WORDS, WINDOW_WORDS, has_any};
 
 /// The sensors by which somebody leaves and comes home.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -21,17 +21,17 @@ pub struct Entrance {
 pub enum Chosen {
     /// Somebody says so.
     Asked,
-    /// Their names speak of an entrance, or they are contacts of doors.
+    /// Their names speak of an entrance, or are those of bare doors.
     Known,
-    /// Their names speak of a door or a hall, and no better ones are there.
+    /// They are other contacts, or their names speak of a door or a hall, and no better ones are there.
     Guessed,
     /// There is none.
     None,
 }
 
 impl Entrance {
-    /// Those of the names that are asked for; else those that speak of an entrance, with all contacts but those of drawers
-    /// and the like; else those that speak of a door or a hall. A name that speaks of another room is of a door in there.
+    /// The sensors that a person asks for. Without these, sensors whose names speak of an entrance, and bare doors if no front door
+    /// has a contact. Without these, other contacts, and names that speak of a door or a hall. A thing inside leads nowhere.
     pub fn find(ids: &[String], sensors: &LogSensors, asked: &[String]) -> Entrance {
         let with = |chosen, takes: &dyn Fn(usize) -> bool| {
             let taken = ids.iter().enumerate().filter(|(sensor, _)| takes(*sensor)).map(|(_, id)| id.clone());
@@ -41,66 +41,28 @@ impl Entrance {
         if !asked.is_empty() {
             return with(Chosen::Asked, &|sensor| asked.contains(&ids[sensor])).unwrap_or(none);
         }
-        let LogSensors { called, kinds } = sensors;
+        let leads: Vec<Leads> = sensors.called.iter().map(|name| leads(name)).collect();
+        let is = |sensor: usize, kind| sensors.kinds[sensor] == kind;
         let leads_out =
-            |sensor: usize| matches!(kinds[sensor], Kind::Motion | Kind::Contact) && !is_inner(&called[sensor]);
-        let is_front = |name: &str| speaks(name, &ENTRANCES) || has_any(&words(name), FRONT_WORDS);
-        let is_known = |sensor: usize| kinds[sensor] == Kind::Contact || is_front(&called[sensor]);
-        with(Chosen::Known, &|sensor| leads_out(sensor) && is_known(sensor))
-            .or_else(|| with(Chosen::Guessed, &|sensor| leads_out(sensor) && speaks(&called[sensor], &WAYS)))
+            |sensor: usize| leads[sensor] == Leads::Out && (is(sensor, Kind::Motion) || is(sensor, Kind::Contact));
+        let has_front_door = (0..ids.len()).any(|sensor| leads_out(sensor) && is(sensor, Kind::Contact));
+        let is_bare_door = |sensor: usize| !has_front_door && leads[sensor] == Leads::Bare && is(sensor, Kind::Contact);
+        let is_way = |sensor: usize| match leads[sensor] {
+            Leads::Inside => false,
+            _ => is(sensor, Kind::Contact) || is(sensor, Kind::Motion) && speaks(&sensors.called[sensor], &WAYS),
+        };
+        with(Chosen::Known, &|sensor| leads_out(sensor) || is_bare_door(sensor))
+            .or_else(|| with(Chosen::Guessed, &is_way))
             .unwrap_or(none)
     }
 }
 
-/// How words begin that speak of an entrance. All these words are ours.
-const ENTRANCES: [&str; 6] = ["entr", "front", "foyer", "vestibule", "exit", "porch"];
+/// How words begin that speak of a way through the home (our choice).
 const WAYS: [&str; 2] = ["door", "hall"];
-/// Rooms and things whose doors lead out of no home.
-const INNER: [&str; 28] = [
-    "bed",
-    "bath",
-    "toilet",
-    "shower",
-    "kitchen",
-    "living",
-    "dining",
-    "office",
-    "study",
-    "closet",
-    "wardrobe",
-    "cabinet",
-    "cupboard",
-    "drawer",
-    "fridge",
-    "refrigerator",
-    "freezer",
-    "oven",
-    "microwave",
-    "stove",
-    "dishwasher",
-    "washer",
-    "laundry",
-    "medicine",
-    "pill",
-    "window",
-    "room",
-    "pantry",
-];
 
 fn speaks(name: &str, of: &[&str]) -> bool {
     words(name).iter().any(|word| of.iter().any(|begin| word.starts_with(begin)))
 }
-
-fn is_inner(name: &str) -> bool {
-    let words = words(name);
-    let is_thing = || ROLE_WORDS.iter().any(|(_, known)| has_any(&words, known)) || has_any(&words, WINDOW_WORDS);
-    speaks(name, &INNER) || has_any(&words, ROOMS) || is_thing()
-}
-
-/// Words in other languages for rooms inside a home.
-const ROOMS: &str = "-zimmer küche -küche bad büro keller chambre cuisine salon bureau salle dormitorio cocina baño salón camera \
-    cucina bagno soggiorno quarto cozinha -kamer keuken kök sovrum badrum vardagsrum kuchnia łazienka sypialnia kuchyně koupelna \
-    ložnice кухня ванная спальня 厨房 卧室 浴室 客厅 台所 寝室";
 
 #[cfg(test)]
 mod tests {
@@ -136,5 +98,26 @@ mod tests {
         assert_eq!(found(&home, &[]), (names(&["haustuer"]), Chosen::Known));
         let home = [("Eingang", Motion), ("Küche Tür", Motion)];
         assert_eq!(found(&home, &[]), (names(&["Eingang"]), Chosen::Known));
+    }
+
+    #[test]
+    fn doors_inside_lead_nowhere_and_a_front_door_is_better_than_one_of_no_name() {
+        use Kind::{Contact, Motion};
+        let names = |names: &[&str]| names.iter().map(|name| String::from(*name)).collect::<Vec<_>>();
+        for inside in ["Kühlschranktür", "Badtür", "Garderobe", "car door", "cat flap door", "Briefkasten", "kastdeur"]
+        {
+            assert_eq!(
+                found(&[("Wohnzimmer", Motion), (inside, Contact)], &[]),
+                (names(&[]), Chosen::None),
+                "{inside}"
+            );
+        }
+        let doors = [("Haustür", Contact), ("D002", Contact), ("Anna door", Contact)];
+        assert_eq!(found(&doors, &[]), (names(&["Haustür"]), Chosen::Known));
+        assert_eq!(found(&doors[1..], &[]), (names(&["D002"]), Chosen::Known));
+        assert_eq!(found(&doors[2..], &[]), (names(&["Anna door"]), Chosen::Guessed));
+        // A motion sensor at the entrance does not stand for a door.
+        let home = [("Entry", Motion), ("D002", Contact)];
+        assert_eq!(found(&home, &[]), (names(&["Entry", "D002"]), Chosen::Known));
     }
 }

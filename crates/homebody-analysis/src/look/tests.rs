@@ -244,3 +244,26 @@ fn the_order_of_rows_changes_no_count() {
     let look = looked(&set);
     assert_eq!((look.set_back, look.set_back_most_s, look.remarks.len()), (1, 3600.0, 0));
 }
+
+#[test]
+fn the_hour_that_a_clock_on_the_wall_tells_twice_sets_no_clock_back() {
+    // An hour before the clocks of Berlin are set back, and an hour after.
+    let set_back = 1_761_440_400;
+    let rows: Vec<_> = (-60..60_i64)
+        .map(|minute| (set_back + 60 * minute, "M1", ["ON", "OFF"][minute.rem_euclid(2) as usize]))
+        .collect();
+    let berlin = homebody_core::scenario::calendar::Calendar::zone("Europe/Berlin").unwrap();
+    let looked = |clock: Clock, rows: &[(Micros, &str, &str)]| {
+        let mut log = log(rows);
+        (log.clock, log.rows) = (clock, rows.len() as u64);
+        let mut looker = Looker::new(Some(berlin.clone()));
+        looker.take(&log);
+        looker.look("a", "csv", &log, &|_| None, None)
+    };
+    let look = looked(Clock::Utc, &rows);
+    assert_eq!((look.set_back, look.last.as_deref()), (0, Some("2025-10-26 02:59:00")));
+    // By a clock on the wall alone it was set back.
+    let wall: Vec<_> =
+        rows.iter().map(|&(at, of, says)| (if at < set_back { at } else { at - 3600 }, of, says)).collect();
+    assert_eq!(looked(Clock::Local, &wall).set_back, 1);
+}

@@ -114,6 +114,10 @@ impl OwnWords {
 /// The kind of a sensor that its source or its name takes for one of motion, a contact or a place to sit or lie.
 fn kind_of_states(log: &Log, id: &str) -> Option<Kind> {
     let (known, named) = known_and_named(log, id);
+    // An id such as that of `input_select.motion_mode` says what its entity is, whatever follows.
+    if meaning("", id) == Some(Meaning::Is(Kind::Other)) {
+        return None;
+    }
     let is_seat = is_seat(id) || known.is_some_and(|known| is_seat(&known.name) || is_seat(&known.kind));
     match known.and_then(|known| meaning(&known.kind, "")) {
         Some(Meaning::Is(kind @ (Kind::Motion | Kind::Contact))) => return Some(kind),

@@ -92,6 +92,13 @@ pub fn is_seat(name: &str) -> bool {
         || ROLE_WORDS.iter().any(|(role, known)| SEATS_BY_ROLE.contains(role) && has_any(&words, known))
 }
 
+/// Whether a name has a word for a program, a network, a calendar or what people carry with them.
+pub fn is_of_program(name: &str) -> bool {
+    const WORDS: &str = "ping router network internet wan vpn nas server printer workday holiday calendar api cloud raspberry supervisor addon \
+        phone iphone ipad android pixel smartphone handy tablet watch laptop werktag feiertag netzwerk drucker";
+    has_any(&words(name), WORDS)
+}
+
 /// Whether CASAS names motion sensors so: a room, a letter, and where in the room it looks, such as `BedroomADoor`.
 pub fn is_room_letter_place(name: &str) -> bool {
     let words = words(name);

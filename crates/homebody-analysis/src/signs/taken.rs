@@ -2,8 +2,9 @@
 
 use super::evidence::{Evidence, Taken};
 use super::meanings::{Meanings, OwnWords};
-use super::named::{Named, is_room_letter_place, is_seat, known_and_named};
+use super::named::{Named, is_of_program, is_room_letter_place, is_seat, known_and_named};
 use super::tally::Tally;
+use homebody_core::languages::room_use;
 use homebody_core::sensed::{Kind, Meaning, domain_of, meaning};
 use homebody_log::{Log, SaidBy};
 
@@ -219,6 +220,9 @@ impl Sensor<'_> {
         let motion = |because: &str| Taken::new(Kind::Motion, Evidence::Guess, because);
         let Some((named, word)) = &self.known.named else {
             return match self.tally.says_words() {
+                _ if self.is_of_program() => {
+                    Taken::new(Kind::Other, Evidence::Guess, "no word of its name is of a room or a sensor of movement")
+                }
                 true => Taken::new(Kind::Reading, Evidence::Guess, "most of what it says are no words of sensors"),
                 false => motion("it says that something begins"),
             };
@@ -229,10 +233,22 @@ impl Sensor<'_> {
             false => is_as_brief && !says_motion,
         };
         match named {
-            Named::Door if !self.tally.has_spans() => motion("it says that something begins, and never that it ends"),
+            // A log of a few rows may end while a door is open: another sensor with a word for motion shows how sensors are named.
+            Named::Door if self.tally.only_begins() && !says_motion && domain_of(self.id).is_none() => {
+                motion("it says that something begins, and never that it ends")
+            }
             _ if looks => motion(&format!("{word:?} in its name, and it is ON for moments")),
             _ => self.used(),
         }
+    }
+
+    /// Whether it is an entity of Home Assistant whose class, name and room tell of no person: many are of programs and networks.
+    fn is_of_program(&self) -> bool {
+        let Some(domain) = domain_of(self.id) else { return false };
+        let known = self.known.filter(|known| known.name != self.id);
+        let name = known.map_or(&self.id[domain.len() + 1..], |known| &known.name);
+        let has_room = self.known.is_some_and(|known| known.room.is_some()) || room_use(name).is_some();
+        !has_room || is_of_program(name)
     }
 
     /// Its kind unless it looks for movement: a contact at a door, or else a thing that is used.

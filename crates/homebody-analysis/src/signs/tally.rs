@@ -21,6 +21,8 @@ pub struct Tally {
     /// Those of them that say 1 or 0: where a sensor tells other numbers, too, these are numbers as well.
     ones: u64,
     course: Course,
+    /// Whether it ever says that something ends or is closed.
+    ends: bool,
     /// Since when it is on.
     since: Option<Micros>,
     /// How often it was on for any time, and how often of these for seconds, and for a moment.
@@ -42,6 +44,7 @@ impl Tally {
             Says::Unknown => {}
         }
         self.ones += u64::from(is_number && says.is_sign());
+        self.ends |= says.is_off();
         if said.unknown_from.is_some() {
             self.since = None;
         }
@@ -82,6 +85,11 @@ impl Tally {
     fn without_ones(&self) -> (u64, u64) {
         let ones = if self.reading > 0 { self.ones } else { 0 };
         (self.motion - ones, self.reading + ones)
+    }
+
+    /// Whether it says that something begins, and never that it ends.
+    pub(super) fn only_begins(&self) -> bool {
+        self.motion > 0 && !self.ends
     }
 
     /// Whether it is on for any time.

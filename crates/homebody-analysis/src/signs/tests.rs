@@ -310,3 +310,48 @@ fn the_name_of_a_motion_sensor_decides_over_open_and_closed() {
     // A heater may be idle now and then.
     assert_eq!(kinds(&log(&[(0, "heater", "idle"), (1, "heater", "eco"), (2, "heater", "boost")])), [Kind::Reading]);
 }
+
+#[test]
+fn a_door_is_a_contact_by_its_name_before_its_few_rows_are_looked_at() {
+    let few = [
+        (0, "binary_sensor.hall_motion", "on"),
+        (9, "binary_sensor.hall_motion", "off"),
+        (20, "binary_sensor.front_door", "on"),
+    ];
+    assert_eq!(kinds(&log(&few)), [Kind::Motion, Kind::Contact]);
+    assert_eq!(kinds(&log(&few[2..])), [Kind::Contact], "its id is that of a system which says when a state ends");
+    assert_eq!(kinds(&log(&[(0, "hall pir", "ON"), (9, "Haustür", "ON")])), [Kind::Motion, Kind::Contact]);
+    // Both of its states are there, and no time between them.
+    assert_eq!(kinds(&log(&[(0, "front door", "OFF"), (0, "front door", "ON")])), [Kind::Contact]);
+    // A motion sensor at a door says no more than that something begins.
+    assert_eq!(kinds(&log(&[(0, "front door", "FIRE"), (5, "front door", "FIRE")])), [Kind::Motion]);
+}
+
+#[test]
+fn an_entity_whose_name_tells_of_no_room_and_no_movement_is_of_no_person() {
+    let names = [
+        ("binary_sensor.workday_sensor", Kind::Other),
+        ("binary_sensor.ping_router", Kind::Other),
+        ("binary_sensor.office_router", Kind::Other),
+        ("sensor.phone_activity", Kind::Other),
+        ("binary_sensor.kitchen_2", Kind::Motion),
+        ("binary_sensor.aqara_1", Kind::Motion),
+        ("binary_sensor.flur", Kind::Motion),
+        ("binary_sensor.aqara_motion", Kind::Motion),
+        // Other systems have no ids of such a kind.
+        ("workday_sensor", Kind::Motion),
+    ];
+    let mut rows = rows(&names.map(|(name, _)| (name, 30)));
+    rows.push((99_999, "sensor.phone_activity", "Walking"));
+    rows.push((99_999, "sensor.phone_activity", "Still"));
+    let mut log = log(&rows);
+    let aqara = of_kind("binary_sensor.aqara_1", "binary_sensor");
+    log.known = vec![SensorInfo { room: Some("Bedroom".into()), ..aqara }];
+    assert_eq!(kinds(&log), names.map(|(_, kind)| kind));
+}
+
+#[test]
+fn a_setting_is_not_said_to_be_a_reading_whatever_its_name_says() {
+    let log = in_turn("input_select.motion_mode", ["zing", "zang"], [20, 30]);
+    assert_eq!((OwnWords::of(&log).not_understood().len(), kinds(&log)), (0, vec![Kind::Other]));
+}

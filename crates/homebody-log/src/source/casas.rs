@@ -6,6 +6,7 @@
 
 use super::casas_layout::{Between, KIND, Layout, PROGRAM, kind, people};
 use super::casas_words::{When, behind_words_of_time, nearly, part, parted_note, when};
+use super::date_parts::no_instant;
 use super::form::{Form, Shows};
 use super::instant::Instants;
 use super::lines::Lines;
@@ -19,6 +20,7 @@ use foldhash::{HashSet, HashSetExt};
 use homebody_core::names::words;
 use homebody_core::problem::{counted, readable};
 use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::sensed::meaning;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
@@ -184,13 +186,17 @@ impl Rows {
         let (room, place) = match self.layout.between {
             Between::RoomAndPlace => (Some(said(1)), Some(said(2))),
             Between::Room => (Some(said(1)), None),
-            Between::Nothing | Between::Again => (None, None),
+            Between::Nothing | Between::Again | Between::Reading => (None, None),
         };
         // Homes write `OutsideDoor` where a room should be.
         let room = room.filter(|room| !room.is_empty() && !words(room).iter().any(|word| word == "door"));
         let name = place.filter(|place| !place.is_empty()).unwrap_or_else(|| id.clone());
-        let kind = self.layout.has_kind.then(|| kind(&said(value + 1))).flatten().unwrap_or_default();
-        reading.know(SensorInfo { id, room, ..SensorInfo::of_kind(&name, kind, &[]) });
+        let of_reading = said(1).trim_end_matches(':').to_owned();
+        let kind = match self.layout.between {
+            Between::Reading if meaning(&of_reading, "").is_some() => of_reading,
+            _ => self.layout.has_kind.then(|| kind(&said(value + 1))).flatten().unwrap_or_default().to_owned(),
+        };
+        reading.know(SensorInfo { id, room, ..SensorInfo::of_kind(&name, &kind, &[]) });
     }
 }
 
@@ -219,7 +225,7 @@ fn no_time(line: &[u8]) -> String {
     let behind = behind_words_of_time(line).map_or(&b""[..], |(behind, _)| behind);
     match behind.trim_ascii() {
         b"" => "there are no date, time, sensor and value".into(),
-        _ => format!("{} is no date and time", beginning(&text(&line[..line.len() - behind.len()]))),
+        _ => no_instant(&text(&line[..line.len() - behind.len()])),
     }
 }
 

@@ -28,6 +28,8 @@ pub(super) enum Between {
     Nothing,
     /// The sensor once more.
     Again,
+    /// The name of the reading, as in `Hall_PIR motion: on`.
+    Reading,
     Room,
     RoomAndPlace,
 }
@@ -92,7 +94,7 @@ impl Layout {
 
     /// Whether rows tell more of a sensor than what it says.
     pub fn tells_of_sensors(&self) -> bool {
-        self.has_kind || matches!(self.between, Between::Room | Between::RoomAndPlace)
+        self.has_kind || matches!(self.between, Between::Reading | Between::Room | Between::RoomAndPlace)
     }
 
     /// Whether a value looks like a usual one that was damaged, such as `ONc`.
@@ -125,6 +127,7 @@ impl Layout {
         match self.between {
             Between::Nothing => {}
             Between::Again => column(first + 1, ColumnRole::Unused, "it repeats the sensor".into()),
+            Between::Reading => column(first + 1, ColumnRole::Kind, "a colon is behind the name of a reading".into()),
             Between::Room => column(first + 1, ColumnRole::Room, "each sensor has one word here".into()),
             Between::RoomAndPlace => {
                 column(first + 1, ColumnRole::Room, "each sensor has one word here".into());
@@ -236,6 +239,7 @@ impl Rows {
         let again = self.rows.iter().filter(|row| row.len() > 2 && row[0] == row[1]).count();
         match found {
             Some(2) if again == rows => (2, Between::Again),
+            Some(2) if self.rows.iter().all(|row| row.len() > 2 && row[1].ends_with(':')) => (2, Between::Reading),
             Some(2) => (2, Between::Room),
             Some(place) => (place, Between::RoomAndPlace),
             None if rows > 0 && again * 10 >= rows * 9 => (2, Between::Again),

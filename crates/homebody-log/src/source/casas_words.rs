@@ -164,8 +164,8 @@ pub(super) fn nearly(word: &str) -> Option<&'static str> {
 }
 
 /// Words that say that an activity begins or ends.
-const BEGINS: [&str; 2] = ["begin", "start"];
-const ENDS: [&str; 3] = ["end", "stop", "finish"];
+const BEGINS: [&str; 7] = ["begin", "start", "begins", "began", "begun", "starts", "started"];
+const ENDS: [&str; 9] = ["end", "stop", "finish", "ends", "ended", "stops", "stopped", "finishes", "finished"];
 
 /// The name in a note, and whether the activity begins or ends; a label has neither. `Sleep begin`, `Sleep="end"`, `1-begin`,
 /// `Work_End` and `begin Cook` are notes. If most rows have labels, `begin` and `end` count only as words of their own.
@@ -206,6 +206,10 @@ mod tests {
             ("Work_End", "Work", Some(false)),
             ("R1_Work_Begin", "R1_Work", Some(true)),
             ("begin Cook", "Cook", Some(true)),
+            ("Eat started", "Eat", Some(true)),
+            ("Eat finished", "Eat", Some(false)),
+            ("Eat_ended", "Eat", Some(false)),
+            ("started", "started", None),
             ("end:Meal Preparation", "Meal Preparation", Some(false)),
             ("begin(Cook)", "Cook", Some(true)),
             ("Cook", "Cook", None),

@@ -1,5 +1,7 @@
 //! The parts of dates: numbers, and names of months and days.
 
+use crate::limits::beginning;
+use homebody_core::names::capitalised;
 use homebody_core::time::Micros;
 use jiff::civil::Date;
 
@@ -78,6 +80,38 @@ pub(super) fn may_be_date(text: &str) -> bool {
     text.starts_with(|first: char| first.is_ascii_digit()) || is_name()
 }
 
+/// The day of a month by its number, or a sentence that this month has no such day.
+pub(super) fn day_of([year, month, day]: [Micros; 3]) -> Result<Date, String> {
+    let name = usize::try_from(month).ok().and_then(|month| MONTH_NAMES.get(month.checked_sub(1)?));
+    let Some(name) = name else { return Err(format!("there is no month {month}")) };
+    let date = i8::try_from(day).ok().zip(i16::try_from(year).ok());
+    let date = date.and_then(|(day, year)| Date::new(year, month as i8, day).ok());
+    date.filter(|_| (1..=9999).contains(&year)).ok_or_else(|| format!("there is no {day} {} {year}", capitalised(name)))
+}
+
+/// The objection to a text that begins with a day which its month lacks, such as `2025-06-31` and `30.02.2025`.
+pub(super) fn no_such_day(text: &str) -> Option<String> {
+    let (first, mark, rest) = leading_number(text.trim_start().as_bytes())?;
+    let (second, same, rest) = leading_number(rest)?;
+    let third = &rest[..rest.iter().take_while(|byte| byte.is_ascii_digit()).count()];
+    let (year, month, day) = match (first.len(), third.len()) {
+        (4, 2) => (first, second, third),
+        (1 | 2, 4) => (third, second, first),
+        _ => return None,
+    };
+    let ends = rest.get(third.len()).is_none_or(|next| b" T".contains(next));
+    let [year, month, day] = [digits(year)?, digits(month)?, digits(day)?];
+    // A month has a day 31 at most.
+    let may_be = mark == same && b"-/.".contains(&mark) && ends && (1..=12).contains(&month) && (1..=31).contains(&day);
+    may_be.then(|| day_of([year, month, day]).err()).flatten()
+}
+
+/// The objection to a text in the place of an instant.
+pub(super) fn no_instant(text: &str) -> String {
+    let why = no_such_day(text).map_or(String::new(), |why| format!(": {why}"));
+    format!("{} is no date and time{why}", beginning(text.trim()))
+}
+
 /// Two digits of a year: `09` is 2009, `98` is 1998.
 pub(super) fn of_century(year: Micros) -> Micros {
     if year < 70 { 2000 + year } else { 1900 + year }
@@ -97,4 +131,28 @@ pub(super) fn digits(text: &[u8]) -> Option<Micros> {
     all.then(|| {
         text.iter().fold(0_i64, |number, byte| number.saturating_mul(10).saturating_add(i64::from(byte - b'0')))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_date_that_no_month_has_is_told_from_other_numbers() {
+        for (text, wanted) in [
+            ("2025-06-31 07:00:00", Some("there is no 31 June 2025")),
+            ("2025-02-30T07:00:00Z", Some("there is no 30 February 2025")),
+            ("2025/04/31", Some("there is no 31 April 2025")),
+            ("30.02.2025 07:00", Some("there is no 30 February 2025")),
+            ("2025-02-28 07:00:00", None),
+            ("2024-02-29", None),
+            ("2025-13-01", None),
+            ("2025-06-32", None),
+            ("1.2.3", None),
+            ("2025-06-31-2", None),
+            ("June", None),
+        ] {
+            assert_eq!(no_such_day(text).as_deref(), wanted, "{text}");
+        }
+    }
 }

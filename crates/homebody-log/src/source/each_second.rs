@@ -7,6 +7,7 @@
 //! no dates: its day n becomes day n of 1970.
 
 use super::columns::Places;
+use super::date_parts::no_instant;
 use super::form::{Form, Shows};
 use super::in_order::{OFF, ON};
 use super::instant::{Instant, Instants};
@@ -197,7 +198,7 @@ fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Resul
         }
         let told = cell(record, time);
         let Some(at) = reading.instants.read(&told) else {
-            reading.skip(line, format!("{} is no date and time", beginning(&told)));
+            reading.skip(line, no_instant(&told));
             continue;
         };
         let says: Vec<Option<String>> =
@@ -284,6 +285,11 @@ fn read_aras(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(
     if reading.log.remarks.iter().all(|told| !told.starts_with(remark)) {
         reading.log.remarks.push(format!("{remark} {day} of 1970"));
     }
+    reading.columns_of_form(&[
+        ("the number of the line", ColumnRole::Time),
+        ("columns 1 to 20", ColumnRole::OneSensor),
+        ("columns 21 and 22", ColumnRole::Label),
+    ]);
     let columns: Vec<Column> =
         (1..=SENSORS).map(|number| Column { name: format!("sensor {number}"), is_state: true }).collect();
     let mut lines = Lines::open(path)?;

@@ -2,6 +2,7 @@
 
 use super::cells::{Cells, Reads};
 use super::columns::Places;
+use super::date_parts::no_such_day;
 use super::heading::{Beginning, Row};
 use super::records::{Record, Records};
 use crate::error::LogError;
@@ -76,10 +77,11 @@ impl FirstRows {
     }
 }
 
-/// Whether a first line is a row: an instant is in it, or a date and a time of day, or numbers are without a name.
+/// Whether a first line is a row: an instant is in it, a day that no month has, a date and a time of day, or numbers are without a name.
 fn is_row(cells: &[String], reads: &mut Reads) -> bool {
     let of: Vec<Cells> = cells.iter().map(|cell| Cells::of(std::iter::once(cell.as_str()), reads)).collect();
     let any = |is: fn(&Cells) -> usize| of.iter().any(|cell| is(cell) > 0);
     let names = of.iter().filter(|cell| cell.filled > 0 && cell.numbers == 0).count();
-    any(Cells::moments) || any(|cell| cell.dates) && any(|cell| cell.times) || names == 0
+    let is_no_day = |cell: &String| no_such_day(cell).is_some();
+    any(Cells::moments) || cells.iter().any(is_no_day) || any(|cell| cell.dates) && any(|cell| cell.times) || names == 0
 }

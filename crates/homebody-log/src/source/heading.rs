@@ -4,6 +4,7 @@
 
 use super::cells::{Cells, Reads, is_blank};
 use super::columns::role_of;
+use super::date_parts::no_such_day;
 use super::log::ColumnRole;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -93,7 +94,7 @@ fn names_above(rows: &[Row], width: usize, reads: &mut Reads) -> Option<std::ops
         let cells = Cells::of(std::iter::once(cell.as_str()), &mut alone);
         // Numbers of devices are long.
         let is_of_device = cell.len() >= 6 && cell.bytes().all(|byte| byte.is_ascii_digit());
-        is_of_device || cells.numbers + cells.moments() + cells.dates + cells.times == 0
+        is_of_device || cells.numbers + cells.moments() + cells.dates + cells.times == 0 && no_such_day(cell).is_none()
     };
     let mut are_names = |(_, row): &&Row| {
         let filled = row.iter().filter(|cell| !is_blank(cell)).count();

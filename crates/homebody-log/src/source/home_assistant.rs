@@ -13,6 +13,7 @@ use super::database::{connect, instant as micros, tables, text};
 use super::entity::entity;
 use super::form::{Form, Shows};
 use super::instant::{Instant, Instants, since_1970};
+use super::log::ColumnRole;
 use super::reading::{Reading, open};
 use super::registry::Registry;
 use super::said::{Object, member};
@@ -113,6 +114,11 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         reading.gap(begin, end);
     }
     let Columns { entity, changed, updated, .. } = &columns;
+    for (column, role) in
+        [(updated, ColumnRole::Time), (entity, ColumnRole::Sensor), (&"state".into(), ColumnRole::Value)]
+    {
+        reading.column(column, role, "its name in the table of states");
+    }
     // A state that has changed was updated at that very instant, and some versions leave out when it changed.
     let sql = format!(
         "SELECT s.state_id, {updated}, {entity}, s.state, {changed} IS NULL OR {changed} = {updated} \

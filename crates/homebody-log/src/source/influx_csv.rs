@@ -4,6 +4,7 @@
 //! A text has several tables, each with a heading and those of Influx 2 with annotations above it. They have the rows of each series
 //! together, so that they are put into the order of time.
 
+use super::date_parts::no_instant;
 use super::form::{Form, Shows};
 use super::gathered::Gathered;
 use super::instant::{Instant, Instants, since_1970_whole};
@@ -13,7 +14,6 @@ use super::records::{Record, Records};
 use super::series::{Point, Series};
 use super::start::Start;
 use crate::error::LogError;
-use crate::limits::beginning;
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
@@ -38,7 +38,8 @@ fn shows(start: &Start) -> Shows {
     };
     let is_printed = first.first().is_some_and(|cell| cell == "name")
         && first.iter().position(|cell| cell == "time").is_some_and(|time| has("tags") || is_in_nanoseconds(time));
-    Shows::rows_if(is_annotated || has("_time") && (has("_value") || has("_measurement")) || is_printed)
+    let is_of_query = has("_value") || has("_measurement") || has("result") && has("table");
+    Shows::rows_if(is_annotated || has("_time") && is_of_query || is_printed)
 }
 
 /// A number of nanoseconds since 1970 has so many digits, up to the year 2286.
@@ -210,7 +211,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
         match told {
             Ok((point, time)) => match instant(&time, &mut out.reading.instants) {
                 Some(at) => series.take(line, at, &point, &mut out)?,
-                None => out.reading.skip(line, format!("{} is no date and time", beginning(&time))),
+                None => out.reading.skip(line, no_instant(&time)),
             },
             Err(why) => out.reading.skip(line, why.into()),
         }

@@ -8,6 +8,7 @@ use super::form::{Form, Shows};
 use super::in_order::InOrder;
 use super::instant::{Instant, Instants};
 use super::lines::Lines;
+use super::log::ColumnRole;
 use super::reading::Reading;
 use super::start::Start;
 use crate::error::LogError;
@@ -64,6 +65,13 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     while let Some((number, line)) = lines.next_text()? {
         match interval(&line, &mut instants) {
             Some((ends, what)) => {
+                if is_heading {
+                    let of = if is_of_activities { ColumnRole::Label } else { ColumnRole::Sensor };
+                    let parts =
+                        [("the first date and time", ColumnRole::Time), ("the second date and time", ColumnRole::End)];
+                    reading.columns_of_form(&parts);
+                    reading.columns_of_form(&[("what is behind them", of)]);
+                }
                 is_heading = false;
                 let what = called(what, &names);
                 if what.is_empty() {

@@ -77,6 +77,9 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
     if walk.rows > 0 || walk.out.reading.log.skipped > 0 {
         return walk.out.end();
     }
+    if walk.values == 1 && walk.no_row.is_none() {
+        return Err(LogError::NoLog { place: place_of(path), why: "it has no rows: its JSON is empty".into() });
+    }
     let (at, object) = walk.no_row.unwrap_or_default();
     let at = if object.is_some() || !at.is_empty() { at } else { ".[]".into() };
     let line = hint(&at, object.as_ref(), &mut walk.out.reading.instants);

@@ -285,8 +285,9 @@ fn events_or_wide(path: &Path, pick: &mut Pick) -> Result<Rows, String> {
         return wide(pick, vec![sensor]);
     }
     let value = pick.value(sensor);
-    if value.is_none() {
-        pick.firings(sensor)?;
+    match value {
+        Some(value) => pick.no_lengths(sensor, value)?,
+        None => pick.firings(sensor)?,
     }
     let label = value.and_then(|value| pick.label_behind(value));
     let sensors = pick.apart(sensor, value);

@@ -6,10 +6,12 @@
 //! We assume that what ends before it begins ends on the next day. Left out: that an activation which falls into two activities is
 //! told in both records; it comes twice.
 
+use super::date_parts::day_of;
 use super::form::{Form, Shows};
 use super::in_order::InOrder;
 use super::instant::{Instant, midnight};
 use super::lines::Lines;
+use super::log::ColumnRole;
 use super::reading::Reading;
 use super::start::Start;
 use crate::error::LogError;
@@ -78,27 +80,9 @@ fn three<'t>(parts: impl Iterator<Item = &'t str>) -> Option<[i16; 3]> {
 
 /// `4/1/2003` is the first of April.
 fn american([month, day, year]: [i16; 3]) -> Result<Date, String> {
-    let name = usize::try_from(month).ok().and_then(|month| month.checked_sub(1)).and_then(|month| MONTHS.get(month));
-    let Some(name) = name else { return Err(format!("there is no month {month}: days are written month/day/year")) };
-    let date = i8::try_from(day).ok().and_then(|day| Date::new(year, month as i8, day).ok());
-    date.filter(|_| (1..=9999).contains(&year)).ok_or_else(|| format!("there is no {day} {name} {year}"))
+    let of_days = |why| if (1..=12).contains(&month) { why } else { format!("{why}: days are written month/day/year") };
+    day_of([year, month, day].map(Into::into)).map_err(of_days)
 }
-
-/// How months are called.
-const MONTHS: [&str; 12] = [
-    "January",
-    "February",
-    "March",
-    "April",
-    "May",
-    "June",
-    "July",
-    "August",
-    "September",
-    "October",
-    "November",
-    "December",
-];
 
 /// `9:5:3`, since midnight.
 fn time(text: &str) -> Option<Micros> {
@@ -117,6 +101,13 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     if reading.log.known.is_empty() {
         reading.log.known = known_beside(path);
     }
+    reading.columns_of_form(&[
+        ("the day, in the first line of a record", ColumnRole::Time),
+        ("the activity before it", ColumnRole::Label),
+        ("the second line of a record", ColumnRole::Sensor),
+        ("the fourth line of a record", ColumnRole::Time),
+        ("the fifth line of a record", ColumnRole::End),
+    ]);
     let mut lines = Lines::open(path)?;
     let mut order = InOrder::new();
     // The lines of a record that have come.

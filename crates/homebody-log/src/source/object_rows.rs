@@ -5,6 +5,7 @@
 
 use super::above::Above;
 use super::columns::{CERTAIN, Places, plain, role_of};
+use super::date_parts::no_instant;
 use super::devices::{Report, report};
 use super::entity::{entity, is_entity};
 use super::gathered::Gathered;
@@ -14,7 +15,6 @@ use super::one_home::{OneHome, is_home};
 use super::payload::{Message, Payloads};
 use super::said::{Object, instant, member, text};
 use crate::error::LogError;
-use crate::limits::beginning;
 use foldhash::HashMap;
 use homebody_core::scenario::logger::LoggerFile;
 use serde_json::Value;
@@ -167,7 +167,7 @@ impl ObjectRows {
         | Shape::Wide { time }
         | Shape::Message { time, .. }) = shape;
         let Some(at) = instant_of(&members, time, out) else {
-            out.reading.skip(line, format!("{} is no date and time", beginning(&text(said(time)))));
+            out.reading.skip(line, no_instant(&text(said(time))));
             return Ok(Taken::Broken);
         };
         if !self.homes.admit(&members, above, out)? {
@@ -253,7 +253,7 @@ impl ObjectRows {
         out: &mut Gathered<'_, '_>,
     ) -> Result<Taken, LogError> {
         let Some(at) = instant(&report.time, &mut out.reading.instants) else {
-            out.reading.skip(line, format!("{} is no date and time", beginning(&text(&report.time))));
+            out.reading.skip(line, no_instant(&text(&report.time)));
             return Ok(Taken::Broken);
         };
         if !self.homes.admit(&members(object, Names::Own), above, out)? {

@@ -8,6 +8,7 @@ use super::casas_words::{When, is_number, when};
 use super::form::{Form, Shows};
 use super::instant::Instants;
 use super::lines::Lines;
+use super::log::ColumnRole;
 use super::reading::Reading;
 use super::start::Start;
 use crate::error::LogError;
@@ -72,6 +73,11 @@ fn event(behind: &str) -> Option<ItemEvent<'_>> {
 }
 
 fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    reading.columns_of_form(&[
+        ("the date and time of a line", ColumnRole::Time),
+        ("the item", ColumnRole::Sensor),
+        ("the state that it changed to", ColumnRole::Value),
+    ]);
     let mut lines = Lines::open(path)?;
     // The last state of each item: an update without a change adds no row.
     let mut last: BTreeMap<String, String> = BTreeMap::new();

@@ -7,7 +7,7 @@ use super::log::{ColumnRole, ColumnUse};
 use super::options::{DateOrder, HomeColumn};
 use crate::limits::beginning;
 use homebody_core::problem::readable;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::{DAY, Micros, SECOND};
 use std::collections::BTreeSet;
 
 /// The columns that have been taken so far.
@@ -347,8 +347,9 @@ impl<'f> Pick<'f> {
 
     /// Whether the cells of a column are instants after those of another, by lengths that differ from those between zones.
     fn is_end_of(&self, begin: usize, column: usize) -> bool {
-        let cells = self.cells(column);
-        if !cells.are(cells.instants) || self.heading(column).is_some() {
+        let (cells, begins) = (self.cells(column), self.cells(begin));
+        let are_numbers = !self.first.has_heading && cells.are(cells.epochs) && begins.are(begins.epochs);
+        if !cells.are(cells.instants) && !are_numbers || self.heading(column).is_some() {
             return false;
         }
         let mut reads = Reads::new();
@@ -360,7 +361,9 @@ impl<'f> Pick<'f> {
         let different: BTreeSet<Micros> = lengths.iter().copied().collect();
         let is_of_zones = different.len() <= 2 && different.iter().all(|length| length % QUARTER == 0);
         let before = lengths.iter().filter(|length| **length < 0).count();
-        !lengths.is_empty() && 20 * before <= lengths.len() && !is_of_zones
+        // Numbers may be counts that are as large: no interval is longer than a month.
+        let is_near = !are_numbers || lengths.iter().all(|length| *length < 31 * DAY);
+        !lengths.is_empty() && 20 * before <= lengths.len() && !is_of_zones && is_near
     }
 
     /// Passes over columns of other instants.

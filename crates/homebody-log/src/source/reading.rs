@@ -1,6 +1,7 @@
 //! A log that is being read: what its rows say, taken one by one, whatever they are read from.
 
 use super::activities::{Activity, Notes};
+use super::date_parts::no_instant;
 use super::instant::{Instant, Instants};
 use super::log::{Clock, ColumnRole, ColumnUse, Event, Log};
 use super::options::TableOptions;
@@ -117,7 +118,7 @@ impl<'t> Reading<'t> {
         match self.instants.read_bytes(time) {
             Some(instant) => self.event_of_bytes(line, instant, sensor, value),
             None => {
-                self.skip(line, format!("{} is no date and time", beginning(&text(time))));
+                self.skip(line, no_instant(&text(time)));
                 Ok(false)
             }
         }
@@ -358,6 +359,11 @@ impl<'t> Reading<'t> {
         self.column_use(ColumnUse { column: column.into(), used_as, because: because.into(), is_guess: false });
     }
 
+    /// Records the parts of a row where no heading names them, and the form has each in its place.
+    pub(super) fn columns_of_form(&mut self, parts: &[(&str, ColumnRole)]) {
+        parts.iter().for_each(|(part, role)| self.column(part, *role, "the form has it there"));
+    }
+
     /// The same of a column whose use is decided.
     pub(super) fn column_use(&mut self, of: ColumnUse) {
         // The log itself has its columns already.
@@ -378,7 +384,7 @@ impl<'t> Reading<'t> {
         // Readers whose rows contain all sensors record gaps themselves.
         if self.carried.until.is_none() && begin - self.last >= LONGEST_SILENCE {
             self.end_notes();
-            self.gap(self.last + 1, begin);
+            self.gap(self.last, begin);
         }
     }
 

@@ -4,7 +4,11 @@ use super::columns::{CERTAIN, is_certain_sensor, is_price, plain};
 use super::log::ColumnRole;
 use super::pick::Pick;
 use crate::limits::beginning;
+use homebody_core::names::words;
 use homebody_core::problem::readable;
+use homebody_core::role::Role;
+use homebody_core::sensed::{Kind, Meaning, meaning};
+use homebody_core::vocabulary::{DOOR_WORDS, ROLE_WORDS, has_any};
 use std::collections::BTreeSet;
 
 /// Headings of what is bought and used at home: such lists may have prices.
@@ -14,6 +18,40 @@ const USED: [&str; 10] = ["kwh", "wh", "kw", "m³", "m3", "usage", "consumption"
 type IsText = fn(&str) -> bool;
 
 impl Pick<'_> {
+    /// Refuses rows without a heading of a time, a number and a thing that is used or opened, in any order: nothing says whether the
+    /// number is a duration or a reading.
+    pub fn no_lengths(&self, sensor: usize, value: usize) -> Result<(), String> {
+        /// Nothing is used for longer, in seconds (our choice).
+        const LONGEST_S: f64 = 1e6;
+        let (things, numbers) = (self.cells(sensor), self.cells(value));
+        let may_last = |text: &String| {
+            text.replace(',', ".").parse::<f64>().is_ok_and(|number| number > 0.0 && number < LONGEST_S)
+        };
+        let may_be = !self.first.has_heading
+            && numbers.texts.len() > 2
+            && numbers.texts.keys().all(may_last)
+            && things.texts.keys().all(|name| is_used(name))
+            && things.texts.keys().any(|name| measures_nothing(name));
+        if !may_be {
+            return Ok(());
+        }
+        let names = |number: &'static str| {
+            let mut columns: Vec<(usize, &str)> = vec![(sensor, "sensor"), (value, number)];
+            let times: Vec<usize> = self.all_taken(ColumnRole::Time).collect();
+            let names_of_times = if times.len() > 1 { &["date", "time"][..] } else { &["time"] };
+            columns.extend(times.into_iter().zip(names_of_times.iter().copied()));
+            columns.sort_unstable();
+            columns.iter().map(|(_, name)| *name).collect::<Vec<_>>().join(",")
+        };
+        Err(format!(
+            "the numbers in column {} may be how long its things were used, as in a table of intervals, or readings\n  hint: write a first \
+             line above it, {} for intervals in seconds or {} for readings",
+            value + 1,
+            names("duration"),
+            names("value")
+        ))
+    }
+
     /// Refuses a table by what its columns hold, if none is certain to name sensors.
     pub fn no_other_list(&self) -> Result<(), String> {
         let columns = || (0..self.first.cells.len()).filter(|&column| self.cells(column).filled > 0);
@@ -150,4 +188,36 @@ fn is_phone(text: &str) -> bool {
     text.starts_with('+')
         && digits >= 8
         && text[1..].bytes().all(|byte| byte.is_ascii_digit() || b" -()/".contains(&byte))
+}
+
+/// Whether a name is that of a thing that people use or open, and none of what is measured.
+fn is_used(name: &str) -> bool {
+    match meaning(name, "") {
+        Some(Meaning::Is(kind)) => matches!(kind, Kind::Used | Kind::Contact),
+        Some(Meaning::Measured | Meaning::Readings) => false,
+        Some(Meaning::Somebody) => true,
+        None => {
+            let words = words(name);
+            has_any(&words, DOOR_WORDS) || ROLE_WORDS.iter().any(|(_, known)| has_any(&words, known))
+        }
+    }
+}
+
+/// Whether it is that of a thing that measures no power and no warmth: a door, a bed, a seat, a toilet.
+fn measures_nothing(name: &str) -> bool {
+    const ROLES: [Role; 10] = [
+        Role::Bed,
+        Role::Sofa,
+        Role::Armchair,
+        Role::DiningSeat,
+        Role::Toilet,
+        Role::Shower,
+        Role::Washbasin,
+        Role::Wardrobe,
+        Role::Drawers,
+        Role::Bookcase,
+    ];
+    let words = words(name);
+    let is_such = || ROLE_WORDS.iter().any(|(role, known)| ROLES.contains(role) && has_any(&words, known));
+    has_any(&words, DOOR_WORDS) || is_such()
 }

@@ -95,7 +95,8 @@ impl Series {
                     out.count("attributes of entities beside their states, passed over");
                 }
                 field => {
-                    let own = format!("{sensor} {field}");
+                    // A pivoted table may have no word of its series.
+                    let own = format!("{sensor} {field}").trim_start().to_owned();
                     out.column(field, ColumnRole::OneSensor, "each field is a reading of its own");
                     if !out.knows(&own) {
                         let unit = point.tag(&UNITS).map(str::to_owned);

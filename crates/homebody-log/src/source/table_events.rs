@@ -1,12 +1,12 @@
 //! Tables with an event in each row.
 
+use super::date_parts::no_instant;
 use super::layout::{Layout, Rows};
 use super::pick::FIRING;
 use super::reading::Reading;
 use super::records::Record;
 use super::row_parts::know;
 use crate::error::LogError;
-use crate::limits::beginning;
 use crate::plain::text;
 use crate::spreadsheet::{unescaped, unescaped_bytes};
 use std::borrow::Cow;
@@ -36,7 +36,7 @@ impl<'l> Events<'l> {
         if let Some((name, begins)) = label_of(sensor, &value) {
             match reading.instants.read_bytes(time) {
                 Some(at) => reading.note_of(at, &text(name), begins),
-                None => reading.skip(line, format!("{} is no date and time", beginning(&text(time)))),
+                None => reading.skip(line, no_instant(&text(time))),
             }
             return Ok(());
         }

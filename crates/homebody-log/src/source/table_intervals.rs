@@ -2,6 +2,7 @@
 //! activities of Orange4Home, tables of a start and a duration, and ours next to a log in CSV.
 
 use super::cells::is_off;
+use super::date_parts::no_instant;
 use super::in_order::InOrder;
 use super::instant::Instant;
 use super::layout::{Layout, Rows};
@@ -35,7 +36,7 @@ impl<'l> Intervals<'l> {
         let Rows::Intervals { end, sensor, value, is_of_activities } = &self.layout.rows else { return Ok(()) };
         let begin = text(self.layout.time.text(record, &mut self.time));
         let Some(from) = instant(self.layout, &begin, reading) else {
-            reading.skip(line, format!("{} is no date and time", beginning(begin.trim())));
+            reading.skip(line, no_instant(&begin));
             return Ok(());
         };
         let (End::At(column) | End::After(column, _)) = *end;

@@ -4,6 +4,7 @@
 //! row. Of a sensor with numbers each cell is a reading. An empty cell says nothing.
 
 use super::cells::{is_blank, is_off};
+use super::date_parts::no_instant;
 use super::in_order::{OFF, ON};
 use super::instant::Instant;
 use super::layout::{Layout, Rows, WideSensor};
@@ -48,7 +49,7 @@ impl<'l> Wide<'l> {
     pub fn take(&mut self, line: u64, record: &Record, reading: &mut Reading<'_>) -> Result<(), LogError> {
         let time = self.layout.time.text(record, &mut self.time);
         let Some(at) = reading.instants.read_bytes(time) else {
-            reading.skip(line, format!("{} is no date and time", beginning(text(time).trim())));
+            reading.skip(line, no_instant(text(time).trim()));
             return Ok(());
         };
         if let Some(label) = self.layout.label {

@@ -6,12 +6,14 @@
 //! The XML is read tag by tag, and nothing of it is kept but the names of what has begun in a trace. Left out: extensions,
 //! classifiers, and attributes inside of attributes.
 
+use super::date_parts::no_instant;
 use super::form::{Form, Shows};
 use super::instant::Instant;
+use super::log::ColumnRole;
 use super::reading::{Reading, open};
 use super::start::Start;
 use crate::error::LogError;
-use crate::limits::{LONGEST_ROW_BYTES, LONGEST_VALUE, beginning};
+use crate::limits::{LONGEST_ROW_BYTES, LONGEST_VALUE};
 use homebody_core::scenario::logger::LoggerFile;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -45,6 +47,13 @@ struct Event {
 const MOST_OPEN: usize = 1000;
 
 fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
+    for (key, role) in [
+        ("time:timestamp", ColumnRole::Time),
+        ("concept:name", ColumnRole::Label),
+        ("lifecycle:transition", ColumnRole::End),
+    ] {
+        reading.column(key, role, "its key");
+    }
     let mut file = BufReader::new(open(path)?);
     let (mut text, mut line) = (Vec::new(), 1);
     let mut event: Option<Event> = None;
@@ -127,7 +136,7 @@ fn take(event: Event, begun: &mut Vec<(String, Instant, u64)>, reading: &mut Rea
         return;
     };
     let Some(at) = reading.instants.read(&time) else {
-        reading.skip(line, format!("{} is no date and time", beginning(&time)));
+        reading.skip(line, no_instant(&time));
         return;
     };
     let open = begun.iter().position(|(open, ..)| *open == name);

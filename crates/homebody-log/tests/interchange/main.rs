@@ -269,8 +269,9 @@ fn a_row_that_is_no_json_costs_no_other_row() {
 #[test]
 fn json_that_is_no_log_is_refused_with_what_would_do() {
     let folder = Folder::new("refused");
+    let empty = result(&folder, "json", "other.json", "[]").unwrap_err().to_string();
+    assert!(empty.contains("it has no rows") && !empty.contains("hint"), "{empty}");
     for text in [
-        "[]",
         "{}",
         r#"{"name": "a home", "rooms": [{"name": "hall"}]}"#,
         r#"[{"a": 1}, {"a": 2}]"#,

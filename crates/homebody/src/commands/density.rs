@@ -7,9 +7,11 @@ use crate::length::span;
 use crate::print::tell;
 use homebody_analysis::dates;
 use homebody_analysis::density::{Asked, Chosen, Measured, NoMap, density_of};
+use homebody_core::problem::counted;
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
 use homebody_kit::LogWithRun;
+use homebody_log::source::{ColumnRole, ColumnUse};
 use homebody_picture::density_map;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -76,9 +78,10 @@ impl Arguments {
         // The days of the other log are its own.
         let asked_of =
             |other: &LogWithRun| Asked { doors: self.doors(other), away_after, days, ..other.density_asked() };
-        let map = log.density(&asked).map_err(|why| no_map(&self.log, &why))?;
+        let map = log.density(&asked).map_err(|why| no_map(&self.log, &log, &why))?;
         let against = other.as_ref().zip(self.against.as_ref());
-        let against = against.map(|(other, name)| other.density(&asked_of(other)).map_err(|why| no_map(name, &why)));
+        let against =
+            against.map(|(other, name)| other.density(&asked_of(other)).map_err(|why| no_map(name, other, &why)));
         let density = density_of(map, against.transpose()?);
         if [Some(&density.of), density.against.as_ref().map(|other| &other.of)].into_iter().flatten().any(is_by_name) {
             tell("The entrance is told by names; --door SENSOR names others");
@@ -123,16 +126,61 @@ impl Arguments {
     }
 }
 
-/// Why a log has no map, with what would help.
-fn no_map(log: &str, why: &NoMap) -> Failure {
+/// Why a log has no map and no measures, with what would help.
+pub fn no_map(name: &str, log: &LogWithRun, why: &NoMap) -> Failure {
     let hint = match why {
-        NoMap::TooLong(_) => "\n  hint: choose a part with --from and --days",
-        _ => "",
+        NoMap::TooLong(_) => "\n  hint: choose a part with --from and --days".to_owned(),
+        NoMap::Empty if !log.log.activities.is_empty() => {
+            let notes = counted(log.log.activities.len(), "activity", "activities");
+            format!(" of sensors, only {notes}\n  hint: homebody look {name} shows them")
+        }
+        NoMap::Disorder(..) => sorting(name, &log.log.columns),
+        _ => String::new(),
     };
-    Failure::usage(format!("{log}: {why}{hint}"))
+    Failure::usage(format!("{name}: {why}{hint}"))
+}
+
+/// How rows of comma-separated values are sorted whose dates begin with the year; nothing of other logs.
+fn sorting(name: &str, columns: &[ColumnUse]) -> String {
+    let is_time = |at: &usize| columns[*at].used_as == ColumnRole::Time;
+    let keys: String = (0..columns.len()).filter(is_time).map(|at| format!(" -k{0},{0}", at + 1)).collect();
+    let lower = name.to_lowercase();
+    let (print, is_csv) = match lower.strip_suffix(".gz") {
+        Some(unpacked) => ("zcat", unpacked.ends_with(".csv")),
+        None => ("cat", lower.ends_with(".csv")),
+    };
+    let has_heading = columns.first().is_some_and(|of| of.column != "column 1");
+    match is_csv && !keys.is_empty() {
+        true if has_heading => format!(", as with {print} {name} | (sed -u 1q; LC_ALL=C sort -t,{keys}) > sorted.csv"),
+        true => format!(", as with {print} {name} | LC_ALL=C sort -t,{keys} > sorted.csv"),
+        false => String::new(),
+    }
 }
 
 /// Whether nobody has said which sensors are at the entrance.
 fn is_by_name(of: &Measured) -> bool {
     of.map.entrance.chosen != Chosen::Asked
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_that_is_out_of_order_is_sorted_by_its_times_below_its_heading() {
+        let column = |(column, used_as): &(&str, ColumnRole)| {
+            let because = String::new();
+            ColumnUse { column: (*column).into(), used_as: *used_as, because, is_guess: false }
+        };
+        let hint =
+            |name: &str, columns: &[(&str, ColumnRole)]| sorting(name, &columns.iter().map(column).collect::<Vec<_>>());
+        let headed = [("sensor", ColumnRole::Sensor), ("date", ColumnRole::Time), ("time", ColumnRole::Time)];
+        assert_eq!(
+            hint("log.csv.gz", &headed),
+            ", as with zcat log.csv.gz | (sed -u 1q; LC_ALL=C sort -t, -k2,2 -k3,3) > sorted.csv"
+        );
+        let bare = [("column 1", ColumnRole::Time), ("column 2", ColumnRole::Sensor)];
+        assert_eq!(hint("log.csv", &bare), ", as with cat log.csv | LC_ALL=C sort -t, -k1,1 > sorted.csv");
+        assert_eq!((hint("log.db", &bare), hint("log.csv", &bare[1..])), (String::new(), String::new()));
+    }
 }

@@ -1,6 +1,7 @@
 //! `homebody measure`: what somebody has been doing, day by day.
 
 use super::answer::Answer;
+use super::density::no_map;
 use super::for_programs::{ForPrograms, row};
 use super::read_log::{HowRead, read_any_length};
 use crate::failure::{EXIT_CODES, Failure};
@@ -132,7 +133,7 @@ impl Measured {
         if let Some(resident) = &self.resident {
             return lived(read, resident);
         }
-        read.measures().map_err(|why| Failure::usage(format!("{}: {why}", &self.log)))
+        read.measures().map_err(|why| no_map(&self.log, read, &why))
     }
 }
 
