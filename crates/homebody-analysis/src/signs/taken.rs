@@ -6,7 +6,7 @@ use super::named::{Named, is_of_program, is_room_letter_place, is_seat, known_an
 use super::tally::Tally;
 use homebody_core::languages::room_use;
 use homebody_core::sensed::{Kind, Meaning, domain_of, meaning};
-use homebody_log::{Log, SaidBy};
+use homebody_log::{Log, SaidBy, SensorInfo};
 
 /// In a home with motion sensors more than one row of so many is theirs.
 const FEWER: u64 = 10;
@@ -109,6 +109,9 @@ struct OfSensor {
     named: Option<(Named, String)>,
     is_seat: bool,
     is_room_letter_place: bool,
+    /// Whether its id is that of an entity of Home Assistant, and whether its name and room tell of no person: many are of programs.
+    is_entity: bool,
+    is_of_program: bool,
 }
 
 impl OfSensor {
@@ -128,8 +131,17 @@ impl OfSensor {
             named,
             is_seat: known.is_some_and(|known| is_seat(&known.name)) || is_seat(id),
             is_room_letter_place: is_room_letter_place(id),
+            is_entity: domain_of(id).is_some(),
+            is_of_program: domain_of(id).is_some_and(|domain| tells_of_no_person(known, id, domain)),
         }
     }
+}
+
+/// Whether neither the name of an entity nor its room tells of a person.
+fn tells_of_no_person(known: Option<&SensorInfo>, id: &str, domain: &str) -> bool {
+    let name = known.filter(|known| known.name != id).map_or(&id[domain.len() + 1..], |known| &known.name);
+    let has_room = known.is_some_and(|known| known.room.is_some()) || room_use(name).is_some();
+    !has_room || is_of_program(name)
 }
 
 /// A sensor, with all that there is to go by.
@@ -220,7 +232,7 @@ impl Sensor<'_> {
         let motion = |because: &str| Taken::new(Kind::Motion, Evidence::Guess, because);
         let Some((named, word)) = &self.known.named else {
             return match self.tally.says_words() {
-                _ if self.is_of_program() => {
+                _ if self.known.is_of_program => {
                     Taken::new(Kind::Other, Evidence::Guess, "no word of its name is of a room or a sensor of movement")
                 }
                 true => Taken::new(Kind::Reading, Evidence::Guess, "most of what it says are no words of sensors"),
@@ -234,21 +246,12 @@ impl Sensor<'_> {
         };
         match named {
             // A log of a few rows may end while a door is open: another sensor with a word for motion shows how sensors are named.
-            Named::Door if self.tally.only_begins() && !says_motion && domain_of(self.id).is_none() => {
+            Named::Door if self.tally.only_begins() && !says_motion && !self.known.is_entity => {
                 motion("it says that something begins, and never that it ends")
             }
             _ if looks => motion(&format!("{word:?} in its name, and it is ON for moments")),
             _ => self.used(),
         }
-    }
-
-    /// Whether it is an entity of Home Assistant whose class, name and room tell of no person: many are of programs and networks.
-    fn is_of_program(&self) -> bool {
-        let Some(domain) = domain_of(self.id) else { return false };
-        let known = self.known.filter(|known| known.name != self.id);
-        let name = known.map_or(&self.id[domain.len() + 1..], |known| &known.name);
-        let has_room = self.known.is_some_and(|known| known.room.is_some()) || room_use(name).is_some();
-        !has_room || is_of_program(name)
     }
 
     /// Its kind unless it looks for movement: a contact at a door, or else a thing that is used.
