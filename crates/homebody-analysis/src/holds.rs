@@ -1,9 +1,9 @@
 //! Motion sensors that stay on for a hold time after the last movement that they see.
 //!
-//! Such a sensor reports `ON` once for all movements that follow each other within its hold time, often 10 s to some minutes. Its reports
-//! alone hide how long somebody moved. Its last movement was one hold time before its `OFF`, and until then no two were farther apart.
+//! Such a sensor reports `ON` once for all movements that follow each other within its hold time, often 10 s to some minutes. So its
+//! reports do not show the length of a movement. Its last movement was one hold time before its `OFF`, and until then no two were farther apart.
 //!
-//! The hold time of a sensor is the second shortest time for which it was on so far: a single movement keeps it on for so long. With
+//! The hold time of a sensor is the second shortest of its times on so far. A single movement keeps it on for that long. With
 //! less than [`SHORTEST`] its `ON` says enough. Sensors of CASAS have 1.1 s, those of Zigbee 10 s to 3 minutes (our reading of their manuals).
 
 use crate::rows::Row;
@@ -41,7 +41,7 @@ pub struct Holds {
 struct OfSensor {
     /// Since when it is on, and its last movement so far.
     on: Option<(Micros, Micros)>,
-    /// The two shortest times for which it was on.
+    /// Its two shortest times on.
     shortest: [Micros; 2],
 }
 
@@ -171,7 +171,7 @@ mod tests {
         assert_eq!(movements(&[(0, 90), (200, 290), (400, 500)]), (vec![410], Some(90)));
         // Before it no two are farther apart than the hold time.
         assert_eq!(movements(&[(0, 90), (200, 290), (400, 800)]).0, [490, 580, 670, 710]);
-        // One short time alone is no hold time.
+        // One short time alone gives no hold time.
         assert_eq!(movements(&[(0, 2), (200, 290), (400, 490)]).1, Some(90));
     }
 

@@ -163,7 +163,7 @@ pub(crate) struct Smoother<'a> {
 }
 
 impl<'a> Smoother<'a> {
-    /// Begins with no message of these bodies; `nobody` is [`Senses::nobody`] of the first.
+    /// Begins before the first message of these bodies. `nobody` is [`Senses::nobody`] of the first body.
     pub fn new(bodies: &'a [Senses], nobody: &'a Senses, steps: Steps<'a>) -> Smoother<'a> {
         let (residents, visits) = match bodies {
             [alone, guest] if guest.visits && !alone.visits => (&bodies[..1], Some(Visits::new([alone, guest]))),
@@ -172,7 +172,7 @@ impl<'a> Smoother<'a> {
         Smoother { pairs: in_pairs(residents, nobody), visits, steps, gone: 0 }
     }
 
-    /// Takes the next message. It returns true where a block was full, of which `tell` has heard.
+    /// Takes the next message. Returns true if it gave `tell` a full block.
     pub fn hear(&mut self, message: &Message, tell: &mut impl FnMut(Instant)) -> bool {
         self.steps.hear(message);
         let mut is_told = false;

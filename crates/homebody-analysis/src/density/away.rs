@@ -8,7 +8,7 @@
 //! - they are longer apart than the least absence, 30 minutes unless asked otherwise,
 //! - an entrance sensor fired in the last minute of the first bout, and in the first minute of the second, and
 //! - no sensor of a bed or a chair said meanwhile, for more than five minutes, that somebody is there, and
-//! - there are no more stray firings than two, and one for each hour; or the home is ten times as quiet as usual, for a faulty sensor
+//! - there are no more stray firings than two, and one for each hour; or the home is five times as quiet as usual, for a faulty sensor
 //!   in it may fire more often.
 //!
 //! So a night with the last firing in the bedroom is sleep, and so is a nap in an armchair. The rule is that of the
@@ -31,10 +31,10 @@ const BOUT: Micros = 120 * SECOND;
 pub const SEATED: Micros = 300 * SECOND;
 /// A bout of fewer firings is stray, if they are of motion sensors alone.
 const LEAST_FIRINGS: usize = 3;
-/// More stray firings than these in all, and than one for each such time, are somebody's, unless they are a small share of the usual.
+/// With more stray firings than these, and than one for each such time, somebody is at home. A small share of the usual is stray all the same.
 const MOST_STRAY: usize = 2;
 const STRAY_EVERY: Micros = 3600 * SECOND;
-const QUIET: f64 = 0.1;
+const QUIET: f64 = 0.2;
 /// How near to a bout's end the entrance has to fire.
 const EDGE: Micros = 60 * SECOND;
 

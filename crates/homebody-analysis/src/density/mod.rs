@@ -4,8 +4,9 @@
 //! A cell is an hour of a day on the clock on the wall; where the zone is known, one that is left out as clocks are set on is without data,
 //! and one that comes twice has two hours. Its density is the number of motion events divided by the hours
 //! that somebody was at home in it, `events / at_home_h`; where these are less than ten minutes, the hour is away and has
-//! none. An hour is without data if less than a quarter of it is recorded. An event is a row by which a motion sensor says that
-//! something began: `ON`, `FIRE`, `true`. Contacts, lights and readings are no motion. `away` says when nobody was at home, `texture` how alike neighbouring hours are.
+//! none. An hour is without data if less than a quarter of it is recorded. An event is a row with which a motion sensor reports
+//! a beginning: `ON`, `FIRE`, `true`. Contacts, lights and readings do not count. `away` finds the times with an empty home, and `texture`
+//! compares neighbouring hours.
 //!
 //! | figure | unit | definition |
 //! |---|---|---|

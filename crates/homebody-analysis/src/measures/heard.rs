@@ -185,7 +185,7 @@ impl Timeline {
             self.showers = begins(by_day, BATHROOM_LONG);
             self.guesses_showers = true;
         }
-        // Who opens a window does not cook.
+        // An open window is no sign of cooking.
         let in_kitchen = |room: &Option<usize>| room.is_some_and(|room| self.rooms.purpose(room) == Purpose::Kitchen);
         let tells_cooking = |(sensor, room): (usize, &Option<usize>)| in_kitchen(room) && !heard.named.window[sensor];
         if self.rooms.of_sensors.iter().enumerate().any(tells_cooking) {
@@ -213,8 +213,8 @@ fn is_named(name: &str, as_one_of: &[&str]) -> bool {
 }
 
 /// Somebody is in the room of the last sign until there is one of another, or until they leave. A single sign of a room is a
-/// glimpse of somebody who passes: a moment of its own between two other rooms, and nothing within one. It is none of a sensor that
-/// stays on, unless the next sign comes soon.
+/// glimpse of somebody who passes: a moment of its own between two other rooms, and nothing within one. A single sign of a sensor that
+/// stays on is a stay, unless the next sign comes soon.
 fn stays(signs: &[Sign], away: &[Span], last: Micros) -> Vec<Stay> {
     let rooms: Vec<&[Sign]> = signs.chunk_by(|a, b| a.room == b.room).collect();
     let mut stays: Vec<Stay> = Vec::new();

@@ -20,7 +20,7 @@ pub struct Sign {
     pub room: usize,
     /// The sensor, by its number in the log.
     pub sensor: usize,
-    /// Whether a movement was seen as it began. Else something was used, or a movement went on.
+    /// Whether a movement was seen as it began. Else something was used, or a movement continued.
     pub is_seen: bool,
     /// Whether its sensor stays on for a hold time: then a single sign is as much as many of another sensor.
     pub is_held: bool,

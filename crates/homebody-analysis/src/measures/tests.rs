@@ -103,7 +103,7 @@ fn sensors_that_stay_on_hide_no_stays() {
             assert!((a - b).abs() < 0.1, "{name}: {a}, {b}");
         }
     }
-    // What such sensors hide is not known, and what they make doubtful is a guess.
+    // Hidden measures are not known, and doubtful ones are guesses.
     for name in ["showers", "restlessness"] {
         assert!(values(&held, name).iter().all(Option::is_none), "{name}");
         assert!(values(&plain, name).iter().any(Option::is_some), "{name}");
