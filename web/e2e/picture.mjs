@@ -85,7 +85,7 @@ await picture('life', 'tigerplace-depression', async (page) => {
 // How somebody is whose depression has grown for some weeks.
 await picture('care', 'tigerplace-depression', async (page, served) => {
   served.homebody('run', 'tigerplace-depression', '--for', '70d', '--quiet');
-  await page.setViewportSize({ width: 1280, height: 1640 });
+  await page.setViewportSize({ width: 1280, height: 1465 });
   await page.reload();
   await page.getByRole('heading', { name: 'Day by day' }).waitFor();
   await page.getByRole('region', { name: 'Calendar' }).getByRole('button', { name: /2 alerts not seen to/ }).last().click();

@@ -73,12 +73,11 @@ crate::numbers! {
     static LIGHT_M = "body.light": 0.15, "m", [0.0, 0.3];
 }
 
-/// What a body is doing.
+/// What a body is doing; it faces the way of its last stride.
 #[derive(Clone, Debug)]
 struct Body {
     posture: Posture,
     motion: BodyMotion,
-    /// The direction of its last stride, of length one.
     heading: Point,
 }
 

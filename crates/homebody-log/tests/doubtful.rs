@@ -2,53 +2,8 @@
 
 mod stage;
 
-use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{Micros, SECOND};
-use homebody_log::{Log, LogError, Source, read};
-use stage::Folder;
-use std::fs;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// 2 March 2009, 07:00.
-const SEVEN: Micros = 1_235_977_200 * SECOND;
-
-fn read_as(name: &str, text: &str) -> Result<(String, Log), LogError> {
-    /// A folder of its own for each text: tests run at once.
-    static NEXT: AtomicUsize = AtomicUsize::new(0);
-    let folder = Folder::new(&format!("doubtful{}", NEXT.fetch_add(1, Ordering::Relaxed)));
-    let path = folder.path().join(name);
-    fs::write(&path, text).unwrap();
-    let source = Source::recognise(&path)?;
-    Ok((source.form().name.to_owned(), read(&source, &LoggerFile::default())?))
-}
-
-fn read_text(text: &str) -> Result<(String, Log), LogError> {
-    read_as("log.csv", text)
-}
-
-/// The error of a text that cannot be read as a log.
-fn why(text: &str) -> String {
-    match read_text(text) {
-        Err(error) => error.to_string(),
-        Ok((form, log)) => panic!("{form} of {} sensors: {text}", log.sensors.len()),
-    }
-}
-
-/// Rows as seconds since seven, sensor, value.
-fn told(log: &Log) -> Vec<(f64, &str, &str)> {
-    let seconds = |at: Micros| (at - SEVEN) as f64 / SECOND as f64;
-    log.events.iter().map(|event| (seconds(event.at), log.sensor(event), log.value(event))).collect()
-}
-
-/// Rows of three sensors that switch, a minute apart; `row` writes one.
-fn rows(count: usize, row: impl Fn(usize, &str, &str) -> String) -> String {
-    let sensors = ["hall", "kitchen", "bath"];
-    (0..count).map(|index| row(index, sensors[index / 2 % 3], ["ON", "OFF"][index % 2]) + "\n").collect()
-}
-
-fn clock(minute: usize) -> String {
-    format!("{:02}:{:02}:00", 7 + minute / 60, minute % 60)
-}
+use homebody_core::time::SECOND;
+use stage::texts::{SEVEN, clock, read_as, read_text, rows, told, why};
 
 /// A table without a heading of things that are used, five minutes apart: `row` writes one of its time in seconds since 1970, and how
 /// long it lasts.
@@ -65,7 +20,7 @@ fn intervals_of_numbers_without_a_heading_are_intervals_or_are_asked_for() {
     // A number that stays near the time for longer than a month is another one.
     let far = uses(|at, length, thing| format!("{at},{},{thing}", at + length * 86_400 * 20));
     assert_ne!(read_text(&far).unwrap().0, "pyadlml");
-    let clock = |at: i64| format!("2009-03-02 {}", self::clock(((at - SEVEN / SECOND) / 60) as usize));
+    let clock = |at: i64| format!("2009-03-02 {}", stage::texts::clock(((at - SEVEN / SECOND) / 60) as usize));
     for (text, order) in [
         (uses(|at, length, thing| format!("{},{length},{thing}", clock(at))), "time,duration,sensor"),
         (uses(|at, length, thing| format!("{thing},{},{length}", clock(at))), "sensor,time,duration"),

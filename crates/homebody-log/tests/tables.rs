@@ -3,32 +3,11 @@
 mod stage;
 
 use homebody_core::scenario::logger::LoggerFile;
-use homebody_core::time::{Micros, SECOND};
+use homebody_core::time::SECOND;
 use homebody_log::source::{Clock, ColumnRole, DateOrder, DecimalMark, HomeColumn, TableOptions};
-use homebody_log::{Log, LogError, Source, read};
-use stage::Folder;
+use homebody_log::{Log, LogError, read};
+use stage::texts::{SEVEN, clock, folder, read_text, read_with, rows, told, why};
 use std::fs;
-use std::sync::atomic::{AtomicUsize, Ordering};
-
-/// 2 March 2009, 07:00.
-const SEVEN: Micros = 1_235_977_200 * SECOND;
-
-fn read_with(folder: &Folder, name: &str, text: &str, options: TableOptions) -> Result<(String, Log), LogError> {
-    let path = folder.path().join(name);
-    fs::write(&path, text).unwrap();
-    let source = Source::recognise(&path)?.with_options(options);
-    Ok((source.form().name.to_owned(), read(&source, &LoggerFile::default())?))
-}
-
-fn read_text(text: &str) -> Result<(String, Log), LogError> {
-    read_with(&folder(), "log.csv", text, TableOptions::default())
-}
-
-/// A folder of its own for each text: tests run at once.
-fn folder() -> Folder {
-    static NEXT: AtomicUsize = AtomicUsize::new(0);
-    Folder::new(&format!("tables{}", NEXT.fetch_add(1, Ordering::Relaxed)))
-}
 
 /// Reads a text as a table, whatever it looks like.
 fn read_as_csv(text: &str) -> Result<Log, LogError> {
@@ -38,33 +17,9 @@ fn read_as_csv(text: &str) -> Result<Log, LogError> {
     read(&url, &LoggerFile::default())
 }
 
-/// The error of a text that cannot be read as a log.
-fn why(text: &str) -> String {
-    match read_text(text) {
-        Err(error) => error.to_string(),
-        Ok((form, log)) => panic!("{form} of {} sensors: {text}", log.sensors.len()),
-    }
-}
-
-/// Rows as seconds since seven, sensor, value.
-fn told(log: &Log) -> Vec<(f64, &str, &str)> {
-    let seconds = |at: Micros| (at - SEVEN) as f64 / SECOND as f64;
-    log.events.iter().map(|event| (seconds(event.at), log.sensor(event), log.value(event))).collect()
-}
-
 /// The headings that were taken for this.
 fn taken(log: &Log, role: ColumnRole) -> Vec<&str> {
     log.columns.iter().filter(|of| of.used_as == role).map(|of| of.column.as_str()).collect()
-}
-
-/// Rows of three sensors that switch, a minute apart; `row` writes one.
-fn rows(count: usize, row: impl Fn(usize, &str, &str) -> String) -> String {
-    let sensors = ["hall", "kitchen", "bath"];
-    (0..count).map(|index| row(index, sensors[index / 2 % 3], ["ON", "OFF"][index % 2]) + "\n").collect()
-}
-
-fn clock(minute: usize) -> String {
-    format!("{:02}:{:02}:00", 7 + minute / 60, minute % 60)
 }
 
 #[test]

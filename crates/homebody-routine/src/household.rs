@@ -13,7 +13,6 @@ use crate::living::driver::RoutineDriver;
 use crate::living::life::Life;
 use crate::living::pet::PetDriver;
 use crate::living::places::Places;
-use crate::living::tally::Tally;
 use crate::needs_of_home;
 use crate::routine::{Effect, Kind, Routine, USUAL, shows};
 use homebody_core::drivers;
@@ -264,14 +263,8 @@ impl Household {
     pub fn differences(run: &Run) -> Vec<Difference> {
         let days = i32::try_from(run.now().div_euclid(DAY)).unwrap_or(i32::MAX);
         let drivers = (0..run.names().len()).filter_map(|body| run.driver(ResidentId::of(body))?.as_any());
-        let lives = drivers.filter_map(|driver| driver.downcast_ref::<RoutineDriver>());
-        let (visitors, residents): (Vec<_>, Vec<_>) = lives.partition(|driver| driver.is_visitor());
-        let of_visitors = |driver: &RoutineDriver| -> Vec<&Tally> {
-            visitors.iter().filter(|visitor| visitor.host() == driver.host()).map(|visitor| visitor.tally()).collect()
-        };
-        let of_one =
-            |driver: &RoutineDriver| account::differences(driver.life(), driver.tally(), &of_visitors(driver), days);
-        residents.into_iter().flat_map(of_one).collect()
+        let lives: Vec<&RoutineDriver> = drivers.filter_map(|driver| driver.downcast_ref()).collect();
+        account::differences_of_all(&lives, days)
     }
 
     /// The things of the home that anybody's life uses, by their names in small letters; `None` where somebody lives by something

@@ -82,7 +82,7 @@ pub fn agreed(signs: &[Sign]) -> Vec<Sign> {
     let mut of_room = 0..0;
     let mut agreed = Vec::with_capacity(signs.len());
     // The sensors that speak, with their rooms; and by room, how many do.
-    let (mut sensors, mut speaking): (Vec<(usize, usize)>, Vec<(usize, usize)>) = Default::default();
+    let (mut sensors, mut speaking) = (Vec::<(usize, usize)>::new(), Vec::<(usize, usize)>::new());
     for (number, sign) in signs.iter().enumerate() {
         if number == of_room.end {
             let others = signs[number..].iter().position(|other| other.room != sign.room);

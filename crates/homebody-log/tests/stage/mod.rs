@@ -1,6 +1,8 @@
 //! What the tests of this folder share: a folder of their own, and a run to log.
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
+pub mod texts;
+
 use homebody_core::event::{Firing, Value};
 use homebody_core::ids::SensorId;
 use homebody_core::scenario::calendar::Calendar;

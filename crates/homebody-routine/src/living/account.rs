@@ -1,5 +1,6 @@
 //! Where a life differs from its words: which sentences were not lived as they stand, and what came of them.
 
+use super::driver::RoutineDriver;
 use super::life::{Life, SentenceId, SentenceKind};
 use super::tally::{LATE, Lived, Tally};
 use crate::routine::{Effect, Phase, When};
@@ -32,9 +33,21 @@ const LATE_SHARE: f64 = 0.1;
 /// What takes less than this of its length on average is told (ours).
 const SHORT: f64 = 0.7;
 
+/// The differences of all residents among these lives.
+pub fn differences_of_all(lives: &[&RoutineDriver], days: i32) -> Vec<Difference> {
+    let (visitors, residents): (Vec<&RoutineDriver>, Vec<&RoutineDriver>) =
+        lives.iter().partition(|life| life.is_visitor());
+    let of_one = |resident: &RoutineDriver| {
+        let own = visitors.iter().filter(|visitor| visitor.host() == resident.host());
+        let of_visitors: Vec<&Tally> = own.map(|visitor| visitor.tally()).collect();
+        differences(resident.life(), resident.tally(), &of_visitors, days)
+    };
+    residents.into_iter().flat_map(of_one).collect()
+}
+
 /// All sentences of a life of so many days that differ from what came of them. A host only welcomes who stays for days: how long they stay is
 /// in the tallies of the visitors.
-pub fn differences(life: &Life, tally: &Tally, of_visitors: &[&Tally], days: i32) -> Vec<Difference> {
+fn differences(life: &Life, tally: &Tally, of_visitors: &[&Tally], days: i32) -> Vec<Difference> {
     let mut all = foretold(life, days);
     for (id, file, said) in life.sentences().filter(|(id, ..)| id.source != Life::UNSAID) {
         if all.iter().any(|known| known.file == file && known.line == said.line && known.text == said.text) {

@@ -124,7 +124,7 @@ mod tests {
         assert!(estimate(&of(2, 3.0)).is_none() && estimate(&of(30, 2.0)).is_none());
         let cohort = of(24, 8.0);
         let folder = tempfile::tempdir().unwrap();
-        let lived = cohort.store_in(&folder.path().join("all"), |_| ()).unwrap();
+        let lived = cohort.store_in(folder.path().join("all"), |_| ()).unwrap();
         let rows = lived.list.members.iter().map(|member| member.rows).sum::<u64>() as f64;
         let guess = estimate(&cohort).unwrap();
         let is_near = |ratio: f64| (0.7..1.4).contains(&ratio);

@@ -44,7 +44,7 @@ fn what_cannot_be_measured_is_said() {
     folder.run("measure names.csv --home tigerplace").fails(2, "none of its sensors is one of this home");
     let eats = r#"<log><trace><event><string key="concept:name" value="Eat"/>
         <date key="time:timestamp" value="2024-01-01T07:00:00Z"/></event></trace></log>"#;
-    folder.write("events.xes", &format!("{eats}\n"));
+    folder.write("events.xes", format!("{eats}\n"));
     let wanted = "it has no rows of sensors, only 1 activity\n  hint: homebody look events.xes shows them";
     folder.run("measure events.xes").fails(2, wanted);
     folder.run("density events.xes").fails(2, wanted);

@@ -9,7 +9,7 @@ const TABLE: [&str; 2] = ["crates/homebody-core/src/activity.rs", "web/src/activ
 
 /// Words that are labels, too, and mean something else where they stand.
 const OTHER_MEANINGS: [(&str, &str, &str); 16] = [
-    ("crates/homebody-analysis/src/density/entrance.rs", "laundry", "a room"),
+    ("crates/homebody-core/src/doors.rs", "laundry", "a room"),
     ("crates/homebody-core/src/sensed.rs", "reading", "what a sensor measures"),
     ("crates/homebody-core/src/role.rs", "laundry", "a room"),
     ("crates/homebody-experiment/src/daily_life/published.rs", "reading", "a line of a table for people"),

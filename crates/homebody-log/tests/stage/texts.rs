@@ -1,0 +1,58 @@
+//! Short tables, written by tests and read as logs.
+
+use super::Folder;
+use homebody_core::scenario::logger::LoggerFile;
+use homebody_core::time::{Micros, SECOND};
+use homebody_log::source::TableOptions;
+use homebody_log::{Log, LogError, Source, read};
+use std::fs;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// 2 March 2009, 07:00.
+pub const SEVEN: Micros = 1_235_977_200 * SECOND;
+
+/// A folder of its own for each text: tests run at once.
+pub fn folder() -> Folder {
+    static NEXT: AtomicUsize = AtomicUsize::new(0);
+    Folder::new(&format!("texts{}-{}", env!("CARGO_CRATE_NAME"), NEXT.fetch_add(1, Ordering::Relaxed)))
+}
+
+/// The form and the rows of a file with this text.
+pub fn read_with(folder: &Folder, name: &str, text: &str, options: TableOptions) -> Result<(String, Log), LogError> {
+    let path = folder.path().join(name);
+    fs::write(&path, text).unwrap();
+    let source = Source::recognise(&path)?.with_options(options);
+    Ok((source.form().name.to_owned(), read(&source, &LoggerFile::default())?))
+}
+
+pub fn read_as(name: &str, text: &str) -> Result<(String, Log), LogError> {
+    read_with(&folder(), name, text, TableOptions::default())
+}
+
+pub fn read_text(text: &str) -> Result<(String, Log), LogError> {
+    read_as("log.csv", text)
+}
+
+/// The error of a text that cannot be read as a log.
+pub fn why(text: &str) -> String {
+    match read_text(text) {
+        Err(error) => error.to_string(),
+        Ok((form, log)) => panic!("{form} of {} sensors: {text}", log.sensors.len()),
+    }
+}
+
+/// Rows as seconds since seven, sensor, value.
+pub fn told(log: &Log) -> Vec<(f64, &str, &str)> {
+    let seconds = |at: Micros| (at - SEVEN) as f64 / SECOND as f64;
+    log.events.iter().map(|event| (seconds(event.at), log.sensor(event), log.value(event))).collect()
+}
+
+/// Rows of three sensors that switch, a minute apart; `row` writes one.
+pub fn rows(count: usize, row: impl Fn(usize, &str, &str) -> String) -> String {
+    let sensors = ["hall", "kitchen", "bath"];
+    (0..count).map(|index| row(index, sensors[index / 2 % 3], ["ON", "OFF"][index % 2]) + "\n").collect()
+}
+
+pub fn clock(minute: usize) -> String {
+    format!("{:02}:{:02}:00", 7 + minute / 60, minute % 60)
+}
