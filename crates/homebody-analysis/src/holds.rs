@@ -35,6 +35,8 @@ pub struct Holds {
     on: Vec<u32>,
     /// No movement is known before this instant that was not returned yet.
     due: Micros,
+    /// Whether any of them has had a hold time.
+    hides_any: bool,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +65,7 @@ impl Holds {
     /// For so many sensors, all off.
     pub fn new(sensors: usize) -> Holds {
         let sensor = OfSensor { on: None, shortest: [Micros::MAX; 2] };
-        Holds { sensors: vec![sensor; sensors], on: Vec::new(), due: Micros::MAX }
+        Holds { sensors: vec![sensor; sensors], on: Vec::new(), due: Micros::MAX, hides_any: false }
     }
 
     /// The hold time of a sensor so far, if its reports hide movements.
@@ -71,9 +73,9 @@ impl Holds {
         self.sensors.get(sensor)?.hold()
     }
 
-    /// Whether any sensor hides movements.
+    /// Whether any sensor has hidden movements so far.
     pub fn hide_any(&self) -> bool {
-        self.sensors.iter().any(|sensor| sensor.hold().is_some())
+        self.hides_any
     }
 
     /// Takes a row, in the order of time. Adds the movements that are known with it: none lies more than [`LONGEST`] before it.
@@ -94,6 +96,7 @@ impl Holds {
             says => {
                 if says == Says::Ends && row.said.unknown_from.is_none() {
                     sensor.end(row, found);
+                    self.hides_any |= sensor.hold().is_some();
                 }
                 sensor.on = None;
                 self.on.retain(|on| *on != row.sensor);
