@@ -36,13 +36,13 @@ def linked(text: str, page: str, pages: dict[str, str]) -> str:
 def documents(root: Path, to: Path) -> None:
     """The README, what lies beside it, and docs/ with its pictures."""
     pages = {name: name for name in BESIDE} | {"README.md": "index.md"}
-    pages |= {f"docs/{path.name}": f"docs/{path.name}" for path in (root / "docs").glob("*.md")}
+    there = [path.relative_to(root).as_posix() for path in sorted((root / "docs").rglob("*.md"))]
+    pages |= {name: name for name in there}
     for name, page in pages.items():
         path = to / page
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(linked((root / name).read_text(encoding="utf-8"), page, pages), encoding="utf-8")
-    for picture in (root / "docs").glob("*.png"):
-        shutil.copy(picture, to / "docs")
+    shutil.copytree(root / "docs/pictures", to / "docs/pictures")
 
 
 def python_reference(root: Path, to: Path) -> None:

@@ -4,7 +4,7 @@
 //! reports do not show the length of a movement. Its last movement was one hold time before its `OFF`, and until then no two were farther apart.
 //!
 //! The hold time of a sensor is the second shortest of its times on so far. A single movement keeps it on for that long. With
-//! less than 10 s its `ON` says enough: those of two CASAS homes have 1.1 s. `docs/devices.md` lists devices that report again after 10 s to a minute.
+//! less than 10 s its `ON` says enough: those of two CASAS homes have 1.1 s. `docs/reference/devices.md` lists devices that report again after 10 s to a minute.
 
 use crate::rows::Row;
 use crate::signs::{Kind, Says};

@@ -1,4 +1,4 @@
-//! `docs/activities.md` is what the tables of activities and roles say.
+//! `docs/reference/activities.md` is what the tables of activities and roles say.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test activities` writes it anew.
 
@@ -112,7 +112,7 @@ fn document() -> String {
 
 #[test]
 fn the_document_is_what_the_tables_say() {
-    is_generated("docs/activities.md", &document());
+    is_generated("docs/reference/activities.md", &document());
 }
 
 /// What no activity goes to: the way to a seat on which nothing else is done, and what only pets and the page need.

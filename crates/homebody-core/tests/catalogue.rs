@@ -53,5 +53,5 @@ fn document() -> String {
 
 #[test]
 fn the_document_has_the_catalogue() {
-    is_generated("docs/devices.md", &document());
+    is_generated("docs/reference/devices.md", &document());
 }

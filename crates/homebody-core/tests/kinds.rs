@@ -25,7 +25,7 @@ fn the_key_of_a_row_is_that_of_its_form() {
     assert_eq!(keys, KINDS.iter().map(|kind| kind.key).collect::<Vec<_>>());
 }
 
-/// What `docs/sensors.md` lacks of a kind: its line, or something that it says.
+/// What `docs/reference/sensors.md` lacks of a kind: its line, or something that it says.
 fn missing(document: &str, kind: &KindRow) -> Vec<String> {
     let first = format!("| `{}` |", kind.key);
     let lines = document.lines().skip_while(|line| !line.starts_with(&first));
@@ -43,9 +43,9 @@ fn missing(document: &str, kind: &KindRow) -> Vec<String> {
 
 #[test]
 fn the_document_of_sensors_has_every_kind_and_what_it_says() {
-    let document = include_str!("../../../docs/sensors.md");
+    let document = include_str!("../../../docs/reference/sensors.md");
     for kind in KINDS {
-        assert_eq!(missing(document, kind), [""; 0], "docs/sensors.md on {}", kind.key);
+        assert_eq!(missing(document, kind), [""; 0], "docs/reference/sensors.md on {}", kind.key);
     }
     // The control: without its lines, or with other words, it lacks something.
     let without = document.replace("| `flow` |", "| flow |").replace("watts", "horsepower").replace("`OPEN`", "`AJAR`");

@@ -1,4 +1,4 @@
-//! `docs/home.md`, `docs/logger.md` and `docs/scenario.md` are what the types of the files say: each key with its type,
+//! `docs/reference/home.md`, `docs/reference/logger.md` and `docs/reference/scenario.md` are what the types of the files say: each key with its type,
 //! unit, range, default and sentence.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-core --test references` writes them anew.
@@ -25,10 +25,10 @@ struct Page {
 }
 
 const PAGES: [Page; 3] = [
-    Page { name: "docs/home.md", head: HOME, files: &[("The file", FileKind::Home)], tail: String::new },
-    Page { name: "docs/logger.md", head: LOGGER, files: &[("The file", FileKind::Logger)], tail: places },
+    Page { name: "docs/reference/home.md", head: HOME, files: &[("The file", FileKind::Home)], tail: String::new },
+    Page { name: "docs/reference/logger.md", head: LOGGER, files: &[("The file", FileKind::Logger)], tail: places },
     Page {
-        name: "docs/scenario.md",
+        name: "docs/reference/scenario.md",
         head: SCENARIO,
         files: &[
             ("`scenario.json`", FileKind::Scenario),
@@ -45,8 +45,8 @@ const HOME: &str = "\
 
 The building and what hangs on its walls. This page is made from the types in `crates/homebody-core/src/scenario/home.rs` and
 `crates/homebody-core/src/sensors/`; `schemas/home.schema.json` says the same to editors. What is wrong beyond it, such as a door in
-no wall, `homebody check` says, with the line and a hint. What each kind of sensor says, and when, is in `docs/sensors.md`; what
-furniture is for, in `docs/activities.md`.
+no wall, `homebody check` says, with the line and a hint. What each kind of sensor says, and when, is in `docs/reference/sensors.md`; what
+furniture is for, in `docs/reference/activities.md`.
 
 Lengths are metres. A point is `[x, y]`: `x` grows to the east, `y` to the north. Angles are degrees, counter-clockwise; a direction
 of 0 is east, 90 is north. Upper and lower case and surrounding blanks tell no two names apart.
@@ -83,10 +83,10 @@ is made from the types in `crates/homebody-core/src/scenario/logger.rs`; `schema
 }
 ```
 
-A row is one message of a sensor; what each kind of sensor says is in `docs/sensors.md`. The rows of a run are numbered from 0, and with
+A row is one message of a sensor; what each kind of sensor says is in `docs/reference/sensors.md`. The rows of a run are numbered from 0, and with
 the run's id that number is the key of the table, so that a row is stored once only. Names of the table and of columns have up to 63
 of `a` to `z`, `0` to `9` and `_`, no digit first. A hold is for motion sensors only: what others say is stored as they say it. The
-truth, whose tables are in `docs/truth.md`, goes elsewhere; of this file it takes the ids and the time format.
+truth, whose tables are in `docs/reference/truth.md`, goes elsewhere; of this file it takes the ids and the time format.
 ";
 
 const SCENARIO: &str = "\
@@ -94,7 +94,7 @@ const SCENARIO: &str = "\
 
 What to run, who lives there, and what moves them where no routine does. This page is made from the types in
 `crates/homebody-core/src/scenario/`; the files in `schemas/` say the same to editors. The other files of a scenario are in
-`docs/home.md`, `docs/logger.md`, `docs/link.md` and `docs/routine-language.md`. A file is named relative to the scenario's folder,
+`docs/reference/home.md`, `docs/reference/logger.md`, `docs/reference/link.md` and `docs/reference/routine-language.md`. A file is named relative to the scenario's folder,
 with `/` between folders; nothing outside it is read.
 ";
 

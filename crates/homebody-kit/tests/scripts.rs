@@ -197,7 +197,7 @@ fn next(around) {
     for (place, what, hint) in [
         ("clara.rhai:3:21", "the home has no thing \"stoove\"", "there are"),
         ("clara.rhai:4:15", "around has no roon", "did you mean around.room?"),
-        ("clara.rhai:4:39", "there is no function wate", "docs/scripts.md"),
+        ("clara.rhai:4:39", "there is no function wate", "docs/reference/scripts.md"),
         ("clara.rhai:5:18", "the home has no seat \"armchiar\"", "did you mean \"armchair\"?"),
         ("clara.rhai:5:30", "wait wants a number for the seconds, and this is text", ""),
         ("clara.rhai:5:57", "the home has no thing \"hal\"", "did you mean \"hall\"?"),

@@ -191,7 +191,7 @@ pub enum LogError {
         why: String,
     },
     /// A file is to tell the names of a table and its columns, and does not.
-    #[error("{place} is no logger.json: {why}\n  hint: docs/logger.md lists its keys")]
+    #[error("{place} is no logger.json: {why}\n  hint: docs/reference/logger.md lists its keys")]
     NoMapping {
         /// The file.
         place: String,

@@ -1,4 +1,4 @@
-//! `docs/logs.md` is what the table of forms says.
+//! `docs/reference/logs.md` is what the table of forms says.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-log --test log_forms` writes it anew. What the forms hold is tested in
 //! `crates/homebody-log/tests/recorded.rs`.
@@ -28,7 +28,7 @@ homebody convert mit:activities_data.csv --to csv:mit.csv
 
 const TAIL: &str = "
 A program that is built with the feature `parquet` also reads `parquet`, files and folders of files by run and day, and `arrow`, files of
-Arrow IPC: `docs/parquet.md`. Any text may be packed by gzip, and by Zstandard with that feature; it is known by how it begins, and
+Arrow IPC: `docs/how-to/parquet.md`. Any text may be packed by gzip, and by Zstandard with that feature; it is known by how it begins, and
 unpacked as it is read. One that is cut short or damaged is refused.
 
 A log of any size is read in little memory. Databases are opened to be read only, but for one that a run of ours left in the middle of a
@@ -39,7 +39,7 @@ transaction. Nothing of a log goes anywhere but where a command is told to write
 Each row has an instant, a sensor and what it said. A line that cannot be understood is left out and named with its number and why;
 the first hundred are listed, all are counted, and no other line is lost with it. A log is in local time or in UTC, as most of its
 first rows are; rows on the other clock are named. Instants may have fractions of any length, or none. What is longer than
-`docs/limits.md` says is no log.
+`docs/reference/limits.md` says is no log.
 
 Intervals become an ON and an OFF, in the order of time as far as a million rows are apart; one that ends before it begins is named. In
 tables of each second only changes become rows. A pause of more than a minute in such a table is a gap: sensors and activities end
@@ -90,7 +90,7 @@ leave open:
 | `--wide` | each column is a sensor; `wide:FILE` means the same |
 
 A home that is read from a table with odd names needs a `logger.json` that tells the names of table and columns: `--mapping logger.json`
-(`docs/logger.md`). A folder with `sensors.csv`, as a run leaves it, tells names, kinds and rooms of sensors.
+(`docs/reference/logger.md`). A folder with `sensors.csv`, as a run leaves it, tells names, kinds and rooms of sensors.
 A person may write it, too: `id,kind` is enough, and a kind is `motion`, `contact`, `used`, `reading` or `other`. It overrides the
 log's source and the names of its sensors. `homebody look` shows the evidence for the kind of each sensor.
 
@@ -165,5 +165,5 @@ as not understood.
 fn the_page_of_forms_is_that_of_the_table() {
     let row = |name: &str, what: &str| format!("| `{name}` | {} |\n", what.replace('|', "\\|"));
     let rows: String = FORMS.iter().map(|form| row(form.name, form.what)).collect();
-    is_generated("docs/logs.md", &format!("{HEAD}| form | what it is |\n|---|---|\n{rows}{TAIL}"));
+    is_generated("docs/reference/logs.md", &format!("{HEAD}| form | what it is |\n|---|---|\n{rows}{TAIL}"));
 }

@@ -1,4 +1,4 @@
-//! `docs/truth.md` is what the tables of the truth say.
+//! `docs/reference/truth.md` is what the tables of the truth say.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody-log --test truth_tables` writes it anew. That its queries run, and what they
 //! answer, is tested with the command.
@@ -24,9 +24,9 @@ of the program. Instants are written as the log has them, by `time` in `logger.j
 
 How much there is depends on the scenario. Movement, rooms and causes are always told. Activities come of a routine or of a
 path, acts of a routine or of held keys, needs and conditions of a routine alone. `off` has rows only where the log's messages are `on_off` or
-`occupancy`; `lost`, and the causes `duplicate` and `false`, only where the scenario has a link file (`docs/link.md`), or a sensor has failed from
-outside. `outside` has rows only where somebody has given orders while the run was lived (`docs/mqtt.md`); an act of theirs has no resident.
-Of a large cohort, `cause`, `off`, `movement` and `lost` are left out unless they are asked for (`docs/cohorts.md`).
+`occupancy`; `lost`, and the causes `duplicate` and `false`, only where the scenario has a link file (`docs/reference/link.md`), or a sensor has failed from
+outside. `outside` has rows only where somebody has given orders while the run was lived (`docs/how-to/mqtt-and-home-assistant.md`); an act of theirs has no resident.
+Of a large cohort, `cause`, `off`, `movement` and `lost` are left out unless they are asked for (`docs/how-to/simulate-a-cohort.md`).
 
 ## Log and truth together
 
@@ -121,7 +121,7 @@ fn sentence(words: &str) -> String {
 #[test]
 fn the_document_is_what_the_tables_say() {
     let text = document(&tables());
-    is_generated("docs/truth.md", &text);
+    is_generated("docs/reference/truth.md", &text);
     // The control: another column makes another page.
     let mut others = tables();
     others[0].columns.pop();

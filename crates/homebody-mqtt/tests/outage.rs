@@ -1,6 +1,6 @@
 //! A broker that is stopped while a thousand rows come a second: they are put aside, and all are heard once it is back.
 //!
-//! `HOMEBODY_OUTAGE_S` says for how many seconds; the figures in `docs/mqtt.md` are those of 60.
+//! `HOMEBODY_OUTAGE_S` says for how many seconds; the figures in `docs/how-to/mqtt-and-home-assistant.md` are those of 60.
 
 #[path = "servers/broker.rs"]
 #[allow(dead_code, reason = "this test uses a part of it")]

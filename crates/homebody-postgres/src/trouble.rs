@@ -58,7 +58,9 @@ pub(crate) fn told(server: &Server, error: &tokio_postgres::Error, ignored: Opti
             _ if error.is_closed() || kind.contains("communicating") => {
                 away(server, format!("the connection is lost: {reason}"))
             }
-            _ => wrong(server, format!("{kind}: {reason}"), "docs/postgresql.md says what is wanted of a server"),
+            _ => {
+                wrong(server, format!("{kind}: {reason}"), "docs/how-to/postgresql.md says what is wanted of a server")
+            }
         };
     };
     let code = said.code().code();
@@ -83,7 +85,7 @@ pub(crate) fn told(server: &Server, error: &tokio_postgres::Error, ignored: Opti
         _ => wrong(
             server,
             format!("{what} [{code}]"),
-            said.hint().unwrap_or("docs/postgresql.md says what is wanted of a server"),
+            said.hint().unwrap_or("docs/how-to/postgresql.md says what is wanted of a server"),
         ),
     }
 }

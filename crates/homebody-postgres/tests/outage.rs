@@ -1,6 +1,6 @@
 //! A server that is stopped while a thousand rows come a second: they are put aside on disk, and then it has each once.
 //!
-//! `HOMEBODY_OUTAGE_S` says for how many seconds; the figures in `docs/postgresql.md` are those of 60.
+//! `HOMEBODY_OUTAGE_S` says for how many seconds; the figures in `docs/how-to/postgresql.md` are those of 60.
 
 #[path = "../../../tests/outage.rs"]
 mod outage;

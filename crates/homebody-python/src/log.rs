@@ -170,7 +170,7 @@ impl Log {
         })
     }
 
-    /// A table of the truth, as `docs/truth.md` has it.
+    /// A table of the truth, as `docs/reference/truth.md` has it.
     fn truth(&self, py: Python<'_>, table: &str) -> PyResult<Stream> {
         py.detach(|| {
             let zone = self.instants()?.zone.clone();

@@ -10,7 +10,7 @@ use homebody_routine::language::times::{ABOUT_TIME_S, PLAIN_TIME_S};
 use homebody_routine::language::{LONGEST_LINE, MOST_SENTENCES, condition};
 use homebody_routine::routine::PartOfDay;
 
-const PAGE: &str = include_str!("../../../docs/routine-language.md");
+const PAGE: &str = include_str!("../../../docs/reference/routine-language.md");
 
 /// The fenced blocks of this kind.
 fn blocks(kind: &str) -> Vec<&'static str> {

@@ -153,7 +153,7 @@ impl Check<'_> {
             let known = said().map(|word| word.name).chain(self.functions.iter().map(|(name, _)| name.as_str()));
             let known: Vec<&str> = known.chain(standard_functions().iter().map(String::as_str)).collect();
             nearest(name, known).map_or_else(
-                || "docs/scripts.md lists what there is".to_owned(),
+                || "docs/reference/scripts.md lists what there is".to_owned(),
                 |near| format!("did you mean {near}?"),
             )
         };
@@ -174,8 +174,10 @@ impl Check<'_> {
         }
         let known = QUESTIONS.iter().map(|word| word.name).chain(self.functions.iter().map(|(name, _)| name.as_str()));
         let near = nearest(name, known.chain(standard_functions().iter().map(String::as_str)));
-        let hint = near
-            .map_or_else(|| "docs/scripts.md lists what there is".to_owned(), |near| format!("did you mean {near}?"));
+        let hint = near.map_or_else(
+            || "docs/reference/scripts.md lists what there is".to_owned(),
+            |near| format!("did you mean {near}?"),
+        );
         self.say(position, name.chars().count(), format!("there is no function {name}"), Some(hint));
     }
 

@@ -9,7 +9,7 @@ const BEGIN: &str = "<!-- made from the vocabulary -->\n";
 const END: &str = "<!-- end -->\n";
 
 fn path() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/scripts.md")
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/scripts.md")
 }
 
 fn table(text: &mut String, heading: &str, before: &str, words: &[Word]) {
@@ -51,7 +51,7 @@ fn the_page_lists_every_word_there_is() {
     }
     assert!(
         page == made || std::env::var_os("HOMEBODY_REWRITE").is_some(),
-        "HOMEBODY_REWRITE=1 writes docs/scripts.md anew"
+        "HOMEBODY_REWRITE=1 writes docs/reference/scripts.md anew"
     );
 }
 

@@ -135,12 +135,12 @@ mod tests {
 
     #[test]
     fn all_measures_and_the_usual_rules_are_in_the_documents() {
-        let document = include_str!("../../../../docs/measures.md");
+        let document = include_str!("../../../../docs/reference/measures.md");
         for Measure { name, unit, definition, source, .. } in MEASURES {
             let row = format!("| `{name}` | {unit} | {definition} | {source} |");
-            assert!(document.contains(&row), "docs/measures.md lacks this row:\n{row}");
+            assert!(document.contains(&row), "docs/reference/measures.md lacks this row:\n{row}");
         }
         let rules = crate::alerts::USUAL.trim();
-        assert!(document.contains(rules), "docs/measures.md lacks the usual rules as they are:\n{rules}");
+        assert!(document.contains(rules), "docs/reference/measures.md lacks the usual rules as they are:\n{rules}");
     }
 }

@@ -37,7 +37,7 @@ pub struct ChanceFile {
 }
 
 /// Ours: the first three fitted, the share missed read off a real home whose narrow sensors see 82 to 91 % of those who pass. See
-/// `docs/realism.md`.
+/// `docs/explanation/realism.md`.
 impl Default for ChanceFile {
     fn default() -> Self {
         ChanceFile { looks_per_s: 7.0, sure_deg: None, edge_m: 0.25, missed: 0.12 }

@@ -23,7 +23,7 @@ use crate::scenario::notice::Notice;
 use crate::time::{Micros, SECOND};
 use std::ops::RangeInclusive;
 
-/// What moves by this angle in a second is surely noticed, in degrees (ours, fitted: see `docs/realism.md`).
+/// What moves by this angle in a second is surely noticed, in degrees (ours, fitted: see `docs/explanation/realism.md`).
 const SURE_DEG: f64 = 22.0;
 
 /// The same for the wide sensors of CASAS homes, which only see large movements (ours, fitted as well).

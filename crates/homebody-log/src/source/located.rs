@@ -213,7 +213,7 @@ fn unknown(start: &Start) -> String {
     let first = start.lines().next().unwrap_or_default();
     let first = beginning(&first);
     format!(
-        "it is of no form that is known: line 1 is {first}\n  hint: docs/logs.md lists the forms; name one before the file, as in csv:FILE"
+        "it is of no form that is known: line 1 is {first}\n  hint: docs/reference/logs.md lists the forms; name one before the file, as in csv:FILE"
     )
 }
 

@@ -17,7 +17,7 @@ use std::time::Duration;
 ///
 /// Days away, days that are not whole, and what needs a sensor that is silent do not count; of such a sensor there is an alert of
 /// its own. The rules are a few lines of JSON, which --rules replaces: the usual ones
-/// stand in docs/measures.md.
+/// stand in docs/reference/measures.md.
 #[derive(clap::Args)]
 #[command(after_help = format!("Examples:
   homebody alerts runs/tigerplace-depression-1
@@ -114,9 +114,9 @@ pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
     };
     let name = path.display();
     let text = fs::read_to_string(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => {
-            Failure::usage(format!("{name}: there is no such file\n  hint: the usual rules stand in docs/measures.md"))
-        }
+        ErrorKind::NotFound => Failure::usage(format!(
+            "{name}: there is no such file\n  hint: the usual rules stand in docs/reference/measures.md"
+        )),
         _ => Failure::io(path, error),
     })?;
     Rules::read(&text).map_err(|problems| {

@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
   homebody measure runs/tigerplace-1 --out sqlite:care.db --out fhir:observations.json
 
 What each measure is, with its unit and its source, stands in \"measures\" of the JSON and in
-docs/measures.md. Of what is not known a day has no value.
+docs/reference/measures.md. Of what is not known a day has no value.
 
 {EXIT_CODES}."))]
 pub struct Arguments {

@@ -14,7 +14,7 @@ use serde_json::json;
   homebody mqtt clean mqtt://ann@broker/homebody?password-file=secret --look
   homebody mqtt clean mqtt://ann@broker/homebody?password-file=secret
 
-What homes say to a broker, and what they can be told, is described in docs/mqtt.md.")]
+What homes say to a broker, and what they can be told, is described in docs/how-to/mqtt-and-home-assistant.md.")]
 pub struct Arguments {
     #[command(subcommand)]
     what: What,

@@ -404,7 +404,7 @@ fn help_documents_and_program_know_the_same_columns() {
     let (_, help) = help.split_once("Columns of --profiles:\n").unwrap();
     let helped: Vec<&str> = help.lines().filter_map(|line| line.split_whitespace().next()).collect();
     assert_eq!(helped, known);
-    let document = include_str!("../../../../docs/cohorts.md");
+    let document = include_str!("../../../../docs/how-to/simulate-a-cohort.md");
     let told: Vec<&str> = document.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next()).collect();
     assert_eq!(told, known);
 }

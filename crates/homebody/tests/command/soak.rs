@@ -14,7 +14,7 @@ const USUAL_HOMES: u64 = 12;
 
 /// What a program may take more, as it goes, in MiB: what memory is divided into is not given back at once.
 const GROWS_MIB: f64 = 2.0;
-/// And by the minute beyond that, as `docs/hardening.md` says.
+/// And by the minute beyond that, as `docs/explanation/robustness.md` says.
 const GROWS_MIB_A_MINUTE: f64 = 1.0;
 
 /// What a program has at an instant.

@@ -1,4 +1,4 @@
-//! The queries of `docs/truth.md` run, and answer what they say.
+//! The queries of `docs/reference/truth.md` run, and answer what they say.
 
 use crate::folder::{Folder, ROOT};
 use rusqlite::Connection;
@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// The queries of the page, in its order.
 fn queries() -> Vec<String> {
-    let page = std::fs::read_to_string(Path::new(ROOT).join("docs/truth.md")).unwrap();
+    let page = std::fs::read_to_string(Path::new(ROOT).join("docs/reference/truth.md")).unwrap();
     let blocks = page.split("```sql\n").skip(1);
     blocks.map(|block| block.split("```").next().unwrap().to_owned()).collect()
 }

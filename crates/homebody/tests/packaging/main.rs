@@ -124,7 +124,7 @@ fn what_the_container_is_made_of_is_there() {
     // The page is built with it, and so are all kinds of places.
     assert!(file.contains("npm") && file.contains("--features all") && file.contains("--locked"));
     // The examples of the document are understood.
-    let document = fs::read_to_string(Path::new(ROOT).join("docs/packaging.md")).unwrap();
+    let document = fs::read_to_string(Path::new(ROOT).join("docs/how-to/deploy.md")).unwrap();
     let examples = document.lines().filter_map(|line| line.strip_prefix("podman run ")?.split_once(" homebody "));
     for (_, words) in examples {
         let words = words.replace("/usr/share/homebody/scenarios", &format!("{ROOT}/scenarios"));

@@ -38,9 +38,9 @@ fn the_changelog_names_only_what_is_there() {
 
 #[test]
 fn the_table_of_promises_names_only_what_is_there() {
-    expect_none(wrong_in("docs/hardening.md"));
+    expect_none(wrong_in("docs/explanation/robustness.md"));
     let all: String = files().into_iter().filter(|file| file.is("rs") || file.is("py")).map(|file| file.text).collect();
-    expect_none(tests_not_in(&fs::read_to_string(repository().join("docs/hardening.md")).unwrap(), &all));
+    expect_none(tests_not_in(&fs::read_to_string(repository().join("docs/explanation/robustness.md")).unwrap(), &all));
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn a_path_that_is_not_there_is_found() {
     for right in [
         "`crates/homebody/Cargo.toml`, `homebody-core/src/`, `world.rs`, `crates/*/src/lib.rs`",
         "`sqlite:log.db`, `--json`, `sensor/NAME/timing`, `recording.json`, `a/b c`, `runs/tigerplace-1/log.db`",
-        "[a](LICENSE-MIT) [b](https://a.org/b) ![c](docs/tigerplace.png) [d](#here) [e](README.md#homebody)\n# Here",
+        "[a](LICENSE-MIT) [b](https://a.org/b) ![c](docs/pictures/tigerplace.png) [d](#here) [e](README.md#homebody)\n# Here",
         "```\n`crates/gone.rs`\n```",
     ] {
         assert_eq!(wrong(right).len(), 0, "{right}: {:?}", wrong(right));

@@ -1,4 +1,4 @@
-//! Every limit on what is read is in `docs/limits.md`: those of the scenario's files and those of the code.
+//! Every limit on what is read is in `docs/reference/limits.md`: those of the scenario's files and those of the code.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody --test rules limits` writes it anew.
 
@@ -32,7 +32,7 @@ the longest.
 
 #[test]
 fn the_table_of_limits_is_that_of_the_code() {
-    is_generated("docs/limits.md", &document(&files()));
+    is_generated("docs/reference/limits.md", &document(&files()));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Every number of ours is in `docs/numbers.md`: those that a scenario may set, and those that are fixed.
+//! Every number of ours is in `docs/reference/parameters.md`: those that a scenario may set, and those that are fixed.
 //!
 //! `HOMEBODY_REWRITE=1 cargo test -p homebody --test rules numbers` writes it anew.
 
@@ -74,7 +74,7 @@ pub(super) struct Fixed {
 
 #[test]
 fn the_table_of_numbers_is_that_of_the_code() {
-    is_generated("docs/numbers.md", &document(&numbers(), &files()));
+    is_generated("docs/reference/parameters.md", &document(&numbers(), &files()));
 }
 
 #[test]

@@ -45,13 +45,13 @@ fn as_in_the_repository() -> Folder {
 #[test]
 fn examples_of_parquet_run() {
     let folder = as_in_the_repository();
-    let commands = commands("docs/parquet.md");
+    let commands = commands("docs/how-to/parquet.md");
     let here: Vec<&String> = commands.iter().filter(|command| !command.contains("s3://")).collect();
     assert!(here.len() > 3, "{commands:?}");
     for command in here {
         folder.run(command).ok();
     }
-    let python = blocks("docs/parquet.md", &["python"]).concat().join("\n");
+    let python = blocks("docs/how-to/parquet.md", &["python"]).concat().join("\n");
     assert!(python.contains("duckdb"));
     let has = Command::new("python3").args(["-c", "import duckdb, polars"]).output();
     if !has.is_ok_and(|done| done.status.success()) {
@@ -70,7 +70,7 @@ fn examples_of_postgresql_run() {
     let (folder, database) = (as_in_the_repository(), server.database("examples"));
     let url = server.url("postgres", &database, "");
     let mut id = String::new();
-    for command in commands("docs/postgresql.md") {
+    for command in commands("docs/how-to/postgresql.md") {
         // A run's id is what the run has, and further parts of a URL stand behind those of the socket.
         let command = command.replace("postgresql://ann@db.example/homes?run=4711", &format!("{url}&run={id}"));
         let command = command.replace("postgresql://ann@db.example/homes", &url);
@@ -81,7 +81,7 @@ fn examples_of_postgresql_run() {
         id = server.psql(&database, "SELECT run_id FROM homebody_run").trim().to_owned();
     }
     assert!(!id.is_empty());
-    let queries = blocks("docs/postgresql.md", &["sql"]);
+    let queries = blocks("docs/how-to/postgresql.md", &["sql"]);
     assert!(queries.len() > 1);
     for query in queries {
         let rows = server.psql(&database, &query.join("\n"));
@@ -95,7 +95,7 @@ fn examples_of_mqtt_run() {
     let folder = as_in_the_repository();
     folder.run("new my-home --template studio").ok();
     // A command in real time, or with another broker, is only read.
-    let all = commands("docs/mqtt.md");
+    let all = commands("docs/how-to/mqtt-and-home-assistant.md");
     let fast: Vec<&String> = all.iter().filter(|command| command.contains("allow-fast=true")).collect();
     assert!(!fast.is_empty(), "{all:?}");
     for command in fast {

@@ -101,7 +101,7 @@ impl Arguments {
             let told = Measures::told(&read.name, &notes, begin..end);
             let told = told.ok_or_else(|| {
                 let hint =
-                    "homebody look LOG tells what a log notes; docs/logs.md says where activities are looked for";
+                    "homebody look LOG tells what a log notes; docs/reference/logs.md says where activities are looked for";
                 Failure::usage(format!("{log}: it notes no activity that any measure is about\n  hint: {hint}"))
             })?;
             Ok(OfRealLog { name: read.name.clone(), errors: beside(&heard, &told) })

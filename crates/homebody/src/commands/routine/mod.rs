@@ -14,7 +14,7 @@ use clap::Subcommand;
   homebody routine explain scenarios/tigerplace-depression
   homebody routine day scenarios/tigerplace 2009-03-03 --png day.png
 
-The language is described in docs/routine-language.md.")]
+The language is described in docs/reference/routine-language.md.")]
 pub struct Arguments {
     #[command(subcommand)]
     question: Question,
