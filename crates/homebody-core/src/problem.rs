@@ -1,26 +1,39 @@
 //! What is wrong with what a user wrote: all of it at once, each with its place and a hint.
 
+use crate::messages::{Diagnose, Severity};
 use serde::Serialize;
+use serde_json::{Map, Value};
 use std::fmt;
 
-/// One thing that is wrong, where, and what to do about it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Problem {
-    /// The file, as the scenario names it.
+/// A message for people and programs: its code, its words, what to do, and where in a file it is about.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Diagnostic {
+    /// The stable code, such as `log::exists`; `homebody explain` has more about it.
+    #[serde(skip_serializing_if = "str::is_empty")]
+    pub code: &'static str,
+    /// How serious it is.
+    pub severity: Severity,
+    /// The file, as the scenario names it; empty for a message about no file.
     pub file: String,
-    /// Line, counted from 1; 0 where the problem is with the file as a whole.
+    /// Line, counted from 1; 0 for the file as a whole.
     pub line: u32,
-    /// Column in characters, counted from 1; 0 where the problem is with the file as a whole.
+    /// Column in characters, counted from 1; 0 for the file as a whole.
     pub column: u32,
-    /// What is wrong.
+    /// The problem.
     pub what: String,
-    /// What to do, such as the nearest known name.
+    /// The way to solve it, such as the nearest known name.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
+    /// The values that the text quotes, by name.
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    pub data: Map<String, Value>,
     /// The line of the file, where the problem is on a line.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub excerpt: Option<Excerpt>,
 }
+
+/// A diagnostic that a file has caused.
+pub type Problem = Diagnostic;
 
 /// The part of a source line around a problem.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -40,6 +53,9 @@ fn is_one(width: &u32) -> bool {
 
 /// So many problems of a file are told (ours): one that is wrong throughout would bury the others.
 pub const MOST_PER_FILE: usize = 100;
+
+/// The words between a text and its hint.
+const BEFORE_HINT: &str = "\n  hint: ";
 
 /// A message is cut to this length, in bytes (ours): what it quotes may be longer.
 const LONGEST_MESSAGE_BYTES: usize = 600;
@@ -68,11 +84,38 @@ impl Problems {
     }
 }
 
-impl Problem {
-    /// A problem with a file as a whole.
-    pub fn of_file(file: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
-        let (what, hint) = (readable(what.into()), hint.map(readable));
-        Problem { file: file.into(), line: 0, column: 0, what, hint, excerpt: None }
+impl Diagnostic {
+    /// A message that is about no file, with the data that it quotes.
+    pub fn new(
+        code: &'static str,
+        severity: Severity,
+        what: impl Into<String>,
+        hint: Option<String>,
+        data: Vec<(&'static str, Value)>,
+    ) -> Diagnostic {
+        let mut what = what.into();
+        let mut hint = hint;
+        if let (None, Some(at)) = (&hint, what.find(BEFORE_HINT)) {
+            hint = Some(what[at + BEFORE_HINT.len()..].to_owned());
+            what.truncate(at);
+        }
+        let data = data.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+        Diagnostic { code, severity, what, hint, data, ..Diagnostic::default() }
+    }
+
+    /// A problem with a file as a whole. A hint given here takes the place of the message's own.
+    pub fn of_file(file: &str, message: impl Into<Diagnostic>, hint: Option<String>) -> Diagnostic {
+        let message = message.into();
+        let (what, hint) = (readable(message.what), hint.or(message.hint).map(readable));
+        Diagnostic { file: file.into(), what, hint, ..message }
+    }
+
+    /// The text, and the hint on a line of its own.
+    pub fn text(&self) -> String {
+        match &self.hint {
+            Some(hint) => format!("{}{BEFORE_HINT}{hint}", self.what),
+            None => self.what.clone(),
+        }
     }
 
     fn render(&self) -> String {
@@ -89,12 +132,47 @@ impl Problem {
     }
 
     fn headline(&self) -> String {
-        match self.line {
-            0 => format!("{}: {}", self.file, self.what),
-            line => format!("{}:{line}:{}: {}", self.file, self.column, self.what),
+        format!("{}{}{}", self.position(), self.label(), self.what)
+    }
+
+    /// The file and the place in it, as they stand before a text.
+    fn position(&self) -> String {
+        match (self.file.as_str(), self.line) {
+            ("", _) => String::new(),
+            (file, 0) => format!("{file}: "),
+            (file, line) => format!("{file}:{line}:{}: ", self.column),
+        }
+    }
+
+    /// The severity and the code, as they stand before a text.
+    pub fn label(&self) -> String {
+        match self.code {
+            "" => String::new(),
+            code => format!("{}[{code}]: ", self.severity.word()),
         }
     }
 }
+
+/// A text that has no code yet.
+impl From<String> for Diagnostic {
+    fn from(what: String) -> Diagnostic {
+        Diagnostic::new("", Severity::Error, what, None, Vec::new())
+    }
+}
+
+impl From<&str> for Diagnostic {
+    fn from(what: &str) -> Diagnostic {
+        what.to_owned().into()
+    }
+}
+
+impl Diagnose for Diagnostic {
+    fn diagnostic(&self) -> Diagnostic {
+        self.clone()
+    }
+}
+
+impl std::error::Error for Diagnostic {}
 
 impl Excerpt {
     /// What is on a line around a byte of it that has a problem: so much as fits beside a line number. A line may be as long
@@ -124,13 +202,10 @@ impl Excerpt {
     }
 }
 
-impl fmt::Display for Problem {
+/// The position and the text, without the code.
+impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(&self.headline())?;
-        match &self.hint {
-            Some(hint) => write!(f, "\n  hint: {hint}"),
-            None => Ok(()),
-        }
+        write!(f, "{}{}", self.position(), self.text())
     }
 }
 
@@ -147,6 +222,15 @@ impl fmt::Display for Problems {
 }
 
 impl std::error::Error for Problems {}
+
+impl Diagnose for Problems {
+    fn diagnostic(&self) -> Diagnostic {
+        match &self.0[..] {
+            [one] => one.clone(),
+            _ => self.to_string().into(),
+        }
+    }
+}
 
 /// The nearest place at or before a byte offset at which a character begins, or the text ends.
 pub fn boundary_before(text: &str, at: usize) -> usize {

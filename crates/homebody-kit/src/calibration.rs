@@ -113,7 +113,7 @@ pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) 
         return Err(Error::Calibration(format!(
             "{count} residents live in {:?}: only who lives alone can be fitted\n  hint: sensors do not tell who of several it was",
             home.name()
-        )));
+        ).into()));
     }
     let timing = timing(log);
     let sensed = sensing::fitted(scenario.edit(), &timing, &scenario.logger, scenario.link.as_ref()).load()?;

@@ -344,7 +344,7 @@ impl Cohort {
         // More threads than processors: who waits for the disk lets others go on.
         let threads = std::thread::available_parallelism().map_or(1, usize::from) * THREADS_EACH;
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|error| Error::Threads(error.to_string()))?;
+        let pool = pool.map_err(|error| Error::Threads { why: error.to_string() })?;
         let one = |index| {
             if let Some(found) = found(index) {
                 return Ok(Some(found));

@@ -4,266 +4,257 @@ use crate::VERSION;
 use crate::find::Unfindable;
 use crate::profiles::MOST_MEMBERS;
 use homebody_core::drivers::error::DriverError;
-use homebody_core::problem::{Problem, Problems};
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::{Diagnostic, Problem, Problems};
 use homebody_core::time::Micros;
 use homebody_log::LogError;
-use homebody_log::error::no_thread;
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// An error of any kind, as callers' own code brings it.
 pub type BoxError = Box<dyn std::error::Error + Send + Sync>;
 
-/// Why something could not be done. Its text says to people what is wrong and, after `hint:`, what to do.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum Error {
-    /// What was written is wrong: all problems of all files, each with its place and a hint.
-    #[error(transparent)]
-    Problems(#[from] Problems),
-    /// A file or folder could not be read or written.
-    #[error("{}: {why}", path.display())]
-    File {
-        /// The file or folder.
-        path: PathBuf,
-        /// What is wrong with it.
-        why: String,
-        /// What the system says, where it was asked.
-        #[source]
-        source: Option<io::Error>,
-    },
-    /// What is looked for in a log cannot be found in any.
-    #[error(transparent)]
-    Find(#[from] Unfindable),
-    /// No scenario of this name came with the program.
-    #[error("there is no template {name:?}\n  hint: there are {}", known.join(", "))]
-    Template {
-        /// What was asked for.
-        name: String,
-        /// The names that there are.
-        known: Vec<String>,
-    },
-    /// Something has the name of a folder that was to be new.
-    #[error("{} exists already\n  hint: name a folder that does not", path.display())]
-    Exists {
-        /// The folder.
-        path: PathBuf,
-    },
-    /// The name of a new folder has an invisible character.
-    #[error("{:?} has a character that is invisible\n  hint: write the name without it", path.display().to_string())]
-    UnseenName {
-        /// The folder.
-        path: PathBuf,
-    },
-    /// Of what was given no scenario can be begun: all that is wrong.
-    #[error("{0}")]
-    Unbeginnable(String),
-    /// There is no recording at this path.
-    #[error("{}: there is no such recording", path.display())]
-    NoRecording {
-        /// Where it was looked for.
-        path: PathBuf,
-    },
-    /// A run or a cohort was killed in its first moment: what it is to be is not written down.
-    #[error(
-        "the run in {} was ended before anything of it was stored\n  hint: there is nothing to go on with: remove the folder, \
-         and begin the run anew",
-        folder.display()
-    )]
-    NotBegun {
-        /// Its folder.
-        folder: PathBuf,
-    },
-    /// A file is no recording of a run.
-    #[error("{} is no recording: {why}", path.display())]
-    Recording {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        why: String,
-    },
-    /// A run was killed, or is still being lived: its recording does not say what it came to.
-    #[error("{} is no recording of a whole run: it was not completed", path.display())]
-    Unfinished {
-        /// The recording.
-        path: PathBuf,
-        /// The folder in which the run can be gone on with, be it the run's own or its cohort's.
-        folder: Option<PathBuf>,
-    },
-    /// In a run a driver of the caller's own has moved somebody: its recording does not live it again.
-    #[error(
-        "{} does not live its run again: {} moved by a driver of another program\n  hint: what it left can be read, drawn \
-         and compared; the program that has the driver lives it anew",
-        path.display(),
-        were(residents)
-    )]
-    OwnDrivers {
-        /// The recording.
-        path: PathBuf,
-        /// Whom the drivers have moved, by name.
-        residents: Vec<String>,
-    },
-    /// A file is where the folder of a run or a cohort was to be.
-    #[error("{} is a file{}", path.display(), folder_of(folder.as_deref()))]
-    NotFolder {
-        /// The file.
-        path: PathBuf,
-        /// The folder that it is in, if that is the folder of a run or a cohort.
-        folder: Option<PathBuf>,
-    },
-    /// What is in the place of a cohort's member is nothing to go on with.
-    #[error("{why}\n  hint: move {} away; then this member is lived anew", folder.display())]
-    Member {
-        /// Where the member's folder is to be.
-        folder: PathBuf,
-        /// What is wrong with it.
-        why: String,
-    },
-    /// Where a cohort is to begin is something already.
-    #[error("{} holds {file} already\n  hint: {}", folder.display(), where_to_begin(*is_cohort))]
-    NotEmpty {
-        /// The folder, or the URL of an object store.
-        folder: PathBuf,
-        /// The first of what is there.
-        file: String,
-        /// Whether it is a cohort.
-        is_cohort: bool,
-    },
-    /// A cohort cannot have so many members.
-    #[error("a cohort of {count} members is none\n  hint: it has from 1 to {MOST_MEMBERS}")]
-    Members {
-        /// How many were asked for.
-        count: u32,
-    },
-    /// A run or a cohort was lived to its end: nothing of it is left to do.
-    #[error("the {what} in {} is complete: there is nothing to go on with", folder.display())]
-    Complete {
-        /// What it is: `run` or `cohort`.
-        what: &'static str,
-        /// Its folder.
-        folder: PathBuf,
-    },
-    /// A run or a cohort was begun by another version of the program, which may live it otherwise.
-    #[error("the {what} in {} was begun by version {version}; this is {VERSION}\n  hint: go on with that version, or begin it anew", folder.display())]
-    OtherVersion {
-        /// What it is: `run` or `cohort`.
-        what: &'static str,
-        /// Its folder.
-        folder: PathBuf,
-        /// What began it.
-        version: String,
-    },
-    /// A log cannot be walked back through a home.
-    #[error("{0}")]
-    Translation(String),
-    /// Whoever asked has asked for it to end early.
-    #[error("it was cancelled")]
-    Cancelled,
-    /// A fleet cannot be like this, or cannot tell these places: all that is wrong.
-    #[error("{0}")]
-    Fleet(String),
-    /// A scenario cannot be fitted to a log.
-    #[error("{0}")]
-    Calibration(String),
-    /// A folder has no log in it.
-    #[error("{} is a folder without a log\n  hint: name the log itself, or the folder of a run that has one", folder.display())]
-    NoLog {
-        /// The folder.
-        folder: PathBuf,
-    },
-    /// A log has no pictures of cameras beside it.
-    #[error(
-        "{log} has no silhouettes beside it\n  hint: name the folder of a run whose home has cameras: sensors of kind \"camera\" in home.json"
-    )]
-    NoSilhouettes {
-        /// The log's name.
-        log: String,
-    },
-    /// A run was killed, or is being lived, and has not stored a row yet.
-    #[error("the run in {} has no rows yet", folder.display())]
-    NoRows {
-        /// The run's folder.
-        folder: PathBuf,
-        /// The folder by which it can be gone on with: the run's, or that of its cohort.
-        resume: PathBuf,
-    },
-    /// A folder is a cohort's, in which each member has a log of their own.
-    #[error("{} is a cohort: each member has a log of their own\n  hint: {}", folder.display(), first_of(member.as_deref()))]
-    IsCohort {
-        /// The cohort's folder.
-        folder: PathBuf,
-        /// The first member who was lived.
-        member: Option<PathBuf>,
-    },
-    /// No time zone has this name.
-    #[error("{0}")]
-    TimeZone(String),
-    /// A run can not be this long.
-    #[error("a run of {days} days is none\n  hint: it lasts longer than nothing, and at most a hundred years")]
-    Length {
-        /// How long it was to be, in days.
-        days: f64,
-    },
-    /// Nobody of this name lives in the scenario.
-    #[error("nobody called {name:?} lives there\n  hint: there are {}", known.join(", "))]
-    Resident {
-        /// Who was meant.
-        name: String,
-        /// Who lives there.
-        known: Vec<String>,
-    },
-    /// A driver that a caller has brought decided what nobody can do.
-    #[error("{why}")]
-    Driver {
-        /// Whom it moves.
-        resident: String,
-        /// What it did, when, and a hint.
-        why: String,
-        /// When, in microseconds since the run's start.
-        at_us: Micros,
-    },
-    /// A log, the truth or a recording could not be written or read.
-    #[error("{0}")]
-    Log(#[source] BoxError),
-    /// A run was stopped while it waited for a destination that is away: there it is not complete.
-    #[error("{away}")]
-    StoppedAway {
-        /// Which it is, and why it was away.
-        #[source]
-        away: Box<LogError>,
-        /// The folder in which the run can be gone on with, where there is one.
-        folder: Option<PathBuf>,
-    },
-    /// A caller's own sink failed.
-    #[error("a sink failed: {0}")]
-    Sink(#[source] BoxError),
-    /// There are no threads to live on.
-    #[error("{}", no_thread("to live on", .0))]
-    Threads(String),
-}
-
-fn folder_of(folder: Option<&Path>) -> String {
-    match folder {
-        Some(folder) => format!("\n  hint: name its folder, {}", folder.display()),
-        None => ", and no run or cohort has left it\n  hint: name the folder of one".into(),
+homebody_core::messages! {
+    /// Errors of the library. The text of each says what is wrong and, after `hint:`, what to do.
+    #[non_exhaustive]
+    pub enum Error in "kit" {
+        /// A file or folder cannot be read or written.
+        File {
+            /// The file or folder.
+            path: PathBuf,
+            /// The reason.
+            why: String,
+            /// The system's message, where it was asked.
+            source: Option<io::Error>,
+        } error "file" ("{}: {why}", path.display());
+        /// Homebody comes with some example scenarios, which are templates of new ones. None has this name.
+        Template {
+            /// The name asked for.
+            name: String,
+            /// The known names.
+            known: Vec<String>,
+        } error "no-template" ("there is no template {name:?}")
+            hint ("the templates are {}", known.join(", "));
+        /// The command creates a folder, and something with this name exists.
+        Exists {
+            /// The folder.
+            path: PathBuf,
+        } error "exists" ("{} already exists", path.display())
+            hint ("choose the name of a new folder");
+        /// The name of a new folder contains an invisible character.
+        UnseenName {
+            /// The folder.
+            path: PathBuf,
+        } error "invisible-character" ("the name {:?} has an invisible character", path.display().to_string())
+            hint ("write the name without it");
+        /// No recording exists at this path.
+        NoRecording {
+            /// The path.
+            path: PathBuf,
+        } error "no-recording" ("there is no recording at {}", path.display())
+            hint ("name the recording.json of a run, or the run's folder");
+        /// The run or cohort was killed in its first moment, before its recording was written.
+        NotBegun {
+            /// Its folder.
+            folder: PathBuf,
+        } error "nothing-to-resume" ("the run in {} ended before anything was stored", folder.display())
+            hint ("delete the folder, and start the run again");
+        /// The file is not the recording of a run.
+        Recording {
+            /// The file.
+            path: PathBuf,
+            /// The reason.
+            why: String,
+        } error "not-a-recording" ("{} is not a recording: {why}", path.display());
+        /// The run has not ended, or was killed, so its recording has no digest of the whole run.
+        Unfinished {
+            /// The recording.
+            path: PathBuf,
+            /// The folder to resume: the run's own or its cohort's.
+            folder: Option<PathBuf>,
+        } error "incomplete-run" ("the run of {} is not complete", path.display());
+        /// A driver of another program moved a resident in this run. The recording does not contain that driver.
+        OwnDrivers {
+            /// The recording.
+            path: PathBuf,
+            /// The names of the residents.
+            residents: Vec<String>,
+        } error "own-driver"
+            ("cannot replay {}: a driver of another program moved {}", path.display(), residents.join(", "))
+            hint ("the run's files can be read, drawn and compared; the program that has the driver can run it again");
+        /// A file has the place of the folder of a run or a cohort.
+        NotFolder {
+            /// The file.
+            path: PathBuf,
+            /// The folder that contains it, where that is the folder of a run or a cohort.
+            folder: Option<PathBuf>,
+        } error "not-a-folder" ("{} is a file, and a folder was expected", path.display())
+            advice (Some(match folder {
+                Some(folder) => format!("name its folder, {}", folder.display()),
+                None => "name the folder of a run or a cohort".into(),
+            }));
+        /// The folder of a cohort's member holds something else.
+        Member {
+            /// The member's folder.
+            folder: PathBuf,
+            /// The reason.
+            why: String,
+        } error "foreign-member" ("{why}")
+            hint ("move {} away; then Homebody simulates this member again", folder.display());
+        /// A cohort starts in an empty folder.
+        NotEmpty {
+            /// The folder, or the URL of an object store.
+            folder: PathBuf,
+            /// The first file in it.
+            file: String,
+            /// Whether it holds a cohort.
+            is_cohort: bool,
+        } error "not-empty" ("{} already contains {file}", folder.display())
+            advice (Some(match is_cohort {
+                true => "resume the cohort that is there, or name a new folder".into(),
+                false => "name a new or an empty folder".into(),
+            }));
+        /// The number of members is out of range.
+        Members {
+            /// The number asked for.
+            count: u32,
+        } error "cohort-size" ("a cohort cannot have {count} members")
+            hint ("choose 1 to {MOST_MEMBERS}");
+        /// The run or cohort is complete. There is nothing to resume.
+        Complete {
+            /// `run` or `cohort`.
+            what: &'static str,
+            /// Its folder.
+            folder: PathBuf,
+        } error "complete" ("the {what} in {} is complete: there is nothing to resume", folder.display());
+        /// Another version of the program started the run, and may simulate it differently.
+        OtherVersion {
+            /// `run` or `cohort`.
+            what: &'static str,
+            /// Its folder.
+            folder: PathBuf,
+            /// The version that started it.
+            version: String,
+        } error "other-version"
+            ("version {version} started the {what} in {}, and this is {VERSION}", folder.display())
+            hint ("resume it with that version, or start it again");
+        /// The work was stopped by the caller.
+        Cancelled error "cancelled" ("the work was cancelled");
+        /// The folder contains no log.
+        NoLog {
+            /// The folder.
+            folder: PathBuf,
+        } error "no-log" ("the folder {} contains no log", folder.display())
+            hint ("name a log, or the folder of a run that has one");
+        /// Silhouettes exist only for runs whose home has cameras.
+        NoSilhouettes {
+            /// The log's name.
+            log: String,
+        } error "no-silhouettes" ("{log} has no silhouettes")
+            hint ("name the folder of a run whose home has cameras: sensors of kind \"camera\" in home.json");
+        /// The run has not stored a row yet.
+        NoRows {
+            /// The run's folder.
+            folder: PathBuf,
+            /// The folder to resume: the run's own or its cohort's.
+            resume: PathBuf,
+        } error "no-rows" ("the run in {} has no rows yet", folder.display())
+            hint ("wait until it has, or resume an interrupted run: homebody run --resume {}", resume.display());
+        /// Each member of a cohort has its own log.
+        IsCohort {
+            /// The cohort's folder.
+            folder: PathBuf,
+            /// The first member that was simulated.
+            member: Option<PathBuf>,
+        } error "is-cohort" ("{} is a cohort: each member has its own log", folder.display())
+            advice (Some(match member {
+                Some(member) => format!("name a member, such as {}", member.display()),
+                None => "resume the cohort: it has no member yet".into(),
+            }));
+        /// The duration is out of range.
+        Length {
+            /// The duration asked for, in days.
+            days: f64,
+        } error "duration" ("a run cannot last {days} days")
+            hint ("choose more than 0 and at most 100 years");
+        /// No resident has this name.
+        Resident {
+            /// The name asked for.
+            name: String,
+            /// The names of the residents.
+            known: Vec<String>,
+        } error "no-resident" ("no resident is called {name:?}")
+            hint ("the residents are {}", known.join(", "));
+        /// A driver of the caller's own made a decision that is not possible.
+        Driver {
+            /// The resident that it moves.
+            resident: String,
+            /// The decision, its time and a hint.
+            why: String,
+            /// The time, in microseconds since the run's start.
+            at_us: Micros,
+        } error "driver" ("{why}");
+        /// The run was stopped while it waited for a destination, so the log there is not complete.
+        StoppedAway {
+            /// The destination and the reason.
+            away: Box<LogError>,
+            /// The folder to resume, where there is one.
+            folder: Option<PathBuf>,
+        } error "stopped-away" ("{away}") cause (away.as_ref());
+        /// A destination of the caller's own failed.
+        Sink {
+            /// Its error.
+            source: BoxError,
+        } error "sink" ("a destination failed: {source}") cause (source.as_ref());
+        /// The system gives the program no threads.
+        Threads {
+            /// The system's message.
+            why: String,
+        } error "no-threads" ("cannot start threads to simulate on: {why}")
+            hint ("allow this user more threads or memory, or run less at once");
+        => inner {
+            /// All problems of all files, each with its place and a hint.
+            Problems(Problems);
+            /// The search names nothing that the log can contain.
+            Find(Unfindable);
+            /// No scenario can be made of the given files.
+            Unbeginnable(Diagnostic);
+            /// The people of a log cannot be located in a home.
+            Translation(Diagnostic);
+            /// A fleet cannot be like this, or cannot write to these places.
+            Fleet(Diagnostic);
+            /// A scenario cannot be fitted to a log.
+            Calibration(Diagnostic);
+            /// No time zone has this name.
+            TimeZone(Diagnostic);
+            /// A log, the ground truth or a recording cannot be written or read.
+            Log(LogFailure);
+        }
     }
 }
 
-fn were(residents: &[String]) -> String {
-    format!("{} {}", residents.join(", "), if residents.len() == 1 { "was" } else { "were" })
-}
+/// An error of a log, of whatever type.
+#[derive(Debug)]
+pub struct LogFailure(pub BoxError);
 
-fn where_to_begin(is_cohort: bool) -> &'static str {
-    match is_cohort {
-        true => "a cohort was begun there: go on with it, or name a new folder",
-        false => "a cohort begins where nothing is: name a new folder, or an empty one",
+impl Diagnose for LogFailure {
+    fn diagnostic(&self) -> Diagnostic {
+        match self.0.downcast_ref::<LogError>() {
+            Some(error) => error.diagnostic(),
+            None => self.0.to_string().into(),
+        }
     }
 }
 
-fn first_of(member: Option<&Path>) -> String {
-    match member {
-        Some(member) => format!("name one of them, such as {}", member.display()),
-        None => "nobody of it has been lived".into(),
+impl std::fmt::Display for LogFailure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl std::error::Error for LogFailure {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(self.0.as_ref())
     }
 }
 
@@ -281,10 +272,10 @@ impl Error {
     /// The same error of a run that can be gone on with in this folder.
     pub(crate) fn of_run_in(self, folder: Option<PathBuf>) -> Error {
         let Error::Log(error) = self else { return self };
-        match error.downcast::<LogError>() {
+        match error.0.downcast::<LogError>() {
             Ok(away) if matches!(*away, LogError::StoppedAway { .. }) => Error::StoppedAway { away, folder },
-            Ok(other) => Error::Log(other),
-            Err(other) => Error::Log(other),
+            Ok(other) => Error::Log(LogFailure(other)),
+            Err(other) => Error::Log(LogFailure(other)),
         }
     }
 }
@@ -297,7 +288,19 @@ impl From<DriverError> for Error {
 
 impl From<LogError> for Error {
     fn from(error: LogError) -> Error {
-        Error::Log(Box::new(error))
+        Error::Log(LogFailure(Box::new(error)))
+    }
+}
+
+impl From<Problems> for Error {
+    fn from(problems: Problems) -> Error {
+        Error::Problems(problems)
+    }
+}
+
+impl From<Unfindable> for Error {
+    fn from(error: Unfindable) -> Error {
+        Error::Find(error)
     }
 }
 

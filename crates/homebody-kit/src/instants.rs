@@ -55,7 +55,7 @@ impl NamedLog {
     ///
     /// [`Error::TimeZone`] if there is no such zone, and those of [`NamedLog::read`].
     pub fn instants(&self, zone: Option<&str>) -> Result<Instants, Error> {
-        let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
+        let asked = zone.map(Calendar::zone).transpose().map_err(|why| Error::TimeZone(why.into()))?;
         let mut log = self.read()?;
         let known = self.zone();
         let off_the_wall = asked.clone().filter(|_| known.is_none() && log.clock == Clock::Local);
@@ -142,7 +142,7 @@ impl NamedLog {
     ///
     /// [`Error::TimeZone`] if there is no such zone, and those of [`NamedLog::read`].
     pub fn with_activities(&self, zone: Option<&str>) -> Result<Log, Error> {
-        let asked = zone.map(Calendar::zone).transpose().map_err(Error::TimeZone)?;
+        let asked = zone.map(Calendar::zone).transpose().map_err(|why| Error::TimeZone(why.into()))?;
         let mut log = self.read()?;
         if let Some(zone) = asked.filter(|_| self.zone().is_none()) {
             put_on_wall(&mut log, &zone);

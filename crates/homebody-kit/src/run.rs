@@ -355,10 +355,10 @@ impl LiveRun {
     /// [`Error::Sink`] if the sink fails, [`Error::Driver`] if a driver of the caller's own does.
     pub fn give_to(mut self, sink: &mut dyn BatchSink, mut progress: impl FnMut(Progress)) -> Result<Progress, Error> {
         while self.live_on()? {
-            sink.take(&self, self.batch()).map_err(Error::Sink)?;
+            sink.take(&self, self.batch()).map_err(|source| Error::Sink { source })?;
             progress(self.progress());
         }
-        sink.finish(&self).map_err(Error::Sink)?;
+        sink.finish(&self).map_err(|source| Error::Sink { source })?;
         Ok(self.progress())
     }
 

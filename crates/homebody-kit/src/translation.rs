@@ -3,7 +3,7 @@
 use crate::error::Error;
 use homebody_analysis::dates::{date_of, midnight as midnight_of};
 use homebody_core::geometry::Point;
-use homebody_core::problem::counted;
+use homebody_core::problem::{Diagnostic, counted};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::edit::text_of_path;
 use homebody_core::scenario::load::Scenario;
@@ -104,7 +104,7 @@ const LONGEST_NAME: usize = 100;
 const GUEST: &str = "somebody else";
 
 /// A log that does not fit its home at all, or has nothing to be walked back.
-fn cannot(what: impl Into<String>) -> Error {
+fn cannot(what: impl Into<Diagnostic>) -> Error {
     Error::Translation(what.into())
 }
 

@@ -17,413 +17,385 @@ pub fn no_thread(to: &str, why: impl fmt::Display) -> String {
     format!("there is no thread {to}: {why}\n  hint: allow this user more threads or memory, or run less at once")
 }
 
-fn no_writer(place: &str, why: &io::Error) -> String {
-    no_thread(&format!("to write {place}"), why)
+homebody_core::messages! {
+    /// Errors of reading and writing logs, each with the place and a way to solve it.
+    pub enum LogError in "log" {
+        /// A file with this name exists, and the command may not replace it.
+        Exists {
+            /// The file.
+            place: String,
+        } error "exists" ("{place} already exists")
+            hint ("choose another name, or pass --force to replace the file");
+        /// The destination is a database with tables that no run has written. Homebody never replaces such a database.
+        OthersDatabase {
+            /// The file.
+            place: String,
+            /// The part that no run has written.
+            what: String,
+        } error "foreign-database" ("{place} is a database with {what}: Homebody does not replace it")
+            hint ("choose another name, or delete the file yourself");
+        /// Two destinations of one run are the same file, perhaps by different paths.
+        SameFile {
+            /// The file.
+            place: String,
+        } error "same-file" ("two destinations are the same file: {place}")
+            hint ("give each destination its own file");
+        /// The destination is a folder, and a file was expected.
+        IsFolder {
+            /// The folder.
+            place: String,
+        } error "is-folder" ("{place} is a folder")
+            hint ("name a file in it");
+        /// SQLite needs a regular file. A device or a pipe cannot hold a database.
+        NoFile {
+            /// The device or pipe.
+            place: String,
+        } error "not-a-file" ("{place} cannot hold a database: it is not a regular file")
+            hint ("name a regular file, or write csv: or jsonl: to this place");
+        /// The folder of the destination does not exist.
+        NoFolder {
+            /// The file.
+            place: String,
+        } error "no-folder" ("the folder of {place} does not exist")
+            hint ("create the folder, or correct the path");
+        /// The system refuses to write the file.
+        Denied {
+            /// The file.
+            place: String,
+        } error "write-denied" ("cannot write {place}: permission denied")
+            hint ("check the permissions of the file and its folder");
+        /// The system refuses to read the file.
+        Unreadable {
+            /// The file or folder.
+            place: String,
+        } error "read-denied" ("cannot read {place}: permission denied")
+            hint ("check the permissions of the file and its folder");
+        /// The disk is full, or the quota of this user is used up. Everything that was confirmed before is safe.
+        Full {
+            /// The file.
+            place: String,
+        } error "disk-full" ("no space left to write {place}")
+            hint ("rows written before are safe; free some space and run the command again");
+        /// The system failed to write to a database. The disk may be failing, or the size of files may be limited.
+        Unwritten {
+            /// The database's file.
+            place: String,
+        } error "write-failed" ("cannot write to the database {place}")
+            hint ("check that the disk is sound, has space, and that ulimit -f allows files of this size");
+        /// Another program holds the lock of the database for longer than Homebody waits.
+        Locked {
+            /// The database's file.
+            place: String,
+        } error "locked" ("another program has locked {place}")
+            hint ("close that program, or write to another file");
+        /// A run writes regular files only. A pipe, a device or a folder has the name of one of its files.
+        NoPlain {
+            /// The file's name.
+            place: String,
+        } error "not-regular" ("{place} is a pipe, a device or a folder, and not a file of a run")
+            hint ("remove it, or start a new run");
+        /// A file of the run's folder is a link, or lies in a folder that is a link. Writing there would write elsewhere.
+        LeadsOut {
+            /// The file.
+            place: String,
+        } error "leads-out" ("{place} is a link that leads out of the run's folder")
+            hint ("remove the link, or start a new run");
+        /// The destination is a link, lies behind a link, or belongs to another user.
+        NotOwn {
+            /// The file.
+            place: String,
+            /// The reason, as a part of a sentence.
+            why: String,
+        } error "not-own" ("Homebody does not write {place}: {why}")
+            hint ("check what the file is; then remove it, or choose another name");
+        /// The file that counts the confirmed rows of a destination is damaged.
+        Unnoted {
+            /// The file.
+            place: String,
+            /// The reason, as a part of a sentence.
+            what: String,
+        } error "damaged-count" ("{place}: {what}")
+            hint ("this file counts the rows that a destination has confirmed; restore it, or delete it to send all rows again");
+        /// Another process is running into the folder, or is writing the file.
+        Busy {
+            /// The folder or file.
+            place: String,
+        } error "busy" ("another program is writing into {place}")
+            hint ("wait until it ends, or stop it first");
+        /// The system gives no thread to a destination.
+        NoThread {
+            /// The destination.
+            place: String,
+            /// The system's message.
+            source: io::Error,
+        } error "no-thread" ("cannot start a thread that writes {place}: {source}")
+            hint ("allow this user more threads or memory, or run less at once") cause (source);
+        /// A resumed run was stopped before it reached the end of the part that the destination has.
+        NotYet {
+            /// The destination.
+            place: String,
+        } error "not-yet" ("{place} has more rows than this run has reached: it stays as it was")
+            hint ("resume the run again, and let it run longer");
+        /// SQL names match `^[a-z_][a-z0-9_]{0,62}$` and are not words of SQLite.
+        Name {
+            /// The kind of name: a table or a column.
+            what: &'static str,
+            /// The name.
+            name: String,
+        } error "invalid-name" ("{name:?} is not a valid name of a {what}")
+            hint ("use up to 63 of a-z, 0-9 and _, and do not begin with a digit");
+        /// Two columns or tables of the mapping have the same name.
+        SameName {
+            /// The kind of name: a table or a column.
+            what: &'static str,
+            /// The name.
+            name: String,
+        } error "duplicate-name" ("the {what} {name:?} is used twice")
+            hint ("give each its own name");
+        /// Two sensors would have the same identifier, and their rows could not be told apart.
+        SameSensor {
+            /// The first sensor's name in the home.
+            first: String,
+            /// The second sensor's name.
+            second: String,
+            /// The identifier that both have.
+            shown: String,
+        } error "duplicate-sensor" ("the sensors {first:?} and {second:?} would both be {shown:?} in the log")
+            hint ("give each its own id in logger.json");
+        /// The log does not exist.
+        Missing {
+            /// The file.
+            place: String,
+        } error "not-found" ("{place} does not exist")
+            hint ("correct the path");
+        /// The file does not have the form of any log that Homebody reads. The page on logs lists all forms.
+        NoLog {
+            /// The file.
+            place: String,
+            /// The reason, as a part of a sentence.
+            why: String,
+        } error "not-a-log" ("cannot read {place} as a log: {why}");
+        /// The file that names the table and columns of a log is not a valid `logger.json`.
+        NoMapping {
+            /// The file.
+            place: String,
+            /// The reason.
+            why: String,
+        } error "invalid-mapping" ("{place} is not a valid logger.json: {why}")
+            hint ("docs/reference/logger.md lists its keys");
+        /// A table of sensors has the heading `id,name` and one line for each sensor.
+        SensorMap {
+            /// The problems, each with file and line.
+            problems: Vec<String>,
+        } error "invalid-sensor-table" ("{list}", list = problems.join("\n"))
+            hint ("a table of sensors has the heading id,name and one line for each sensor, with an id and a name of its own");
+        /// The database has no tables. A run may have just begun, or the file may be of another program.
+        NoTables {
+            /// The file.
+            place: String,
+        } error "no-tables" ("{place} has no tables")
+            hint ("name a database that has a log; Homebody reads tables, not views");
+        /// The row is longer than the rows of any log, so Homebody does not read it into memory.
+        TooLong {
+            /// The file, with the line where it is known.
+            place: String,
+            /// The part that is too long, as a sentence.
+            what: String,
+        } error "too-long" ("{place}: {what}")
+            hint ("check that the file is a log");
+        /// The place does not hold the ground truth of a run.
+        NoTruth {
+            /// The place.
+            place: String,
+            /// The reason, as a part of a sentence.
+            why: String,
+        } error "not-a-truth" ("{place} has no ground truth: {why}")
+            hint ("name the truth database of the same run, or csv:FILE or parquet:FILE where each table is a file");
+        /// The ground truth belongs to another run than the log.
+        OtherRun {
+            /// The truth.
+            truth: String,
+            /// The difference, as a part of a sentence.
+            what: String,
+        } error "other-run" ("{truth} is not the ground truth of this log: {what}")
+            hint ("name the ground truth of the same run");
+        /// The ground truth counts the rows of the log, and some lines of this log cannot be read.
+        Gaps {
+            /// The log.
+            place: String,
+            /// The first of the lines.
+            problems: Vec<Skipped>,
+            /// The number of such lines.
+            skipped: u64,
+        } error "gaps" ("{lines}", lines = listed(place, problems, *skipped))
+            hint ("the ground truth counts the rows of the log: use the log as the run has written it");
+        /// The output would replace a file of a run.
+        OfRun {
+            /// The file.
+            place: String,
+            /// The run's folder.
+            folder: String,
+        } error "file-of-run" ("{place} is a file of the run in {folder}")
+            hint ("choose another name or another folder");
+        /// The system failed to read or write a file.
+        File {
+            /// The file.
+            place: String,
+            /// The system's message.
+            source: io::Error,
+        } error "io" ("{place}: {source}") cause (source);
+        /// The file is not a database, or a damaged one.
+        Broken {
+            /// The file.
+            place: String,
+            /// The database's message.
+            source: Box<dyn Error + Send + Sync>,
+        } error "not-a-database" ("{place} is not a database, or is damaged: {source}")
+            hint ("restore the file, or name another one") cause (source.as_ref());
+        /// The database reports an error that Homebody does not know.
+        Database {
+            /// The database's file.
+            place: String,
+            /// The database's message.
+            source: Box<dyn Error + Send + Sync>,
+        } error "database" ("{place}: {source}")
+            hint ("name another file, or a copy of this one from before it was changed") cause (source.as_ref());
+        /// The database opens, but its journal does not.
+        NoRoomBeside {
+            /// The database's file.
+            place: String,
+            /// The database's message.
+            source: Box<dyn Error + Send + Sync>,
+        } error "no-journal" ("cannot open the journal of {place}: {source}")
+            hint ("check the permissions of its folder and the number of open files that the system allows (ulimit -n)")
+            cause (source.as_ref());
+        /// The command reads the file that it is asked to write.
+        IsSource {
+            /// The file.
+            place: String,
+        } error "is-source" ("this command reads {place}, so it cannot replace it")
+            hint ("name another file");
+        /// The folder of a run cannot be created.
+        Unmade {
+            /// The folder.
+            place: String,
+            /// The system's message.
+            source: io::Error,
+        } error "no-run-folder" ("cannot create the folder {place}: {source}")
+            hint ("run in a folder that you may write, or pass --out to write elsewhere") cause (source);
+        /// The spool holds the rows of a destination that is away. It has reached its largest size.
+        SpoolFull {
+            /// The destination.
+            place: String,
+            /// The file of rows.
+            spool: String,
+            /// The largest size, in MB.
+            most_mb: u64,
+        } error "spool-full" ("{place} is still away, and its spool {spool} has reached {most_mb} MB")
+            hint ("rows that {place} has confirmed are safe; once it is back, resume the run, or allow more with --spool-mb");
+        /// The run has ended, and the destination did not come back in time.
+        StillAway {
+            /// The destination.
+            place: String,
+            /// The time waited, in seconds.
+            seconds: u64,
+        } error "still-away" ("{place} is away; Homebody waited {seconds} s at the end of the run")
+            hint ("rows that it has confirmed are safe; once it is back, resume the run");
+        /// The run was stopped while it waited for a destination.
+        StoppedAway {
+            /// The destination.
+            place: String,
+            /// The reason, as a part of a sentence.
+            why: String,
+        } error "stopped-away" ("{place} was away when the run stopped: {why}; rows that it has confirmed are safe");
+        /// This build of the program lacks a feature.
+        NotBuiltIn {
+            /// The place.
+            place: String,
+            /// The text before the colon.
+            name: &'static str,
+            /// The feature that brings it.
+            feature: &'static str,
+        } error "not-built-in" ("{place}: this program was built without {name}")
+            hint ("install one with it: cargo install --path crates/homebody --features {feature}");
+        /// The recording cannot be written as JSON.
+        Recording {
+            /// The reason.
+            source: serde_json::Error,
+        } error "recording" ("cannot write the recording: {source}") cause (source);
+        /// No time zone has this name.
+        Zone {
+            /// The reason, with a hint.
+            why: String,
+        } error "time-zone" ("{why}");
+        /// The destination has failed or ended, and takes no more rows.
+        Stopped {
+            /// The destination.
+            place: String,
+        } error "stopped" ("{place} takes no more rows after its error");
+        /// The form of the destination has no room for the data.
+        CannotHold {
+            /// The destination.
+            place: String,
+            /// The data, as a part of a sentence.
+            what: String,
+            /// The advice.
+            hint: &'static str,
+        } error "cannot-hold" ("{place} cannot hold {what}") hint ("{hint}");
+        /// The truths of large cohorts leave out some tables, and this command needs one of them.
+        LeftOut {
+            /// The truth.
+            place: String,
+            /// The table.
+            table: String,
+        } error "table-left-out" ("{place} leaves out the table {table:?}, as the truths of large cohorts do")
+            hint ("replay the recording of this member: homebody replay writes all tables");
+        /// The destination was changed since the run wrote it, or belongs to another run.
+        Changed {
+            /// The destination.
+            place: String,
+            /// The difference, as a part of a sentence.
+            what: String,
+        } error "changed" ("{place} is not the beginning of this run: {what}")
+            hint ("it was changed, or the recording is of another run; restore it, or start a new run");
+        /// The destination did not answer within the time that its policy gives it.
+        Hangs {
+            /// The destination.
+            place: String,
+            /// The time, in seconds.
+            seconds: u64,
+        } error "no-answer" ("{place} has not answered for {seconds} s")
+            hint ("rows that it has confirmed are safe");
+        /// A destination of the caller's own reports an error.
+        Destination {
+            /// The destination's name.
+            place: String,
+            /// The reason, as a part of a sentence.
+            what: String,
+            /// The advice.
+            hint: Option<String>,
+            /// Whether the same call may succeed a little later.
+            passes: bool,
+            /// The error that caused it.
+            source: Option<Box<dyn Error + Send + Sync>>,
+        } error "destination" ("{place}: {what}") advice (hint.clone());
+        => inner {
+            /// The text does not name a place for a log.
+            NoPlace(NoPlace);
+        }
+    }
 }
 
-/// What went wrong, at which place, and what to do about it.
-#[derive(Debug, thiserror::Error)]
-pub enum LogError {
-    /// There is a file where one is to be made, and nobody has allowed that it is replaced.
-    #[error("{place} exists already\n  hint: name another place, or allow that what is there is replaced")]
-    Exists {
-        /// The file.
-        place: String,
-    },
-    /// A database is where a file is to be made, and holds what no run has left.
-    #[error(
-        "{place} is a database that holds {what}, and is never replaced\n  hint: name another file, or remove it yourself"
-    )]
-    OthersDatabase {
-        /// The file.
-        place: String,
-        /// The part that no run left, as a part of a sentence.
-        what: String,
-    },
-    /// Two outputs of a run lead to one file, perhaps by different paths.
-    #[error("two outputs have the same file, {place}\n  hint: give each its own")]
-    SameFile {
-        /// The file.
-        place: String,
-    },
-    /// A folder is where a file was to be written.
-    #[error("{place} is a folder\n  hint: name a file in it")]
-    IsFolder {
-        /// The folder.
-        place: String,
-    },
-    /// A database was to be in something else than a file, such as a device.
-    #[error("{place} is no file that a database can be in\n  hint: name a file, or write csv: or casas: there")]
-    NoFile {
-        /// What it is.
-        place: String,
-    },
-    /// There is no folder for the file that is to be made.
-    #[error("the folder of {place} does not exist\n  hint: create it, or correct the path")]
-    NoFolder {
-        /// The file.
-        place: String,
-    },
-    /// The system does not let this program write there.
-    #[error("{place} may not be written\n  hint: check who may write there")]
-    Denied {
-        /// The file.
-        place: String,
-    },
-    /// The system does not let this program read it.
-    #[error("{place} may not be read\n  hint: check who may read it")]
-    Unreadable {
-        /// The file or folder.
-        place: String,
-    },
-    /// The disk is full, or what this user may use of it.
-    #[error("no space is left for {place}\n  hint: what it held before is safe; make room and run again")]
-    Full {
-        /// The file.
-        place: String,
-    },
-    /// The system could not write what a database gave it.
-    #[error("{place}: writing failed\n  hint: the disk may be failing or full, or the size of files limited")]
-    Unwritten {
-        /// The database's file.
-        place: String,
-    },
-    /// Another program has been writing to the database for longer than we wait.
-    #[error("{place} is locked by another program\n  hint: close that program, or write to another file")]
-    Locked {
-        /// The database's file.
-        place: String,
-    },
-    /// A file of a run's folder is a pipe, a device or a folder.
-    #[error(
-        "{place} is a pipe, a device or a folder\n  hint: it is no file that a run has made; remove it, or live the run anew"
-    )]
-    NoPlain {
-        /// What is there.
-        place: String,
-    },
-    /// A file of a run's folder is a link, or in a folder that is one, so that writing there would write elsewhere.
-    #[error(
-        "{place} leads out of the run's folder\n  hint: it is no file that a run has made; remove it, or live the run anew"
-    )]
-    LeadsOut {
-        /// The file.
-        place: String,
-    },
-    /// The file to write is a link, lies behind one, or is not this program's.
-    #[error("{place} is not written: {why}\n  hint: look what it is, and remove it or name another file")]
-    NotOwn {
-        /// The file.
-        place: String,
-        /// The reason, as a part of a sentence.
-        why: String,
-    },
-    /// The file that counts a destination's confirmed rows is wrong.
-    #[error(
-        "{place}: {what}\n  hint: it says how many rows a destination has; put back what was there, or remove it: then all rows are given again"
-    )]
-    Unnoted {
-        /// The file.
-        place: String,
-        /// The reason, as a part of a sentence.
-        what: String,
-    },
-    /// Another program is living a run into the folder, or writing the file.
-    #[error("another program is writing into {place}\n  hint: let it come to its end, or stop it first")]
-    Busy {
-        /// The folder or file.
-        place: String,
-    },
-    /// The system gives no thread to a destination.
-    #[error("{}", no_writer(.place, .source))]
-    NoThread {
-        /// The destination.
-        place: String,
-        /// What the system says.
-        source: io::Error,
-    },
-    /// A run that is gone on with was stopped before it had come as far as before.
-    #[error(
-        "{place} has come further than this time: it stays as it was\n  hint: go on with the run again, and longer"
-    )]
-    NotYet {
-        /// What has come further.
-        place: String,
-    },
-    /// A name of the mapping is none that SQL takes: `^[a-z_][a-z0-9_]{0,62}$`, and not one of SQLite's own.
-    #[error("{name:?} cannot name a {what} in a database\n  hint: use up to 63 of a-z, 0-9 and _, not a digit first")]
-    Name {
-        /// What has the name: a table or a column.
-        what: &'static str,
-        /// The name.
-        name: String,
-    },
-    /// Two columns of the mapping have one name.
-    #[error("the {what} {name:?} is used twice\n  hint: give each its own name")]
-    SameName {
-        /// What has the name.
-        what: &'static str,
-        /// The name.
-        name: String,
-    },
-    /// Nobody could tell two sensors apart in the log.
-    #[error("the sensors {first:?} and {second:?} would both be {shown:?} in the log\n  hint: give each its own id")]
-    SameSensor {
-        /// The one, by its name in the home.
-        first: String,
-        /// The other.
-        second: String,
-        /// The id that both have.
-        shown: String,
-    },
-    /// What is to be read is not there.
-    #[error("{place} does not exist\n  hint: correct the path")]
-    Missing {
-        /// The file.
-        place: String,
-    },
-    /// What is to be read is no log in any form that is known.
-    #[error("{place} cannot be read as a log: {why}")]
-    NoLog {
-        /// The file.
-        place: String,
-        /// Why not, as a part of a sentence.
-        why: String,
-    },
-    /// A file is to tell the names of a table and its columns, and does not.
-    #[error("{place} is no logger.json: {why}\n  hint: docs/reference/logger.md lists its keys")]
-    NoMapping {
-        /// The file.
-        place: String,
-        /// Why not.
-        why: String,
-    },
-    /// A table of sensors' names has something wrong in it.
-    #[error(
-        "{}\n  hint: a table of sensors has a line id,name and then one for each sensor, with its own id and its own name",
-        .problems.join("\n")
-    )]
-    SensorMap {
-        /// All that is wrong: file, line and what.
-        problems: Vec<String>,
-    },
-    /// A database has no tables: a run has only just begun in it, or it is none of a log.
-    #[error(
-        "{place} has no tables, so no log\n  hint: name one that has; what is computed, such as a view, is not read"
-    )]
-    NoTables {
-        /// The file.
-        place: String,
-    },
-    /// A row or a cell is longer than any of a log's, so it is not read into memory.
-    #[error("{place}: {what}\n  hint: no log has that: name one")]
-    TooLong {
-        /// The file, with the line where it is known.
-        place: String,
-        /// What is too long, as a sentence.
-        what: String,
-    },
-    /// What is to be read is no truth of a run.
-    #[error(
-        "{place} has no truth: {why}\n  hint: name the database that the log's run has left, or csv:FILE, parquet:FILE and so on where each table is a file"
-    )]
-    NoTruth {
-        /// The place.
-        place: String,
-        /// Why not, as a part of a sentence.
-        why: String,
-    },
-    /// A truth tells of another run than the log's.
-    #[error("{truth} is not the truth of this log: {what}\n  hint: name the truth that the same run has left")]
-    OtherRun {
-        /// The truth.
-        truth: String,
-        /// In what they differ, as a part of a sentence.
-        what: String,
-    },
-    /// Lines of a log are not understood, so that nobody can tell which row is which.
-    #[error("{}\n  hint: the truth counts the log's rows: take the log as its run has left it", told(.place, .problems, *.skipped))]
-    Gaps {
-        /// The log.
-        place: String,
-        /// The first of the lines.
-        problems: Vec<Skipped>,
-        /// How many they are.
-        skipped: u64,
-    },
-    /// What is to be written would replace a file that a run has left, or is writing.
-    #[error("{place} is a file of the run in {folder}\n  hint: name a file elsewhere, or by another name")]
-    OfRun {
-        /// The file.
-        place: String,
-        /// The run's folder.
-        folder: String,
-    },
-    /// The system could not read or write a file, for a reason that none of the others names.
-    #[error("{place}: {source}")]
-    File {
-        /// The file.
-        place: String,
-        /// What the system says.
-        source: io::Error,
-    },
-    /// A file is to be a database, and is none, or a damaged one.
-    #[error(
-        "{place}: {source}\n  hint: it is no database, or a damaged one: put back what was there, or name another file"
-    )]
-    Broken {
-        /// The file.
-        place: String,
-        /// What the database says.
-        source: Box<dyn Error + Send + Sync>,
-    },
-    /// A database could not be read or written, for a reason that none of the others names.
-    #[error("{place}: {source}\n  hint: name another file, or take a copy of this one from before it was changed")]
-    Database {
-        /// The database's file.
-        place: String,
-        /// What the database says.
-        source: Box<dyn Error + Send + Sync>,
-    },
-    /// A database opens, and its journal does not.
-    #[error(
-        "{place}: {source}, though its file can be opened\n  hint: it needs files beside itself: look who may write in its folder, and \
-         how many files may be open at once (ulimit -n)"
-    )]
-    NoRoomBeside {
-        /// The database's file.
-        place: String,
-        /// The database's own message.
-        source: Box<dyn Error + Send + Sync>,
-    },
-    /// The output of a command would replace what the command reads.
-    #[error("{place} is read by this command, which cannot replace it\n  hint: name another file")]
-    IsSource {
-        /// The file.
-        place: String,
-    },
-    /// The folder of a run could not be made.
-    #[error("{place}: {source}\n  hint: a run needs a folder that may be written")]
-    Unmade {
-        /// The folder.
-        place: String,
-        /// What the system says.
-        source: io::Error,
-    },
-    /// What is put aside for a destination that is away has no room left.
-    #[error(
-        "{place} is still away, and its spool {spool} is full: it may have {most_mb} MB\n  hint: what {place} has confirmed is safe \
-         there; once it is back, go on with the run in its folder, or allow a larger spool"
-    )]
-    SpoolFull {
-        /// The destination.
-        place: String,
-        /// The file of rows that were put aside.
-        spool: String,
-        /// How large it may be.
-        most_mb: u64,
-    },
-    /// A destination has not come back by the end of a run.
-    #[error(
-        "{place} is away: it was waited for {seconds} s at the end\n  hint: what it has confirmed is safe there; once it is back, \
-         go on with the run in its folder"
-    )]
-    StillAway {
-        /// The destination.
-        place: String,
-        /// How long, in seconds.
-        seconds: u64,
-    },
-    /// A run was stopped while it waited for a destination.
-    #[error("{place} was away when the run was stopped: {why}; what it has confirmed is safe there")]
-    StoppedAway {
-        /// The destination.
-        place: String,
-        /// Why it was away, as a part of a sentence.
-        why: String,
-    },
-    /// A kind of place is known by its name alone: this build cannot write or read it.
-    #[error(
-        "{place}: this program was built without {name}\n  hint: cargo install --path crates/homebody --features {feature} \
-         builds one that has it"
-    )]
-    NotBuiltIn {
-        /// The place.
-        place: String,
-        /// What stands before the colon.
-        name: &'static str,
-        /// The feature of the build that brings it.
-        feature: &'static str,
-    },
-    /// A text names no place that a log can go to.
-    #[error(transparent)]
-    NoPlace(#[from] NoPlace),
-    /// A run's recording could not be turned into JSON.
-    #[error("the recording cannot be written down: {0}")]
-    Recording(#[from] serde_json::Error),
-    /// There is no time zone of the name that was given; the text says so, with a hint.
-    #[error("{0}")]
-    Zone(String),
-    /// A destination was given rows after it had failed or was finished.
-    #[error("{place} takes no more rows after its error")]
-    Stopped {
-        /// The destination.
-        place: String,
-    },
-    /// A destination has no room in its form for what it is asked to take.
-    #[error("{place} cannot hold {what}\n  hint: {hint}")]
-    CannotHold {
-        /// The destination.
-        place: String,
-        /// What it cannot hold, as a part of a sentence.
-        what: String,
-        /// What to do about it.
-        hint: &'static str,
-    },
-    /// A truth is brief, and what is asked for is in what it leaves out.
-    #[error(
-        "{place} leaves out the table {table:?}, as the truths of large cohorts do\n  hint: homebody replay, of the recording of the \
-         same member, lives it again with all tables"
-    )]
-    LeftOut {
-        /// The truth.
-        place: String,
-        /// The table.
-        table: String,
-    },
-    /// What is there already cannot be gone on with: it is no beginning of this run.
-    #[error(
-        "{place} is not the beginning of this run: {what}\n  hint: it was changed since, or the recording is of another run; put \
-         back what was there, or begin the run anew"
-    )]
-    Changed {
-        /// The destination.
-        place: String,
-        /// In what it differs, as a part of a sentence.
-        what: String,
-    },
-    /// A destination has not answered a request within the time that its policy gives it.
-    #[error("{place} does not answer: nothing was taken for {seconds} s\n  hint: what it confirmed before is safe")]
-    Hangs {
-        /// The destination.
-        place: String,
-        /// How long, in seconds.
-        seconds: u64,
-    },
-    /// What a destination of a caller's own has to say.
-    #[error("{place}: {what}{}", .hint.as_ref().map(|hint| format!("\n  hint: {hint}")).unwrap_or_default())]
-    Destination {
-        /// What the destination is called.
-        place: String,
-        /// What is wrong, as a part of a sentence.
-        what: String,
-        /// What to do about it, where that can be said.
-        hint: Option<String>,
-        /// Whether the same call may succeed a little later.
-        passes: bool,
-        /// The error that it comes of, where there is one.
-        source: Option<Box<dyn Error + Send + Sync>>,
-    },
+impl From<NoPlace> for LogError {
+    fn from(error: NoPlace) -> LogError {
+        LogError::NoPlace(error)
+    }
+}
+
+impl From<serde_json::Error> for LogError {
+    fn from(source: serde_json::Error) -> LogError {
+        LogError::Recording { source }
+    }
 }
 
 impl LogError {
@@ -545,12 +517,12 @@ pub(crate) fn place_of(path: &Path) -> String {
     path.display().to_string()
 }
 
-/// The lines that are not understood, each by its place, as far as they are listed.
-fn told(place: &str, problems: &[Skipped], skipped: u64) -> String {
+/// The lines that cannot be read, each by its place, as far as they are listed.
+fn listed(place: &str, problems: &[Skipped], skipped: u64) -> String {
     let mut lines: Vec<String> = problems.iter().map(|line| format!("{}: {}", line.place(place), line.why)).collect();
     let rest = skipped.saturating_sub(lines.len() as u64);
     if rest > 0 {
-        lines.push(format!("{place}: {rest} more lines are not understood"));
+        lines.push(format!("{place}: {rest} more lines cannot be read"));
     }
     lines.join("\n")
 }

@@ -1,6 +1,8 @@
 //! A line of a log that could not be understood.
 
+use homebody_core::messages::Datum;
 use serde::Serialize;
+use serde_json::{Value, json};
 
 /// A line that could not be understood.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -18,5 +20,11 @@ impl Skipped {
     /// File and line, of a log that is called so.
     pub fn place(&self, log: &str) -> String {
         format!("{}:{}", self.beside.as_deref().unwrap_or(log), self.line)
+    }
+}
+
+impl Datum for Skipped {
+    fn datum(&self) -> Value {
+        json!(self)
     }
 }

@@ -241,7 +241,7 @@ impl Walks {
     fn home(&self, run: Option<&str>) -> Result<Scenario, Error> {
         let loaded = match run {
             None => Household::load(&self.shelf, &self.shelf.entry, &[]),
-            Some(run) => Household::recorded(&self.shelf.recording(run).map_err(Error::Translation)?),
+            Some(run) => Household::recorded(&self.shelf.recording(run).map_err(|why| Error::Translation(why.into()))?),
         };
         Ok(loaded?.0)
     }
@@ -261,7 +261,7 @@ fn small_enough(read: &LogWithRun) -> Result<(), Error> {
     if rows > MOST_ROWS {
         return Err(Error::Translation(format!(
             "the log has {rows} rows; the page takes {MOST_ROWS} at most\n  {HINT}"
-        )));
+        ).into()));
     }
     let times = || read.log.events.iter().map(|event| event.at);
     let span = times().max().zip(times().min()).map_or(0, |(last, first)| last.saturating_sub(first));
@@ -269,7 +269,7 @@ fn small_enough(read: &LogWithRun) -> Result<(), Error> {
         let days = counted((span / DAY) as usize, "day", "days");
         return Err(Error::Translation(format!(
             "the log goes over {days}; the page takes {MOST_DAYS} at most\n  {HINT}"
-        )));
+        ).into()));
     }
     Ok(())
 }

@@ -1,7 +1,8 @@
 //! How a command fails: what people read, and the exit code that scripts read.
 
 use homebody_core::drivers::error::DriverError;
-use homebody_core::problem::Problems;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::{Diagnostic, Problems};
 use homebody_experiment::people::NotLived;
 use homebody_kit::Error;
 use homebody_log::LogError;
@@ -14,24 +15,37 @@ pub const EXIT_CODES: &str =
 
 /// Why a command ended early.
 pub enum Failure {
-    /// What the user wrote is wrong.
+    /// Problems with what the user wrote.
     Problems(Problems),
-    /// What the user asked is wrong.
+    /// A problem with what the user asked for.
     Usage(String),
-    /// A file could not be read or written.
+    /// A file cannot be read or written.
     Io(String),
-    /// A signal has ended it early, which was told; this is the exit code.
+    /// A message with a code, and the exit code.
+    Coded(Box<Diagnostic>, u8),
+    /// A signal ended the command early, which was printed; the exit code.
     Signal(u8),
 }
 
 impl Failure {
-    /// A file that could not be read or written.
+    /// A file that cannot be read or written.
     pub fn io(path: &Path, error: impl Display) -> Failure {
         Failure::Io(format!("{}: {error}", path.display()))
     }
 
+    /// A problem with what the user asked for.
     pub fn usage(what: impl Display) -> Failure {
         Failure::Usage(what.to_string())
+    }
+
+    /// A problem with what the user asked for, by its message.
+    pub fn asked(message: impl Diagnose) -> Failure {
+        Failure::Coded(Box::new(message.diagnostic()), 2)
+    }
+
+    /// A file that cannot be read or written, by its message.
+    pub fn file(message: impl Diagnose) -> Failure {
+        Failure::Coded(Box::new(message.diagnostic()), 1)
     }
 }
 
@@ -53,7 +67,7 @@ impl From<NotLived> for Failure {
 
 impl From<DriverError> for Failure {
     fn from(error: DriverError) -> Failure {
-        Failure::Usage(error.to_string())
+        Failure::usage(error)
     }
 }
 
@@ -71,10 +85,8 @@ impl From<LogError> for Failure {
             | LogError::TooLong { .. }
             | LogError::NoPlace(_)
             | LogError::NotBuiltIn { .. }
-            | LogError::Zone(_) => Failure::Usage(error.to_string()),
-            LogError::Unmade { .. } => Failure::Io(format!("{error}; --out writes elsewhere")),
-            LogError::Exists { place } => Failure::Io(format!("{place} exists already\n  hint: --force replaces it")),
-            error => Failure::Io(error.to_string()),
+            | LogError::Zone { .. } => Failure::asked(error),
+            error => Failure::file(error),
         }
     }
 }
@@ -83,15 +95,12 @@ impl From<Error> for Failure {
     fn from(error: Error) -> Failure {
         match error {
             Error::Problems(problems) => Failure::Problems(problems),
-            Error::Log(error) => match error.downcast::<LogError>() {
+            Error::Log(error) => match error.0.downcast::<LogError>() {
                 Ok(error) => (*error).into(),
                 Err(error) => Failure::Io(error.to_string()),
             },
-            Error::NoRows { ref resume, .. } => Failure::Io(format!(
-                "{error}\n  hint: homebody run --resume {} goes on with it, where nobody lives it now",
-                resume.display()
-            )),
-            Error::File { .. }
+            Error::NoRows { .. }
+            | Error::File { .. }
             | Error::Exists { .. }
             | Error::StoppedAway { .. }
             | Error::NoLog { .. }
@@ -99,8 +108,8 @@ impl From<Error> for Failure {
             | Error::NotBegun { .. }
             | Error::NotFolder { .. }
             | Error::NotEmpty { .. }
-            | Error::Threads(_) => Failure::Io(error.to_string()),
-            error => Failure::usage(error),
+            | Error::Threads { .. } => Failure::file(error),
+            error => Failure::asked(error),
         }
     }
 }

@@ -17,7 +17,7 @@ use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, Parser};
 use commands::Command;
 use failure::{EXIT_CODES, Failure};
-use homebody_core::problem::counted;
+use homebody_core::problem::{Diagnostic, counted};
 use homebody_core::scenario::scheme::without_password;
 use homebody_kit::{TRUST, VERSION};
 use print::{Told, tell, tell_as};
@@ -115,6 +115,18 @@ fn report(failure: &Failure) -> u8 {
             tell(format_args!("error: {what}"));
             1
         }
+        Failure::Coded(message, code) => {
+            tell(format_args!("{}", in_full(message)));
+            *code
+        }
         Failure::Signal(code) => *code,
+    }
+}
+
+/// A message with its severity and code before it.
+fn in_full(message: &Diagnostic) -> String {
+    match message.code {
+        "" => format!("error: {message}"),
+        _ => format!("{}{message}", message.label()),
     }
 }

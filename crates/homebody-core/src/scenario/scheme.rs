@@ -1,7 +1,8 @@
 //! The kinds of places that a log can go to and come from: one table, for the check, the command line and the page.
 
 use super::nearest::nearest;
-use crate::problem::readable;
+use crate::messages::{Diagnose, Severity};
+use crate::problem::{Diagnostic, readable};
 use std::borrow::Cow;
 use std::error::Error;
 use std::fmt;
@@ -166,6 +167,12 @@ impl fmt::Display for NoPlace {
 }
 
 impl Error for NoPlace {}
+
+impl Diagnose for NoPlace {
+    fn diagnostic(&self) -> Diagnostic {
+        Diagnostic::new("place::invalid", Severity::Error, self.what.clone(), Some(self.hint.clone()), Vec::new())
+    }
+}
 
 impl SchemeRow {
     /// The row of a name. `postgres` is what many call PostgreSQL.

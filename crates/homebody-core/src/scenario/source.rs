@@ -1,6 +1,6 @@
 //! The text of a file with its places: what was written, and on which line and column.
 
-use crate::problem::{Excerpt, Problem, boundary_before, counted};
+use crate::problem::{Diagnostic, Excerpt, Problem, boundary_before, counted};
 use jsonc_parser::ast;
 use jsonc_parser::common::Ranged;
 use jsonc_parser::errors::ParseErrorKind;
@@ -89,7 +89,7 @@ impl Source {
     pub fn parse(file: &str, text: &str) -> Result<Source, Problem> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let places = Places::of(text);
-        let wrong = |at, what: String, hint| Err(places.problem(file, text, at, what, hint));
+        let wrong = |at, what: String, hint| Err(places.problem(file, text, at, what.into(), hint));
         if let Err((at, what, hint)) = scan(text) {
             return wrong(at, what, hint);
         }
@@ -115,17 +115,17 @@ impl Source {
     }
 
     /// A problem with the value at a JSON pointer, or with the nearest value around it that is there.
-    pub fn problem(&self, pointer: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
+    pub fn problem(&self, pointer: &str, what: impl Into<Diagnostic>, hint: Option<String>) -> Problem {
         self.problem_at(self.find(pointer).1, what, hint)
     }
 
     /// A problem with the key at a JSON pointer, rather than with its value.
-    pub fn problem_with_key(&self, pointer: &str, what: impl Into<String>, hint: Option<String>) -> Problem {
+    pub fn problem_with_key(&self, pointer: &str, what: impl Into<Diagnostic>, hint: Option<String>) -> Problem {
         self.problem_at(self.find(pointer).0, what, hint)
     }
 
     /// A problem at a byte offset.
-    pub fn problem_at(&self, at: usize, what: impl Into<String>, hint: Option<String>) -> Problem {
+    pub fn problem_at(&self, at: usize, what: impl Into<Diagnostic>, hint: Option<String>) -> Problem {
         self.places.problem(&self.file, &self.text, at, what.into(), hint)
     }
 
@@ -222,7 +222,7 @@ impl Places {
         self.chars.get(chunk).map_or(0, |before| before + begun(&text.as_bytes()[chunk * STRIDE_BYTES..at]))
     }
 
-    fn problem(&self, file: &str, text: &str, at: usize, what: String, hint: Option<String>) -> Problem {
+    fn problem(&self, file: &str, text: &str, at: usize, what: Diagnostic, hint: Option<String>) -> Problem {
         let at = boundary_before(text, at);
         let line = self.line(at);
         let start = self.start(line);

@@ -59,7 +59,7 @@ pub fn of_log(name: &str, given: &GivenLog) -> Result<OfLog, Error> {
     let about =
         format!("Schematic: made of what the log {} tells, and of what its sensors are called. {ABOUT}", given.file);
     let home = schematic(name, &about, &sensors, &ways);
-    let home = home.map_err(|error| Error::Unbeginnable(format!("{}: {error}", given.named)))?;
+    let home = home.map_err(|error| Error::Unbeginnable(format!("{}: {error}", given.named).into()))?;
     let lived = inhabit(name, given, &home)?;
     remarks.extend(home.remarks);
     Ok(OfLog { lived, remarks })
@@ -145,7 +145,7 @@ fn told(
         problems.push(format!("none of the table's sensors is in the log\n  hint: the log has {}", ids.join(", ")));
     }
     if !problems.is_empty() {
-        return Err(Error::Unbeginnable(problems.join("\nerror: ")));
+        return Err(Error::Unbeginnable(problems.join("\nerror: ").into()));
     }
     let mut remarks = Vec::new();
     if !left_out.is_empty() {

@@ -62,7 +62,7 @@ pub fn read_table(path: &Path) -> Result<BTreeMap<String, Row>, Error> {
             "{}:1: there is no column id{near}\n  hint: its first line names the columns: id, room, place, x, y",
             path.display()
         );
-        return Err(Error::Unbeginnable(what));
+        return Err(Error::Unbeginnable(what.into()));
     };
     let (mut rows, mut problems) = (BTreeMap::<String, Row>::new(), Vec::new());
     for record in reader.byte_records() {
@@ -111,7 +111,7 @@ pub fn read_table(path: &Path) -> Result<BTreeMap<String, Row>, Error> {
     }
     match problems.is_empty() {
         true => Ok(rows),
-        false => Err(Error::Unbeginnable(problems.join("\nerror: "))),
+        false => Err(Error::Unbeginnable(problems.join("\nerror: ").into())),
     }
 }
 

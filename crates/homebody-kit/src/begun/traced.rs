@@ -57,14 +57,14 @@ impl Traced {
             Error::Unbeginnable(format!(
                 "{}: it is no picture in PNG or JPEG\n  hint: save the plan as PNG",
                 path.display()
-            ))
+            ).into())
         })?;
         let &[first, second] = known else {
             let what = format!(
                 "{} of two known points are given\n  hint: --known 120,340=0,0 --known 900,340=8.5,0 says where two points of the picture are, in pixels and in metres",
                 known.len()
             );
-            return Err(Error::Unbeginnable(what));
+            return Err(Error::Unbeginnable(what.into()));
         };
         let on_picture = upward(second.pixel) - upward(first.pixel);
         let in_home = second.at - first.at;

@@ -166,28 +166,28 @@ pub struct Found {
     pub remarks: Vec<String>,
 }
 
-/// Why nothing can be looked for.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Unfindable {
-    /// It is not said which room, sensor or activity.
-    #[error("it is not said which {0} is looked for")]
-    NoName(&'static str),
-    /// There is none of this name.
-    #[error("there is no {kind} {name:?}\n  hint: {hint}")]
-    Unknown {
-        /// What it was to be.
-        kind: &'static str,
-        /// The name that was asked for.
-        name: String,
-        /// What there is.
-        hint: String,
-    },
-    /// Only a truth tells of it.
-    #[error("nobody knows of {0} without the truth of a run: a log alone does not tell")]
-    NoTruth(&'static str),
-    /// The rows cannot be read.
-    #[error("{0}")]
-    Unread(String),
+homebody_core::messages! {
+    /// Errors of a search in a log.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum Unfindable in "find" {
+        /// A search for a room, a sensor or an activity needs its name.
+        NoName(kind: &'static str) error "no-name" ("the name of the {kind} is missing")
+            hint ("write the name after the word {kind}");
+        /// No room, sensor or activity of the log has this name.
+        Unknown {
+            /// `room`, `sensor` or `activity`.
+            kind: &'static str,
+            /// The name that was asked for.
+            name: String,
+            /// The known names.
+            hint: String,
+        } error "unknown-name" ("there is no {kind} {name:?}") hint ("{hint}");
+        /// Activities, falls and lost messages are in the ground truth of a run, and not in a log.
+        NoTruth(what: &'static str) error "needs-truth" ("a log alone does not contain {what}")
+            hint ("name a run that has its ground truth");
+        /// The rows of the log cannot be read.
+        Unread(why: String) error "unreadable" ("{why}");
+    }
 }
 
 /// Looks for it.

@@ -123,7 +123,7 @@ impl FleetSetup {
         if self.skew < 0 {
             wrong.push("clocks differ by nothing or more".into());
         }
-        if wrong.is_empty() { Ok(()) } else { Err(Error::Fleet(wrong.join("\n"))) }
+        if wrong.is_empty() { Ok(()) } else { Err(Error::Fleet(wrong.join("\n").into())) }
     }
 }
 

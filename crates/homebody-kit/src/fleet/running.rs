@@ -70,7 +70,7 @@ impl FleetRun {
             }
         }
         if !wrong.is_empty() {
-            return Err(Error::Fleet(wrong.join("\n")));
+            return Err(Error::Fleet(wrong.join("\n").into()));
         }
         for (url, (.., how)) in out.iter().zip(&sinks) {
             let new = url.file().filter(|path| !has_rows_of_fleet(path));

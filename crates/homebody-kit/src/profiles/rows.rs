@@ -3,7 +3,7 @@
 use super::profile::{Base, Other, OtherHome, Profile};
 use super::sentences::OwnSentences;
 use super::table::{Cell, Table};
-use homebody_core::problem::Problem;
+use homebody_core::problem::{Diagnostic, Problem};
 use homebody_core::scenario::GREATEST_SEED;
 use homebody_core::scenario::inside::{WHERE, outside_folder};
 use homebody_core::scenario::load::NoText;
@@ -85,7 +85,7 @@ type Piece<'a> = (&'a str, Option<&'a Cell>);
 type Row<'a> = BTreeMap<&'static str, &'a Cell>;
 
 impl<'a> Reader<'a> {
-    fn fault(&mut self, cell: &Cell, what: impl Into<String>, hint: impl Into<String>) {
+    fn fault(&mut self, cell: &Cell, what: impl Into<Diagnostic>, hint: impl Into<String>) {
         self.problems.push(self.table.problem(cell, what, Some(hint.into())));
     }
 

@@ -1,7 +1,7 @@
 //! A table as spreadsheets save it: values parted by commas, semicolons or tabs, each with its place in the text.
 
 use csv_core::{ReadFieldResult, ReaderBuilder, Terminator};
-use homebody_core::problem::{Excerpt, Problem};
+use homebody_core::problem::{Diagnostic, Excerpt, Problem};
 
 /// A file of rows below a header.
 pub(crate) struct Table<'t> {
@@ -43,7 +43,7 @@ impl<'t> Table<'t> {
     }
 
     /// A problem with a cell.
-    pub fn problem(&self, cell: &Cell, what: impl Into<String>, hint: Option<String>) -> Problem {
+    pub fn problem(&self, cell: &Cell, what: impl Into<Diagnostic>, hint: Option<String>) -> Problem {
         let line = self.lines.get(cell.line as usize - 1).copied().unwrap_or_default();
         let at = line.char_indices().nth(cell.column as usize - 1).map_or(line.len(), |(at, _)| at);
         let excerpt = Excerpt::around(line, at).underlining(cell.text.chars().count());
@@ -52,7 +52,7 @@ impl<'t> Table<'t> {
     }
 
     /// A problem with the file as a whole.
-    pub fn problem_of_file(&self, what: impl Into<String>, hint: Option<String>) -> Problem {
+    pub fn problem_of_file(&self, what: impl Into<Diagnostic>, hint: Option<String>) -> Problem {
         Problem::of_file(self.file, what, hint)
     }
 }

@@ -1,7 +1,7 @@
 //! What is wrong with a text: collected while it is read, told with line, column and underline.
 
 use super::words::{Line, Span};
-use homebody_core::problem::{Excerpt, Problem};
+use homebody_core::problem::{Diagnostic, Excerpt, Problem};
 use homebody_core::scenario::nearest::nearest;
 
 /// More are counted, not listed.
@@ -10,8 +10,7 @@ pub const MOST: usize = 100;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
     pub span: Span,
-    pub what: String,
-    pub hint: Option<String>,
+    pub message: Diagnostic,
 }
 
 /// All that is wrong with one text.
@@ -29,9 +28,11 @@ impl Faults {
         Faults { is_trial: true, ..Faults::default() }
     }
 
-    pub fn add(&mut self, span: Span, what: impl Into<String>, hint: Option<String>) {
+    pub fn add(&mut self, span: Span, message: impl Into<Diagnostic>, hint: Option<String>) {
         if self.list.len() < MOST {
-            self.list.push(Fault { span, what: what.into(), hint });
+            let message = message.into();
+            let hint = hint.or_else(|| message.hint.clone());
+            self.list.push(Fault { span, message: Diagnostic { hint, ..message } });
         } else {
             self.more += 1;
         }
@@ -71,13 +72,13 @@ impl Faults {
 
 fn problem(file: &str, lines: &[Line], fault: Fault) -> Problem {
     let index = lines.partition_point(|line| line.start <= fault.span.start).saturating_sub(1);
-    let Some(line) = lines.get(index) else { return Problem::of_file(file, fault.what, fault.hint) };
+    let Some(line) = lines.get(index) else { return Problem::of_file(file, fault.message, None) };
     let within = |at: usize| at.saturating_sub(line.start).min(line.text.len());
     let (start, end) = (within(fault.span.start), within(fault.span.end));
     let column = line.text.get(..start).map_or(0, |before| before.chars().count()) as u32 + 1;
     let width = line.text.get(start..end).map_or(1, |words| words.chars().count());
     let excerpt = Some(Excerpt::around(line.text, start).underlining(width));
-    Problem { line: index as u32 + 1, column, excerpt, ..Problem::of_file(file, fault.what, fault.hint) }
+    Problem { line: index as u32 + 1, column, excerpt, ..Problem::of_file(file, fault.message, None) }
 }
 
 /// The known name that was probably meant, or the names that there are.

@@ -5,6 +5,7 @@ use super::known::Known;
 use super::lexicon::Lexicon;
 use super::words::{self, Span, Token, Word};
 use crate::routine::PartOfDay;
+use homebody_core::problem::Diagnostic;
 use std::collections::BTreeMap;
 
 /// Words that say nothing where a thing is named.
@@ -240,7 +241,7 @@ impl Reader<'_> {
         if said.chars().count() <= LONGEST { said } else { said.chars().take(LONGEST).chain(['.', '.', '.']).collect() }
     }
 
-    pub fn fault(&mut self, span: Span, what: impl Into<String>, hint: impl Into<Option<String>>) {
+    pub fn fault(&mut self, span: Span, what: impl Into<Diagnostic>, hint: impl Into<Option<String>>) {
         self.faults.add(span, what, hint.into());
     }
 

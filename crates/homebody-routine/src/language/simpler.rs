@@ -31,22 +31,22 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
     let mut clearer: Option<Option<String>> = None;
     let mut gist: Option<Option<String>> = None;
     for fault in faults.since(since) {
-        let proposed = fault.hint.as_deref().map(sentences_in).unwrap_or_default();
+        let proposed = fault.message.hint.as_deref().map(sentences_in).unwrap_or_default();
         let is_sound = proposed.iter().all(|sentence| understood(names, draft, sentence).is_some());
         if !is_sound {
-            fault.hint = None;
+            fault.message.hint = None;
         }
         if since >= MOST_SEARCHED {
             continue;
         }
-        let is_certain = fault.hint.as_deref().is_some_and(|hint| hint.starts_with("did you mean"));
+        let is_certain = fault.message.hint.as_deref().is_some_and(|hint| hint.starts_with("did you mean"));
         if !is_certain && let Some(clearer) = clearer.get_or_insert_with(|| clearer_than(names, draft, words)).clone() {
-            let before = fault.hint.take().filter(|hint| !is_sound || !is_general(hint));
+            let before = fault.message.hint.take().filter(|hint| !is_sound || !is_general(hint));
             let clearer = format!("say it as in {clearer:?}");
-            fault.hint = Some(before.map_or(clearer.clone(), |before| format!("{before}; {clearer}")));
+            fault.message.hint = Some(before.map_or(clearer.clone(), |before| format!("{before}; {clearer}")));
             continue;
         }
-        let is_example = fault.hint.as_deref().is_some_and(is_general);
+        let is_example = fault.message.hint.as_deref().is_some_and(is_general);
         if (proposed.is_empty() || is_example) && !is_certain || !is_sound {
             let without = shorter.get_or_insert_with(|| without(names, draft, words, fault.span)).clone();
             let part =
@@ -59,7 +59,7 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
                     None => KEPT.to_owned(),
                 },
             };
-            fault.hint = Some(fault.hint.take().map_or(without.clone(), |hint| format!("{hint}; {without}")));
+            fault.message.hint = Some(fault.message.hint.take().map_or(without.clone(), |hint| format!("{hint}; {without}")));
         }
     }
 }

@@ -356,7 +356,7 @@ pub fn how_far_ahead(calendar: &Calendar) -> Option<String> {
 
 /// Whether who was asked to end had not yet come as far as before, so that nothing was changed.
 pub fn is_not_yet(error: &Error) -> bool {
-    matches!(error, Error::Log(error) if matches!(error.downcast_ref(), Some(LogError::NotYet { .. })))
+    matches!(error, Error::Log(error) if matches!(error.0.downcast_ref(), Some(LogError::NotYet { .. })))
 }
 
 /// Tells what has become of a home that was lived on the world's clock and stopped.

@@ -13,7 +13,7 @@ use super::nearest::nearest;
 use super::source::Source;
 use crate::geometry::{self, At, Point, point};
 use crate::home::plan::{Origin, Plan, Solid};
-use crate::problem::{MOST_PER_FILE, Problem};
+use crate::problem::{Diagnostic, MOST_PER_FILE, Problem};
 
 /// What the checks of other files know of the home.
 pub struct Surroundings<'a> {
@@ -33,15 +33,15 @@ struct Report<'a> {
 }
 
 impl Report<'_> {
-    fn add(&mut self, pointer: &str, what: impl Into<String>) {
+    fn add(&mut self, pointer: &str, what: impl Into<Diagnostic>) {
         self.problems.push(self.source.problem(pointer, what, None));
     }
 
-    fn hinted(&mut self, pointer: &str, what: impl Into<String>, hint: impl Into<String>) {
+    fn hinted(&mut self, pointer: &str, what: impl Into<Diagnostic>, hint: impl Into<String>) {
         self.problems.push(self.source.problem(pointer, what, Some(hint.into())));
     }
 
-    fn problem(&mut self, pointer: &str, what: impl Into<String>, hint: Option<String>) {
+    fn problem(&mut self, pointer: &str, what: impl Into<Diagnostic>, hint: Option<String>) {
         self.problems.push(self.source.problem(pointer, what, hint));
     }
 

@@ -53,7 +53,7 @@ pub fn lived(cases: &[Case], days: i32, seed: u64) -> Result<Vec<Row>, Failure> 
         rows
     };
     let pool = rayon::ThreadPoolBuilder::new().build();
-    let pool = pool.map_err(|error| Error::Threads(error.to_string()))?;
+    let pool = pool.map_err(|error| Error::Threads { why: error.to_string() })?;
     let rows: Vec<Vec<Row>> = pool.install(|| cases.par_iter().map(live).collect());
     progress.finish_and_clear();
     Ok(rows.concat())

@@ -55,7 +55,7 @@ impl Arguments {
         };
         // In order of their numbers, whichever is done first.
         let pool = rayon::ThreadPoolBuilder::new().build();
-        let pool = pool.map_err(|error| Error::Threads(error.to_string()))?;
+        let pool = pool.map_err(|error| Error::Threads { why: error.to_string() })?;
         let persons: Result<Vec<Person>, DriverError> =
             pool.install(|| (0..self.people).into_par_iter().map(live).collect());
         progress.finish_and_clear();
