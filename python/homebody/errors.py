@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
+from types import MappingProxyType
 
 
 @dataclass(frozen=True)
@@ -18,6 +19,12 @@ class Problem:
     column: int
     what: str
     hint: str | None = None
+    #: The stable code of the message, such as ``kit::exists``; ``homebody explain`` has more about it.
+    code: str = ""
+    #: ``error`` or ``warning``.
+    severity: str = "error"
+    #: The values that the text quotes, by name.
+    data: Mapping[str, object] = field(default_factory=dict)
 
     def __str__(self) -> str:
         place = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
@@ -26,6 +33,13 @@ class Problem:
 
 class HomebodyError(Exception):
     """Something could not be done; the text says what, and what to do."""
+
+    #: The stable code of the message; empty where it has none.
+    code: str = ""
+    #: The way to solve it, which the text contains, too.
+    hint: str | None = None
+    #: The values that the text quotes, by name.
+    data: Mapping[str, object] = MappingProxyType({})
 
 
 class ScenarioError(HomebodyError):

@@ -6,6 +6,9 @@ use serde::Serialize;
 pub use serde_json::Value;
 use std::path::{Path, PathBuf};
 
+/// The messages of this crate, by area.
+pub const ALL: &[&[Entry]] = &[crate::scenario::scheme::PlaceMessage::ENTRIES];
+
 /// How serious a message is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]

@@ -81,6 +81,12 @@ pub mod walked;
 
 mod calibration;
 
+/// The messages of this crate, by area.
+pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
+    <Error as homebody_core::messages::Catalogue>::ENTRIES,
+    <find::Unfindable as homebody_core::messages::Catalogue>::ENTRIES,
+];
+
 pub use broker::{Tidied, tidy_up};
 pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};
 pub use cohort::{Cohort, CohortSetup, LARGE_DAYS, LivedCohort};

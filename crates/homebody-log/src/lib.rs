@@ -75,6 +75,9 @@ pub mod label;
 
 pub mod records;
 
+/// The messages of this crate, by area.
+pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[<LogError as homebody_core::messages::Catalogue>::ENTRIES];
+
 pub use anonymise::{Anonymised, Anonymising, anonymise};
 pub use cancel::Cancel;
 pub use convert::convert;

@@ -1,6 +1,7 @@
 //! What goes wrong, as Python's exceptions: `homebody.errors` has their classes.
 
-use homebody_core::problem::Problems;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::{Diagnostic, Problems};
 use homebody_kit::Error;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -12,6 +13,29 @@ const ERRORS: &str = "homebody.errors";
 
 /// An error of the library, as Python raises it.
 pub fn raised(error: Error) -> PyErr {
+    let message = error.diagnostic();
+    let raised = of_class(error);
+    Python::attach(|py| match with_message(py, &raised, &message) {
+        Ok(()) => raised,
+        Err(error) => error,
+    })
+}
+
+/// Gives an exception the code, the hint and the data of its message.
+fn with_message(py: Python<'_>, raised: &PyErr, message: &Diagnostic) -> PyResult<()> {
+    let value = raised.value(py);
+    value.setattr("code", message.code)?;
+    value.setattr("hint", &message.hint)?;
+    value.setattr("data", data(py, message)?)
+}
+
+/// The data of a message as a dictionary.
+fn data<'py>(py: Python<'py>, message: &Diagnostic) -> PyResult<Bound<'py, PyAny>> {
+    let text = serde_json::to_string(&message.data).unwrap_or_else(|_| "{}".into());
+    py.import("json")?.call_method1("loads", (text,))
+}
+
+fn of_class(error: Error) -> PyErr {
     match error {
         Error::Problems(problems) => with_problems(&problems),
         Error::TimeZone(_)
@@ -57,6 +81,9 @@ fn with_problems(problems: &Problems) -> PyErr {
             keys.set_item("column", problem.column)?;
             keys.set_item("what", &problem.what)?;
             keys.set_item("hint", &problem.hint)?;
+            keys.set_item("code", problem.code)?;
+            keys.set_item("severity", problem.severity.word())?;
+            keys.set_item("data", data(py, problem)?)?;
             list.append(class.call((), Some(&keys))?)?;
         }
         Ok(PyErr::from_value(py.import(ERRORS)?.getattr("ScenarioError")?.call1((problems.render(), list))?))

@@ -259,17 +259,17 @@ fn small_enough(read: &LogWithRun) -> Result<(), Error> {
     const HINT: &str = "hint: open a part of it, or use homebody translate, which has no such limit";
     let rows = read.log.events.len();
     if rows > MOST_ROWS {
-        return Err(Error::Translation(format!(
-            "the log has {rows} rows; the page takes {MOST_ROWS} at most\n  {HINT}"
-        ).into()));
+        return Err(Error::Translation(
+            format!("the log has {rows} rows; the page takes {MOST_ROWS} at most\n  {HINT}").into(),
+        ));
     }
     let times = || read.log.events.iter().map(|event| event.at);
     let span = times().max().zip(times().min()).map_or(0, |(last, first)| last.saturating_sub(first));
     if span > MOST_DAYS * DAY {
         let days = counted((span / DAY) as usize, "day", "days");
-        return Err(Error::Translation(format!(
-            "the log goes over {days}; the page takes {MOST_DAYS} at most\n  {HINT}"
-        ).into()));
+        return Err(Error::Translation(
+            format!("the log goes over {days}; the page takes {MOST_DAYS} at most\n  {HINT}").into(),
+        ));
     }
     Ok(())
 }

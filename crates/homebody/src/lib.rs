@@ -5,6 +5,7 @@ mod commands;
 mod failure;
 mod installation;
 mod length;
+pub mod messages;
 mod pace;
 mod print;
 mod progress;

@@ -54,10 +54,9 @@ impl Traced {
     pub fn read(path: &Path, known: &[Known]) -> Result<Traced, Error> {
         let bytes = plain::read(path, LARGEST_BYTES).map_err(|error| Error::io(path, error))?;
         let (file, size) = size(&bytes).ok_or_else(|| {
-            Error::Unbeginnable(format!(
-                "{}: it is no picture in PNG or JPEG\n  hint: save the plan as PNG",
-                path.display()
-            ).into())
+            Error::Unbeginnable(
+                format!("{}: it is no picture in PNG or JPEG\n  hint: save the plan as PNG", path.display()).into(),
+            )
         })?;
         let &[first, second] = known else {
             let what = format!(

@@ -59,7 +59,8 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
                     None => KEPT.to_owned(),
                 },
             };
-            fault.message.hint = Some(fault.message.hint.take().map_or(without.clone(), |hint| format!("{hint}; {without}")));
+            fault.message.hint =
+                Some(fault.message.hint.take().map_or(without.clone(), |hint| format!("{hint}; {without}")));
         }
     }
 }

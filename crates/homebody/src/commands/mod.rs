@@ -15,6 +15,7 @@ mod density;
 mod devices;
 mod doctor;
 mod experiment;
+pub mod explain;
 mod falls;
 mod find;
 pub mod fleet;
@@ -126,6 +127,8 @@ pub enum Command {
     New(new::Arguments),
     /// Begin a scenario of your own from a plan of Sweet Home 3D
     Import(import::Arguments),
+    /// Explain a message by its code
+    Explain(explain::Arguments),
     /// Print what makes a shell complete the command line
     Completions(completions::Arguments),
 }
@@ -171,6 +174,7 @@ impl Command {
             Command::Numbers(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
             Command::Import(arguments) => arguments.run(),
+            Command::Explain(arguments) => arguments.run(),
             Command::Completions(arguments) => arguments.run(whole()),
         }
     }

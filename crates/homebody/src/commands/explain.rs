@@ -1,0 +1,73 @@
+//! `homebody explain`: the long form of a message.
+
+use crate::failure::Failure;
+use crate::messages;
+use crate::print::print_text;
+use homebody_core::messages::Entry;
+use homebody_core::scenario::nearest::nearest;
+
+homebody_core::messages! {
+    /// Errors of `homebody explain`.
+    pub enum ExplainMessage in "explain" {
+        /// Messages have codes such as `log::exists`. No message has the code that was asked for.
+        UnknownCode {
+            /// The code asked for.
+            code: String,
+            /// The most similar code.
+            nearest: Option<String>,
+        } error "unknown-code" ("no message has the code {code:?}")
+            advice (Some(match nearest {
+                Some(nearest) => format!("did you mean {nearest}?"),
+                None => "homebody explain lists all codes".into(),
+            }));
+    }
+}
+
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  homebody explain log::exists    explain one message
+  homebody explain log            list the messages about logs
+  homebody explain                list all messages")]
+pub struct Arguments {
+    /// The code of a message, or the part before `::`; without it, all messages are listed
+    #[arg(value_name = "CODE")]
+    code: Option<String>,
+}
+
+impl Arguments {
+    pub fn run(self) -> Result<(), Failure> {
+        let Some(code) = self.code else {
+            return print_text(&list(messages::all()));
+        };
+        let code = code.trim_matches(['[', ']']);
+        if let Some(entry) = messages::all().find(|entry| entry.code == code) {
+            return print_text(&in_full(entry));
+        }
+        let of_area = || messages::all().filter(|entry| entry.code.split("::").next() == Some(code));
+        if of_area().next().is_some() {
+            return print_text(&list(of_area()));
+        }
+        let nearest = nearest(code, messages::all().map(|entry| entry.code)).map(str::to_owned);
+        Err(Failure::asked(ExplainMessage::UnknownCode { code: code.to_owned(), nearest }))
+    }
+}
+
+/// A line for each message.
+fn list<'a>(entries: impl Iterator<Item = &'a Entry> + Clone) -> String {
+    let width = entries.clone().map(|entry| entry.code.len()).max().unwrap_or_default();
+    entries.map(|entry| format!("{:width$}  {}\n", entry.code, entry.text)).collect()
+}
+
+/// All that is known of a message.
+fn in_full(entry: &Entry) -> String {
+    let mut text = format!("{}[{}]: {}\n", entry.severity.word(), entry.code, entry.text);
+    if let Some(hint) = entry.hint {
+        text += &format!("  hint: {hint}\n");
+    }
+    text += "\n";
+    text.extend(entry.about.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line))));
+    if !entry.data.is_empty() {
+        text += &format!("\nData, under \"data\" in JSON: {}\n", entry.data.join(", "));
+    }
+    text
+}
