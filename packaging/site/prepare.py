@@ -1,7 +1,7 @@
-"""Puts the pages of the site together: `prepare.py ROOT PAGES`. packaging/site.sh calls it.
+"""Collects the pages of the site: `prepare.py ROOT PAGES`. packaging/site.sh calls it.
 
-Documents stay where they are in the repository, beside each other, so that their links hold; where one names another between
-backticks, that becomes a link. References are made of the modules and crates that are there.
+Documents keep their paths in the repository, so that links between them hold. A document that is named between backticks becomes a
+link. A link to a file without a page, such as a licence, becomes plain text. The references list the modules and crates in the tree.
 """
 
 import os
@@ -10,15 +10,16 @@ import shutil
 import sys
 from pathlib import Path
 
-#: Documents beside the README, which becomes the first page.
+#: Documents in the folder of the README, which becomes the first page.
 BESIDE = ["ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]
 
-#: The modules of the package that are read first; all others follow.
+#: The first modules of the Python reference; all others follow.
 FIRST = ["scenario", "log", "table", "picture", "live", "driver", "cohort", "profiles", "env", "errors"]
 
 
-def linked(text: str, page: str, pages: dict[str, str]) -> str:
-    """The text of a page, in which other pages that are named between backticks are links."""
+def linked(text: str, name: str, pages: dict[str, str], root: Path) -> str:
+    """The text of a document as a page: documents between backticks become links, and links to other files become text."""
+    page = pages[name]
     here = Path(page).parent
 
     def link(span: re.Match[str]) -> str:
@@ -27,21 +28,34 @@ def linked(text: str, page: str, pages: dict[str, str]) -> str:
             return span[0]
         return f"[{span[0]}]({os.path.relpath(target, here)})"
 
+    def relink(found: re.Match[str]) -> str:
+        shown, path, anchor = found[1], found[2], found[3] or ""
+        file = os.path.normpath(Path(name).parent / path)
+        target = pages.get(file)
+        if target is not None:
+            return f"[{shown}]({os.path.relpath(target, here)}{anchor})"
+        # mkdocs reports a link to a file that does not exist.
+        return shown if (root / file).exists() else found[0]
+
     parts = re.split(r"(^```.*?^```$)", text, flags=re.MULTILINE | re.DOTALL)
-    # Every other part is fenced code. What is a link already stays.
-    parts[::2] = [re.sub(r"(?<!\[)`([^`\n]+\.md)`", link, part) for part in parts[::2]]
+    for number in range(0, len(parts), 2):
+        # Every other part is fenced code. Pictures and links to the web stay.
+        part = re.sub(r"(?<!!)\[([^\]]*)\]\((?!\w+:)([^)#\s]+)(#[^)\s]*)?\)", relink, parts[number])
+        parts[number] = re.sub(r"(?<!\[)`([^`\n]+\.md)`", link, part)
     return "".join(parts)
 
 
 def documents(root: Path, to: Path) -> None:
-    """The README, what lies beside it, and docs/ with its pictures."""
+    """The README, the documents in its folder, and docs/ with its pictures."""
     pages = {name: name for name in BESIDE} | {"README.md": "index.md"}
     there = [path.relative_to(root).as_posix() for path in sorted((root / "docs").rglob("*.md"))]
     pages |= {name: name for name in there}
+    notebooks = (root / "python/notebooks").glob("*.ipynb")
+    known = pages | {path.relative_to(root).as_posix(): f"python/notebooks/{path.stem}.md" for path in notebooks}
     for name, page in pages.items():
         path = to / page
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(linked((root / name).read_text(encoding="utf-8"), page, pages), encoding="utf-8")
+        path.write_text(linked((root / name).read_text(encoding="utf-8"), name, known, root), encoding="utf-8")
     shutil.copytree(root / "docs/pictures", to / "docs/pictures")
 
 
