@@ -8,9 +8,9 @@ use homebody_log::LogError;
 use std::fmt::Display;
 use std::path::Path;
 
-/// What the exit codes of every command say.
+/// The exit codes of every command.
 pub const EXIT_CODES: &str =
-    "Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked or written is wrong";
+    "Exit codes: 0 success, 1 a file could not be read or written, 2 an argument or a file is invalid";
 
 /// Why a command ended early.
 pub enum Failure {
@@ -72,7 +72,7 @@ impl From<LogError> for Failure {
             | LogError::NoPlace(_)
             | LogError::NotBuiltIn { .. }
             | LogError::Zone(_) => Failure::Usage(error.to_string()),
-            LogError::Unmade { .. } => Failure::Io(format!("{error}; --out writes elsewhere")),
+            LogError::Unmade { .. } => Failure::Io(format!("{error}; --out selects another place")),
             LogError::Exists { place } => Failure::Io(format!("{place} exists already\n  hint: --force replaces it")),
             error => Failure::Io(error.to_string()),
         }
@@ -88,7 +88,7 @@ impl From<Error> for Failure {
                 Err(error) => Failure::Io(error.to_string()),
             },
             Error::NoRows { ref resume, .. } => Failure::Io(format!(
-                "{error}\n  hint: homebody run --resume {} goes on with it, where nobody lives it now",
+                "{error}\n  hint: homebody run --resume {} resumes it, unless another process simulates it now",
                 resume.display()
             )),
             Error::File { .. }

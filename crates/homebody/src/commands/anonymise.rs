@@ -21,7 +21,7 @@ use std::path::PathBuf;
 ///
 /// Days of the week and times of day stay, and how somebody lives shows: who knows them may know them still.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody anonymise week.csv --out csv:nobodys.csv
   homebody anonymise casas:home.txt --out sqlite:nobodys.db --key key.csv
   homebody anonymise home-assistant_v2.db --out csv:nobodys.csv --weeks -52

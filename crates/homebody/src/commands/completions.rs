@@ -6,7 +6,7 @@ use clap_complete::{Shell, generate};
 
 /// Prints a script that makes a shell complete the command line.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody completions bash > ~/.local/share/bash-completion/completions/homebody
   homebody completions zsh > ~/.zfunc/_homebody
   homebody completions fish > ~/.config/fish/completions/homebody.fish")]

@@ -38,7 +38,7 @@ pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
 /// What the log tells of activities goes along: in CASAS as notes where they begin and end, else on the rows and, whole, in a
 /// table of their own: in SQLite the table activity, in CSV a file beside the log, such as week.activity.csv.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody convert log.db --to casas:log.txt
   homebody convert runs/tigerplace-1 --to csv:week.csv
   homebody convert aruba.txt --to sqlite:aruba.db

@@ -1,7 +1,7 @@
 //! `homebody coverage`: where in the home the sensors see.
 
 use super::answer::Answer;
-use super::parts::build;
+use super::install_sheet::build;
 use super::scenario::Chosen;
 use crate::failure::Failure;
 use homebody_analysis::coverage::{self, STEP_M};
@@ -10,7 +10,7 @@ use homebody_picture::coverage_map;
 /// Says which share of the floor is seen by no, one, two, three or more sensors, where the dead zones are, and how
 /// sensors overlap; from the very fields that a run senses with.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody coverage scenarios/tigerplace
   homebody coverage my-home --png map.png --json coverage.json")]
 pub struct Arguments {

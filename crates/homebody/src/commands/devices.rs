@@ -10,7 +10,7 @@ use std::fmt::Write;
 /// Lists the motion sensors whose timing is known, with make and model, network, mounting height, field of view, reach and timing,
 /// and where each of these is from. The first column is what "preset" in home.json calls it.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody devices
   homebody devices fibaro
   homebody devices --json")]

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// A place is a log or a truth by its URL or path, a broker, the folder of a run or of a cohort. Each line is one thing that was looked
 /// at: ok, warning or wrong. It only reads, unless --write is said; passwords are never printed.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody doctor
   homebody doctor runs/tigerplace-1 --replay
   homebody doctor sqlite:log.db parquet:lives

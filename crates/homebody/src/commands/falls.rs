@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// camera it is what its silhouette is like. Fuzzy rules say how far somebody is on the ground, and a second level of rules whether
 /// that is a fall. The rules are a few lines of JSON, which --rules replaces.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody falls runs/cameras-1
   homebody falls runs/cameras-1 --json falls.json
   homebody falls --show-rules > rules.json

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 /// ordinary routine. Names the furniture that the routine needs and the home lacks, each piece with a line for home.json, or adds it
 /// with --furnish. Add sensors yourself.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody import flat.sh3d my-home && homebody check my-home
   homebody import flat.sh3d my-home --furnish && homebody run my-home
   homebody import house.sh3d upstairs --level \"First floor\"

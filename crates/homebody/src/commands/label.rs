@@ -15,7 +15,7 @@ const NAME_IT: &str = "name the run's truth after the log: its database, or csv:
 /// Joins a log with the truth of its run: each row with whose doing it was, in which room they were, what they were doing,
 /// and why the sensor spoke. That is what recognisers are trained on.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody label runs/tigerplace-1 --to csv:labelled.csv
   homebody label week.csv truth.db --to casas:labelled.txt
   homebody label log.db csv:truth.csv --to sqlite:labelled.db

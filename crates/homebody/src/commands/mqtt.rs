@@ -9,7 +9,7 @@ use serde_json::json;
 
 /// Tidies a broker up that homes were told to.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody run my-home --speed 1 --out mqtt://ann@broker/homebody?password-file=secret
   homebody mqtt clean mqtt://ann@broker/homebody?password-file=secret --look
   homebody mqtt clean mqtt://ann@broker/homebody?password-file=secret

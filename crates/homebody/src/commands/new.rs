@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// a picture of the plan and the places of the sensors on it, these are where they are, and the page's Plan shows the picture
 /// below what is to be drawn.
 #[derive(clap::Args)]
-#[command(after_help = format!("Templates:
+#[command(after_long_help = format!("Templates:
 {}
 Examples:
   homebody new my-home --template tigerplace && homebody run my-home

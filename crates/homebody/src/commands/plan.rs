@@ -8,7 +8,7 @@ use homebody_picture::floor_plan;
 /// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names. Furniture and ways in go without
 /// where there is no room for their names.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody plan scenarios/tigerplace --svg plan.svg
   homebody plan my-home --png plan.png --force")]
 pub struct Arguments {

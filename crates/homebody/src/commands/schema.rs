@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// Writes the JSON Schemas of the scenario files into a folder, for editors that complete and check.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Example:\n  homebody schema schemas\n\nName a schema in a file's \"$schema\" and most editors use it."
+    after_long_help = "Example:\n  homebody schema schemas\n\nName a schema in a file's \"$schema\" and most editors use it."
 )]
 pub struct Arguments {
     /// The folder to write into; it is created if it does not exist

@@ -24,7 +24,7 @@ use std::process::{Command, Stdio};
 /// behind `#token=` in the address, in the header `X-Homebody-Token`. Runs go into new folders under runs/, as those
 /// of homebody run; those of a home of a folder into its own folder runs/. A scenario with problems is served as well: the page says what is wrong, and mends it. Ctrl-C ends the run and the server, and that is no failure: the exit code is 0.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody serve scenarios/tigerplace
   homebody serve my-home --port 9000 --no-open
   homebody serve                                     all homes of the current folder

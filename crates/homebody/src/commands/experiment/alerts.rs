@@ -26,7 +26,7 @@ use std::path::PathBuf;
 /// Conditions grow for as long as they are known to: infections for days, depression for weeks. Alerts are those of
 /// `homebody alerts`, by the log alone.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment alerts --people 200
   homebody experiment alerts --people 36 --rules rules.json --json alerts.json
   homebody experiment alerts --layouts --png curves.png

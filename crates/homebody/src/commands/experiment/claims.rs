@@ -13,7 +13,7 @@ use rayon::prelude::*;
 /// long, how far. A claim is lived if it is measured so, told if the program says before the run that it is not, and else
 /// neither. The exit code is 0 only if none is neither.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment claims
   homebody experiment claims --days 120 --seed 3 --json claims.json
 

@@ -10,7 +10,7 @@ use homebody_experiment::claims::{CONDITIONS, Case, Conditions};
 /// Each condition is lived by one who is else the same as a twin who does not show it. What changes is measured in the truth, and
 /// told beside what was published, or what was taken where nothing was.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment conditions
   homebody experiment conditions --seed 3 --json conditions.json
 

@@ -23,7 +23,7 @@ use rayon::prelude::*;
 /// Sleep, toilet, meals, use of time, ways and what the sensors say are measured, and held against published figures. The
 /// first day is left out.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment daily-life --people 20 --days 14 --png people.png")]
+#[command(after_long_help = "Example:\n  homebody experiment daily-life --people 20 --days 14 --png people.png")]
 pub struct Arguments {
     /// How many people
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=100_000))]

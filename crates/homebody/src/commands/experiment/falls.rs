@@ -14,7 +14,7 @@ use homebody_kit::template;
 /// case is lived as usual, without noise, with three times the noise, and behind more furniture. Besides, weeks of a life with falls
 /// in a home with cameras are looked at.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment falls
   homebody experiment falls --cases 100 --json falls.json --png falls.png
 

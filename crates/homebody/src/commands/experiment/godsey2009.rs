@@ -7,7 +7,7 @@ use homebody_picture::{Activity, Reference, TotalsLine, firing_chart, totals_cha
 
 /// One sensor, one person, three paces, two distances: the paper's own experiment.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment godsey2009 --json figures.json --svg firings.svg")]
+#[command(after_long_help = "Example:\n  homebody experiment godsey2009 --json figures.json --svg firings.svg")]
 pub struct Arguments {
     /// The number all randomness comes from
     #[arg(long, default_value_t = 2009)]

@@ -19,7 +19,7 @@ use std::path::PathBuf;
 ///
 /// With --data it measures logs of real homes instead, and holds what their sensors tell beside the activities that they note.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment measures
   homebody experiment measures --homes 8 --days 14 --json measures.json
   homebody experiment measures --data OrdonezA_Sensors.txt --data kasterenSenseData.txt")]

@@ -19,7 +19,7 @@ use crate::failure::Failure;
 
 /// Does an experiment again that was done in the real world, or measures what routines come to, and says what agrees.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment godsey2009 --svg firings.svg
   homebody experiment sphere --data sphere_challenge --svg rooms.svg
   homebody experiment daily-life --people 20 --days 14 --png people.png

@@ -19,7 +19,7 @@ use std::path::PathBuf;
 ///
 /// Without a scenario, all templates are lived. The exit code is 0 only where nothing impossible happened.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment possible
   homebody experiment possible my-home --days 365 --json")]
 pub struct Arguments {

@@ -24,7 +24,7 @@ use std::path::PathBuf;
 /// folder. The numbers of sensors and manners were set with the figures of both in view, so this says how near they come,
 /// and not how they would fare beside a home that nobody has looked at. Homes and lives differ: no copy can be expected.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment realism --data casas --json realism.json")]
+#[command(after_long_help = "Example:\n  homebody experiment realism --data casas --json realism.json")]
 pub struct Arguments {
     /// The folder that the folders of the logs are in
     #[arg(long, value_name = "DIR")]

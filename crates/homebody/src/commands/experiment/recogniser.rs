@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// program: uci_adl_ordonez/OrdonezA_Sensors.txt and OrdonezA_ADLs.txt in the folder. A routine is written from the first half of its
 /// days; recognisers are judged on the second half, which nothing else has seen.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment recogniser --data uci
   homebody experiment recogniser --data uci --seeds 20 --days 56 --json recogniser.json")]
 pub struct Arguments {

@@ -16,7 +16,7 @@ use std::fmt;
 /// going to bed, visits to the bathroom at night, showers, meals, outings, and a change after four weeks. The last
 /// two weeks of six are summarised.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment round-trip
   homebody experiment round-trip --homes 40 --json round-trip.json
 

@@ -12,7 +12,7 @@ use std::fmt;
 /// Homes are those of templates, one after the other, each with a life of its own and with four faults, each of another
 /// motion sensor; every second home has the other four kinds.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment sensor-health
   homebody experiment sensor-health --homes 5 --days 21 --json sensor-health.json")]
 pub struct Arguments {

@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 /// The recordings are those of the SPHERE challenge (Twomey et al. 2016), which are not part of this program:
 /// folders that each hold location_0.csv, annotations_0.csv and pir.csv.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
+#[command(after_long_help = "Example:\n  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
 pub struct Arguments {
     /// The folder of the recordings, or one that holds it as `train`
     #[arg(long, value_name = "DIR")]

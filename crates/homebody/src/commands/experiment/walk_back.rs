@@ -18,7 +18,7 @@ use std::fmt;
 /// a cat. Each is walked back twice: with a link that loses nothing, and with every fault on. The inference knows the home, how
 /// its sensors answer, and nothing of the lives.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment walk-back
   homebody experiment walk-back --homes 5 --days 3 --json walk-back.json")]
 pub struct Arguments {

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// Reports everything that is wrong with the routines of a scenario and the conditions that they show: each at its word,
 /// with what was expected and the nearest known name.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody routine check scenarios/tigerplace
   homebody routine check my-home/scenario.json --json
   homebody routine check scenarios/tigerplace --lived --days 60 --json lived.json

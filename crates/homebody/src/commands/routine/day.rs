@@ -15,7 +15,7 @@ use homebody_picture::{DayChart, day_chart};
 ///
 /// It is the very day that a run of the scenario has: another seed is another day.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody routine day scenarios/tigerplace
   homebody routine day scenarios/tigerplace-depression 2009-06-01 --svg day.svg
   homebody routine day scenarios/tigerplace-depression 2009-06-01 --without depression")]

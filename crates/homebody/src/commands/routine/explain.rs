@@ -9,7 +9,7 @@ use serde_json::json;
 /// Says how each sentence of the routines of a scenario was understood, and of the conditions that they show: in a table
 /// (how likely, when, for how long) and in words.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody routine explain scenarios/tigerplace
   homebody routine explain scenarios/tigerplace --unsaid
   homebody routine explain my-home --json")]

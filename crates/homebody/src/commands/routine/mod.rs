@@ -9,7 +9,7 @@ use clap::Subcommand;
 
 /// Checks, explains and tries routines: lives in plain language.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody routine check scenarios/tigerplace
   homebody routine explain scenarios/tigerplace-depression
   homebody routine day scenarios/tigerplace 2009-03-03 --png day.png

@@ -31,7 +31,7 @@ const STRIP_EVERY: Micros = 1_000_000;
 /// how much longer than wide it is, and where and how high a body is by this camera alone; any other name is a new folder with a
 /// PNG of each, in folders by camera.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody silhouettes runs/cameras-1
   homebody silhouettes runs/cameras-1 --from 2025-06-03T03:12 --every 0.5s --frames 8 --png fall.png
   homebody silhouettes runs/cameras-1 --from 2025-06-03T03:12 --to 2025-06-03T03:14 --out fall.apng
