@@ -15,6 +15,8 @@ mod suggestions;
 mod prometheus;
 mod watched;
 
+pub use commands::groups::GROUPS as COMMAND_GROUPS;
+
 use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, FromArgMatches, Parser};
 use commands::{Command, groups};

@@ -14,6 +14,7 @@ mod limits;
 mod markdown;
 mod numbers;
 mod purity;
+mod reference;
 mod rust;
 mod scenarios;
 mod source;

@@ -28,7 +28,7 @@ pub struct Telling {
     told_at: Instant,
 }
 
-/// How often it is said how far a fleet is behind that has not begun (ours).
+/// Time between two notes of a fleet that catches up (our choice).
 const BEHIND_TOLD: Duration = Duration::from_secs(10);
 
 impl Telling {
