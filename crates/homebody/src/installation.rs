@@ -85,11 +85,7 @@ fn clock(now: Timestamp) -> Check {
     let says = format!("{} in UTC", at.strftime("%Y-%m-%d %H:%M:%S"));
     match at.year() {
         FIRST_YEAR..LAST_YEAR => Check::ok("clock", says),
-        _ => Check::wrong(
-            "clock",
-            says,
-            "set the clock, best by the network: a home in real time depends on it",
-        ),
+        _ => Check::wrong("clock", says, "set the clock, best by the network: a home in real time depends on it"),
     }
 }
 
@@ -141,11 +137,9 @@ fn terminal() -> Check {
     match (stdout().is_terminal() || stderr().is_terminal(), is_utf8 || cfg!(not(unix))) {
         (false, _) => Check::ok("terminal", "none; progress is not drawn"),
         (true, true) => Check::ok("terminal", "UTF-8"),
-        (true, false) => Check::warning(
-            "terminal",
-            "not UTF-8: names such as Öz may look wrong",
-            "export LANG=C.UTF-8",
-        ),
+        (true, false) => {
+            Check::warning("terminal", "not UTF-8: names such as Öz may look wrong", "export LANG=C.UTF-8")
+        }
     }
 }
 

@@ -27,7 +27,7 @@ use homebody_kit::{TRUST, VERSION};
 use print::{LogFormat, tell, tell_as};
 use std::ffi::OsString;
 
-/// Simulate homes with sensors and the older people who live in them.
+/// Simulate homes with sensors and their older residents.
 #[derive(Parser)]
 #[command(
     version = VERSION,
@@ -95,7 +95,7 @@ fn without_help_of_help(mut words: Vec<OsString>) -> Vec<OsString> {
     words
 }
 
-/// The error with a tip that works. Where clap proposes an argument that is refused, too, the tips of that one replace it.
+/// The error with a tip that works. If clap proposes an argument that is refused, too, the tips of that one replace it.
 fn with_meant(error: clap::Error, words: &[OsString]) -> clap::Error {
     let first = words.iter().skip(1).map(|word| word.to_string_lossy()).find(|word| !word.starts_with('-'));
     let mut error = suggestions::with_command(error, &command(), &first.unwrap_or_default());

@@ -3,7 +3,7 @@
 use clap::{Arg, Command};
 use std::ffi::OsString;
 
-/// The release in which the old names go.
+/// The release that drops the old names.
 const GONE_IN: &str = "0.2.0";
 
 /// Commands: the old name and the new one.
@@ -44,7 +44,7 @@ const FLAGS: [(&str, &str, &[&str]); 19] = [
     ("to-see", "goals", &["suggest-sensors"]),
 ];
 
-/// The command line, in which all old names are aliases.
+/// The command line with all old names as aliases.
 pub fn with_aliases(mut whole: Command) -> Command {
     for (old, new) in COMMANDS {
         whole = whole.mut_subcommand(new, |command| command.alias(old));
@@ -68,7 +68,7 @@ fn with_flag(command: Command, path: &[&str], (old, new): (&'static str, &'stati
     }
 }
 
-/// A note for each old name among the words of a command line, of which the first is the program's name.
+/// A note for each old name among the words of a command line. The first word is the program's name.
 pub fn notes(whole: &Command, words: &[OsString]) -> Vec<String> {
     let words: Vec<String> = words.iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
     let mut notes = Vec::new();
@@ -80,7 +80,7 @@ pub fn notes(whole: &Command, words: &[OsString]) -> Vec<String> {
             continue;
         }
         if is_flag {
-            // The value of a flag before the command is no command.
+            // The value of a flag before the command comes first.
             is_value = path.is_empty() && ["--log", "--log-format"].contains(&word.as_str());
             let name = word.trim_start_matches('-').split('=').next().unwrap_or_default();
             let has = |paths: &[&str]| paths.contains(&"") || paths.contains(&path.as_str());

@@ -1,4 +1,4 @@
-//! What the program proposes where it has no such command.
+//! Proposals for unknown commands.
 
 use clap::builder::StyledStr;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -7,7 +7,10 @@ use homebody_core::scenario::nearest::nearest;
 
 /// Names that other programs use, each with the command that does it here.
 const GUESSES: [(&[&str], &str); 7] = [
-    (&["init", "create", "start", "template", "templates"], "homebody new makes a scenario; its --help lists templates"),
+    (
+        &["init", "create", "start", "template", "templates"],
+        "homebody new makes a scenario; its --help lists templates",
+    ),
     (&["list", "ls", "homes"], "homebody new --help lists templates; homebody serve shows your homes"),
     (&["simulate", "sim", "generate", "play"], "homebody run simulates a scenario"),
     (&["view", "show", "open", "ui", "gui", "web"], "homebody serve opens the page of a scenario"),
@@ -16,9 +19,10 @@ const GUESSES: [(&[&str], &str); 7] = [
     (&["export"], "homebody convert writes a log in another form"),
 ];
 
-/// The error with a better tip, where the first word of a command line is no command.
+/// The error with a better tip, if the first word of a command line is an unknown command.
 pub fn with_command(mut error: Error, whole: &Command, first: &str) -> Error {
-    let is_first = matches!(error.get(ContextKind::InvalidSubcommand), Some(ContextValue::String(word)) if word == first);
+    let is_first =
+        matches!(error.get(ContextKind::InvalidSubcommand), Some(ContextValue::String(word)) if word == first);
     if error.kind() != ErrorKind::InvalidSubcommand || !is_first {
         return error;
     }

@@ -128,8 +128,7 @@ fn a_killed_run_is_gone_on_with_in_a_bucket() {
     let Some(store) = Store::start() else { return };
     let folder = flat();
     std::fs::create_dir(folder.path("died")).unwrap();
-    let words =
-        "run flat --for 20d --quiet --out parquet:s3://bucket/died --recording died/recording.json --truth died/truth.db";
+    let words = "run flat --for 20d --quiet --out parquet:s3://bucket/died --recording died/recording.json --truth died/truth.db";
     let mut child = store.command(&folder, words).spawn().unwrap();
     let begun = Instant::now();
     while store.files("died/") < 2 {

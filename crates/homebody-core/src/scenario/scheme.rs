@@ -147,7 +147,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     },
 ];
 
-/// The extensions by which a path alone names a kind of place.
+/// The extensions of each kind of place, for paths alone.
 const EXTENSIONS: [(Scheme, &[&str]); 5] = [
     (Scheme::Sqlite, &["db", "sqlite", "sqlite3"]),
     (Scheme::Csv, &["csv"]),

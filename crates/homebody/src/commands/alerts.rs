@@ -36,7 +36,8 @@ pub struct Arguments {
     #[arg(long)]
     follow: bool,
     /// Seconds between two reads of the log with --follow
-    #[arg(long, value_name = "SECONDS", default_value_t = 60, requires = "follow", value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, requires = "follow",
+          value_parser = clap::value_parser!(u64).range(1..=86_400))]
     poll: u64,
     #[command(flatten)]
     programs: ForPrograms,

@@ -85,7 +85,10 @@ impl Arguments {
             tell(format_args!("  dropped {} with other text", counted(done.left_out, "row", "rows")));
         }
         if log.skipped > 0 {
-            tell(format_args!("  skipped {} that Homebody cannot parse; homebody inspect lists them", counted(log.skipped, "line", "lines")));
+            tell(format_args!(
+                "  skipped {} that Homebody cannot parse; homebody inspect lists them",
+                counted(log.skipped, "line", "lines")
+            ));
         }
         Ok(())
     }

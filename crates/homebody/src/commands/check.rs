@@ -51,7 +51,7 @@ impl Arguments {
     }
 }
 
-/// Loads a scenario with its routines, and prints warnings; as JSON, problems and warnings even where there are none.
+/// Loads a scenario with its routines, and prints warnings. As JSON, it prints empty lists, too.
 pub fn load_and_say(
     source: Result<Source, Error>,
     json: bool,

@@ -19,8 +19,10 @@ use std::path::{Path, PathBuf};
 pub fn forms_of_logs() -> String {
     let form = |row: SchemeRow| format!("  {:<32} {}\n", format!("{}:{}", row.name, row.at), row.what);
     let forms = SCHEMES.map(form).concat();
-    format!("Forms of logs:\n{forms}\nA destination without a form goes by its extension: {KNOWN_EXTENSIONS}.\n\
-             Homebody recognises the form of an input file by its first lines.")
+    format!(
+        "Forms of logs:\n{forms}\nA destination without a form goes by its extension: {KNOWN_EXTENSIONS}.\n\
+             Homebody recognises the form of an input file by its first lines."
+    )
 }
 
 /// The forms that Homebody reads, for a help text.
@@ -34,8 +36,7 @@ pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
 
 /// Convert a log to another form: CSV, SQLite, CASAS, Parquet and more
 ///
-/// Instants stay exact to the microsecond. Names and values stay as they are, as far as the form allows: the form of CASAS has local
-/// time only, and no blanks in names.
+/// Instants stay exact to the microsecond. Names and values do not change, as far as the form allows:
 ///
 /// Activities of the log are converted, too: in CASAS as notes at their beginning and end, in other forms on the rows and in a
 /// separate table: in SQLite the table activity, in CSV a second file such as week.activity.csv.
@@ -120,7 +121,8 @@ impl Arguments {
     }
 }
 
-const NO_TRUTH: &str = "name the folder of a run with its ground truth; without --activities, Homebody converts the log's own";
+const NO_TRUTH: &str =
+    "name the folder of a run with its ground truth; without --activities, Homebody converts the log's own";
 
 /// What residents did, by their numbers where there are several: `R1_` stands before what the first of them does.
 fn told_activities(lives: &[Life]) -> Vec<Activity> {

@@ -31,7 +31,7 @@ pub struct Arguments {
     log: String,
     #[command(flatten)]
     how: HowRead,
-    /// What to find
+    /// Kind of interval
     what: Wanted,
     /// Name of the room, sensor or activity; the sensor of lost messages; the rule of alerts and seen falls
     name: Option<String>,

@@ -1,4 +1,4 @@
-//! The groups in which `homebody --help` lists the commands.
+//! The groups of commands in `homebody --help`.
 
 use clap::Command;
 use std::fmt::Write;
@@ -17,7 +17,10 @@ pub const GROUPS: [(&str, &[&str]); 8] = [
 
 /// The help of the whole program: clap lists subcommands without groups, so that its template holds the groups as text.
 pub fn template(command: &Command) -> String {
-    format!("{{about-with-newline}}\n{{usage-heading}} {{usage}}\n{}\nOptions:\n{{options}}{{after-help}}", listed(command))
+    format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n{}\nOptions:\n{{options}}{{after-help}}",
+        listed(command)
+    )
 }
 
 /// A heading for each group, and a line for each command.

@@ -47,7 +47,7 @@ impl Output {
     }
 }
 
-/// What a run does while a destination is unavailable.
+/// The options for destinations that are away.
 #[derive(clap::Args)]
 #[command(next_help_heading = "Destinations that are away")]
 pub struct Away {
@@ -228,7 +228,9 @@ fn tell_reader(place: &Url) {
         && let Some(beside) = log_beside(file)
     {
         let (file, beside) = (file.display(), beside.display());
-        tell(format_args!("warning: another program is reading {file}: until it ends, {beside} is part of the database"));
+        tell(format_args!(
+            "warning: another program is reading {file}: until it ends, {beside} is part of the database"
+        ));
     }
 }
 
@@ -272,7 +274,7 @@ fn summary(name: &str, lived: &Lived) -> String {
     text
 }
 
-/// Most sentences that a result lists (our choice); `homebody routine check --lived` lists all.
+/// Most sentences that a result lists (our choice); `homebody routine check` can list all.
 const MOST_TOLD: usize = 5;
 
 /// A warning for each sentence that the run did not follow.
@@ -319,7 +321,8 @@ pub fn go_on_by(folder: &Path) -> String {
 pub fn failure(error: Error, go_on_by: impl Fn(&Path) -> String, signals: &Signals) -> Failure {
     match (&error, signals.ended(true)) {
         (Error::StoppedAway { folder, .. }, Err(signal)) => {
-            let hint = |folder: &Path| format!("\n  hint: {} resumes the run once the server answers", go_on_by(folder));
+            let hint =
+                |folder: &Path| format!("\n  hint: {} resumes the run once the server answers", go_on_by(folder));
             tell(format_args!("error: {error}{}", folder.as_deref().map(hint).unwrap_or_default()));
             signal
         }
@@ -367,6 +370,11 @@ pub fn is_not_yet(error: &Error) -> bool {
 /// Prints the result of a home in real time.
 pub fn report_live(name: &str, folder: &Path, lived: &Lived) {
     let rows = lived.stored.rows;
-    tell(format_args!("{name}: simulated {}, {}, in {}", span_in_words(lived.progress.lived), counted(rows, "row", "rows"), folder.display()));
+    tell(format_args!(
+        "{name}: simulated {}, {}, in {}",
+        span_in_words(lived.progress.lived),
+        counted(rows, "row", "rows"),
+        folder.display()
+    ));
     lived.stored.failed.iter().for_each(|(place, error)| tell(format_args!("failed     {place}: {error}")));
 }

@@ -121,9 +121,7 @@ impl Measured {
             return Err(Failure::usage(format!("{log}: this home has none of its sensors\n  hint: {hint}")));
         }
         if placed * 2 < sensors {
-            tell(format_args!(
-                "warning: {log}: this home has only {placed} of its {sensors} sensors\n  hint: {hint}"
-            ));
+            tell(format_args!("warning: {log}: this home has only {placed} of its {sensors} sensors\n  hint: {hint}"));
         }
         Ok(read)
     }
@@ -145,7 +143,9 @@ fn lived(read: &LogWithRun, resident: &str) -> Result<Measures, Failure> {
             true => "this log has no ground truth; homebody run writes one".to_owned(),
             false => format!("the residents are {}", known.join(", ")),
         };
-        return Err(Failure::usage(format!("--resident {resident:?}: the ground truth has no such resident\n  hint: {hint}")));
+        return Err(Failure::usage(format!(
+            "--resident {resident:?}: the ground truth has no such resident\n  hint: {hint}"
+        )));
     };
     let of_log = read.rows_span().map(|(first, last)| first..last + 1);
     let recorded = read.recorded.clone().or(of_log).unwrap_or(0..0);

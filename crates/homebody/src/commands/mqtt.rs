@@ -53,7 +53,9 @@ impl Clean {
     fn run(self) -> Result<(), Failure> {
         let Tidied { homes, topics, others } = tidy_up(&self.broker, self.dry_run)?;
         if self.json {
-            return print_json(&json!({ "removed": !self.dry_run, "homes": homes, "topics": topics, "others": others }));
+            return print_json(
+                &json!({ "removed": !self.dry_run, "homes": homes, "topics": topics, "others": others }),
+            );
         }
         let mut text: String = topics.iter().map(|topic| format!("  {topic}\n")).collect();
         let (topics, homes) = (counted(topics.len(), "topic", "topics"), counted(homes.len(), "home", "homes"));

@@ -31,10 +31,7 @@ impl Arguments {
         let (all, group) = (numbers(), self.group.unwrap_or_default());
         let found: Vec<&Number> = all.iter().filter(|number| is_in(&number.name, &group)).collect();
         if found.is_empty() {
-            return Err(Failure::Usage(format!(
-                "no parameter begins with {group:?}\n  hint: {}",
-                hint(&group, &all)
-            )));
+            return Err(Failure::Usage(format!("no parameter begins with {group:?}\n  hint: {}", hint(&group, &all))));
         }
         if self.json {
             return print_json(&json!({ "numbers": found.into_iter().map(row).collect::<Vec<_>>() }));

@@ -120,7 +120,10 @@ pub fn read_any_length(text: &str, zone: Option<&str>, how: &HowRead) -> Result<
 fn remarked(text: &str, read: LogWithRun) -> LogWithRun {
     tell_remarks(text, &read.log);
     if read.log.skipped > 0 {
-        tell(format_args!("{text}: skipped {}; homebody inspect lists them", counted(read.log.skipped, "line", "lines")));
+        tell(format_args!(
+            "{text}: skipped {}; homebody inspect lists them",
+            counted(read.log.skipped, "line", "lines")
+        ));
     }
     tell_unfinished(text, read.unfinished.as_ref());
     if read.log.clock == Clock::Utc {

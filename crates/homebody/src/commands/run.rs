@@ -194,7 +194,9 @@ impl Arguments {
         }
         if self.truth_tables.is_some() {
             let what = "--truth-tables applies to cohorts only";
-            return Err(Failure::usage(format!("{what}\n  hint: leave it out; the ground truth of a single run has all tables")));
+            return Err(Failure::usage(format!(
+                "{what}\n  hint: leave it out; the ground truth of a single run has all tables"
+            )));
         }
         let run = opened.run().seed(seed).length(length).without(&self.without);
         let run = run.pace(self.pace.pace()).commands(self.pace.commands()?).cancel(cancel).start()?;
@@ -240,10 +242,7 @@ impl Arguments {
             ),
             (self.recording.is_some(), "--recording: each member has a recording in the cohort's folder"),
             (self.output.replacing.force, "--force: a cohort replaces nothing; it needs a new folder"),
-            (
-                self.output.replacing.replace_rows,
-                "--replace-rows: a cohort replaces nothing; it needs a new folder",
-            ),
+            (self.output.replacing.replace_rows, "--replace-rows: a cohort replaces nothing; it needs a new folder"),
             (
                 self.pace.is_said(),
                 "--speed, --paused and --control: a cohort runs as fast as possible; homebody fleet simulates many homes in real time",
@@ -253,7 +252,9 @@ impl Arguments {
         let refused: Vec<&str> = refused.iter().filter_map(|(is_asked, why)| is_asked.then_some(*why)).collect();
         match refused.is_empty() {
             true => Ok(()),
-            false => Err(Failure::Usage(format!("{}\n  hint: leave these options out of a cohort", refused.join("\n")))),
+            false => {
+                Err(Failure::Usage(format!("{}\n  hint: leave these options out of a cohort", refused.join("\n"))))
+            }
         }
     }
 
@@ -322,15 +323,12 @@ impl Arguments {
         }
     }
 
-    /// A signal before the run has caught up with its folder leaves the folder as it was; the message names the command that resumes.
+    /// A signal before the run has caught up with its folder leaves the folder unchanged; the message names the command that resumes.
     fn not_yet<T>(&self, error: Error, folder: &Path, progress: &ProgressBar, signals: &Signals) -> Result<T, Failure> {
         progress.finish_and_clear();
         let ended = signals.ended(is_not_yet(&error));
         if ended.is_err() && !self.output.quiet && !self.output.json {
-            print_text(&format!(
-                "stopped    while it resumed; the folder is unchanged\n{}",
-                go_on_in(folder)
-            ))?;
+            print_text(&format!("stopped    while it resumed; the folder is unchanged\n{}", go_on_in(folder)))?;
         }
         ended.and(Err(failure(error, go_on_by, signals)))
     }

@@ -45,7 +45,10 @@ impl Arguments {
         let length = recorded.recording().length_us;
         if first >= length {
             let [begin, end] = [0, length].map(|at| calendar.wall_clock(at));
-            return Err(Failure::usage(format!("the run has no {}\n  hint: it lasts from {begin} to {end}", self.from)));
+            return Err(Failure::usage(format!(
+                "the run has no {}\n  hint: it lasts from {begin} to {end}",
+                self.from
+            )));
         }
         let fits = (length - first - 1) / self.every + 1;
         let count = usize::from(self.frames).min(usize::try_from(fits).unwrap_or(usize::MAX));

@@ -40,7 +40,7 @@ home.json takes them, and \"steps\".")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// What the sensors are for: conditions, measures, night-bathroom, falls; separated by commas
+    /// Purpose of the sensors: conditions, measures, night-bathroom, falls; separated by commas
     #[arg(long, value_name = "GOALS", value_delimiter = ',', default_value = "depression,night-bathroom,falls")]
     goals: Vec<String>,
     /// Largest number of sensors

@@ -80,8 +80,12 @@ fn what_cannot_be_fitted_is_said_and_nothing_is_written() {
     folder
         .run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-07 --out fitted")
         .fails(2, "needs 3 training");
-    folder.run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-11 --out fitted").fails(2, "0 for the test");
-    folder.run("fit casas:log.txt --home known --training-days yesterday --out fitted").fails(2, "2016-07-01..2016-07-14");
+    folder
+        .run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-11 --out fitted")
+        .fails(2, "0 for the test");
+    folder
+        .run("fit casas:log.txt --home known --training-days yesterday --out fitted")
+        .fails(2, "2016-07-01..2016-07-14");
     folder.run("new couple --template couple-with-cat").ok();
     folder.run("fit casas:log.txt --home couple --out fitted").fails(2, "only who lives alone");
     assert!(!folder.path("fitted").exists());

@@ -239,7 +239,9 @@ fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }
-    folder.run("run flat --for 1m --truth-tables brief").fails(2, "hint: leave it out; the ground truth of a single run has all tables");
+    folder
+        .run("run flat --for 1m --truth-tables brief")
+        .fails(2, "hint: leave it out; the ground truth of a single run has all tables");
     assert!(!folder.path("runs").exists());
     // It begins where nothing is, but for what is hidden.
     folder.write("mine/mine.txt", "mine");
@@ -290,7 +292,9 @@ fn a_large_cohort_says_before_what_it_writes_and_leaves_out() {
     running.kill().unwrap();
     let said = String::from_utf8(running.wait_with_output().unwrap().stderr).unwrap();
     assert!(
-        said.contains("a large cohort stores no truth tables cause, off, movement and lost: --truth-tables all stores them"),
+        said.contains(
+            "a large cohort stores no truth tables cause, off, movement and lost: --truth-tables all stores them"
+        ),
         "{said}"
     );
     assert!(

@@ -53,8 +53,7 @@ fn a_home_that_lacks_something_says_so_until_it_is_there() {
     let folder = Folder::new();
     folder.write("room.sh3d", plan(ROOM));
     let said = folder.run("import room.sh3d mine").ok().err;
-    let lack =
-        "the ordinary routine cannot run yet: there is nowhere in this home to sleep\n  hint: give it a piece";
+    let lack = "the ordinary routine cannot run yet: there is nowhere in this home to sleep\n  hint: give it a piece";
     assert!(said.contains(lack) && said.contains("--furnish adds the furniture"), "{said}");
     assert!(folder.path("mine/anna.routine").is_file());
     let lacks = folder.run("check mine").fails(2, "there is nowhere in this home to sleep").err;

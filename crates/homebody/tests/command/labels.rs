@@ -163,8 +163,7 @@ fn a_run_without_rows_yet_is_told_as_such() {
             .filter(|words| folder.path(&format!("runs/flat-1/{name}")).exists() || !words.contains("LOG"))
         {
             let words = words.replace("LOG", name).replace("RUN", "runs/flat-1");
-            let said =
-                "the run in runs/flat-1 has no rows yet\n  hint: homebody run --resume runs/flat-1 resumes it";
+            let said = "the run in runs/flat-1 has no rows yet\n  hint: homebody run --resume runs/flat-1 resumes it";
             folder.run(&words).fails(1, said);
         }
         fs::remove_file(folder.path("runs/flat-1/truth.db")).unwrap();

@@ -88,7 +88,9 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     let said = folder.run("doctor home").ok().out;
     assert!(said.contains("homebody live SCENARIO --folder home resumes it"), "{said}");
     let home = Living::begin(&folder, "fifth", "live studio --folder home --start 2024-11-01 --seed 74");
-    home.until("it says so", || home.told().contains("resumes in home; simulated from 2024-11-01 00:00:00; press Ctrl-C"));
+    home.until("it says so", || {
+        home.told().contains("resumes in home; simulated from 2024-11-01 00:00:00; press Ctrl-C")
+    });
     assert_eq!(home.end("TERM").0, Some(143));
 
     // A clock of another zone may be behind ours, or a date be meant that is to come: that is said.

@@ -61,8 +61,9 @@ fn a_home_and_a_map_say_what_fits() {
     assert_eq!(home["misfits"][0]["name"], "BedroomWall");
     assert!(home["unheard"].as_array().unwrap().contains(&json!("StudyFloor")), "{home}");
     folder.write("twice.csv", "id,name\nM1,a\nM2,a\nM1,b\n,c\n");
-    let said =
-        folder.run("inspect log.txt --sensors twice.csv").fails(2, "twice.csv:3: the name \"a\" is that of line 2, too");
+    let said = folder
+        .run("inspect log.txt --sensors twice.csv")
+        .fails(2, "twice.csv:3: the name \"a\" is that of line 2, too");
     assert!(
         said.err.contains("twice.csv:4: the id \"M1\" has a name already") && said.err.contains("twice.csv:5:"),
         "{}",

@@ -380,8 +380,9 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     // An empty recording, and that of another scenario's run, which is put back.
     let recording = folder.read("runs/flat-2/recording.json");
     folder.write("runs/flat-2/recording.json", "");
-    let done =
-        folder.run("run --resume runs/flat-2").fails(2, "is no recording: it is empty\n  hint: the run cannot be resumed");
+    let done = folder
+        .run("run --resume runs/flat-2")
+        .fails(2, "is no recording: it is empty\n  hint: the run cannot be resumed");
     assert!(done.err.contains("are still readable"));
     folder.run("convert sqlite:runs/flat-2/log.db --out csv:read.csv").ok();
     let mut running = folder.start(&format!("run flat --for {SPAN} --seed 8 --quiet --control --paused"));
@@ -461,7 +462,10 @@ fn a_member_that_is_none_is_moved_away() {
             assert!(done.err.contains(&hint), "{}", done.err);
             fs::rename(folder.path(&place), folder.path("away")).unwrap();
             let told = folder.run("run --resume runs/tigerplace-1").ok().out;
-            assert!(told.starts_with("tigerplace: simulated 3 members, 2 of them complete before this run in "), "{told}");
+            assert!(
+                told.starts_with("tigerplace: simulated 3 members, 2 of them complete before this run in "),
+                "{told}"
+            );
             assert_eq!(differ(&folder, "tigerplace-1", &whole), Vec::<String>::new(), "{who}, {said}");
             let _ = fs::remove_dir_all(folder.path("away"));
             let _ = fs::remove_file(folder.path("away"));

@@ -198,7 +198,9 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
             wanted = next;
         }
         let is_key = file.path.starts_with(FORMS) && line.starts_with("pub ") && line.ends_with(',');
-        let is_loose = ["(ours", "(our choice", "(our estimate"].iter().any(|mark| said.contains(mark)) && wanted == at - 1 && !is_key;
+        let is_loose = ["(ours", "(our choice", "(our estimate"].iter().any(|mark| said.contains(mark))
+            && wanted == at - 1
+            && !is_key;
         let is_beside = line.split_once("// ").is_some_and(|(_, beside)| beside.contains("(ours"));
         if is_loose || is_beside {
             wrong.push(format!("{}:{at}: make it a constant, or declare it with `numbers!`: {line}", file.path));

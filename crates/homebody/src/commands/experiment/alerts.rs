@@ -224,10 +224,7 @@ impl fmt::Display for Found {
             let [low, high] = idle.per_week_95;
             writeln!(f, "{:51} {:.3} ({low:.3}-{high:.3})", idle.rule, idle.per_week)?;
         }
-        writeln!(
-            f,
-            "\nControl charts by method, with at most one false alarm per person in five weeks\n"
-        )?;
+        writeln!(f, "\nControl charts by method, with at most one false alarm per person in five weeks\n")?;
         writeln!(f, "{:12} {:>5} {:>13} {:>6} {:>8}", "method", "k", "false/week", "found", "days")?;
         for OfMethod { method, adequacy } in &self.quality.methods {
             let Adequacy { k_sd, false_alarms_per_week, found, days, .. } = adequacy;

@@ -8,7 +8,7 @@ use homebody_experiment::claims::{CONDITIONS, Case, Conditions};
 /// Compare the effects of conditions with published sizes
 ///
 /// Homebody simulates a person with a condition and a twin without it, measures the differences in the ground truth, and compares
-/// them with published sizes, or with our estimate if there are none.
+/// them with published sizes, or else with our estimate.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment conditions

@@ -50,10 +50,5 @@ fn totals(experiment: &Experiment) -> String {
         })
         .collect();
     let published = Reference { label: "published".into(), total: experiment.published.firings as f64 };
-    totals_chart(
-        "Total firings by length of the walk",
-        ["length of the walk, m", "firings"],
-        &lines,
-        Some(&published),
-    )
+    totals_chart("Total firings by length of the walk", ["length of the walk, m", "firings"], &lines, Some(&published))
 }

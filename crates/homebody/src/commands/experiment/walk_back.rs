@@ -124,11 +124,7 @@ pub(super) fn every_fault(scenario: &Scenario, home: usize, (from_day, days): (f
 
 impl fmt::Display for WalkBack {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(
-            f,
-            "Residents located from the logs of {} days; shares of the time in the right room\n",
-            self.days
-        )?;
+        writeln!(f, "Residents located from the logs of {} days; shares of the time in the right room\n", self.days)?;
         writeln!(
             f,
             "{:<18} {:>4} {:>6} {:>6}  {:>6} {:>6} {:>6} {:>6}  {:>6} {:>6} {:>6}  {:>6} {:>8}",

@@ -34,8 +34,7 @@ impl Asked {
                 Some(camera) if !cameras.contains(&camera) => cameras.push(camera),
                 Some(_) => {}
                 None => {
-                    let meant =
-                        nearest(name, all()).map_or(String::new(), |one| format!("did you mean {one:?}? "));
+                    let meant = nearest(name, all()).map_or(String::new(), |one| format!("did you mean {one:?}? "));
                     let all = all().collect::<Vec<_>>().join(", ");
                     wrong.push(format!("no camera is called {name:?}\n  hint: {meant}the cameras are {all}"));
                 }
@@ -57,7 +56,11 @@ impl Asked {
             && from >= to
         {
             let hint = "--to must be later than --from";
-            wrong.push(format!("there is no time between {} and {}\n  hint: {hint}", clock(kept, from), clock(kept, to)));
+            wrong.push(format!(
+                "there is no time between {} and {}\n  hint: {hint}",
+                clock(kept, from),
+                clock(kept, to)
+            ));
         }
         if !wrong.is_empty() {
             return Err(Failure::Usage(wrong.join("\n")));
