@@ -36,7 +36,8 @@ pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
 
 /// Convert a log to another form: CSV, SQLite, CASAS, Parquet and more
 ///
-/// Instants stay exact to the microsecond. Names and values do not change, as far as the form allows:
+/// Instants stay exact to the microsecond. Names and values do not change, except in the form of CASAS, which has local
+/// time only and no blanks in names.
 ///
 /// Activities of the log are converted, too: in CASAS as notes at their beginning and end, in other forms on the rows and in a
 /// separate table: in SQLite the table activity, in CSV a second file such as week.activity.csv.
