@@ -1,6 +1,6 @@
 //! Commands and flags that were renamed: their old names work as hidden aliases for one release, with a note.
 
-use clap::{Arg, Command};
+use clap::Command;
 use std::ffi::OsString;
 
 /// The release that drops the old names.
@@ -61,11 +61,8 @@ fn with_flag(command: Command, path: &[&str], (old, new): (&'static str, &'stati
     if let [first, rest @ ..] = path {
         return command.mut_subcommand(*first, |command| with_flag(command, rest, (old, new)));
     }
-    let id = command.get_arguments().find(|arg| arg.get_long() == Some(new)).map(|arg| arg.get_id().clone());
-    match id {
-        Some(id) => command.mut_arg(id, |arg: Arg| arg.alias(old)),
-        None => command,
-    }
+    // In place: the order of the arguments stays.
+    command.mut_args(|arg| if arg.get_long() == Some(new) { arg.alias(old) } else { arg })
 }
 
 /// A note for each old name among the words of a command line. The first word is the program's name.
@@ -103,6 +100,7 @@ fn note(old: &str, new: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::Arg;
 
     fn noted(line: &str) -> Vec<String> {
         let words: Vec<OsString> = line.split(' ').map(OsString::from).collect();

@@ -65,7 +65,7 @@ mod tests {
     #[test]
     fn no_guess_is_a_command() {
         let whole = crate::command();
-        let names = GUESSES.iter().flat_map(|(names, _)| names.iter());
-        assert!(names.into_iter().all(|name| whole.find_subcommand(name).is_none()));
+        let mut names = GUESSES.iter().flat_map(|(names, _)| names.iter());
+        assert!(names.all(|name| whole.find_subcommand(name).is_none()));
     }
 }

@@ -83,6 +83,7 @@ pub enum Command {
     Storyboard(storyboard::Arguments),
     Experiment(experiment::Arguments),
     Convert(convert::Arguments),
+    #[command(visible_alias = "anonymize")]
     Anonymise(anonymise::Arguments),
     Label(label::Arguments),
     Doctor(doctor::Arguments),

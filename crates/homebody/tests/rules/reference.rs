@@ -15,9 +15,9 @@ const HEAD: &str = "\
 
 Usage, options and examples of each command, made from the program by the test that `crates/homebody/tests/rules/reference.rs` holds.
 
-`homebody --help` lists the commands in these groups; `homebody help COMMAND` prints the same text as this page. Three options are
-the same everywhere: `-o` is `--out` (a destination), `-q` is `--quiet`, and `-f` is `--force`. Every command has `--help`, and
-`--log-format json` for progress, notes and errors as JSON on standard error.
+`homebody --help` lists the commands in these groups, and `--help` after a command prints its text on this page; `-h` prints a short
+form. Three short options are the same everywhere: `-o` is `--out` (a destination), `-q` is `--quiet`, and `-f` is `--force`. Every
+command takes `--log-format json`, which writes progress, notes and errors to standard error as JSON.
 
 Exit codes: 0 success, 1 a file could not be read or written, 2 an argument or a file is invalid. `run`, `live` and `fleet` also end
 with 129, 130 or 143 after SIGHUP, SIGINT or SIGTERM.
