@@ -110,9 +110,9 @@ impl Arguments {
         tell(format_args!("{}: {} from {sensors}", self.out, counted(rows, "row", "rows")));
         for (count, one, many) in [
             (log.activities.len() as u64, "activity", "activities"),
-            (look.repeated as u64, "repeated message: ON after ON", "repeated messages: ON after ON"),
-            (look.missing as u64, "missing message: OFF without ON", "missing messages: OFF without ON"),
-            (look.set_back as u64, "time that goes back", "times that go back"),
+            (look.repeated, "repeated message: ON after ON", "repeated messages: ON after ON"),
+            (look.missing, "missing message: OFF without ON", "missing messages: OFF without ON"),
+            (look.set_back, "time that goes back", "times that go back"),
         ] {
             if count > 0 {
                 tell(format_args!("  {}", counted(count, one, many)));
