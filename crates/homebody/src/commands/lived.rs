@@ -281,7 +281,7 @@ const MOST_TOLD: usize = 5;
 fn not_as_said(differences: &[Difference]) -> String {
     let line = |of: &Difference| {
         let said = of.text.split_whitespace().collect::<Vec<_>>().join(" ");
-        format!("warning: {}:{}: \"{said}\" expected {}; simulated {}\n", of.file, of.line, of.expected, of.lived)
+        format!("warning: {}:{}: \"{said}\": expected {}; simulated {}\n", of.file, of.line, of.expected, of.lived)
     };
     let mut text: String = differences.iter().take(MOST_TOLD).map(line).collect();
     if let Some(more) = differences.len().checked_sub(MOST_TOLD).filter(|&more| more > 0) {
