@@ -110,7 +110,7 @@ def tenfold(program: str, scratch: Path) -> None:
 
     def lived(members: int) -> tuple[Took, int, int, int]:
         folder = scratch / f"cohort-{members}"
-        words = ["run", str(SCENARIO), "--residents", str(members), "--for", f"{DAYS:g}d", "--seed", "7", "--truth-tables", "brief", "--quiet"]
+        words = ["run", str(SCENARIO), "--members", str(members), "--for", f"{DAYS:g}d", "--seed", "7", "--truth-tables", "brief", "--quiet"]
         cost = took([[program, *words, "--out", f"parquet:{folder}"]])
         rows = sum(member["rows"] for member in json.loads((folder / "cohort.json").read_text())["members"])
         files, in_bytes = size(folder)

@@ -26,7 +26,7 @@ SELECT (SELECT coalesce(sum(julianday(end_at) - julianday(begin_at)), 0) * 24 FR
        (SELECT count(*) FROM activity WHERE name LIKE 'eating_%'), (SELECT count(*) FROM activity WHERE name = 'using_bathroom')
 """
 #: How a line begins that says what a life lacks.
-LACK = "nobody can live an ordinary life here yet: "
+LACK = "warning: the ordinary routine cannot run yet: "
 
 
 @dataclass
@@ -70,7 +70,7 @@ def lived(homebody: Path, plan: Path, folder: Path, *options: str) -> Life:
         return Life(refused=said[0] if said else "", remarks=said)
     ready = next((index for index, line in enumerate(said) if line.startswith(f"{name} is ready")), len(said))
     lacks = [line.removeprefix(LACK) for line in said if line.startswith(LACK)]
-    remarks = [line for line in said[:ready] if not line.startswith((LACK, "  ", "anna lives there"))]
+    remarks = [line for line in said[:ready] if not line.startswith((LACK, "  ", "Anna's routine"))]
     home = json.loads((folder / name / "home.json").read_text())
     life = Life(None, len(home["rooms"]), len(home["doors"]), len(home["furniture"]), remarks, lacks)
     if not lacks:

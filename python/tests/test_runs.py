@@ -93,7 +93,7 @@ def test_labels_are_those_of_the_command(run: hb.Run, tmp_path: Path) -> None:
     assert len(labelled) == len(run.events)
     assert list(labelled.columns)[:3] == ["time", "device", "value"]
     assert labelled["time"].tolist() == run.events.to_pandas()["time"].tolist()
-    command = [sys.executable, "-m", "homebody", "label", str(run.folder), "--to", f"csv:{tmp_path / 'labelled.csv'}"]
+    command = [sys.executable, "-m", "homebody", "label", str(run.folder), "--out", f"csv:{tmp_path / 'labelled.csv'}"]
     subprocess.run(command, check=True, capture_output=True)
     told = pandas.read_csv(tmp_path / "labelled.csv", keep_default_na=False)
     assert labelled["activity"].astype(object).fillna("").tolist() == told["activity"].tolist()

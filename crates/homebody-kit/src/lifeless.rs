@@ -72,7 +72,7 @@ fn no_sensors(home: &HomeFile, plan: &Plan) -> String {
         json!({ "kind": "ceiling_motion", "name": name, "area": area })
     });
     let example = sensor.map(|sensor| format!(", such as {sensor}")).unwrap_or_default();
-    format!("add some to \"sensors\"{example}; homebody place proposes where, and the page's Plan has them to drag")
+    format!("add some to \"sensors\"{example}; homebody suggest-sensors proposes where, and the page's Plan has them to drag")
 }
 
 /// Whether a resident follows a path on which they never walk.

@@ -256,7 +256,7 @@ impl Walks {
 }
 
 fn small_enough(read: &LogWithRun) -> Result<(), Error> {
-    const HINT: &str = "hint: open a part of it, or use homebody translate, which has no such limit";
+    const HINT: &str = "hint: open a part of it, or use homebody locate, which has no such limit";
     let rows = read.log.events.len();
     if rows > MOST_ROWS {
         return Err(Error::Translation(

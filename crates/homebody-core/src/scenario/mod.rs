@@ -69,7 +69,7 @@ pub struct ScenarioFile {
     /// The files that describe who lives there.
     #[schemars(length(max = 1_000))]
     pub residents: Vec<String>,
-    /// Numbers of the models that are otherwise in this scenario, by name: `homebody numbers` lists them, with units and
+    /// Numbers of the models that are otherwise in this scenario, by name: `homebody parameters` lists them, with units and
     /// ranges.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     #[schemars(extend("default" = serde_json::json!({}), "maxProperties" = 1_000))]

@@ -48,7 +48,7 @@ pub(super) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> 
                 true => Check::warning(
                     "file",
                     "a transaction was half written as a program was killed, so nothing more is looked at: to open it would change it",
-                    "homebody look reads it and undoes what was half written; homebody run --resume FOLDER goes on with the run",
+                    "homebody inspect reads it and undoes what was half written; homebody run --resume FOLDER goes on with the run",
                 ),
                 false => Check::of_error("file", &LogError::database(path, error)),
             });

@@ -11,7 +11,7 @@ use homebody_kit::numbers;
 const HEAD: &str = "\
 # The numbers of the models
 
-Made from the code by the test that `crates/homebody/tests/rules/numbers.rs` holds; `homebody numbers` prints the first part.
+Made from the code by the test that `crates/homebody/tests/rules/numbers.rs` holds; `homebody parameters` prints the first part.
 
 A number that no paper and no manual gives is ours, and what a run comes to may hang on it. How much, a sensitivity analysis says:
 live the same scenario with the number at several values, and compare the logs.
@@ -91,6 +91,7 @@ fn a_number_that_is_in_no_list_is_found() {
     let wrong = |text: &str| judged(&file(text)).1.len();
     assert_eq!(wrong("/// So many (ours).\nconst MOST: u32 = 3;\n"), 0);
     assert_eq!(wrong("/// So many (ours).\nfn most() -> u32 {\n"), 1);
+    assert_eq!(wrong("/// So many (our choice).\nfn most() -> u32 {\n"), 1);
     assert_eq!(wrong("// So many\n// at once (ours, after all).\nlet most = 3;\n"), 1);
     assert_eq!(wrong("let most = 3; // (ours)\n"), 1);
     assert_eq!(wrong("/// So many.\nconst MOST: u32 = 3;\n"), 0);
@@ -177,7 +178,7 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
             continue;
         }
         let said = std::mem::take(&mut comment);
-        let is_ours = has_word(&said.to_lowercase(), "ours");
+        let is_ours = ["ours", "our choice", "our estimate"].iter().any(|mark| has_word(&said.to_lowercase(), mark));
         let mut wanted = at - 1;
         while let Some((constant, next)) = constant(&lines, wanted) {
             let is_limit = constant.as_ref().is_some_and(|[name, ..]| is_limit(&file.path, name)) && !is_inner[wanted];
@@ -197,7 +198,9 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
             wanted = next;
         }
         let is_key = file.path.starts_with(FORMS) && line.starts_with("pub ") && line.ends_with(',');
-        let is_loose = said.contains("(ours") && wanted == at - 1 && !is_key;
+        let is_loose = ["(ours", "(our choice", "(our estimate"].iter().any(|mark| said.contains(mark))
+            && wanted == at - 1
+            && !is_key;
         let is_beside = line.split_once("// ").is_some_and(|(_, beside)| beside.contains("(ours"));
         if is_loose || is_beside {
             wrong.push(format!("{}:{at}: make it a constant, or declare it with `numbers!`: {line}", file.path));
@@ -238,7 +241,10 @@ fn unit(name: &str, kind: &str) -> &'static str {
 /// What a comment says, without saying that it is ours.
 fn meaning(said: &str) -> String {
     let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
-    said.replace(" (ours)", "").replace("(ours: ", "(").replace("(ours, ", "(").replace("(ours; ", "(")
+    ["ours", "our choice", "our estimate"].iter().fold(said, |said, mark| {
+        let said = said.replace(&format!(" ({mark})"), "");
+        [": ", ", ", "; "].iter().fold(said, |said, end| said.replace(&format!("({mark}{end}"), "("))
+    })
 }
 
 /// The numbers that a file declares and that are not in the list, as being of this file.
