@@ -16,7 +16,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "zigbee2mqtt",
-    what: "the log of Zigbee2MQTT 1 or 2 with the messages that it publishes",
+    what: "the log of Zigbee2MQTT 1 or 2 with its published messages",
     shows,
     read,
 };
