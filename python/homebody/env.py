@@ -156,7 +156,7 @@ class DecideVisits(gymnasium.Env[Any, Any]):
     )
     #: Days before the first decision.
     FIRST = 14
-    #: The number of days after the onset from which a visit is worth nothing.
+    #: A visit this number of days after the onset, or later, is worth nothing.
     LATE = 21
     #: The share of people who fall ill.
     ILL = 0.75
