@@ -76,7 +76,11 @@ pub const STEPS: [Word; 21] = [
         &[("thing", Kind::Thing), ("seconds", Kind::Seconds)],
         "Walks to a thing, turns it on or opens it for that time, and turns it off or closes it.",
     ),
-    word("activity", &[("label", Kind::Text)], "Labels the following steps in the ground truth; an empty text ends the label."),
+    word(
+        "activity",
+        &[("label", Kind::Text)],
+        "Labels the following steps in the ground truth; an empty text ends the label.",
+    ),
     word("leave_home", NONE, "Goes out by the front door. The resident comes home before the next step in the home."),
     word("come_home", NONE, "Comes in by the front door."),
     word("instead", &[("steps", Kind::List)], "Does the steps of a list and drops the remaining steps."),
@@ -85,7 +89,11 @@ pub const STEPS: [Word; 21] = [
 /// Chance, from named streams, and numbers.
 pub const CHANCE: [Word; 12] = [
     word("random", &[("stream", Kind::Text)], "A random number from 0 to 1, from the stream of this name."),
-    word("random", &[("stream", Kind::Text), ("least", Kind::Number), ("most", Kind::Number)], "A random number between two numbers."),
+    word(
+        "random",
+        &[("stream", Kind::Text), ("least", Kind::Number), ("most", Kind::Number)],
+        "A random number between two numbers.",
+    ),
     word(
         "chance",
         &[("stream", Kind::Text), ("probability", Kind::Number)],
