@@ -27,8 +27,8 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "json",
-    what: "JSON in one piece: a list of rows, alone or in objects around it; Home Assistant's history, logbook and answers over its \
-           WebSocket, OGC SensorThings, InfluxDB, Prometheus and Graphite",
+    what: "one JSON document: a list of rows, alone or inside objects; Home Assistant's history, logbook and WebSocket \
+           replies, OGC SensorThings, InfluxDB, Prometheus and Graphite",
     shows,
     read,
 };

@@ -26,7 +26,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "mit",
-    what: "records of five lines: an activity, then the ids, names and times of the sensors that changed; Tapia's homes at MIT",
+    what: "records of five lines: an activity, then the ids, names and times of the sensors that changed (Tapia's homes at MIT)",
     shows,
     read,
 };
