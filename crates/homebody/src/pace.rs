@@ -89,7 +89,7 @@ mod tests {
         while let Some(line) = next_line(&mut input).unwrap() {
             said.push(line);
         }
-        let too_long = Err("no command is longer than 200 bytes".to_owned());
+        let too_long = Err("a command has 200 bytes at most".to_owned());
         assert_eq!(said, [too_long, Ok("stop".into()), Ok("\u{fffd}".into()), Ok("last".into())]);
         let longest = "x".repeat(LONGEST_COMMAND_BYTES) + "\nstop";
         let mut input = longest.as_bytes();

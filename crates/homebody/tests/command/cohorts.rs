@@ -231,11 +231,11 @@ fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
     let asked = "run flat --members 2 --for 1m --truth t.db --recording r.json --force --speed 60 --metrics 9464";
     let said = folder.run(asked).fails(2, "hint: leave these options out of a cohort").err;
     for part in [
-        "--truth: the truth of each member lies apart from all logs where the cohort does",
+        "--truth: the cohort's folder holds the ground truth of each member",
         "--recording: each member has a recording",
         "--force: a cohort replaces nothing",
         "--speed, --paused and --control: a cohort runs as fast as possible",
-        "--metrics: it is of one run",
+        "--metrics: only single runs and fleets",
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }

@@ -163,7 +163,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     assert!(said.contains("the home has no sensors") && !said.contains("no problems"), "{said}");
     // The proposed sensor is a valid line.
     let (_, sensor) = said.split_once("such as {").unwrap();
-    let (sensor, _) = sensor.split_once("}; homebody place").unwrap();
+    let (sensor, _) = sensor.split_once("}; homebody suggest-sensors").unwrap();
     let home = folder.read("mine/home.json");
     folder.write("mine/home.json", home.replace("\n  ]\n}", &format!("\n  ],\n  \"sensors\": [{{{sensor}}}]\n}}")));
     let said = folder.run("check mine").ok().err;

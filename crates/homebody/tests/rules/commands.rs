@@ -190,7 +190,7 @@ fn split(line: &str) -> Vec<Vec<String>> {
 
 /// What in a command the program's help does not know.
 fn misunderstood(Shown { document, line, words, .. }: &Shown) -> Vec<String> {
-    // What `help run` is about is `run`.
+    // `help run` is about `run`.
     let words = words.strip_prefix(&["help".to_owned()]).unwrap_or(&words[..]);
     let mut path: Vec<&str> = Vec::new();
     let mut help = help(&path);

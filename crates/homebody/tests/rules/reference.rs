@@ -97,9 +97,10 @@ fn options(text: &mut String, command: &Command) {
     let (named, placed): (Vec<&Arg>, Vec<&Arg>) = all.into_iter().partition(|arg| arg.get_long().is_some());
     text.push_str("\n| argument or option | default | meaning |\n|---|---|---|\n");
     for arg in placed.into_iter().chain(named) {
-        let defaults: Vec<String> = match arg.is_hide_default_value_set() {
-            true => Vec::new(),
-            false => arg.get_default_values().iter().map(|value| format!("`{}`", value.to_string_lossy())).collect(),
+        let has_default = arg.get_action().takes_values() && !arg.is_hide_default_value_set();
+        let defaults: Vec<String> = match has_default {
+            false => Vec::new(),
+            true => arg.get_default_values().iter().map(|value| format!("`{}`", value.to_string_lossy())).collect(),
         };
         let _ = writeln!(text, "| {} | {} | {} |", form(arg), cell(&defaults.join(", ")), cell(&meaning(arg)));
     }

@@ -158,8 +158,7 @@ fn line(report: &FleetReport) -> String {
 /// What is said before the last of these lines.
 fn whole(report: &FleetReport) -> String {
     let FleetReport { running_s, messages, homes_in_all, storms, .. } = report;
-    let storms =
-        if *storms > 0 { format!(", {}", counted(*storms, "outage", "outages")) } else { String::new() };
+    let storms = if *storms > 0 { format!(", {}", counted(*storms, "outage", "outages")) } else { String::new() };
     let homes = grouped(*homes_in_all as u64);
     let mut text =
         format!("total      {} from {homes} homes in {}{storms}", messages_of(*messages), seconds(*running_s));
