@@ -14,8 +14,8 @@ use crate::scenario::nearest::nearest;
 use crate::time::{DAY, LONGEST, Micros, SECOND, micros};
 
 crate::numbers! {
-    /// How long somebody lies on the floor who falls because somebody outside says so and says no time: as long as the falls of
-    /// routines usually take. Of those over 90 who fell and were found, 30 in 100 had lain for an hour or more (Fleming and
+    /// Time on the floor after a fall that a command from outside causes without a duration, as long as a routine's
+    /// usual falls. Of those over 90 who fell and were found, 30 in 100 had lain for an hour or more (Fleming and
     /// Brayne 2008).
     static LIES_MIN = "outside.lies": 20.0, "min", [0.1, 1440.0];
 }

@@ -95,7 +95,7 @@ pub const CONDITIONS: [(&str, &str); 8] = [
 ];
 
 homebody_core::numbers! {
-    /// How fast somebody walks who comes to visit: younger, taking their time.
+    /// Walking speed of a visitor: younger than the residents, and without haste.
     static GUEST_PACE_MPS = "visit.pace": 0.9, "m/s", [0.2, 2.0];
 }
 

@@ -23,21 +23,21 @@ use crate::time::{Micros, SECOND, micros};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 crate::numbers! {
-    /// How long sitting down takes.
+    /// Duration of sitting down.
     static SITS_DOWN_S = "body.sits_down": 2.0, "s", [0.3, 10.0];
-    /// How long rising from a seat takes somebody who walks at 1.2 m/s; who walks slower rises slower, to twice as long. Healthy old
-    /// people take about 2 s (Kerr et al. 1997), frail ones 3 to 4.
+    /// Duration of rising from a seat for a person who walks at 1.2 m/s; up to twice as long for a slower one. Healthy
+    /// old people take about 2 s (Kerr et al. 1997), frail ones 3 to 4.
     static RISES_S = "body.rises": 2.0, "s", [0.3, 20.0];
-    /// How long lying down from a seat, or sitting up, takes.
+    /// Duration of lying down from a seat, and of sitting up.
     static LIES_DOWN_S = "body.lies_down": 3.0, "s", [0.3, 20.0];
-    /// How long bending takes, or kneeling down.
+    /// Duration of bending, and of kneeling down.
     static BENDS_S = "body.bends": 1.5, "s", [0.3, 10.0];
-    /// How long a fall takes from standing to the floor: free falls of a stiff body of 1.65 m take 0.7 s, measured ones 0.5 to 1
-    /// (Hsiao and Robinovitch 1998).
+    /// Duration of a fall from standing to the floor: free falls of a stiff body of 1.65 m take 0.7 s, measured ones
+    /// 0.5 to 1 (Hsiao and Robinovitch 1998).
     static FALLS_S = "body.falls": 0.8, "s", [0.3, 5.0];
-    /// How long getting up from the floor takes who walks at 1.2 m/s, after timed tests of old people.
+    /// Duration of getting up from the floor for a person who walks at 1.2 m/s, after timed tests of old people.
     static GETS_UP_S = "body.gets_up": 6.0, "s", [1.0, 60.0];
-    /// The length of a step as a share of the height (Winter: stride 0.83 of the height).
+    /// Length of a step as a share of the body's height (Winter: stride 0.83 of the height).
     static STEP = "body.step": 0.41, "1", [0.1, 0.8];
 }
 

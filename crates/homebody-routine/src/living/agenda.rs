@@ -38,11 +38,12 @@ const MINUTE: f64 = 60.0;
 const HOUR: f64 = 3600.0;
 
 homebody_core::numbers! {
-    /// How long after getting up the morning's washing and dressing is over.
+    /// Time from getting up to the end of the morning's washing and dressing.
     static SOON_S = "day.soon": 3_600.0, "s", [0.0, 14_400.0];
-    /// What has its time in the night, so long before rising or longer, is done in the night; else once one is up.
+    /// Time before rising from which an activity waits until after it. One that is earlier in the night is done in the
+    /// night.
     static NEARLY_UP_S = "day.nearly_up": 2_700.0, "s", [0.0, 14_400.0];
-    /// What is said to be done at night by somebody who is up is done in so many hours before bed.
+    /// Time before bed in which a person who is up does the activities that the routine sets for the night.
     static BEDTIME_H = "day.bedtime": 2.0, "h", [0.25, 6.0];
 }
 

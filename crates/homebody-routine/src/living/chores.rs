@@ -18,9 +18,9 @@ const MOMENT_S: f64 = 45.0;
 const STAYS_NEAR: f64 = 0.5;
 
 homebody_core::numbers! {
-    /// When the mail is fetched at the earliest.
+    /// Earliest time of day for fetching the mail.
     static MAIL_FROM_H = "chores.mail_from": 10.0, "h", [0.0, 24.0];
-    /// When the mail is fetched at the latest, at the next errand.
+    /// Latest time of day for fetching the mail, at the next errand.
     static MAIL_UNTIL_H = "chores.mail_until": 14.0, "h", [0.0, 24.0];
 }
 

@@ -15,11 +15,11 @@ use homebody_core::scenario::path::Posture;
 use std::sync::Arc;
 
 homebody_core::numbers! {
-    /// Who is nearer than this to a seat, a bed's side or a place to stand has it.
+    /// Distance from a seat, a side of a bed or a place to stand within which a person occupies it.
     static TAKEN_M = "company.taken": 0.4, "m", [0.05, 1.5];
-    /// Nobody goes nearer to another who stands than this part of the sum of their radii.
+    /// Smallest distance to another person who stands, as a share of the sum of both radii.
     static ELBOWS = "company.elbows": 0.8, "1", [0.0, 2.0];
-    /// Who is as near as this to the door stands at it.
+    /// Distance from the door within which a person stands at it.
     static AT_DOOR_M = "company.at_door": 1.5, "m", [0.3, 5.0];
 }
 

@@ -9,17 +9,17 @@ use homebody_core::time::{Micros, SECOND};
 const HOUR: f64 = 3600.0;
 
 homebody_core::numbers! {
-    /// When one gets up on a day of which no sentence says so: 06:44 of healthy older adults (Scientific
-    /// Reports 2015, actigraphy).
+    /// Time of getting up on a day for which the routine gives none: 06:44 for healthy older adults (Scientific Reports
+    /// 2015, actigraphy).
     static UP_H = "day.up": 6.73, "h", [2.0, 14.0];
-    /// How much earlier or later than that one gets up at most.
+    /// Largest deviation of the time of getting up from `day.up`.
     static UP_SPREAD_H = "day.up_spread": 0.5, "h", [0.0, 4.0];
-    /// When one goes to bed on a day of which no sentence says so: 23:23 of healthy older adults
-    /// (Scientific Reports 2015, actigraphy).
+    /// Time of going to bed on a day for which the routine gives none: 23:23 for healthy older adults (Scientific
+    /// Reports 2015, actigraphy).
     static BED_H = "day.bed": 23.38, "h", [17.0, 28.0];
-    /// How much earlier than that one goes to bed at most.
+    /// Largest time by which going to bed is earlier than `day.bed`.
     static BED_EARLIER_H = "day.bed_earlier": 0.48, "h", [0.0, 4.0];
-    /// How much later than that one goes to bed at most.
+    /// Largest time by which going to bed is later than `day.bed`.
     static BED_LATER_H = "day.bed_later": 0.52, "h", [0.0, 4.0];
 }
 
