@@ -65,6 +65,9 @@ const LIMITS: [&str; 4] = ["MOST", "LARGEST", "LONGEST", "GREATEST"];
 /// Files whose fields are keys of a scenario's files, with defaults of ours: they are set there.
 const FORMS: &str = "crates/homebody-core/src/scenario/";
 
+/// The beginning of the words in a comment that mark a value as the project's own choice.
+const CHOICE: &str = "(our choice";
+
 /// A constant that is a limit, or whose comment says that it is ours.
 #[derive(Debug, PartialEq)]
 pub(super) struct Fixed {
@@ -180,7 +183,7 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
             continue;
         }
         let said = std::mem::take(&mut comment);
-        let is_ours = has_word(&said.to_lowercase(), "ours");
+        let is_ours = has_word(&said.to_lowercase(), "ours") || said.contains(CHOICE);
         let mut wanted = at - 1;
         while let Some((constant, next)) = constant(&lines, wanted) {
             let is_limit = constant.as_ref().is_some_and(|[name, ..]| is_limit(&file.path, name)) && !is_inner[wanted];
@@ -200,8 +203,8 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
             wanted = next;
         }
         let is_key = file.path.starts_with(FORMS) && line.starts_with("pub ") && line.ends_with(',');
-        let is_loose = said.contains("(ours") && wanted == at - 1 && !is_key;
-        let is_beside = line.split_once("// ").is_some_and(|(_, beside)| beside.contains("(ours"));
+        let is_loose = (said.contains("(ours") || said.contains(CHOICE)) && wanted == at - 1 && !is_key;
+        let is_beside = line.split_once("// ").is_some_and(|(_, beside)| beside.contains("(ours") || beside.contains(CHOICE));
         if is_loose || is_beside {
             wrong.push(format!("{}:{at}: make it a constant, or declare it with `numbers!`: {line}", file.path));
         }
@@ -241,7 +244,8 @@ fn unit(name: &str, kind: &str) -> &'static str {
 /// What a comment says, without saying that it is ours.
 fn meaning(said: &str) -> String {
     let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
-    said.replace(" (ours)", "").replace("(ours: ", "(").replace("(ours, ", "(").replace("(ours; ", "(")
+    let said = said.replace(" (ours)", "").replace(" (our choice)", "").replace("(our choice: ", "(");
+    said.replace("(ours: ", "(").replace("(ours, ", "(").replace("(ours; ", "(")
 }
 
 /// The numbers that a file declares and that are not in the list, as being of this file.
