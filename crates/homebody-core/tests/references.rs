@@ -32,8 +32,8 @@ const PAGES: [Page; 3] = [
         head: SCENARIO,
         files: &[
             ("`scenario.json`", FileKind::Scenario),
-            ("A resident's file", FileKind::Resident),
-            ("A path", FileKind::Path),
+            ("Resident", FileKind::Resident),
+            ("Path", FileKind::Path),
             ("Live input", FileKind::Input),
         ],
         tail: String::new,
@@ -116,10 +116,10 @@ Only `scenario.json` has a fixed name. The other names below are those of the ex
 | `home.json` | rooms, walls, doors, furniture and its roles, sensors | [home](home.md) |
 | `logger.json` | destination of the log; its table, columns, sensor ids, messages and time format | [logger](logger.md) |
 | `link.json` | network between the sensors and the logger: delay, loss, faults and their times | [link](link.md) |
-| `margaret.json` | a resident: body, pace and driver | [resident](#a-residents-file) |
+| `margaret.json` | a resident: body, pace and driver | [resident](#resident) |
 | `margaret.routine` | a driver: the resident's days, in sentences | [routine language](routine-language.md) |
 | `clara.rhai` | a driver: a script, for behaviour that sentences cannot describe | [scripts](scripts.md) |
-| `walk.path.json` | a driver: walks, waits, postures, activities and repeats | [path](#a-path) |
+| `walk.path.json` | a driver: walks, waits, postures, activities and repeats | [path](#path) |
 | `keys.json` | a driver: keys held over time | [live input](#live-input) |
 
 ## Example scenarios
