@@ -38,10 +38,10 @@ fn is_one(width: &u32) -> bool {
     *width == 1
 }
 
-/// So many problems of a file are told (ours): one that is wrong throughout would bury the others.
+/// Largest number of problems of a file in a report (our choice): a file with errors throughout would hide the others.
 pub const MOST_PER_FILE: usize = 100;
 
-/// A message is cut to this length, in bytes (ours): what it quotes may be longer.
+/// Length to which a message is cut, in bytes (our choice): a quoted text may be longer.
 const LONGEST_MESSAGE_BYTES: usize = 600;
 
 /// Everything that is wrong, in the order of files and places.

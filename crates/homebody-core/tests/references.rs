@@ -129,7 +129,7 @@ Only `scenario.json` has a fixed name. The other names below are those of the ex
 | `tigerplace` | ninety ordinary days of a woman of 82 in a one-bedroom apartment, with the sensors of TigerPlace |
 | `tigerplace-depression` | the same home for 120 days, with a depression from the sixth week on |
 | `tigerplace-decline` | the same home for two years: cognitive decline, a urinary tract infection, frailty with falls, and a recovery |
-| `older-adult` | an ordinary life in a one-bedroom apartment with twenty motion sensors, logged like a CASAS home |
+| `older-adult` | an ordinary life in a one-bedroom apartment with twenty motion sensors, wired like a CASAS home |
 | `couple-with-cat` | four weeks of a couple, their cat and visitors; only the truth knows which of them a motion sensor saw |
 | `house-two-floors` | three months of a woman who grows frail, with stairs, an X10 network, a fading battery and an outage |
 | `studio` | two weeks of a man in one room who is out for hours, logged like a CASAS home |

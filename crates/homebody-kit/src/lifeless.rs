@@ -14,7 +14,7 @@ use homebody_walk::Mesh;
 use homebody_walk::places::Places;
 use serde_json::json;
 
-/// Homes with more walls are not looked through for closed rooms: it would take too long.
+/// Number of walls above which a home is not searched for closed rooms: it would take too long.
 const MOST_WALLS: usize = 1_000;
 
 /// A routine to begin with.

@@ -28,7 +28,7 @@ The rows depend on the scenario:
 
 | table | rows |
 |---|---|
-| `movement`, `room`, `cause` | in every run |
+| `movement`, `room`, `cause`, `resident`, `home` | in every run |
 | `activity` | from a routine or a path |
 | `act` | from a routine, from held keys, or from outside; an act from outside has no resident |
 | `need`, `condition` | from a routine |

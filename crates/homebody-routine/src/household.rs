@@ -105,7 +105,7 @@ pub fn numbers() -> Vec<Number> {
     own.chain(homebody_walk::numbers()).chain(models::numbers()).collect()
 }
 
-/// No scenario shows more conditions (ours).
+/// Largest number of conditions in a scenario (our choice).
 const MOST_CONDITIONS: usize = 64;
 
 /// What a routine that says nothing of it leaves to be ordinary.

@@ -69,8 +69,8 @@ homebody_core::numbers! {
 /// The pace whose greatest speed [`FASTEST_MPS`] is: the mean of Kaye et al. (2012).
 const USUAL_PACE_MPS: f64 = 0.65;
 
-/// Legs shorter than this have no direction of their own to turn to, and speed changes this near to a corner happen at it
-/// (ours).
+/// Length below which a leg has no direction to turn to, and distance from a corner within which changes of speed
+/// happen at it (our choice).
 const SHORT_M: f64 = 0.05;
 
 /// How somebody walks, this time.

@@ -46,7 +46,7 @@ const fn manner(
     Manner { name, gap_s, sigma, more, soon_s, bout_s, amplitude_m }
 }
 
-/// The standard deviation of the logarithm of the gaps in a cluster (ours).
+/// Standard deviation of the logarithm of the gaps in a cluster (our choice).
 const SOON_SPREAD: f64 = 0.6;
 
 /// The table that the numbers of these are of.

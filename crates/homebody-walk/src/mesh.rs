@@ -38,7 +38,7 @@ homebody_core::numbers! {
     static TO_PLACE_M = "mesh.to_place": 0.5, "m", [0.0, 3.0];
 }
 
-/// How often a random point is drawn before the room's own point is taken (ours).
+/// Number of tries for a random point before the room's own point is used (our choice).
 const TRIES: u32 = 32;
 
 /// The floor of a home for a body of one radius. All points are metres in the plane of the home.
@@ -381,7 +381,7 @@ fn corner_of([before, first, second, after]: [Point; 4]) -> Option<Point> {
     (turn != 0.0 && further >= 0.0 && earlier <= 0.0 && is_near).then_some(corner)
 }
 
-/// Corners this near to each other's meeting point become one (ours).
+/// Distance from the meeting point of corners within which they become one (our choice).
 const ONE_CORNER_M: f64 = 0.25;
 
 /// The distance between a straight line and a convex area.

@@ -121,10 +121,10 @@ homebody_core::numbers! {
     static LOST_AMPLITUDE_M = "wandering.lost_amplitude": 0.3, "m", [0.0, 1.0];
 }
 
-/// A step is steered so often (ours).
+/// Number of times that a step is steered (our choice).
 const STEERINGS: u32 = 5;
 
-/// So many points are tried as places to wander between (ours).
+/// Number of points that are tried as places to wander between (our choice).
 const TRIES: usize = 24;
 
 /// Wanders for about `lasting` microseconds: until they are over and the body is in a free place, which is at most one leg more.

@@ -5,10 +5,10 @@ use homebody_analysis::dates::clock_of_hours;
 use homebody_analysis::measures::Measure;
 use homebody_analysis::summaries::Sentence;
 
-/// From so much less, or more, than usual on it is much (ours).
+/// Ratio to the usual from which a decrease, and an increase, is large (our choice).
 const MUCH_LESS: f64 = 0.7;
 const MUCH_MORE: f64 = 1.5;
-/// The same of times of day, in hours (ours), and of the pace of walking, as a share (ours).
+/// Difference of times of day in hours, and of the pace as a share, from which a change is large (our choice).
 const MUCH_LATER_H: f64 = 1.5;
 const MUCH_SLOWER: f64 = 0.15;
 

@@ -17,7 +17,7 @@ const FIRST_YEAR: i16 = 2026;
 /// One that says a later year is wrong (ours).
 const LAST_YEAR: i16 = 2100;
 
-/// Less room on the disk is warned of (ours): a year of a home takes some 150 MB.
+/// Free disk space below which a warning appears (our choice): a year of a home takes some 150 MB.
 const LEAST_BYTES: u64 = 1 << 30;
 
 /// All that there is to say; runs go into `folder`.

@@ -12,10 +12,10 @@ use std::thread;
 const CONTROL: &str = "Take commands by lines on standard input: pause, resume, step [SECONDS], speed X, stop. \
     Each waits until a step before it is done; when the lines end, the run goes on";
 
-/// No command has a longer line (ours).
+/// Largest length of a command's line (our choice).
 const LONGEST_COMMAND_BYTES: usize = 200;
 
-/// So many commands wait to be done; who sends more waits, too (ours).
+/// Largest number of waiting commands (our choice). A program that sends more waits, too.
 const MOST_WAITING: usize = 1000;
 
 /// How fast a run goes, and who may change that.

@@ -44,22 +44,22 @@ crate::numbers! {
 /// The speed at which people rise in the time that [`RISES_S`] says, in m/s.
 const USUAL_MPS: f64 = 1.2;
 
-/// A turn, or a small shift without a stride, takes so long (ours).
+/// Duration of a turn, or of a small shift without a stride (our choice).
 const SHIFTS: Micros = SECOND / 2;
 
-/// A body whose place changes by more without a stride shifts there, in metres (ours).
+/// Distance above which a change of position without a stride is a shift, in metres (our choice).
 const SHIFT_M: f64 = 0.02;
 
-/// Who trips while they walk or stand and comes to lie on a side falls to the front of that side, as far from straight ahead (ours).
+/// Angle from straight ahead of a fall to a side after tripping (our choice).
 const TRIPS_ASIDE_RAD: f64 = 0.5;
 
-/// Who falls out of any other posture and comes to lie on a side falls to that side (ours).
+/// Angle from straight ahead of a fall to a side from another posture (our choice).
 const TOPPLES_ASIDE_RAD: f64 = FRAC_PI_2;
 
-/// On hands and knees a body turns so fast, in rad/s (ours).
+/// Speed of a turn on hands and knees, in rad/s (our choice).
 const CRAWLER_TURNS_RADPS: f64 = 1.0;
 
-/// Who crawls swings thighs and arms so far to either side (ours), at this speed and above, in m/s (ours).
+/// Swing of thighs and arms to either side in crawling, and speed from which it is full, in m/s (our choice).
 const CRAWL_SWING: f64 = 0.85;
 const CRAWLS_MPS: f64 = 0.3;
 

@@ -44,13 +44,13 @@ pub struct Noise {
     light: f64,
 }
 
-/// How long a hole stays (ours), in frames of the same hole.
+/// Number of frames for which a hole stays (our choice).
 const HOLE_FRAMES: u64 = 5;
 
-/// The border of a hole is ragged over this share of its area (ours).
+/// Share of a hole's area with a ragged border (our choice).
 const RAGGED: f64 = 0.5;
 
-/// A shadow reaches so far from the feet, and is so wide, in metres (ours).
+/// Reach of a shadow from the feet, and its width, in metres (our choice).
 const SHADOW_M: [f64; 2] = [0.6, 0.12];
 
 impl Noise {

@@ -10,8 +10,8 @@ use crate::sensors::kinds::{CEILING_MOTION, MOTION, devices};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// No home reaches further from its first room: larger ones are a mistake of units (ours), since the smallest flat in
-/// centimetres is larger.
+/// Largest distance of any part of a home from its first room (our choice). Larger homes are an error of units: the
+/// smallest flat in centimetres is larger.
 pub const GREATEST_SIZE_M: f64 = 100.0;
 
 /// How far furniture and areas may reach beyond the rooms: into the thickness of a wall.
@@ -350,7 +350,7 @@ impl SensorFile {
     /// A device's first delay holds the time of the pulses that it counts. A sensor at level `zones` has counted them
     /// when it sees, so that only its electronics are left.
     pub fn timing(&self) -> Timing {
-        /// What the electronics of a sensor take at most that has counted already (ours).
+        /// Shortest and longest delay of a sensor's electronics after it has counted its pulses (our choice).
         const COUNTED_S: [f64; 2] = [0.3, 0.8];
         let has_counted = matches!(self, SensorFile::Motion(MotionFile { level: Level::Zones(_), .. }));
         let (preset, first, refire, persist) = match self {

@@ -54,8 +54,7 @@ pub struct ScenarioFile {
     /// Length of a run, unless `--for` gives another.
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: f64,
-    /// Seed of all random numbers of the run. The largest one is the largest whole number that every JSON reader keeps
-    /// exactly.
+    /// Seed of all random numbers of the run, up to the largest whole number that every JSON reader keeps exactly.
     #[serde(default)]
     #[schemars(range(max = GREATEST_SEED))]
     pub seed: u64,
@@ -98,7 +97,7 @@ impl ScenarioFile {
     }
 }
 
-/// Whole numbers up to this are kept exactly by every JSON reader.
+/// Largest whole number that every JSON reader keeps exactly.
 pub const GREATEST_SEED: u64 = 9_007_199_254_740_991;
 
 fn utc() -> String {

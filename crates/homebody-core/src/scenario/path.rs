@@ -179,7 +179,7 @@ impl Posture {
     }
 }
 
-/// A path has at most this many steps and waypoints: some two months of a person whose ways a log tells.
+/// Largest number of steps and waypoints of a path: some two months of a person's ways from a log.
 pub const MOST_STEPS: usize = 120_000;
 
 impl PathFile {

@@ -3,7 +3,7 @@
 //! The device is a pair of foils that a weight presses together: it says `ON` and `OFF`.
 //!
 //! We assume that a pad in a piece of furniture feels who sits or lies with their middle within its outline, and nobody who
-//! walks or stands there; and that a mat, which is an area of the floor or furniture at most 5 cm high (ours), feels every body
+//! walks or stands there; and that a mat, which is an area of the floor or furniture at most 5 cm high (our choice), feels every body
 //! whose middle is over it, whatever it does.
 //!
 //! While nobody moves, nothing changes. A stride crosses a convex outline once: the fractions of it at which it enters and
@@ -88,7 +88,7 @@ impl DeviceForm for PressureFile {
     }
 }
 
-/// Height up to which a piece of furniture is a mat (ours).
+/// Height up to which a piece of furniture is a mat (our choice).
 pub const MAT_HEIGHT_M: f64 = 0.05;
 
 /// A pressure sensor.

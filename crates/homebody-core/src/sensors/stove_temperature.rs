@@ -106,7 +106,7 @@ impl DeviceForm for StoveTemperatureFile {
     }
 }
 
-/// Temperature of a cold stove in degrees Celsius (ours). The limits in a file lie above it.
+/// Temperature of a cold stove in degrees Celsius (our choice). The limits in a file lie above it.
 pub const ROOM_C: f64 = 22.0;
 
 crate::numbers! {

@@ -139,10 +139,10 @@ fn count_at_home(breaks: &mut [Item], items: &[Item], up: Micros, bed: Micros) {
     }
 }
 
-/// Until then it is night: what is said of later hours is overdue for who sleeps longer (ours).
+/// Time until which it is night (our choice). An activity of a later hour is overdue for a person who sleeps longer.
 const NIGHT_S: f64 = 6.0 * HOUR;
 
-/// Nothing lasts longer, in days (ours).
+/// Longest duration, in days (our choice).
 const MOST_DAYS: f64 = 400.0;
 
 struct Planner<'a> {
@@ -423,7 +423,7 @@ impl Planner<'_> {
     /// How much later than usual all goes that nobody says of somebody whose day begins late, in seconds; earlier where
     /// negative.
     fn out_of_step_s(&self) -> f64 {
-        /// Who gets up between these keeps the hours of others (ours).
+        /// Range of the hours of getting up for which a person keeps the hours of others (our choice).
         const IN_STEP_H: (f64, f64) = (4.5, 10.0);
         let up_s = seconds(self.up - self.life.instant(self.day, 0.0));
         up_s - up_s.clamp(IN_STEP_H.0 * HOUR, IN_STEP_H.1 * HOUR)

@@ -11,10 +11,10 @@ use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
 use std::collections::VecDeque;
 
-/// How long somebody is busy at one place, the median (ours).
+/// Median time that a person is busy at one place (our choice).
 const MOMENT_S: f64 = 45.0;
 
-/// How often somebody takes the nearer of two things to do (ours).
+/// Probability of choosing the nearer of two things to do (our choice).
 const STAYS_NEAR: f64 = 0.5;
 
 homebody_core::numbers! {

@@ -120,7 +120,7 @@ impl Company {
 
     /// Where to step instead so that one passes by who is in the way: to the right before the left.
     pub fn ways_round(&self, other: &Body, from: Point, to: Point, squeezed: f64) -> [Point; 4] {
-        /// A hand's breadth more than there has to be (ours).
+        /// Factor on the necessary room (our choice): a hand's breadth more.
         const ROOM: f64 = 1.05;
         let ahead = (to - from).normalize_or_zero();
         let reach_m = self.reach_m(other) * squeezed * ROOM;
@@ -164,7 +164,7 @@ impl Company {
 
     /// Whether somebody else is busy in the kitchen: at a cold breakfast the stove is off.
     pub fn cooks(&self, stove: &Spot) -> bool {
-        /// As near as who goes to and fro between stove, sink and counter (ours).
+        /// Distance within which things are used to and fro, as stove, sink and counter (our choice).
         const KITCHEN_M: f64 = 3.0;
         let is_cook = |other: &Body| other.posture == Posture::Standing && other.at.distance(stove.at) < KITCHEN_M;
         self.others.iter().any(is_cook)

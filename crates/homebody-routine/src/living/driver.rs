@@ -547,10 +547,10 @@ impl RoutineDriver {
     }
 }
 
-/// Nobody leaves who came for no longer alone to eat (ours).
+/// Length of a visit up to which the host does not leave the visitor alone to eat (our choice).
 const SHORT_VISIT: Micros = 45 * MINUTE;
 
-/// How late a meal may be before what is done for pleasure is interrupted for it (ours).
+/// Time by which a meal may be late before it interrupts an activity of leisure (our choice).
 pub(super) const GRACE: Micros = 10 * MINUTE;
 
 impl Item {

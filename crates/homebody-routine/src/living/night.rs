@@ -28,7 +28,7 @@ homebody_core::numbers! {
     static AWAKE_BOUT_MIN = "night.awake_bout": 10.0, "min", [1.0, 120.0];
 }
 
-/// Who gets up so much later than planned was not at home for what came before (ours).
+/// Delay of getting up after which the person was not at home for the activities before it (our choice).
 const LATE: Micros = 120 * MINUTE;
 
 impl RoutineDriver {

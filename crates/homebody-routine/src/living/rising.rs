@@ -75,7 +75,7 @@ fn bed_s(life: &Life, day: i32, parameters: &DayParameters) -> f64 {
 /// Usual is the bedtime in the middle of those of so many nights (ours).
 const NIGHTS: i32 = 7;
 
-/// Who goes to bed so much later than usual has a late night (ours).
+/// Delay of going to bed from which the night is late (our choice).
 const LATE: Micros = 1800 * SECOND;
 
 /// How late it is for somebody who goes to bed now, beside the bedtime that is usual by the sentences; 0 where it is not late.
@@ -118,7 +118,7 @@ pub(super) fn varied(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
 /// How long something takes whose length is fuzzy: as far from the mean as said, and never below nothing, so that the mean
 /// stays.
 pub(super) fn varied_length(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
-    /// Of the mean, what the shortest has at least (ours).
+    /// Smallest share of the mean of the shortest one (our choice).
     const LEAST: f64 = 0.05;
     let (mean, least) = (fuzzy.mean(), fuzzy.low);
     let most = if least < mean { (mean * (1.0 - LEAST) / (mean - least)).max(1.0) } else { irregular };

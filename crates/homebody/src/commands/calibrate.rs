@@ -204,7 +204,7 @@ impl Arguments {
     }
 }
 
-/// Fewer days tell no rhythm (ours).
+/// Number of days below which there is no rhythm (our choice).
 const LEAST_DAYS: Micros = 3;
 
 /// The two parts of a log, as instants on the clock on the wall.

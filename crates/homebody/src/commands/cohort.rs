@@ -17,7 +17,7 @@ const SAMPLE_MEMBERS: usize = 6;
 /// A cohort that is less than this many times its sample is simulated sooner than estimated, and writes little (our choice).
 const WORTH_A_SAMPLE: Micros = 10;
 
-/// Less than this is written without a word before (ours).
+/// Size below which the output needs no announcement (our choice).
 const MUCH_BYTES: f64 = 1e8;
 
 /// Says how much a cohort is going to write, if it is much, and what it leaves out of truths, unless that was asked for.

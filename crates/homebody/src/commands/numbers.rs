@@ -65,7 +65,7 @@ fn hint(asked: &str, all: &[Number]) -> String {
     }
 }
 
-/// How many names a hint has (ours).
+/// Number of names in a hint (our choice).
 const FEW: usize = 5;
 
 /// Whether a name is this, or begins with it at one of its dots.

@@ -112,10 +112,11 @@ enum WhenAway {
     Retry,
 }
 
-/// For so long a place is waited for (ours).
+/// Time for which a destination is waited for (our choice).
 const RETRY_FOR: Duration = Duration::from_secs(86_400);
 
-/// Who begins this long before now is faster than life for a while (ours): homes take their time to be made.
+/// Time before now at which a fleet may start and run faster than real time at first (our choice): homes take time to
+/// create.
 const BEFORE_NOW: i64 = 600 * SECOND;
 
 fn speed(text: &str) -> Result<f64, String> {
@@ -264,7 +265,7 @@ fn reports_in(path: &Path) -> Option<Vec<u8>> {
     text.split(|&byte| byte == b'\n').filter(|line| !line.is_empty()).all(is_report).then_some(text)
 }
 
-/// The largest file of reports that a fleet adds to; a report every five seconds takes a year to fill half of it.
+/// Largest size of the file of reports that a fleet appends to. A report every five seconds fills half of it in a year.
 const LARGEST_REPORTS_BYTES: u64 = 8 << 30;
 
 /// Opens the file of reports: a new one, or the one that the same command left, to add to it.

@@ -29,7 +29,7 @@ pub struct Telling {
     told_at: Instant,
 }
 
-/// How often it is said how far a fleet is behind that has not begun (ours).
+/// Interval of the reports on a fleet that starts late (our choice).
 const BEHIND_TOLD: Duration = Duration::from_secs(10);
 
 impl Telling {

@@ -19,13 +19,13 @@ use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// No film has more frames (ours): ten minutes of five a second.
+/// Largest number of frames of a film (our choice): ten minutes of five a second.
 const MOST_FRAMES: u64 = 3000;
 
-/// No folder gets more pictures (ours): systems become slow with more.
+/// Largest number of pictures in a folder (our choice): systems become slow with more.
 const MOST_PICTURES: u64 = 200_000;
 
-/// A frame of a film is shown no longer than this, whatever lies between it and the next.
+/// Longest time that a frame of a film is shown, whatever the time to the next.
 const LONGEST_FRAME: Micros = SECOND;
 
 /// What a place is to become.
