@@ -22,7 +22,7 @@ use std::fmt;
 pub const SOON: Micros = 60 * SECOND;
 /// Time within which a repeated row is a duplicate (our choice).
 pub const AT_ONCE: Micros = SECOND;
-/// Number of samples below which there are no quantiles (our choice).
+/// Smallest number of samples for quantiles (our choice).
 const LEAST_SAMPLES: usize = 30;
 /// Largest ratio of the third to the first quartile of ON durations that are pulses (our choice).
 const PULSE: f64 = 1.3;

@@ -18,8 +18,7 @@ use tempfile::TempDir;
 use tokio::runtime::{Builder, Runtime};
 use url::Url;
 
-/// Longest time for one request to a store, longest time to connect, and time for which a request is retried (our
-/// choice).
+/// Longest time for one request to a store, to connect, and to retry a request (our choice).
 const ANSWERS_WITHIN: Duration = Duration::from_secs(30);
 const CONNECTS_WITHIN: Duration = Duration::from_secs(3);
 const AGAIN_FOR: Duration = Duration::from_secs(4);

@@ -41,7 +41,7 @@ fn is_one(width: &u32) -> bool {
 /// Largest number of problems of a file in a report (our choice): a file with errors throughout would hide the others.
 pub const MOST_PER_FILE: usize = 100;
 
-/// Length to which a message is cut, in bytes (our choice): a quoted text may be longer.
+/// Largest length of a message, in bytes (our choice). A longer one, such as one with a long quotation, is cut.
 const LONGEST_MESSAGE_BYTES: usize = 600;
 
 /// Everything that is wrong, in the order of files and places.

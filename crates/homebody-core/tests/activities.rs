@@ -25,7 +25,7 @@ The column `name` of the truth's table `activity` has one of these labels, or a 
 because logs contain them.
 
 - The *kind* sets the colour in pictures and on the page.
-- The *use of time* is the category in which the hours of a day are added up.
+- The *use of time* is the category of the activity in the sum of a day's hours.
 - The *usual length* is the median in minutes, for a routine that gives no length. An activity without one takes its length from
   something else, such as the next activity.
 

@@ -34,7 +34,7 @@ const PAGES: [Page; 3] = [
             ("`scenario.json`", FileKind::Scenario),
             ("Resident", FileKind::Resident),
             ("Path", FileKind::Path),
-            ("Live input", FileKind::Input),
+            ("Input file", FileKind::Input),
         ],
         tail: String::new,
     },
@@ -99,8 +99,8 @@ For editors, `schemas/logger.schema.json` has the same content as this page. Bot
 const SCENARIO: &str = "\
 # `scenario.json`, residents and paths
 
-This page lists the files of a scenario, the example scenarios, and every key of `scenario.json`, of residents, of paths and of live
-input.
+This page lists the files of a scenario, the example scenarios, and every key of `scenario.json`, of residents, of paths and of input
+files.
 
 A scenario is a folder. Its files name each other relative to the folder, with `/` between folders; Homebody reads nothing outside it.
 For editors, the files in `schemas/` have the same content as this page. Both are made from the types in
@@ -120,7 +120,7 @@ Only `scenario.json` has a fixed name. The other names below are those of the ex
 | `margaret.routine` | a driver: the resident's days, in sentences | [routine language](routine-language.md) |
 | `clara.rhai` | a driver: a script, for behaviour that sentences cannot describe | [scripts](scripts.md) |
 | `walk.path.json` | a driver: walks, waits, postures, activities and repeats | [path](#path) |
-| `keys.json` | a driver: keys held over time | [live input](#live-input) |
+| `keys.json` | a driver: keys held over time | [input file](#input-file) |
 
 ## Example scenarios
 

@@ -32,7 +32,7 @@ const FROM_CORNER_M: f64 = 0.15;
 const HEIGHT_M: f64 = 2.1;
 /// Distance around its target that a ceiling sensor sees (our choice).
 const AROUND_M: f64 = 0.35;
-/// Step in metres in which the floor is searched while layouts are tried (our choice).
+/// Step in metres of the search of the floor while layouts are tried (our choice).
 const STEP_M: f64 = 0.1;
 
 /// Gain below which a sensor adds nothing (our choice).

@@ -31,7 +31,7 @@ use serde::Serialize;
 use std::ops::Range;
 use windows::{Window, ons, windows};
 
-/// Number of windows in each half from which a class counts (our choice).
+/// Smallest number of windows in each half of a class that counts (our choice).
 const LEAST_WINDOWS: usize = 5;
 /// A forest has so many trees.
 const TREES: usize = 200;

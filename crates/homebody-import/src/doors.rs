@@ -26,13 +26,13 @@ const MOST_DOORS: usize = 1_000;
 /// Width below which no person walks through a door (our choice). The check refuses doors narrower than 5 cm.
 const LEAST_WIDTH_M: f64 = 0.1;
 
-/// Cosine of the angle between a door and its wall up to which the door is in the wall (our choice): 45 degrees.
+/// Smallest cosine of the angle between a door and a wall that it is in (our choice): 45 degrees.
 const IN_WALL_COSINE: f64 = 0.707;
 
-/// Distance from which a moved door is reported (our choice).
+/// Shortest move of a door that is reported (our choice).
 const MOVED_M: f64 = 0.05;
 
-/// Sine of the angle up to which walls are parallel, and distance or overlap of separate things (our choice): a door
+/// Sine of the largest angle between parallel walls, and distance or overlap of separate things (our choice): a door
 /// within a centimetre of two walls is already in both.
 const BESIDE_SINE: f64 = 0.05;
 const BESIDE_M: f64 = 0.02;
@@ -61,7 +61,7 @@ pub fn only(openings: Vec<Piece>, remarks: &mut Vec<String>) -> Result<Vec<Piece
 /// Largest distance from a door to the ends of the walls that it is drawn between (our choice).
 const BESIDE_GAP_M: f64 = 0.35;
 
-/// Share of a door along a wall from which it is in the wall (our choice). Otherwise a gap is searched for it.
+/// Smallest share along a wall of a door in that wall (our choice). For another door, a gap is searched.
 const IN_WALL_SHARE: f64 = 0.5;
 
 /// Walls for the doors that are drawn in gaps between walls: from the one end to the other.

@@ -24,8 +24,7 @@ const MOST_PIECES: usize = 10_000;
 /// Largest share of a space that rooms may cover if it has no room of its own (our choice).
 const COVERED_SHARE: f64 = 0.2;
 
-/// Areas of the ground around a house (our choice): a space larger than any room that contains spaces large enough to
-/// live in.
+/// Smallest area of the ground around a house, and of a space in it that is large enough for a home (our choice).
 const GROUND_M2: f64 = 150.0;
 const HOUSE_M2: f64 = 15.0;
 
@@ -58,7 +57,7 @@ pub fn without_room(walls: &[Wall], rooms: &[Room]) -> Vec<Vec<Point>> {
 pub fn parted(rooms: Vec<drawing::Room>, walls: &[Wall], remarks: &mut Vec<String>) -> Vec<drawing::Room> {
     /// Area below which a space is a closet (our choice).
     const LEAST_M2: f64 = 2.0;
-    /// Share of a space within a room from which the space belongs to that room (our choice).
+    /// Smallest share within a room of a space that belongs to that room (our choice).
     const WITHIN_SHARE: f64 = 0.9;
     /// Share of the room that these spaces cover (our choice).
     const OF_ROOM_SHARE: f64 = 0.5;

@@ -3,7 +3,7 @@
 use crate::drawing::Piece;
 use homebody_core::vocabulary::{FRONT_WORDS, WINDOW_WORDS, has_any};
 
-/// Height from which a sill is a window's (our choice): thresholds and steps are lower.
+/// Smallest height of a window's sill (our choice): thresholds and steps are lower.
 const SILL_M: f64 = 0.3;
 
 /// Height of a sill that people step over, and of the top of an opening that they walk through (our choice).

@@ -6,8 +6,8 @@ use crate::outline::Room;
 use crate::walls::Wall;
 use homebody_core::geometry::{self, Point};
 
-/// Share of an outline without a wall or another room from which a room is in the open (our choice): for a terrace in
-/// the corner of a house it is half.
+/// Smallest share of the outline of a room in the open that has no wall or other room along it (our choice): for a
+/// terrace in the corner of a house it is half.
 const OPEN_SHARE: f64 = 0.4;
 
 /// Step between the points checked along an outline, and largest number of points (our choice).

@@ -87,10 +87,10 @@ fn is_between(passage: &Passage, rooms: &[drawing::Room]) -> bool {
 /// Smallest and largest distance between rooms that were meant to meet (our choice).
 const SEAM_M: [f64; 2] = [0.0015, 0.3];
 
-/// Sine of the angle up to which sides of rooms are parallel (our choice).
+/// Sine of the largest angle between parallel sides of rooms (our choice).
 const ALONG_SINE: f64 = 0.05;
 
-/// Step in which a seam is checked for a wall, and largest number of steps along one side (our choice).
+/// Step of the search for a wall in a seam, and largest number of steps along one side (our choice).
 const STEP_M: f64 = 0.1;
 const MOST_STEPS: f64 = 300.0;
 
@@ -161,7 +161,7 @@ fn seam((a, b): (Point, Point), (c, d): (Point, Point), walls: &[Wall], rooms: &
 
 /// Walls in gaps as thick as rooms are apart there, so that whoever goes through their doors is in a room or in the door.
 pub fn thick_enough(walls: &mut [Wall], rooms: &[Room]) {
-    /// Distance up to which rooms were meant to meet at a door (our choice).
+    /// Largest distance of rooms that were meant to meet at a door (our choice).
     const MOST_M: f64 = 0.4;
     for wall in walls {
         let middle = (wall.from + wall.to) / 2.0;

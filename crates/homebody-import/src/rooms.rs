@@ -25,7 +25,7 @@ const LEAST_SIDE_M: f64 = 0.2;
 /// Largest distance of a side from the face of its wall (our choice): rooms drawn by hand are that inexact.
 const OFF_FACE_M: f64 = 0.2;
 
-/// Sine of the angle up to which a side runs along a wall (our choice): 3 degrees.
+/// Sine of the largest angle between a side and a wall that it runs along (our choice): 3 degrees.
 const ALONG_SINE: f64 = 0.05;
 
 /// Smallest share of a side along the wall (our choice).

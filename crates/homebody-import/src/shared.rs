@@ -6,7 +6,7 @@ use homebody_core::geometry::{self, Point, overlap};
 /// Largest area that two rooms may share: half of the limit of the check.
 const MOST_SHARED_M2: f64 = 0.005;
 
-/// Share of a room covered by others from which it is drawn around them, such as one around a whole home (our choice).
+/// Smallest covered share of a room that is drawn around others, such as one around a whole home (our choice).
 const AROUND_SHARE: f64 = 0.5;
 
 /// Share of its area above which a room is left out instead of cut (our choice).

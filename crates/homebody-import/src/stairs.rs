@@ -9,7 +9,7 @@ use crate::outline::Room;
 use crate::walls::Wall;
 use homebody_core::geometry::{self, Point, overlap};
 
-/// Largest length by which a passage may exceed its stairs (our choice): otherwise residents spend too much time
+/// Largest difference of length between a passage and its stairs (our choice): otherwise residents spend too much time
 /// climbing.
 const MOST_LONGER_M: f64 = 8.0;
 

@@ -70,7 +70,7 @@ pub fn straight(walls: &[drawing::Wall], doors: &[Piece], remarks: &mut Vec<Stri
 /// Largest distance beyond the face of a wall at which another one was meant to meet it (our choice).
 pub const OFF_FACE_M: f64 = 0.06;
 
-/// Sine of the angle from which walls meet rather than run in parallel (our choice): 15 degrees.
+/// Sine of the smallest angle between walls that meet rather than run in parallel (our choice): 15 degrees.
 const MEET_SINE: f64 = 0.26;
 
 /// Largest number of walls that are joined (our choice): each end is compared with all, and plans of homes have some

@@ -55,11 +55,11 @@ pub struct Finding {
     pub ailment: Ailment,
 }
 
-/// Share of its usual detections from which a sensor detects nothing, and share that a faulty sensor has lost (our
+/// Share of its usual detections below which a sensor detects nothing, and share that a faulty sensor has lost (our
 /// choice).
 const NOTHING: f64 = 0.12;
 const LOST: f64 = 0.7;
-/// Number of expected detections on a day, and in all, from which the evidence counts (our choice).
+/// Smallest number of expected detections, on a day and in all, of evidence that counts (our choice).
 const LEAST: f64 = 8.0;
 const MISSED: f64 = 15.0;
 /// Smallest number of other days for comparison, smallest variation of their mean, and standard errors of the
@@ -71,14 +71,15 @@ const SURE: f64 = 6.0;
 const FADES: usize = 2;
 /// Number of groups of sensors (our choice). One group at a time is left out.
 const PARTS: usize = 4;
-/// Number of unexplained firings a day, and their share of all, from which a sensor is noisy (our choice).
+/// Smallest number of unexplained firings a day of a noisy sensor, and their smallest share of all (our choice).
 const NOISE: f64 = 6.0;
 const NOISE_SHARE: f64 = 0.15;
 /// Share of the unexplained firings with people within this distance of one place if a sensor looks elsewhere (our
 /// choice).
 const TOGETHER: f64 = 0.6;
 const TOGETHER_M: f64 = 2.0;
-/// Number of days and of seconds from which a clock is off, and largest deviation between those days (our choice).
+/// Smallest number of days, and of seconds, of a clock's error, and largest difference of the error between those days
+/// (our choice).
 const CLOCK_DAYS: usize = 4;
 const CLOCK_S: f64 = 15.0;
 

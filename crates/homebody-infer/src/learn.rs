@@ -19,7 +19,7 @@ use homebody_walk::Mesh;
 use homebody_walk::places::Places;
 use std::sync::Arc;
 
-/// Time for which the body walks about (our choice): it crosses each patch of floor some hundred times.
+/// Time that the body walks about (our choice): it crosses each patch of floor some hundred times.
 const LENGTH: Micros = 20 * DAY;
 /// Time without movement after which a person who stays is motionless (our choice): gaps between stirs have a tail that
 /// no single rate produces.

@@ -37,8 +37,8 @@ const EVEN: Micros = SECOND / 2;
 const LEAST_SPACE: Micros = 20 * SECOND;
 /// Shortest silence that is examined (our choice): people sleep, and go out for a day.
 const SILENCE: Micros = 18 * 3_600 * SECOND;
-/// Share of days with events, expected hours of events in a silence, and relative activity of the other sensors from
-/// which a sensor is missed (our choice).
+/// Smallest values of a missed sensor (our choice): share of days with events, expected hours of events in a silence,
+/// and relative activity of the other sensors.
 const DAILY: f64 = 0.8;
 const MISSED_H: f64 = 9.0;
 const OTHERS: f64 = 0.4;

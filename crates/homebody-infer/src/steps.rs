@@ -5,7 +5,7 @@ use crate::said::{Last, Message, Said, Timing};
 use crate::spells::Spell;
 use homebody_core::time::{Micros, micros, seconds};
 
-/// Shortest span in seconds in which a person moves (our choice).
+/// Duration in seconds below which a person does not move (our choice).
 const SHORTEST_S: f64 = 0.02;
 /// Length in seconds of the first and the last part of a span (our choice): in between, the person may have gone
 /// elsewhere.

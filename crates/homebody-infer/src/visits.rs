@@ -8,15 +8,15 @@ use crate::learn::Senses;
 use crate::pair::Pair;
 use crate::steps::Steps;
 
-/// Logarithm of the likelihood ratio from which the result includes a visitor, and steps after a visit until the
-/// decision (our choice).
+/// Smallest logarithm of the likelihood ratio for a visitor in the result, and steps after a visit until the decision
+/// (our choice).
 const ENOUGH: f64 = 15.0;
 const SETTLES: usize = 20;
 /// Logarithm of the likelihood for one person alone below which a visitor is considered, and number of earlier steps
-/// from which one is (our choice).
+/// that are considered, too (our choice).
 const SURPRISE: f64 = -8.0;
 const BEFORE: usize = 96;
-/// Probability from which a person is out (our choice).
+/// Probability above which a person is out (our choice).
 const SURELY: f32 = 0.9;
 
 /// What is thought of the one who lives there and a guest, in the stretches in which one may be there.

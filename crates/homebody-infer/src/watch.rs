@@ -13,9 +13,9 @@ const LAG: Micros = 5 * SECOND;
 const MOST_LAGS: i64 = 720;
 /// Messages a day that a clock's error is estimated from (our choice).
 const FOR_LAG: usize = 20;
-/// Rate, in messages a second, from which a sensor sees a person (our choice).
+/// Smallest rate of a sensor with a person in view, in messages a second (our choice).
 const SEES: f32 = 0.03;
-/// Standard deviations by which the best error of a clock has to exceed an arbitrary one (our choice).
+/// Smallest margin of the best error of a clock over an arbitrary one, in standard deviations (our choice).
 const SURE: f64 = 4.0;
 
 /// One day of a sensor.

@@ -62,10 +62,10 @@ enum Doubt {
     Unsure,
 }
 
-/// Probability from which a position is sure, and from which it is likely (our choice).
+/// Smallest probability of a position that is sure, and of one that is likely (our choice).
 const SURE: f64 = 0.9;
 const LIKELY: f64 = 0.6;
-/// Amount by which a probability has to pass its limit before the word for it changes (our choice).
+/// Margin beyond its limit that a probability has to pass before the word for it changes (our choice).
 const BEYOND: f64 = 0.05;
 
 impl Learnt {

@@ -10,7 +10,7 @@ use homebody_core::scenario::source::Source;
 use homebody_core::sensors::form::Moment;
 use homebody_routine::household::Household;
 
-/// Step in metres in which the floor is searched (our choice).
+/// Step in metres of the search of the floor (our choice).
 const STEP_M: f64 = 0.1;
 
 /// Area of floor above which a home is not searched (our choice): it would take too long.

@@ -205,7 +205,7 @@ impl Pace {
 /// How often a paced run is advanced.
 const FRAME: Duration = Duration::from_millis(16);
 
-/// Time behind the world's clock from which a run hurries (our choice).
+/// Lag behind the world's clock at which a run hurries (our choice).
 const BEHIND: Micros = SECOND;
 
 /// Number of commands to a run between two checks of the clock (our choice). The others wait.

@@ -359,7 +359,7 @@ impl Wall<'_> {
     /// The instant, since the start, of a row that comes after those before. Where the clock goes back, the hour that comes
     /// twice is the second where time would run backward in the first.
     fn instant(&mut self, at: Micros) -> Micros {
-        /// Delay up to which a row does not indicate another hour (our choice).
+        /// Largest delay of a row that does not indicate another hour (our choice).
         const LATE: Micros = DAY / 48;
         let since = at - self.midnight;
         let (day, time) = (i32::try_from(since.div_euclid(DAY)).unwrap_or(i32::MAX), since.rem_euclid(DAY));

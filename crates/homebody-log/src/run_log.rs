@@ -32,7 +32,7 @@ use std::time::{Duration, Instant};
 /// disk, so it is not done more often.
 const SETTLE_ROWS: u64 = 200_000;
 
-/// Longest time for which rows may not be durable, as long as the run reports the time (our choice).
+/// Longest time until rows are durable, as long as the run reports the time (our choice).
 const SETTLE_AFTER: Duration = Duration::from_secs(1);
 
 /// The open places of a run that is being lived.

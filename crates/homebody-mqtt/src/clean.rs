@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 use tokio::time::{Instant, timeout_at};
 
-/// Silence after which a broker has sent all its retained messages (our choice): it sends them as soon as it is asked.
+/// Silence after which a broker has sent all its retained messages (our choice): it sends them on request.
 const QUIET: Duration = Duration::from_millis(700);
 
 /// Longest time that a broker takes to send its retained messages, or to delete them (our choice).

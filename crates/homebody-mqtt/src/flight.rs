@@ -315,7 +315,7 @@ impl State {
     }
 }
 
-/// Time for which a state that ends by itself is not reported as over (our choice): longer than a usual `off-delay`.
+/// Time until a state that ends by itself is reported as over (our choice): longer than a usual `off-delay`.
 const PASSES_WITHIN: Duration = Duration::from_secs(15);
 
 impl Told {

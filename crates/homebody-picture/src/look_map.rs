@@ -18,7 +18,7 @@ const LINE: f64 = 10.0;
 const HATCH: &str = "silent";
 const AXIS: Type = Type::new(12.0, MUTED);
 
-/// Rows a day from which a cell has each of the colours (our choice). Fewer have the first.
+/// Smallest number of rows a day for each of the colours of a cell (our choice). Fewer have the first.
 const STEPS: [u32; 8] = [1, 3, 10, 30, 100, 300, 1_000, 3_000];
 
 /// Largest number of sensors that are drawn, those with the most rows (our choice).

@@ -31,13 +31,13 @@ pub struct Noted {
     pub end: Micros,
 }
 
-/// Time awake up to which a person who sleeps again was not up for the day (our choice).
+/// Longest time awake of a person who sleeps again and was not up for the day (our choice).
 const UP_AT_NIGHT: Micros = 90 * 60 * SECOND;
 /// Length below which a sleep is a nap (our choice).
 const SHORTEST_NIGHT: Micros = 3 * 3600 * SECOND;
 /// Time after rising within which an activity, on at least half of the days, follows from it (our choice).
 const AFTER_RISING: Micros = 2 * 3600 * SECOND;
-/// Length from which an activity has a time of day (our choice).
+/// Shortest activity with a time of day (our choice).
 const LONG: Micros = 10 * 60 * SECOND;
 /// Ratio of the longest tenth to the median above which few activities last much longer than most (our choice).
 const SKEWED: f64 = 3.0;

@@ -46,8 +46,8 @@ const HOUR: Micros = 3_600 * SECOND;
 const LOOKS_WALKING: Micros = SECOND / 2;
 const LOOKS_STAYING: Micros = SECOND;
 
-/// Time for which a person who finds no way, or has an obstacle before them, stands still, so that an attempt takes
-/// time (our choice).
+/// Time that a person who finds no way, or has an obstacle before them, stands still, so that an attempt takes time
+/// (our choice).
 const AT_A_LOSS: Micros = SECOND;
 
 /// Shortest step, in metres (our choice).

@@ -26,7 +26,7 @@ use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 
 homebody_core::numbers! {
-    /// Height up to which bodies walk over enterable things: rugs, mats, shower trays.
+    /// Greatest height of enterable things that bodies walk over: rugs, mats, shower trays.
     static RUG_M = "mesh.rug": 0.05, "m", [0.0, 0.3];
     /// Share of its radius that a body takes when it turns sideways a little.
     static SIDEWAYS_A_LITTLE = "mesh.sideways_a_little": 0.75, "1", [0.5, 1.0];

@@ -97,9 +97,9 @@ homebody_core::numbers! {
     static AVOID_FROM_M = "wandering.avoid_from": 0.6, "m", [0.4, 3.0];
     /// Distance within which obstacles push with full strength.
     static AVOID_MOST_M = "wandering.avoid_most": 0.25, "m", [0.0, 0.35];
-    /// Smallest number of steps for which the noise keeps its direction.
+    /// Number of steps at least until the noise changes its direction.
     static NOISE_STEPS_LEAST = "wandering.noise_steps_least": 1.0, "1", [1.0, 50.0];
-    /// Upper bound, exclusive, of the steps for which the noise keeps its direction.
+    /// Number of steps, exclusive, at most until the noise changes its direction.
     static NOISE_STEPS_MOST = "wandering.noise_steps_most": 5.0, "1", [1.0, 50.0];
     /// Distance from a goal at which a body has reached it.
     static REACHED_M = "wandering.reached": 0.35, "m", [0.05, 1.0];
@@ -109,7 +109,7 @@ homebody_core::numbers! {
     static APART_M = "wandering.apart": 1.5, "m", [0.1, 10.0];
     /// Distance between the places of a wandering and things, if the home has such places.
     static ROOM_AROUND_M = "wandering.room_around": 0.5, "m", [0.0, 3.0];
-    /// Distance up to which a wall's pull on a person who fears open floor grows. Beyond it, the pull is constant.
+    /// Distance at which a wall's pull on a person who fears open floor reaches its full strength.
     static OPEN_FROM_M = "wandering.open_from": 2.0, "m", [0.6, 6.0];
     /// Distance from a wall within which no person fears open floor.
     static OPEN_LEAST_M = "wandering.open_least": 0.45, "m", [0.2, 2.0];

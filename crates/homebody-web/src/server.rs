@@ -78,7 +78,7 @@ pub struct Address<'a> {
 pub const FIRST_PORT: u16 = 8642;
 /// Time to wait at the end for answers on their way (our choice).
 const FAREWELL: Duration = Duration::from_millis(500);
-/// Time for which the file exists that leads a browser to the page (our choice).
+/// Lifetime of the file that leads a browser to the page (our choice).
 const DOORWAY: Duration = Duration::from_secs(60);
 /// Bytes of an answer that the system buffers for a page that does not read them (our choice). The default is megabytes
 /// for each page.
@@ -151,7 +151,7 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
     served
 }
 
-/// Size in bytes up to which data is sent uncompressed (our choice): compression would save no packet.
+/// Largest size in bytes of data that is sent uncompressed (our choice): compression would save no packet.
 const LONGEST_PLAIN_BYTES: u64 = 1024;
 
 /// Whether an answer gets shorter when it is packed: text of any kind and MessagePack do; files of runs and pictures are taken as

@@ -132,7 +132,7 @@ const MOMENTS: Micros = 4 * DAY;
 /// Longest stretch that is simulated at once (our choice).
 const LONGEST_STRETCH: Micros = 60 * SECOND;
 
-/// Time before the chosen moment from which the run is simulated, for the rows that are shown (our choice).
+/// Time before the chosen moment that is simulated, too, for the rows that are shown (our choice).
 const SHOWN_BEFORE: Micros = 6 * 3600 * SECOND;
 
 struct Written {

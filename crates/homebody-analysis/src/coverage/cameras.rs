@@ -19,7 +19,7 @@ pub const STEP_M: f64 = 0.1;
 /// Distance from a camera beyond which the floor is left out, in metres (our choice).
 pub const FAR_M: f64 = 12.0;
 
-/// Share of the way by which a point may be nearer than the thing that hides it and still be visible (our choice).
+/// Tolerance, as a share of the way, of the comparison of a point with the thing that hides it (our choice).
 const SPARE: f64 = 1e-3;
 
 /// Left, lower, right and upper edge, in metres.

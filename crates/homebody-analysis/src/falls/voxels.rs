@@ -23,7 +23,7 @@ pub const EDGE_M: f64 = 0.05;
 /// Nobody is looked for higher up, in metres.
 const TOP_M: f64 = 2.1;
 
-/// Number of cubes below which there is no person (our choice): a litre.
+/// Smallest number of cubes of a person (our choice): a litre.
 const LEAST: usize = 8;
 
 /// Share of a body's cubes below its top (our choice): single cubes at the head are noise.

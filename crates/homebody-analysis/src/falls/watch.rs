@@ -13,7 +13,7 @@ use serde::Serialize;
 /// A state holds from here on.
 const HOLDS: f64 = 0.5;
 
-/// Time for which pictures may disagree while a person is still on the ground (our choice).
+/// Longest disagreement of pictures about a person on the ground that is ignored (our choice).
 const LAPSE: Micros = SECOND;
 
 /// Time without a picture after which the previous state is unknown (our choice).

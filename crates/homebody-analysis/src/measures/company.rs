@@ -24,8 +24,8 @@ const MOST_DAYS: usize = 28;
 const HOUR: Micros = 3600 * SECOND;
 /// Longest time between messages of a door that belong to one use of it (our choice).
 const ONE_USE: Micros = 120 * SECOND;
-/// Time before and after a use of the door in which the person who uses it is noticed, even if the home is empty (our
-/// choice).
+/// Time before and after a use of the door whose firings are those of the person who uses it, even if the home is empty
+/// (our choice).
 const AT_THE_DOOR: Micros = 60 * SECOND;
 /// Number of firings below which a home counts as empty (our choice).
 const LEAST_SIGNS: usize = 3;

@@ -16,9 +16,9 @@ const VISITS_APART: Micros = 60 * SECOND;
 const LEAST_OUTING: Micros = 30 * 60 * SECOND;
 /// Who stays in a room for so long sits there.
 const SITS: Micros = 30 * 60 * SECOND;
-/// Hours of unknown data from which a day or a night has no measures (our choice).
+/// Largest number of unknown hours of a day or a night with measures (our choice).
 pub const UNKNOWN_H: f64 = 1.0;
-/// Number of ways, and of walks of a known length, below which there is no distribution (our choice).
+/// Smallest number of ways, and of walks of a known length, for a distribution (our choice).
 const LEAST_WAYS: usize = 10;
 const LEAST_WALKS: usize = 5;
 /// What is told of a week is told of so many days.

@@ -7,7 +7,7 @@ use homebody_core::time::{Micros, SECOND};
 /// Stay after which a person does not wander (our choice).
 const PASSING: Micros = 60 * SECOND;
 
-/// Number of returns to the start of a way from which it is pacing or lapping (our choice).
+/// Smallest number of returns to the start of a way that is pacing or lapping (our choice).
 const ROUNDS: usize = 3;
 
 /// When somebody paces, and when they lap.

@@ -25,7 +25,7 @@ pub use protoform::truth;
 pub use sentence::{About, Sentence, Summary, TRUE_ENOUGH};
 pub use set::Set;
 
-/// Number of days that count below which there is no summary (our choice).
+/// Smallest number of days that count for a summary (our choice).
 const LEAST_DAYS: usize = 5;
 /// Largest number of earlier days, and smallest number of them that count (our choice).
 const BEFORE: usize = 56;

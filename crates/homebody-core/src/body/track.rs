@@ -59,7 +59,7 @@ const TOPPLES_ASIDE_RAD: f64 = FRAC_PI_2;
 /// Speed of a turn on hands and knees, in rad/s (our choice).
 const CRAWLER_TURNS_RADPS: f64 = 1.0;
 
-/// Swing of thighs and arms to either side in crawling, and speed from which it is full, in m/s (our choice).
+/// Swing of thighs and arms to either side in crawling, and smallest speed with the full swing, in m/s (our choice).
 const CRAWL_SWING: f64 = 0.85;
 const CRAWLS_MPS: f64 = 0.3;
 

@@ -28,9 +28,9 @@ crate::numbers! {
     static SHADOW = "camera.shadow": 0.25, "1", [0.0, 1.0];
     /// Mean number of specks of up to four pixels in a frame.
     static SPECKS = "camera.specks": 0.5, "1", [0.0, 20.0];
-    /// Share of the pixels that change as a lamp goes on or off.
+    /// Share of the pixels that change as a lamp is turned on or off.
     static LIGHT = "camera.light": 0.5, "1", [0.0, 1.0];
-    /// Time that a camera needs to adapt to a lamp that goes on or off.
+    /// Time that a camera needs to adapt to a lamp that is turned on or off.
     pub static LIGHT_S = "camera.light_lasts": 1.5, "s", [0.0, 60.0];
 }
 
@@ -44,7 +44,7 @@ pub struct Noise {
     light: f64,
 }
 
-/// Number of frames for which a hole stays (our choice).
+/// Number of frames that a hole stays (our choice).
 const HOLE_FRAMES: u64 = 5;
 
 /// Share of a hole's area with a ragged border (our choice).

@@ -221,7 +221,7 @@ pub struct BatteryFile {
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub fading_days: f64,
-    /// Days from `from_day` until the battery is replaced. Without it, nobody replaces it.
+    /// Days from `from_day` until the battery is replaced. Without it, the battery stays empty.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
@@ -259,7 +259,7 @@ pub struct FallsOffFile {
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
-    /// Days from `from_day` until the sensor is put back. Without it, nobody puts it back.
+    /// Days from `from_day` until the sensor is put back. Without it, the sensor stays off its place.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
@@ -291,11 +291,11 @@ pub struct MovedFile {
 pub struct DriftFile {
     /// Name of the sensor in the home.
     pub sensor: String,
-    /// Rate by which the clock is too fast, in microseconds a second. A negative rate is too slow.
+    /// Drift of the clock, in microseconds a second. A positive drift is too fast, a negative one too slow.
     #[serde(default)]
     #[schemars(range(min = -1_000, max = 1_000))]
     pub ppm: f64,
-    /// Time by which the clock is ahead at the start of the run. A negative time is behind.
+    /// Offset of the clock at the start of the run. A negative offset is behind.
     #[serde(default)]
     #[schemars(range(min = -86_400, max = 86_400))]
     pub offset_s: f64,

@@ -84,7 +84,7 @@ pub struct BedFile {
     #[serde(default = "respiration")]
     #[schemars(inner(range(min = 1, max = 100)))]
     pub respiration_pm: [f64; 2],
-    /// Time for which the person has to lie still before the first reading of pulse and respiration.
+    /// Time that the person has to lie still before the first reading of pulse and respiration.
     #[serde(default = "still")]
     #[schemars(range(min = 0, max = 3_600))]
     pub still_s: f64,

@@ -40,8 +40,8 @@ pub struct FlowFile {
     pub name: String,
     /// Piece of furniture that the pipe leads to.
     pub on: String,
-    /// Time for which the water runs by itself, as into a cistern (about 60 s). Without it, water runs until it is
-    /// turned off.
+    /// Time that the water runs by itself, as into a cistern (about 60 s). Without it, water runs until it is turned
+    /// off.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.001, max = 86_400))]
     pub runs_s: Option<f64>,

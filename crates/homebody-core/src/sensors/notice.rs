@@ -30,7 +30,7 @@ const SURE_DEG: f64 = 22.0;
 /// The same angle for the wide sensors of CASAS homes, which see only large movements (our choice, also fitted).
 const SURE_OF_WIDE_DEG: f64 = 64.0;
 
-/// Duration of a miss, in which nothing of a body is noticed (our choice): about the time that a person takes to pass.
+/// Duration of a miss, a span without a notice of a body (our choice): about the time that a person takes to pass.
 const MISSED_FOR: Micros = 4 * SECOND;
 
 /// Distance below which a movement looks no larger (our choice).

@@ -43,7 +43,7 @@ pub struct PowerFile {
     pub name: String,
     /// Piece of furniture that the meter supplies, or room whose lamp it supplies.
     pub on: String,
-    /// Power that the appliance draws while it is on. Without it, there are no readings.
+    /// Power that the appliance draws while it is on. Without it, the meter sends no readings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.1, max = 100_000))]
     pub watts: Option<f64>,

@@ -50,7 +50,7 @@ pub struct PressureFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub area: Option<Vec<At>>,
-    /// Time for which the pad is pressed, or free, before it sends an event.
+    /// Time that the pad is pressed, or free, before it sends an event.
     #[serde(default, skip_serializing_if = "is_zero")]
     #[schemars(range(min = 0, max = 3_600), extend("default" = 0))]
     pub delay_s: f64,
@@ -88,7 +88,7 @@ impl DeviceForm for PressureFile {
     }
 }
 
-/// Height up to which a piece of furniture is a mat (our choice).
+/// Greatest height of a mat (our choice).
 pub const MAT_HEIGHT_M: f64 = 0.05;
 
 /// A pressure sensor.

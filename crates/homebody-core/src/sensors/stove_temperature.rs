@@ -62,7 +62,7 @@ pub struct StoveTemperatureFile {
     #[schemars(range(min = 22.1, max = 1_000))]
     pub off_below_c: f64,
     /// Interval between measurements. A measurement that differs from the last reading by a degree is sent. Without it,
-    /// there are no readings.
+    /// the sensor sends no readings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = 86_400))]
     pub readings_every_s: Option<f64>,

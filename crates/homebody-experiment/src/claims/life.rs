@@ -33,7 +33,7 @@ const INTERRUPTING: [&str; 10] = [
 const EACH_ALONE: [&str; 9] =
     [AWAY, DRINKING, HAVING_A_SNACK, LYING_AWAKE, PACING, TAKING_MEDICINE, USING_BATHROOM, LAPPING, WANDERING];
 
-/// Length in metres from which a stride has a known speed (our choice).
+/// Shortest stride with a known speed, in metres (our choice).
 const LEAST_M: f64 = 1.0;
 
 /// From when to when something was done, was on, or was open; `lasted` leaves interruptions out.

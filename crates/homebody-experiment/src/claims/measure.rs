@@ -8,7 +8,8 @@ use super::life::{Life, Occurrence};
 use super::subject::{Filter, Range, Subject, clock_range, number, range, scaled};
 use homebody_core::time::{DAY, Micros, SECOND};
 
-/// Minutes by which an activity may be late (our choice): the previous one is finished first, and a walk follows.
+/// Largest delay of an activity that is still in time, in minutes (our choice): the previous one is finished first, and
+/// a walk follows.
 pub const GRACE_MIN: f64 = 15.0;
 
 /// Share of the activities with a time that keep it (our choice).

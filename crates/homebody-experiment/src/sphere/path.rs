@@ -28,7 +28,7 @@ const PACE_MPS: f64 = 0.8;
 const HURRIED_MPS: f64 = 1.5;
 /// Time before leaving a room after which a person does not stand in its door (our choice).
 const IN_DOORWAY: Micros = 3 * SECOND;
-/// Distance between points below which there is no walk (our choice).
+/// Shortest walk between two points (our choice).
 const LEAST_WALK_M: f64 = 0.4;
 
 /// Why a recording cannot be placed in a home.

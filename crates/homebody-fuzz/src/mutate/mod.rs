@@ -1,6 +1,6 @@
 //! Mutators, by the grammar of what they change.
 
-/// Size in bytes up to which repetition may enlarge an input (our choice).
+/// Largest size in bytes of an input that repetition enlarges (our choice).
 const MOST_REPEATED_BYTES: usize = 300_000;
 
 /// How often something of this length may be repeated, at most `most` times.

@@ -16,7 +16,7 @@ pub const TARGET: Target =
 /// The file of a case.
 const FILE: &str = "clara.rhai";
 
-/// Time for which an input that passes the check is simulated (our choice).
+/// Time of simulation of an input that passes the check (our choice).
 const LIVED: Micros = 3_600 * SECOND;
 
 fn corpus() -> Vec<Files> {

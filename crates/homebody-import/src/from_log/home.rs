@@ -60,12 +60,12 @@ const LISTED: usize = 12;
 
 /// Area of floor that each thing in a room takes, with the free floor before it (our choice).
 const THING_TAKES_M2: f64 = 2.0;
-/// Width of a way, and distance by which it extends beyond its sensors (our choice).
+/// Width of a way, and its length beyond its sensors (our choice).
 const WAY_WIDE_M: f64 = 1.4;
 const WAY_BEYOND_M: f64 = 1.6;
 /// Walking speed along a way (our choice).
 const PACE_MPS: f64 = 0.8;
-/// Factor by which a room is enlarged if a thing does not fit, and largest number of times (our choice).
+/// Factor on the size of a room if a thing does not fit, and largest number of times that it is applied (our choice).
 const LARGER: f64 = 1.35;
 const ROUNDS: usize = 5;
 /// Thickness of outer and inner walls (our choice).

@@ -3,7 +3,7 @@
 use super::shape::{Rect, cut};
 use homebody_core::geometry::Point;
 
-/// Distance by which the home extends beyond its sensors (our choice).
+/// Distance from the outermost sensors to the end of the home (our choice).
 const MARGIN_M: f64 = 1.3;
 /// Smallest width of a part (our choice).
 const LEAST_M: f64 = 1.3;

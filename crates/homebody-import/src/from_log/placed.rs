@@ -20,7 +20,7 @@ const AT_DOOR_M: f64 = 0.75;
 /// Distance of a person who stands before a thing from the centre line of any wall (our choice): half of the thickest
 /// wall, a body and a hand's breadth.
 const STANDS_M: f64 = 0.45;
-/// Room that a body needs on each side, and side of the cells in which its way is searched (our choice).
+/// Room that a body needs on each side, and side of the cells for the search of its way (our choice).
 const BODY_M: f64 = 0.3;
 const CELL_M: f64 = 0.1;
 /// Largest distance from a door or a seat to the floor that people walk on (our choice).

@@ -23,7 +23,7 @@ const HANDFUL: usize = 10_000;
 const SHORTEST_SLEEP: i64 = 2_000;
 const LONGEST_SLEEP: i64 = 50_000;
 
-/// Time for which homes are simulated without checking for rows that are due (our choice).
+/// Longest simulation of homes without a check for rows that are due (our choice).
 const LOOK: i64 = 2_000;
 
 /// Where a fleet tells what it has to say, and how long.

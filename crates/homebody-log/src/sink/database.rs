@@ -24,7 +24,7 @@ use std::time::{Duration, Instant};
 /// choice).
 const BUSY: Duration = Duration::from_secs(2);
 
-/// Longest time for which a reader may delay many rows (our choice). Few rows are not delayed by readers.
+/// Longest delay of many rows by a reader (our choice). Readers do not delay few rows.
 const READERS: Duration = Duration::from_secs(100);
 
 /// How often it is looked whether nobody reads any more.
@@ -40,7 +40,7 @@ const ONE_FILE: &str = "PRAGMA journal_mode = DELETE";
 /// choice).
 const WATCHED: Duration = Duration::from_secs(1);
 
-/// Rows above which a transaction is large. A transaction of a live run has the rows of a second (our choice).
+/// Rows above which a transaction is large (our choice). In real time, a transaction has the rows of a second.
 const TRICKLE: usize = 10_000;
 
 /// Rows of one statement (our choice): half again as fast as one by one, measured.

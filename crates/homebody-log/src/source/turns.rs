@@ -17,7 +17,7 @@ use homebody_core::time::{DAY, Micros, SECOND};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Time before an hour that the clock repeats from which movements are read (our choice).
+/// Time before an hour that the clock repeats after which movements are read (our choice).
 const BEFORE: Micros = 3600 * SECOND;
 
 /// Time after such an hour beyond which movements are not read (our choice).

@@ -168,7 +168,7 @@ pub fn tables() -> Vec<Table> {
         ),
         table(
             "need",
-            "the level of a need as it is met, followed by a row with 0",
+            "the level of a need when it is met, followed by a row with 0",
             false,
             &[
                 WHO,

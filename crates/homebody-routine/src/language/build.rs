@@ -348,7 +348,7 @@ fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     draft.routine.changes.push(Change { said: draft.said(clause.span), days, phase, effect });
 }
 
-/// Strength with which a shy person avoids others, where the goal has 1 (our choice).
+/// Strength of a shy person's avoidance of others, where the goal has 1 (our choice).
 const SHY: f64 = 1.5;
 
 /// Stops a minute of a person who always stops (our choice).

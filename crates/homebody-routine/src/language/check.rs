@@ -115,7 +115,7 @@ fn visitors_nearly_alike(draft: &Draft, faults: &mut Faults) {
     }
 }
 
-/// Probability from which an activity is certain and cannot be left out (our choice).
+/// Smallest probability of an activity that is certain and cannot be left out (our choice).
 const CERTAIN: f64 = 0.97;
 
 /// "She naps every day", and "she never naps".

@@ -33,7 +33,7 @@ const LEFT_OUT: usize = 3;
 const LEAST_LIVED: f64 = 0.34;
 /// Largest number of attempts to read a sentence without some of its parts.
 const MOST_TRIES: usize = 40;
-/// Number of words above which a sentence is read only as it is written.
+/// Number of words above which a sentence is read literally.
 const LONGEST: usize = 60;
 
 /// What a sentence comes to: sentences that are lived, and what is kept beside them.

@@ -170,7 +170,7 @@ pub fn tends_not(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
 
 /// "falls asleep": for the night where it is late, else a nap.
 pub fn falls_asleep(reader: &mut Reader, adverbs: &Adverbs) -> Option<Predicate> {
-    /// Time from which it is late, and until which it is (our choice).
+    /// Hours of the evening after which it is late, and of the morning before which it is (our choice).
     const LATE_S: f64 = 20.0 * 3600.0;
     const EARLY_S: f64 = 5.0 * 3600.0;
     let is_asleep = |reader: &mut Reader| {

@@ -81,7 +81,7 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
 
 /// Whether what begins at one time and ends at another goes on over midnight: from the afternoon on, until the morning.
 pub fn is_of_next_day(end: f64, begin: f64) -> bool {
-    /// Time from which it is afternoon, and until which it is morning (our choice).
+    /// Start of the afternoon, and end of the morning (our choice).
     const LATE_S: f64 = 15.0 * HOUR_S;
     const EARLY_S: f64 = 9.0 * HOUR_S;
     end <= begin && (begin >= DAY_S || begin >= LATE_S && end <= EARLY_S)

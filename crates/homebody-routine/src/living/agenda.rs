@@ -40,10 +40,10 @@ const HOUR: f64 = 3600.0;
 homebody_core::numbers! {
     /// Time from getting up to the end of the morning's washing and dressing.
     static SOON_S = "day.soon": 3_600.0, "s", [0.0, 14_400.0];
-    /// Time before rising from which an activity waits until after it. One that is earlier in the night is done in the
-    /// night.
+    /// Time before rising within which an activity waits until after it. One that is earlier in the night is done in
+    /// the night.
     static NEARLY_UP_S = "day.nearly_up": 2_700.0, "s", [0.0, 14_400.0];
-    /// Time before bed in which a person who is up does the activities that the routine sets for the night.
+    /// Time before bed of the activities that the routine sets for the night, for a person who is up.
     static BEDTIME_H = "day.bedtime": 2.0, "h", [0.25, 6.0];
 }
 
@@ -423,7 +423,7 @@ impl Planner<'_> {
     /// How much later than usual all goes that nobody says of somebody whose day begins late, in seconds; earlier where
     /// negative.
     fn out_of_step_s(&self) -> f64 {
-        /// Range of the hours of getting up for which a person keeps the hours of others (our choice).
+        /// Earliest and latest hour of getting up of a person who keeps the hours of others (our choice).
         const IN_STEP_H: (f64, f64) = (4.5, 10.0);
         let up_s = seconds(self.up - self.life.instant(self.day, 0.0));
         up_s - up_s.clamp(IN_STEP_H.0 * HOUR, IN_STEP_H.1 * HOUR)

@@ -547,10 +547,10 @@ impl RoutineDriver {
     }
 }
 
-/// Length of a visit up to which the host does not leave the visitor alone to eat (our choice).
+/// Longest visit without a meal of the host alone (our choice).
 const SHORT_VISIT: Micros = 45 * MINUTE;
 
-/// Time by which a meal may be late before it interrupts an activity of leisure (our choice).
+/// Largest delay of a meal before it interrupts an activity of leisure (our choice).
 pub(super) const GRACE: Micros = 10 * MINUTE;
 
 impl Item {

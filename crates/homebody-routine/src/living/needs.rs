@@ -36,9 +36,9 @@ homebody_core::numbers! {
     static HUNGER_H = "need.hunger": 7.0, "h", [0.25, 48.0];
     /// Mean time from getting up to tiredness: naps peak at 14:30-15:00.
     static TIREDNESS_H = "need.tiredness": 7.2, "h", [0.5, 48.0];
-    /// Time of day from which tiredness may end in a nap.
+    /// Earliest time of day of a nap from tiredness.
     static NAPS_FROM_H = "need.naps_from": 12.5, "h", [0.0, 24.0];
-    /// Time of day until which tiredness may end in a nap.
+    /// Latest time of day of a nap from tiredness.
     static NAPS_UNTIL_H = "need.naps_until": 17.5, "h", [0.0, 24.0];
     /// Shape of the gamma distribution of the thresholds of needs.
     static SHAPE = "need.shape": 3.0, "1", [0.5, 50.0];

@@ -119,7 +119,7 @@ const COOKING_PATIENCE: Micros = 45 * 60 * SECOND;
 const WARMED: f64 = 0.5;
 const WARMING_S: f64 = 150.0;
 
-/// Length of a visit from which the visitor has meals and a bed, and the host keeps their usual day (our choice).
+/// Shortest visit with meals and a bed for the visitor, and a usual day for the host (our choice).
 pub(super) const STAYING_OVER: Micros = 10 * 3600 * SECOND;
 
 /// Time that the host first sits with such a visitor (our choice).

@@ -28,8 +28,8 @@ const MOST_SIDES: usize = 1_000;
 /// Largest number of parts that sides are cut into (our choice).
 const MOST_PARTS: usize = 4 * MOST_SIDES;
 
-/// Steps of the grid by which rounding may move a cut off a side: between sides nearly in one line, it moves it far
-/// away.
+/// Largest shift of a cut off a side by rounding, in steps of the grid: between sides nearly in one line, it moves it
+/// far away.
 const MOST_OFF: f64 = 0.01;
 
 /// Outlines that are combined together (our choice): most of many are covered and need no second look.

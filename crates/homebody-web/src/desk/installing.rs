@@ -21,8 +21,8 @@ use homebody_picture::{installing, pdf};
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Largest number of sensors that are suggested at once, and of people whose lives are simulated for it (our choice).
-/// The command has no such limits.
+/// Largest number of sensors that are suggested at once, and of people that are simulated for it (our choice). The
+/// command has no such limits.
 const MOST_SENSORS: u16 = 64;
 const MOST_PEOPLE: u32 = 100;
 /// Smallest number of people that are simulated (our choice): one person shows only their own habits.

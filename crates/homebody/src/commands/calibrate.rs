@@ -204,7 +204,7 @@ impl Arguments {
     }
 }
 
-/// Number of days below which there is no rhythm (our choice).
+/// Smallest number of days of a rhythm (our choice).
 const LEAST_DAYS: Micros = 3;
 
 /// The two parts of a log, as instants on the clock on the wall.

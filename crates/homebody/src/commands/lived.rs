@@ -100,7 +100,7 @@ enum OnSinkDown {
     Spool,
 }
 
-/// Time for which a server is waited for (our choice). For a longer outage, stop the run and resume it later.
+/// Longest wait for a server (our choice). For a longer outage, stop the run and resume it later.
 const RETRY_FOR: Duration = Duration::from_secs(86_400);
 
 impl Away {
@@ -265,7 +265,7 @@ fn summary(name: &str, lived: &Lived) -> String {
     text
 }
 
-/// Largest number of sentences after a run (our choice). `homebody routine check --lived` prints all.
+/// Largest number of sentences after a run (our choice). `homebody routine check` prints all.
 const MOST_TOLD: usize = 5;
 
 /// The sentences whose lives differ from their words, briefly.

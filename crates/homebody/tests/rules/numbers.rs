@@ -203,8 +203,9 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
             wanted = next;
         }
         let is_key = file.path.starts_with(FORMS) && line.starts_with("pub ") && line.ends_with(',');
-        let is_loose = (said.contains("(ours") || said.contains(CHOICE)) && wanted == at - 1 && !is_key;
-        let is_beside = line.split_once("// ").is_some_and(|(_, beside)| beside.contains("(ours") || beside.contains(CHOICE));
+        let is_marked = |text: &str| text.contains("(ours") || text.contains(CHOICE);
+        let is_loose = is_marked(&said) && wanted == at - 1 && !is_key;
+        let is_beside = line.split_once("// ").is_some_and(|(_, beside)| is_marked(beside));
         if is_loose || is_beside {
             wrong.push(format!("{}:{at}: make it a constant, or declare it with `numbers!`: {line}", file.path));
         }

@@ -18,7 +18,7 @@ const LEAST_SPEED_MPS: f64 = 0.01;
 /// Largest number of moves a second (our choice): with more, the truth has too many rows to be useful.
 const MOST_MOVES_PER_S: f64 = 100.0;
 
-/// Number of moves up to which repetitions may have any speed (our choice).
+/// Largest number of moves of repetitions with any speed (our choice).
 const FEW_MOVES: f64 = 1_000.0;
 
 /// Shorter ways may take no time at all, rounded to microseconds.

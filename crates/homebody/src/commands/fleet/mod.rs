@@ -112,7 +112,7 @@ enum WhenAway {
     Retry,
 }
 
-/// Time for which a destination is waited for (our choice).
+/// Longest wait for a destination (our choice).
 const RETRY_FOR: Duration = Duration::from_secs(86_400);
 
 /// Time before now at which a fleet may start and run faster than real time at first (our choice): homes take time to

@@ -11,7 +11,7 @@ use crate::sensors::motion::LENS_OFF_WALL_M;
 /// default.
 const MOST_BEAMS: u32 = 32_768;
 
-/// Depth and length of the overlap by which an area reaches through a wall (our choice).
+/// Smallest depth and length of the part beyond a wall of an area that reaches through it (our choice).
 const REACH_THROUGH_M: f64 = 0.05;
 
 /// The lines that a sensor sees along: beams, the zones of all rows, or the sides of an area.
