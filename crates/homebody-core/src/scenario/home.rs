@@ -167,7 +167,7 @@ pub struct DoorFile {
     /// The other jamb, on the same wall.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub to: At,
-    /// Position at the start of a run. An open door lets people and beams through; a closed door blocks both.
+    /// Whether the door is open. An open door lets people and beams through; a closed door blocks both.
     #[serde(default = "yes")]
     pub open: bool,
     /// Whether people close the open door each time after they pass. Such a door lets people through, but never beams.

@@ -32,7 +32,7 @@ pub struct ChanceFile {
     /// notices it.
     #[schemars(range(min = 0, max = 10))]
     pub edge_m: f64,
-    /// Share of passing bodies that the sensor misses. A miss is a span of 4 s without a notice of a body.
+    /// Share of the spans of 4 s with a passing body that the sensor misses.
     #[schemars(range(min = 0, max = 1))]
     pub missed: f64,
 }

@@ -45,7 +45,7 @@ pub struct LightFile {
     pub name: String,
     /// Room that the sensor is in.
     pub room: String,
-    /// Light through the windows with the sun at the zenith. It is 0 without a window.
+    /// Daylight through the windows with the sun at the zenith. It is 0 without a window.
     #[serde(default = "daylight")]
     #[schemars(range(min = 0, max = 100_000))]
     pub daylight_lux: f64,

@@ -152,7 +152,7 @@ fn in_garden(reader: &mut Reader) -> Option<()> {
     reader.eat("garden|greenhouse|allotment|yard|patio").then_some(())
 }
 
-/// Fraction of a day that "most of the day" takes (our choice): meals and the toilet take the rest.
+/// Number of periods of an activity that takes most of the day (our choice): meals and the toilet come between them.
 const DAY_TIMES: (u32, u32) = (4, 4);
 const DAY_LASTS_S: Fuzzy = Fuzzy { low: 5_400.0, from: 7_200.0, to: 7_200.0, high: 9_000.0 };
 

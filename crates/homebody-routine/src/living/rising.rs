@@ -118,7 +118,7 @@ pub(super) fn varied(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
 /// How long something takes whose length is fuzzy: as far from the mean as said, and never below nothing, so that the mean
 /// stays.
 pub(super) fn varied_length(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
-    /// Smallest share of the mean of the shortest one (our choice).
+    /// Smallest ratio of the shortest duration to the mean (our choice).
     const LEAST: f64 = 0.05;
     let (mean, least) = (fuzzy.mean(), fuzzy.low);
     let most = if least < mean { (mean * (1.0 - LEAST) / (mean - least)).max(1.0) } else { irregular };
