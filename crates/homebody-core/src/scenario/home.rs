@@ -205,8 +205,8 @@ pub struct FurnitureFile {
     /// Height of the piece. It blocks beams that pass lower than this.
     #[schemars(range(min = 0, max = 10))]
     pub height_m: f64,
-    /// Whether a person can be on the piece, as on a bed, an armchair or a rug. A piece of at most 5 cm never blocks
-    /// anyone.
+    /// Whether a person can be in or on the piece, as on a bed, an armchair or a rug. A piece of at most 5 cm never
+    /// blocks anyone.
     #[serde(default)]
     pub enterable: bool,
     /// Role of the piece, whatever its name. Without it, the name sets the role.
@@ -406,7 +406,7 @@ pub struct MotionFile {
     /// Model of detection: which changes in a beam count as movement.
     #[serde(default)]
     pub level: Level,
-    /// Device that the sensor is. It sets the timing of events and which movements the sensor notices.
+    /// Device model. It sets the timing of events and which movements the sensor notices.
     #[serde(default)]
     pub preset: Preset,
     /// Overrides the preset: which movements in its field the sensor notices.
@@ -437,7 +437,7 @@ pub struct CeilingMotionFile {
     /// Convex area of the floor that the sensor sees: its corners in order.
     #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub area: Vec<At>,
-    /// Device that the sensor is. It sets the timing of events and which movements the sensor notices.
+    /// Device model. It sets the timing of events and which movements the sensor notices.
     #[serde(default)]
     pub preset: Preset,
     /// Overrides the preset: which movements in its field the sensor notices.
@@ -476,7 +476,8 @@ pub enum Level {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "sensitivity level")]
 pub struct SensitivityFile {
-    /// Smallest angle, seen from the lens, that the moving part of the body spans within one second.
+    /// Smallest movement that counts: the angle, seen from the lens, that the moving part of the body spans within one
+    /// second.
     #[serde(default = "threshold")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 90))]
     pub threshold_deg: f64,

@@ -30,7 +30,7 @@ pub struct ResidentFile {
     /// How the resident wanders: the gains of motor schemas.
     #[serde(default, skip_serializing_if = "WanderingFile::is_usual")]
     pub wandering: WanderingFile,
-    /// Driver: decides where the resident goes and what they do.
+    /// Driver of the resident. It decides their movements and acts.
     pub driver: DriverFile,
 }
 

@@ -68,7 +68,7 @@ pub struct BedFile {
     pub name: String,
     /// Enterable piece of furniture that the strip is in.
     pub on: String,
-    /// Duration of a movement at which it reaches each level of restlessness.
+    /// Duration of a movement that reaches each level of restlessness.
     #[serde(default = "levels")]
     #[schemars(length(min = 1, max = 4), inner(range(min = 0, max = 3_600)))]
     pub levels_s: Vec<f64>,

@@ -53,7 +53,7 @@ pub struct LightFile {
     #[serde(default = "lamp")]
     #[schemars(range(min = 0, max = 100_000))]
     pub lamp_lux: f64,
-    /// Change since the last event that makes the sensor send a reading.
+    /// Smallest change since the last event that makes the sensor send a reading.
     #[serde(default = "change")]
     #[schemars(range(min = 0.1, max = 1_000))]
     pub change_percent: f64,

@@ -53,11 +53,11 @@ pub struct StoveTemperatureFile {
     #[serde(default = "hot")]
     #[schemars(range(min = 25, max = 1_000))]
     pub hot_c: f64,
-    /// Temperature above which a stove that heats up is `ON`.
+    /// Temperature above which the sensor sends `ON` as the stove heats up.
     #[serde(default = "on_above")]
     #[schemars(range(min = 23, max = 1_000))]
     pub on_above_c: f64,
-    /// Temperature below which a stove that cools down is `OFF`.
+    /// Temperature below which the sensor sends `OFF` as the stove cools down.
     #[serde(default = "off_below")]
     #[schemars(range(min = 22.1, max = 1_000))]
     pub off_below_c: f64,
