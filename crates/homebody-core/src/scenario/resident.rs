@@ -37,7 +37,7 @@ pub struct ResidentFile {
 /// How a resident wanders: the strength of each motor schema, and the number of stops.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-#[schemars(title = "wandering")]
+#[schemars(title = "wandering gains")]
 pub struct WanderingFile {
     /// Strength of the pull toward the goal, as a factor on the usual one.
     #[schemars(range(min = 0.1, max = 10))]
