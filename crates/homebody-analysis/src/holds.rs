@@ -10,7 +10,7 @@ use crate::rows::Row;
 use crate::signs::{Kind, Says};
 use homebody_core::time::{Micros, SECOND};
 
-/// A shorter hold time hides nothing (our choice).
+/// Hold time below which a sensor hides no movement (our choice).
 const SHORTEST: Micros = 10 * SECOND;
 
 /// Longest hold time: a sensor that is always on for longer sees movement all the time (our choice).

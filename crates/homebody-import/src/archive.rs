@@ -67,7 +67,7 @@ const SAVE_AGAIN: &str = "a plan of one home is smaller: open it in Sweet Home 3
 
 /// Whether the bytes are the text of a plan, without an archive around it.
 fn is_unpacked(bytes: &[u8]) -> bool {
-    /// The root element begins within this many bytes (our choice).
+    /// Number of bytes within which the root element begins (our choice).
     const HEAD: usize = 4_096;
     let head = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD)]).into_owned();
     let head = head.trim_start_matches('\u{feff}').trim_start();

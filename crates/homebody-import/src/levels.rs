@@ -13,7 +13,7 @@ const MOST_COUNTED: usize = 100;
 /// Largest number of levels with content (our choice). Of more, those with the most walls are used.
 const MOST_STOREYS: usize = 8;
 
-/// A lower level is a ceiling, a roof or the thickness of a floor (our choice).
+/// Height below which a level is a ceiling, a roof or the thickness of a floor (our choice).
 const LEAST_HEIGHT_M: f64 = 1.2;
 
 /// The levels of a plan that may be imported, from below.

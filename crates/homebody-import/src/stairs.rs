@@ -19,7 +19,7 @@ const APART_M: f64 = 1.5;
 /// Smallest rise of stairs as a share of the distance between two levels that they connect (our choice).
 const LEAST_RISE: f64 = 0.6;
 
-/// Levels nearer to each other are two drawings of one level (our choice), without stairs between them.
+/// Distance below which two levels are drawings of one level (our choice), without stairs between them.
 const LEAST_APART_M: f64 = 0.5;
 
 /// Additional length of a passage allowed for a floor that is not turned, or is turned by a half, by a quarter, or by

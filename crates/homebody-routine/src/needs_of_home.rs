@@ -251,7 +251,7 @@ impl Check<'_> {
 
     /// Why no place is named for a piece.
     fn no_room(&self) -> String {
-        /// The most names in one message (our choice).
+        /// Largest number of names in one message (our choice).
         const NAMED: usize = 6;
         let rooms = &self.lacking.rooms;
         let named: Vec<String> = rooms.iter().take(NAMED).map(|room| format!("{room:?}")).collect();

@@ -5,7 +5,7 @@ use homebody_log::Event;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// No clock is set back by more (our choice).
+/// Largest change of a clock that is set back (our choice).
 const SET_BACK: Micros = 3 * 3600 * SECOND;
 
 /// Largest number of rows that are put into order (our choice): they take 24 MB.

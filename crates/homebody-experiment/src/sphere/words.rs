@@ -3,7 +3,7 @@
 use super::comparison::{Comparison, Figures, Finding, RoomComparison};
 use std::fmt;
 
-/// Largest ratio of two counts or durations that agree. The limit is our choice, except for kappa.
+/// Largest ratio of two counts or durations that agree (our choice, except for kappa).
 const LIKE_FACTOR: f64 = 1.5;
 /// Shares agree if they differ by no more than this.
 const LIKE_SHARE: f64 = 0.15;
