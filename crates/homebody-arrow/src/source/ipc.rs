@@ -17,7 +17,7 @@ const TRAILER_BYTES: u64 = 10;
 /// A record batch that unpacks to no more than this is read, however well it is packed.
 const SMALL_BATCH_BYTES: u64 = 64 << 20;
 
-/// Largest compression ratio of a batch larger than `LARGEST_BATCH_BYTES`.
+/// Largest compression ratio of a batch that unpacks to more than `SMALL_BATCH_BYTES`.
 const LARGEST_RATIO: u64 = 100;
 
 /// Largest size of an unpacked record batch.
