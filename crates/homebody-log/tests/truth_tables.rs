@@ -105,7 +105,10 @@ fn document(tables: &[Table]) -> String {
 fn section(table: &Table) -> String {
     let Table { name, about, columns, .. } = table;
     let rows: String = columns.iter().map(|column| row(name, column)).collect();
-    format!("\n## `{name}`\n\n{}.\n\n| column | type | unit | description |\n|---|---|---|---|\n{rows}", sentence(about))
+    format!(
+        "\n## `{name}`\n\n{}.\n\n| column | type | unit | description |\n|---|---|---|---|\n{rows}",
+        sentence(about)
+    )
 }
 
 fn row(table: &str, column: &Column) -> String {

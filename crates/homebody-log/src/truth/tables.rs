@@ -130,7 +130,12 @@ pub fn tables() -> Vec<Table> {
                 ("begin_at", Instant, "", "start of the span"),
                 ("end_at", Instant, "", "end of the span"),
                 ("kind", Text, "", "kind of movement: stride, in_place, rest or away"),
-                ("from_x", Real, "m", "position at the start, to the east; this and the next four are empty while away"),
+                (
+                    "from_x",
+                    Real,
+                    "m",
+                    "position at the start, to the east; this and the next four are empty while away",
+                ),
                 ("from_y", Real, "m", "position at the start, to the north"),
                 ("to_x", Real, "m", "position at the end, to the east"),
                 ("to_y", Real, "m", "position at the end, to the north"),
@@ -181,7 +186,12 @@ pub fn tables() -> Vec<Table> {
             "condition",
             "the severity of a condition, one row for each change",
             false,
-            &[WHO, FROM, ("name", Text, "", "name of the condition"), ("severity", Real, "", "severity: 0 is absent, 1 a moderate case")],
+            &[
+                WHO,
+                FROM,
+                ("name", Text, "", "name of the condition"),
+                ("severity", Real, "", "severity: 0 is absent, 1 a moderate case"),
+            ],
         ),
         table(
             "lost",
@@ -192,7 +202,12 @@ pub fn tables() -> Vec<Table> {
                 ("value", Text, "", "value of the event"),
                 ("sent_at", Instant, "", "time at which the event was sent"),
                 ("seen_at", Instant, "", "time at which the cause was first detected"),
-                ("loss", Text, "", "reason of the loss: radio, collision, miss, battery, place, stuck, garbled or outage"),
+                (
+                    "loss",
+                    Text,
+                    "",
+                    "reason of the loss: radio, collision, miss, battery, place, stuck, garbled or outage",
+                ),
                 WHOSE,
                 WHY,
                 USED,
@@ -202,7 +217,15 @@ pub fn tables() -> Vec<Table> {
             "resident",
             "the residents and visitors of the home, one row each",
             false,
-            &[WHO, ("person", Text, "", "id of the person across all runs: the home's name, a slash and the resident's name")],
+            &[
+                WHO,
+                (
+                    "person",
+                    Text,
+                    "",
+                    "id of the person across all runs: the home's name, a slash and the resident's name",
+                ),
+            ],
         ),
         table(
             "outside",
