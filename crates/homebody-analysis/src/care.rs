@@ -117,10 +117,10 @@ struct Asked {
 /// Sentences are about so many of the last days.
 pub const LAST_DAYS: usize = 14;
 
-/// A day is told as unusual that is so many standard deviations from the mean (ours), and what is less than these apart is
-/// usual all the same (ours).
+/// Standard deviations from the mean at which a day is unusual, and difference below which a day is usual in any case
+/// (our choice).
 const UNUSUAL_SD: f64 = 2.0;
-/// What is less percent apart is the same pace (ours).
+/// Difference of the pace, in percent, below which it is unchanged (our choice).
 const SAME_PACE_PERCENT: f64 = 5.0;
 const ASKED: [Asked; 11] = [
     Asked { measure: "time_in_bed", title: "In bed", unit: Unit::Hours, least_sd: 0.5, said: "Was in bed for {}" },

@@ -33,7 +33,7 @@ use std::sync::Arc;
 use tokio::io::{AsyncRead, AsyncReadExt};
 use tokio::sync::{Semaphore, watch};
 
-/// What a page may send by HTTP (ours).
+/// Largest size of a page's HTTP request (our choice).
 pub const LARGEST_BODY_BYTES: usize = 8 << 20;
 
 /// What answers are made from.

@@ -5,10 +5,10 @@ use homebody_analysis::dates::clock_of_hours;
 use homebody_analysis::measures::Measure;
 use homebody_analysis::summaries::Sentence;
 
-/// From so much less, or more, than usual on it is much (ours).
+/// Ratio to the usual of a large decrease, and of a large increase (our choice).
 const MUCH_LESS: f64 = 0.7;
 const MUCH_MORE: f64 = 1.5;
-/// The same of times of day, in hours (ours), and of the pace of walking, as a share (ours).
+/// Smallest large change of times of day in hours, and of the pace as a share (our choice).
 const MUCH_LATER_H: f64 = 1.5;
 const MUCH_SLOWER: f64 = 0.15;
 

@@ -68,7 +68,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Sqlite,
         name: "sqlite",
-        what: "a database file, with a table as the network has it",
+        what: "an SQLite database file, with the table and columns of the network",
         at: "FILE",
         usual: "log.db",
         stands: Stands::File,
@@ -86,7 +86,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Casas,
         name: "casas",
-        what: "the text of the CASAS homes: time, sensor and message, parted by tabs",
+        what: "the text format of the CASAS homes: time, sensor and message, separated by tabs",
         at: "FILE",
         usual: "log.txt",
         stands: Stands::Text,
@@ -95,7 +95,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Jsonl,
         name: "jsonl",
-        what: "a JSON object a line, with the names of the columns",
+        what: "one JSON object a line, with the column names as keys",
         at: "FILE",
         usual: "log.jsonl",
         stands: Stands::Text,
@@ -104,7 +104,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Parquet,
         name: "parquet",
-        what: "Parquet: one file where its name ends in .parquet, else a folder of files by run and day",
+        what: "Parquet: one file if the name ends in .parquet, else a folder of files by run and day",
         at: "FOLDER",
         usual: "log.parquet",
         stands: Stands::File,
@@ -113,7 +113,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Arrow,
         name: "arrow",
-        what: "a file of Arrow IPC, which is also known as Feather",
+        what: "an Arrow IPC file, also known as Feather",
         at: "FILE",
         usual: "log.arrow",
         stands: Stands::File,
@@ -122,7 +122,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Postgresql,
         name: "postgresql",
-        what: "a database of PostgreSQL, with a table as the network has it",
+        what: "a PostgreSQL database, with the table and columns of the network",
         at: "//USER@HOST/DATABASE",
         usual: "",
         stands: Stands::Server,
@@ -131,7 +131,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Mqtt,
         name: "mqtt",
-        what: "a broker of MQTT, a topic for each sensor",
+        what: "an MQTT broker, with a topic for each sensor",
         at: "//HOST/PREFIX",
         usual: "",
         stands: Stands::Server,

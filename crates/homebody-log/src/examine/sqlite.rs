@@ -13,7 +13,7 @@ use homebody_core::problem::counted;
 use rusqlite::Connection;
 use std::path::{Path, PathBuf};
 
-/// So many pages that are wrong are told (ours).
+/// Largest number of damaged pages in a report (our choice).
 const MOST_TOLD: usize = 5;
 
 /// The version of SQLite in this program, once it has kept a row and given it back.

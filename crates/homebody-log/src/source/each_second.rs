@@ -102,7 +102,7 @@ struct Column {
     is_state: bool,
 }
 
-/// A longer pause between two rows is a gap: rows are a second apart.
+/// Pause between two rows above which there is a gap: rows are a second apart.
 const LONGEST_PAUSE: Micros = 60 * SECOND;
 
 /// The gap between two rows, if there is one: its beginning as an instant, and both its ends.

@@ -39,10 +39,10 @@ const DEEPEST: usize = 64;
 /// A text with this many rows at its beginning is a log.
 const ENOUGH: u64 = 2;
 
-/// The most values of a text that are searched for its first rows.
+/// Largest number of values of a text that are searched for its first rows.
 const MOST_SEARCHED: u64 = 10_000;
 
-/// The most names of columns in a list.
+/// Largest number of column names in a list.
 const MOST_NAMES: usize = 100;
 
 fn shows(start: &Start) -> Shows {

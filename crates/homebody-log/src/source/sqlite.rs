@@ -143,7 +143,7 @@ fn sensors(connection: &Connection) -> rusqlite::Result<Vec<SensorInfo>> {
     Ok(known)
 }
 
-/// The most sensors that are read from the table.
+/// Largest number of sensors that are read from the table.
 const MOST_SENSORS: usize = 10_000;
 
 /// Whether a database has the table of sensors that we write.

@@ -9,11 +9,12 @@ use serde_json::json;
 use std::fs;
 use std::path::Path;
 
-/// The estimate of what a cohort writes comes from the first days of its first members (our choice). Members differ by a factor of two.
+/// Days, and members, of a cohort that the estimate of its output is made from (our choice). Members differ by a factor
+/// of two.
 const SAMPLE: Micros = 3 * DAY;
 const SAMPLE_MEMBERS: usize = 6;
 
-/// A cohort that is less than this many times its sample is simulated sooner than estimated, and writes little (our choice).
+/// Smallest ratio of a cohort to its sample for an estimate (our choice): a smaller cohort is simulated in less time.
 const WORTH_A_SAMPLE: Micros = 10;
 
 /// Homebody announces no smaller output (our choice).

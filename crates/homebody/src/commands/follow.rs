@@ -29,7 +29,7 @@ pub struct Followed<'a> {
 
 /// What is written for a file where standard input is meant.
 const INPUT: &str = ":-";
-/// So many lines of standard input wait at most to be kept.
+/// Largest number of lines of standard input that wait to be stored.
 const MOST_WAITING: usize = 10_000;
 /// How soon a signal ends what waits.
 const BREATH: Duration = Duration::from_millis(100);

@@ -267,7 +267,7 @@ fn reports_in(path: &Path) -> Option<Vec<u8>> {
     text.split(|&byte| byte == b'\n').filter(|line| !line.is_empty()).all(is_report).then_some(text)
 }
 
-/// The largest file of reports that a fleet adds to; a report every five seconds takes a year to fill half of it.
+/// Largest size of the file of reports that a fleet appends to. A report every five seconds fills half of it in a year.
 const LARGEST_REPORTS_BYTES: u64 = 8 << 30;
 
 /// Opens the file of reports: a new one, or the one that the same command left, to add to it.

@@ -25,7 +25,7 @@ const MOST_FRAMES: u64 = 3000;
 /// Most pictures of a folder (our choice): systems become slow with more.
 const MOST_PICTURES: u64 = 200_000;
 
-/// A frame of a film is shown no longer than this, whatever lies between it and the next.
+/// Longest time that a frame of a film is shown, whatever the time to the next.
 const LONGEST_FRAME: Micros = SECOND;
 
 /// What a place is to become.
