@@ -206,11 +206,7 @@ impl Arguments {
     }
 }
 
-<<<<<<< HEAD:crates/homebody/src/commands/fit.rs
 /// Fewest days for a rhythm (our choice).
-=======
-/// Smallest number of days of a rhythm (our choice).
->>>>>>> d3:crates/homebody/src/commands/calibrate.rs
 const LEAST_DAYS: Micros = 3;
 
 /// The two parts of a log, as instants on the clock on the wall.

@@ -64,11 +64,7 @@ fn hint(asked: &str, all: &[Number]) -> String {
     }
 }
 
-<<<<<<< HEAD:crates/homebody/src/commands/parameters.rs
 /// Most names in a hint (our choice).
-=======
-/// Number of names in a hint (our choice).
->>>>>>> d3:crates/homebody/src/commands/numbers.rs
 const FEW: usize = 5;
 
 /// Whether a name is this, or begins with it at one of its dots.
