@@ -35,7 +35,7 @@ function stored(run) {
 
 test('the keys drive her to the kitchen, and what sensors said is in SQLite', { timeout: 240_000 }, async () => {
   const { page } = served;
-  await page.getByLabel('Who walks').selectOption({ label: 'margaret, by my keys' });
+  await page.getByLabel('Keyboard controls').selectOption({ label: 'margaret, by my keys' });
   await page.getByRole('button', { name: 'New run' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await page.getByRole('application').focus();
@@ -59,7 +59,7 @@ test('the recording is lived again, to the same firings', { timeout: 240_000 }, 
   const { page } = served;
   const before = await shown(page);
   await page.getByRole('button', { name: 'Replay' }).click();
-  await page.getByRole('button', { name: 'As fast as it goes' }).click();
+  await page.getByRole('button', { name: 'As fast as possible' }).click();
   await page.getByText('The same as the recording').first().waitFor();
   await page.locator(`tr[aria-rowindex="${before.length + 1}"]`).waitFor();
   assert.deepEqual(await shown(page), before);

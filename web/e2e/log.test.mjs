@@ -11,7 +11,7 @@ before(async () => (served = await serve('tigerplace')));
 after(() => served.close());
 
 const logger = () => readFileSync(join(served.folder, 'tigerplace/logger.json'), 'utf8');
-const rows = (place = 1) => served.page.getByRole('region', { name: `Rows of place ${place}` });
+const rows = (place = 1) => served.page.getByRole('region', { name: `Rows of destination ${place}` });
 
 /** The rows of a run's log, as the program reads them from its database: sensor and message. */
 function stored(run) {
@@ -35,8 +35,8 @@ test('table, columns, ids, messages and time are changed, and the first rows sho
   await page.getByRole('textbox', { name: 'Sensor', exact: true }).fill('unit');
   await page.getByLabel('Id of bedroom motion').fill('Z9');
   await page.getByRole('radio', { name: /^ON, then OFF/ }).check();
-  await page.getByLabel('Hold in seconds').fill('7.5');
-  await page.getByRole('combobox', { name: 'Time', exact: true }).selectOption({ label: 'Local time with its offset' });
+  await page.getByLabel('Hold time in seconds').fill('7.5');
+  await page.getByRole('combobox', { name: 'Time', exact: true }).selectOption({ label: 'Local time with UTC offset' });
   await rows().getByRole('columnheader', { name: 'read_at' }).waitFor();
   await rows().getByRole('cell', { name: 'Z9' }).first().waitFor();
   await rows().getByRole('cell', { name: 'OFF' }).first().waitFor();
@@ -44,7 +44,7 @@ test('table, columns, ids, messages and time are changed, and the first rows sho
   await page.getByText('table reading').waitFor();
   assert.equal(logger(), before, 'nothing is written before it is saved');
   await page.keyboard.press('Control+s');
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   const expected = before
     .replace('"event"', '"reading"').replace('"ts_local"', '"read_at"').replace('"sensor_id"', '"unit"').replace('"A1"', '"Z9"')
     .replace('"fire_only"', '{ "on_off": { "hold_s": 7.5 } }').replace('"time": "local"', '"time": "local_offset"');
@@ -59,15 +59,15 @@ test('what is wrong stands beside its field, and a place outside the run is told
   assert.equal(await table.getAttribute('aria-invalid'), 'true');
   await page.getByRole('button', { name: 'Undo' }).click();
   assert.equal(await table.inputValue(), 'reading');
-  await page.getByRole('button', { name: 'Try' }).click();
+  await page.getByRole('button', { name: 'Test' }).click();
   await page.getByText('which can be written').waitFor();
-  await page.getByLabel('Address of place 1').fill('/nowhere/at/all/log.db');
-  await page.getByRole('button', { name: 'Try' }).click();
+  await page.getByLabel('Address of destination 1').fill('/nowhere/at/all/log.db');
+  await page.getByRole('button', { name: 'Test' }).click();
   await page.getByText("no file name inside the run's folder").first().waitFor();
   while (await page.getByRole('button', { name: 'Undo' }).isEnabled()) await page.getByRole('button', { name: 'Undo' }).click();
   while (await page.getByRole('button', { name: 'Redo' }).isEnabled()) await page.getByRole('button', { name: 'Redo' }).click();
-  await page.getByLabel('Address of place 1').fill('log.db');
-  await page.getByText('All is saved.').waitFor();
+  await page.getByLabel('Address of destination 1').fill('log.db');
+  await page.getByText('All changes saved.').waitFor();
 });
 
 test('the next run is stored so, and is seen to grow', { timeout: 240_000 }, async () => {
@@ -85,7 +85,7 @@ test('the next run is stored so, and is seen to grow', { timeout: 240_000 }, asy
   await hour.waitFor();
   const first = await hour.innerText();
   await page.waitForFunction((first) => document.querySelector('.foot .said').innerText !== first, first);
-  await page.getByLabel('as a table').last().check();
+  await page.getByLabel('Table').last().check();
   await page.getByRole('row', { name: /^bedroom motion [1-9]/ }).waitFor();
   await goTo('Live');
   await page.getByRole('button', { name: 'Stop' }).click();

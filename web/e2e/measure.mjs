@@ -205,11 +205,11 @@ for (let round = 0; round < 60; round += 1) {
 }
 say('scrubbed to a day that was not looked at', scrubs);
 
-// What is looked for over the year, from the page and back, each of them several times.
+// Searches over the year, from the page and back, each of them several times.
 const FINDS = {
   'in the bathroom between 0 and 6': { what: 'room', name: 'bathroom', between_min: [0, 360], least_s: 0 },
   'stove motion on for 30 minutes': { what: 'on', name: 'stove motion', between_min: null, least_s: 1800 },
-  'nothing stirs for 3 hours by day': { what: 'still', name: null, between_min: [480, 1200], least_s: 10_800 },
+  'no movement for 3 hours by day': { what: 'still', name: null, between_min: [480, 1200], least_s: 10_800 },
   'falls': { what: 'fall', name: null, between_min: null, least_s: 0 },
   'lost messages': { what: 'lost', name: null, between_min: null, least_s: 0 },
 };

@@ -48,7 +48,7 @@ test('what the home lacks is put where the hint says that there is room', () => 
   expect([lacks.what, lacks.rest]).toEqual(['Put “bed” into “room”', 'give it a bed']);
   expect(JSON.parse(lacks.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1] }, JSON.parse(bed)]);
   const enterable = mend({ hint: 'write "enterable": true for "table"' })!;
-  expect(enterable.what).toBe('Let people be in “table”');
+  expect(enterable.what).toBe('Let residents use “table”');
   expect(JSON.parse(enterable.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1], enterable: true }]);
   expect(mend({ hint: 'add to "furniture" what it lacks' })).toBeNull();
 });

@@ -145,7 +145,7 @@ test('an alert is seen to with a note, which is kept by the server, and so is on
   ]);
   expect(text()).toContain('The one alert has been seen to');
   expect(cell().title).toBe('Sunday 29 March 2009, 1 alert seen to, 1 thing unusual, with a note');
-  const ofDay = one<HTMLInputElement>('input[placeholder="note on this day"]');
+  const ofDay = one<HTMLInputElement>('input[placeholder="Note on this day"]');
   ofDay.value = 'her son came';
   ofDay.dispatchEvent(new Event('change', { bubbles: true }));
   await settle();
@@ -169,7 +169,7 @@ test('where nobody can be seen walking that is said, and a log is walked back on
   expect(one<HTMLSelectElement>('#care-run').value).toBe('b');
   expect(text()).toContain('Playback shows its sensors alone');
   answers['/api/runs/b/log'] = 'rows';
-  [...document.querySelectorAll('button')].find((button) => button.textContent === 'Walk its log back')!.click();
+  [...document.querySelectorAll('button')].find((button) => button.textContent === 'Locate people')!.click();
   await settle();
   expect(sent.map(([path]) => path)).toEqual(['/api/walk/b.db/b']);
   await unmount(view);
@@ -189,18 +189,18 @@ test('two spans stand side by side, and may be others', async () => {
   from!.value = '2009-03-29';
   from!.dispatchEvent(new Event('change', { bubbles: true }));
   flushSync();
-  expect(row()[0]!.at(-1)).toBe('too few days to say');
+  expect(row()[0]!.at(-1)).toBe('too few days');
 });
 
 test('without a usual nothing is called usual or unusual', async () => {
   const few = care('a');
   answers['/api/runs/a/care'] = { ...few, sentences: [], alerts: [], charts: few.charts.map((chart) => ({ ...chart, days: chart.days.map((day) => ({ ...day, usual: null })) })) };
   await begin();
-  expect(text()).toContain('What is usual is not known yet');
-  expect(text()).toContain('Too little is known to say what has changed');
-  expect(text()).not.toContain('All was as usual');
+  expect(text()).toContain('Not enough days yet to know the usual range');
+  expect(text()).toContain('Not enough days yet to compare');
+  expect(text()).not.toContain('Everything was as usual');
   // Neither good nor bad is drawn.
-  const drawn = () => [...one('[aria-label="How the day was"] ul').children].map((row) => row.className.match(/odd|unknown/)?.[0] ?? 'usual');
+  const drawn = () => [...one('[aria-label="Latest day"] ul').children].map((row) => row.className.match(/odd|unknown/)?.[0] ?? 'usual');
   expect(drawn()).toEqual(['odd', 'unknown']);
   await unmount(view);
   answers['/api/runs/a/care'] = care('a');
@@ -219,12 +219,12 @@ test('with an alert nothing is said to be as usual, or not to stand out, without
     return shown;
   };
   const without = await begun([]);
-  expect(without).toContain('All was as usual.');
+  expect(without).toContain('Everything was as usual.');
   expect(without).toContain('from the weeks before.');
   const withOne = await begun([{ ...of.alerts[0]!, day: of.day! }]);
-  expect(withOne).not.toContain('All was as usual.');
-  expect(withOne).toContain('an alert of this day is under Worth a look');
-  expect(withOne).toContain('alerts of these days are under Worth a look');
+  expect(withOne).not.toContain('Everything was as usual.');
+  expect(withOne).toContain('an alert of this day is under Needs attention');
+  expect(withOne).toContain('alerts of these days are under Needs attention');
   await begin();
 });
 
@@ -232,7 +232,7 @@ test('where too little lies before, nothing is said to be as before', async () =
   const alone = care('a');
   answers['/api/runs/a/care'] = { ...alone, is_compared: false, sentences: alone.sentences.filter((sentence) => !sentence.is_change) };
   await begin();
-  expect(text()).toContain('Too little is known to say what has changed');
+  expect(text()).toContain('Not enough days yet to compare');
   expect(text()).not.toContain('stands out');
 });
 

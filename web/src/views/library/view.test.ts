@@ -76,7 +76,7 @@ test('a home is drawn, with who lives there and what is wrong, and leads to its 
 test('of a run that is being lived no length is told', async () => {
   card = { ...CARD, runs: 2, latest: ['flat-2', 'flat-1'].map(stored), goes_on: 'flat-2' };
   await open();
-  expect([...document.querySelectorAll('article li .quiet')].map((one) => one.textContent)).toEqual(['being lived', '3 days']);
+  expect([...document.querySelectorAll('article li .quiet')].map((one) => one.textContent)).toEqual(['running', '3 days']);
 });
 
 test('of twins it is said which was lived without what', async () => {
@@ -114,7 +114,7 @@ test('a home that is deleted leaves its place, from which it is put back', async
   button('Dismiss').click();
   flushSync();
   expect(places()).toEqual(['flat', 'hut']);
-  button('Put back').click();
+  button('Restore').click();
   await settled();
   expect(asked).toContain('POST /api/library/put-aside/old~1 {}');
   expect(document.querySelector('.note')!.textContent).toContain('old is back');
@@ -166,7 +166,7 @@ test('a home is begun empty with a picture under its plan; of a file that is no 
   await open();
   const library = new Library(new Server('token', () => {}, async (path, init) => answers(path, init)));
   const begun = (type: string) => library.make('cottage', { kind: 'image', file: new File(['a picture'], 'cottage.png', { type }) });
-  expect(await begun('text/plain')).toBe('This is no PNG, JPEG or SVG file. Choose one of these.');
+  expect(await begun('text/plain')).toBe('This file is not a PNG, JPEG or SVG image.');
   expect([asked.filter((one) => one.startsWith('POST')), store.kept.size]).toEqual([[], 0]);
   expect(await begun('image/png')).toEqual({ name: 'cottage', remarks: [] });
   expect(asked).toContain('POST /api/library/homes/cottage {"from":"empty"}');
@@ -200,12 +200,12 @@ test('the log that a home was made from is walked through it by one button', asy
   expect(asked).toContain('POST /api/library/logs/tm%201/tm%201.csv');
   // The home is not left before it is asked what becomes of its log.
   expect(went).not.toHaveBeenCalled();
-  button('Walk the log it was made from').click();
+  button('Open the log in this home').click();
   await settled();
   expect(asked.at(-1)).toBe('POST /api/homes/tm%201/walk/tm%201.csv');
   expect(went.mock.calls).toEqual([['/homes/tm%201/#/playback']]);
   // Who has closed the dialog meanwhile is not led away.
-  button('Walk the log it was made from').click();
+  button('Open the log in this home').click();
   document.querySelector<HTMLDialogElement>('dialog[open]')!.open = false;
   await settled();
   expect([asked.filter((one) => one.includes('/walk/')).length, went.mock.calls.length]).toEqual([2, 1]);
@@ -214,7 +214,7 @@ test('the log that a home was made from is walked through it by one button', asy
 test('of a home in which nothing is drawn it is not said that something is wrong', async () => {
   card = { ...CARD, home: '{ "name": "home", "rooms": [] }' };
   await open();
-  expect(document.querySelector('article')!.textContent).toContain('Draw it');
+  expect(document.querySelector('article')!.textContent).toContain('Draw the plan');
   expect(document.querySelector('article .wrong')).toBeNull();
 });
 

@@ -105,7 +105,7 @@ test('without a run it is said what is wrong, and a run is begun once that is me
   expect(card().textContent).toContain('there is no sensor');
   live.drafts.check = { problems: [], warnings: [] };
   flushSync();
-  expect(card().textContent).toContain('What was wrong is mended.');
+  expect(card().textContent).toContain('All problems are fixed.');
   wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: madeUpRun(2, 18, 0) }) });
   flushSync();
   expect(card()).toBeNull();
@@ -131,8 +131,8 @@ test('what has been saved since the run began is told, and a run is begun anew o
   files('old');
   expect(said()).not.toContain('since this run began');
   files('new');
-  expect(said()).toContain('home.json has been saved since this run began: it goes by what they were.');
-  button('Begin anew').click();
+  expect(said()).toContain('home.json has been saved since this run started. The run still uses the old version.');
+  button('New run').click();
   expect(sent).toEqual([{ say: 'start', driven: null, without: [], seed: null }]);
 });
 
@@ -147,7 +147,7 @@ test('of a home whose files are gone it is said that they are, with a run and wi
   expect(said()).toBe('');
   files();
   expect(said()).toContain('This home is gone');
-  expect(said()).toContain('The run that you see goes on, but no other can begin.');
+  expect(said()).toContain('The current run continues, but no new run can start.');
   show({ state: 'over' });
   expect(said()).not.toContain('goes on, but');
   live.run = null;
@@ -183,10 +183,10 @@ test('the menu of what is kept closes by Escape, by a press elsewhere and once s
   const press = (at: Element) => at.dispatchEvent(new PointerEvent('pointerdown', { bubbles: true }));
   const open = () => {
     menu.open = true;
-    button('Picture (PNG)').focus();
+    button('Image (PNG)').focus();
   };
   open();
-  press(button('Picture (PNG)'));
+  press(button('Image (PNG)'));
   expect(menu.open).toBe(true);
   key('keydown', 'Enter');
   expect(menu.open).toBe(true);
@@ -301,14 +301,14 @@ test('what is chosen for the next run, and what is not saved yet, is said to wai
   expect(said()).not.toContain('not saved');
   live.drafts.write('home.json', '{}');
   flushSync();
-  expect(said()).toContain('home.json is not saved: a new run goes by what is on disk.');
+  expect(said()).toContain('home.json is not saved. A new run uses the version on disk.');
 });
 
 test('what becomes of the run that goes on is said, and what went wrong stays until it is read', () => {
   const said = () => document.querySelector('[aria-label="Run"]')!.textContent!.replace(/\s+/g, ' ');
-  expect(said()).not.toContain('A new run ends');
+  expect(said()).not.toContain('A new run stops');
   show({ now_us: 3_600e6 });
-  expect(said()).toContain(`A new run ends ${live.run!.id} where it is; it is kept, and listed in Playback.`);
+  expect(said()).toContain(`A new run stops ${live.run!.id} , which stays in Playback.`);
   expect(button('New run').title).toContain('is kept as far as it has come');
   live.note('The disk is full.', true);
   live.note('All is well.', false);
@@ -367,7 +367,7 @@ test('a date and time is gone to across a change of clocks, and no farther than 
     flushSync();
   }
   expect(sent).toEqual([{ say: 'jump', to_us: 14 * hour - 60e6 }, { say: 'jump', to_us: 15 * hour }]);
-  expect(live.notes.map(({ text }) => text)).toEqual(['The run does not reach that time.']);
+  expect(live.notes.map(({ text }) => text)).toEqual(['That time is outside the run.']);
 });
 
 test('conditions are left out of the next run, and its seed may be as large as a number is exact', () => {
@@ -409,10 +409,10 @@ test('the table names the sensors, by what is stored of them as well, the newest
 });
 
 test('as a table the time line counts what the server has counted since the run began', () => {
-  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('as a table'))!.querySelector('input')!.click();
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('Table'))!.querySelector('input')!.click();
   show({ now_us: 9_000_000, told: 60, counts: [57, 3], firings: [firing(59, 9_000_000, 0)] });
   const table = document.querySelector('[aria-labelledby="strip-title"] table')!;
-  expect(table.querySelector('th[title]')!.getAttribute('title')).toBe('Since the run began');
+  expect(table.querySelector('th[title]')!.getAttribute('title')).toBe('Since the run started');
   expect([...table.querySelectorAll('tbody tr')].slice(0, 2).map((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent))).toEqual([['1', '57'], ['0', '3']]);
 });
 
@@ -458,7 +458,7 @@ test('a run that ended with its server is told of, with how far it came; one tha
   cut();
   const notes = told({ id: 'next' });
   expect(notes).toHaveLength(1);
-  expect(notes[0]).toMatch(new RegExp(`^The server was ended, and ${old} with it at .*\\d{4}, \\d\\d:55:00\\. It is kept that far and listed in Playback`));
+  expect(notes[0]).toMatch(new RegExp(`^The server stopped, and ${old} with it at .*\\d{4}, \\d\\d:55:00\\. It is kept that far and listed in Playback`));
   expect(notes[0]).toContain('--resume');
 });
 

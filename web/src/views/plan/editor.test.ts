@@ -144,7 +144,7 @@ test('a camera is put up at the wall that is near and looks into the room, and w
 test('a room is clicked corner by corner and closed at the first', () => {
   editor.hold({ tool: 'room' });
   finish(editor, editor.home!);
-  expect(editor.said).toBe('A room needs three corners or more.');
+  expect(editor.said).toBe('A room needs at least three corners.');
   for (const at of [[7, 0], [9, 0], [9, 2], [7.001, 0.001]] as [number, number][]) click(editor, editor.home!, at, { tolerance_m: 0.1, grid_m: 0.05 });
   expect(editor.one!.value).toEqual({ name: 'room 2', outline: [[7, 0], [9, 0], [9, 2]] });
   expect(editor.tool.tool).toBe('select');

@@ -143,7 +143,7 @@ test('what speaks of a thing that is deleted is told, and goes as well on reques
   click('Delete');
   await settle();
   expect(document.querySelector('[role="alertdialog"]')!.textContent).toContain('One line still speaks of what you have deleted');
-  click('Remove it as well');
+  click('Remove it too');
   expect(live.drafts.text('logger.json')).toBe('{"ids":{}}');
   expect(document.querySelector('[role="alertdialog"]')).toBeNull();
   click('Undo');
@@ -330,7 +330,7 @@ test('what is pressed and moved is dragged, and let go it is one step', async ()
   // A press that hardly moves is a click, and one on nothing selects nothing.
   mouse('pointerdown', 10, 10);
   mouse('pointerup', 11, 10);
-  expect(document.querySelector('#tab-panel h2')!.textContent).toBe('The home');
+  expect(document.querySelector('#tab-panel h2')!.textContent).toBe('Home');
 });
 
 test('numbers are typed in the chosen units, and what cannot be is said', async () => {
@@ -339,9 +339,9 @@ test('numbers are typed in the chosen units, and what cannot be is said', async 
   click('room motion');
   click('Element');
   type('Place: north', '1.75');
-  type('Looks to, from east', '-30');
+  type('Direction, from east', '-30');
   expect(value().sensors[0]).toMatchObject({ at: [0.12, 1.75], facing_deg: -30 });
-  type('Looks to, from east', '900');
+  type('Direction, from east', '900');
   expect(value().sensors[0].facing_deg).toBe(-30);
   expect(document.querySelector('[role="alert"]')!.textContent).toContain('From -360 to 360.');
   type('Field: across', '110');
@@ -447,13 +447,13 @@ test('suggested sensors take the places of those of their kind, which are named,
   });
   click('Parts');
   await settle();
-  click('Suggest places');
+  click('Suggest sensors');
   await settle();
-  expect(document.querySelector('[aria-label="What is suggested"]')!.textContent).toContain('1 sensor of the 6 that you asked for: another one adds nothing.');
-  expect(document.querySelector('#suggest-goes')!.textContent!.replaceAll(/\s+/g, ' ').trim()).toBe('Put in their place, that makes 5 sensors: room motion goes; the 4 others stay.');
+  expect(document.querySelector('[aria-label="Suggested sensors"]')!.textContent).toContain('1 sensor of the 6 : more sensors add nothing.');
+  expect(document.querySelector('#suggest-goes')!.textContent!.replaceAll(/\s+/g, ' ').trim()).toBe('Replace: 5 sensors: room motion goes; the 4 others stay.');
   // Not all of it is seen.
-  expect([...document.querySelectorAll('[aria-label="What is suggested"] strong')].map((one) => one.textContent)).toEqual(['99.9 %', '99.9 %', '0.0 %']);
-  expect([...document.querySelectorAll('[aria-label="What is suggested"] ul > li')].map((one) => one.textContent)).toEqual(['Most of the floor: 99.9 % (of where somebody can stand)', 'Depression: 0.0 % (not found within four weeks)']);
+  expect([...document.querySelectorAll('[aria-label="Suggested sensors"] strong')].map((one) => one.textContent)).toEqual(['99.9 %', '99.9 %', '0.0 %']);
+  expect([...document.querySelectorAll('[aria-label="Suggested sensors"] ul > li')].map((one) => one.textContent)).toEqual(['Most of the floor: 99.9 % (of the floor with room to stand)', 'Depression: 0.0 % (not found within four weeks)']);
   click('Put them in place of the motion sensor of now');
   await settle();
   expect(value().sensors.map(({ name }: { name: string }) => name)).toEqual(['bed sensor', 'bath contact', 'room light', 'bath motion', 'new motion']);

@@ -135,7 +135,7 @@ test('who is where is told in words, and not with the truth hidden', async () =>
   const now = () => document.querySelector('[aria-label="At this time"]')!.textContent!;
   expect(now()).toContain('Agnes');
   expect(now()).toContain('cooking');
-  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('Show the truth'))!.querySelector('input')!.click();
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('Show ground truth'))!.querySelector('input')!.click();
   flushSync();
   expect(now()).not.toContain('Agnes');
 });
@@ -146,7 +146,7 @@ test('a run that is being lived is said to be, wherever its length would be', as
   const text = () => document.body.textContent!.replace(/\s+/g, ' ');
   await begin(undefined, make, {}, 'cottage-2');
   expect(titles()).toEqual(['cottage-2 · 2009-03-02, being lived', 'cottage-1 · 2009-03-02, 3 days']);
-  expect(text()).toContain('This run is still being lived: what is stored of it so far is shown. Stop it in Live to play all of it back.');
+  expect(text()).toContain('This run is still running; you see the days stored so far. Stop it in Live to play back all of it.');
   expect(text()).not.toContain('no rows yet');
   expect(text()).not.toContain('of 3');
   expect(slider('Time in the run').getAttribute('aria-valuetext')).toBe('2 March, 00:00:00, day 1');
@@ -161,10 +161,10 @@ test('a run that is being lived is said to be, wherever its length would be', as
 test('a run that has a name has it beside what it leads to', async () => {
   await begin(undefined, undefined, { 'cottage-2': { about: { title: 'out and back', note: '' } } });
   const summary = () => document.querySelector('.keep summary')!.textContent;
-  expect(summary()).toBe('out and back · name, note, how it was made');
+  expect(summary()).toBe('out and back · name, note and details');
   choose('#first-run', 'cottage-1');
   for (let turn = 0; turn < 5; turn++) await settle();
-  expect(summary()).toBe('Name, note, how it was made');
+  expect(summary()).toBe('Name, note and details');
 });
 
 test('a run without truth says so and has no activities to go to', async () => {
@@ -250,21 +250,21 @@ test('a log that was walked back says where everybody may be, how likely that is
   expect(now()).toContain(`${home.rooms[4]!.name} 60 %`);
   expect(now()).toContain(`${home.rooms[2]!.name} 30 %, out 10 %`);
   expect(document.body.textContent).toContain('How sure it is');
-  expect(document.body.textContent).not.toContain('Show the truth');
+  expect(document.body.textContent).not.toContain('Show ground truth');
   [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('as walked back'))!.querySelector('input')!.click();
   await settle();
   expect(now()).not.toContain('60 %');
   expect(document.body.textContent).not.toContain('How sure it is');
-  expect(document.querySelector('#first-run option')!.textContent).toContain('week.csv, walked back');
+  expect(document.querySelector('#first-run option')!.textContent).toContain('week.csv, people located');
 });
 
 test('what a log holds, and how real it is, is shown from the commands’ pages, without what could run', async () => {
   await begin(['week', 'other'], (name) => (name === 'week' ? walkedRun(name) : storedRun(name)));
   const page = () => document.querySelector('.page')?.shadowRoot?.querySelector('body');
-  button('What this log holds').click();
+  button('Log summary').click();
   for (let turn = 0; turn < 3; turn++) await settle();
   expect(page()!.textContent).toContain('look of week');
-  button('How real it is').click();
+  button('Realism check').click();
   for (let turn = 0; turn < 3; turn++) await settle();
   // Beside what was lived again, at first.
   expect(page()!.textContent).toContain('realism/week of week');
