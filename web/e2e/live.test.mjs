@@ -35,7 +35,7 @@ function stored(run) {
 
 test('the keys drive her to the kitchen, and what sensors said is in SQLite', { timeout: 240_000 }, async () => {
   const { page } = served;
-  await page.getByLabel('Keyboard controls').selectOption({ label: 'margaret, by my keys' });
+  await page.getByLabel('Keyboard controls').selectOption({ label: 'margaret' });
   await page.getByRole('button', { name: 'New run' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await page.getByRole('application').focus();
@@ -45,7 +45,7 @@ test('the keys drive her to the kitchen, and what sensors said is in SQLite', { 
   await page.getByRole('cell', { name: 'kitchen', exact: true }).waitFor();
   await wait(2500);
   await page.getByRole('button', { name: 'Stop' }).click();
-  await page.getByText('rows are in').first().waitFor();
+  await page.getByText(/Stored .* rows in/).first().waitFor();
   const rows = (await shown(page)).reverse();
   assert.ok(rows.length > 5, `${rows.length} rows are shown`);
   assert.deepEqual(served.runs(), ['tigerplace-1']);

@@ -60,7 +60,7 @@ test('what is wrong stands beside its field, and a place outside the run is told
   await page.getByRole('button', { name: 'Undo' }).click();
   assert.equal(await table.inputValue(), 'reading');
   await page.getByRole('button', { name: 'Test' }).click();
-  await page.getByText('which can be written').waitFor();
+  await page.getByText('Homebody can write there').waitFor();
   await page.getByLabel('Address of destination 1').fill('/nowhere/at/all/log.db');
   await page.getByRole('button', { name: 'Test' }).click();
   await page.getByText("no file name inside the run's folder").first().waitFor();
@@ -89,7 +89,7 @@ test('the next run is stored so, and is seen to grow', { timeout: 240_000 }, asy
   await page.getByRole('row', { name: /^bedroom motion [1-9]/ }).waitFor();
   await goTo('Live');
   await page.getByRole('button', { name: 'Stop' }).click();
-  await page.getByText('rows are in').first().waitFor();
+  await page.getByText(/Stored .* rows in/).first().waitFor();
   const rows = stored('tigerplace-1');
   assert.ok(rows.length > 10, `${rows.length} rows`);
   assert.ok(rows.some(([sensor, message]) => sensor === 'Z9' && message === 'OFF'), 'no row of Z9 that says OFF');

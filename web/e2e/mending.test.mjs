@@ -28,11 +28,11 @@ const go = async (view) => served.page.goto(`${served.address.split('#')[0]}#/${
 
 test('a scenario with problems opens, says them, and is mended by one click', { timeout: 240_000 }, async () => {
   const { page } = served;
-  await page.getByText('8 things are wrong with the scenario').waitFor();
+  await page.getByText('the scenario has 8 problems').waitFor();
   // Where each is mended is known once the files have come.
-  await page.getByRole('link', { name: 'Mend it in Log' }).nth(7).waitFor();
-  assert.equal(await page.getByRole('link', { name: 'Mend it in Log' }).count(), 8);
-  await page.getByRole('button', { name: 'Remove the 8 ids of sensors that are gone' }).click();
+  await page.getByRole('link', { name: 'Fix in Log' }).nth(7).waitFor();
+  assert.equal(await page.getByRole('link', { name: 'Fix in Log' }).count(), 8);
+  await page.getByRole('button', { name: 'Remove the 8 ids of deleted sensors' }).click();
   await page.getByText('All problems are fixed.').waitFor();
   await page.getByRole('button', { name: 'Save and start new run' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
@@ -101,7 +101,7 @@ test('whoever is driven walks at once after a button, goes out of the open door 
   const { page } = served;
   await go('live');
   await page.getByRole('button', { name: 'As fast as possible' }).click();
-  await page.getByLabel('Keyboard controls').selectOption({ label: 'margaret, by my keys' });
+  await page.getByLabel('Keyboard controls').selectOption({ label: 'margaret' });
   await page.getByRole('button', { name: 'New run' }).click();
   await page.locator('output.speed').getByText('1×').waitFor();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
@@ -123,7 +123,7 @@ test('whoever is driven walks at once after a button, goes out of the open door 
   await page.getByRole('row', { name: /margaret.*hall/ }).waitFor();
   await page.keyboard.up('KeyW');
   await page.getByRole('button', { name: 'Stop' }).click();
-  await page.getByText('rows are in').first().waitFor();
+  await page.getByText(/Stored .* rows in/).first().waitFor();
 });
 
 test('a run is named, deleted, and fetched back; the address knows the time', { timeout: 240_000 }, async () => {

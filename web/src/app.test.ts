@@ -35,7 +35,7 @@ test('without a token it is asked for, and what is none is not sent', () => {
   expect(document.querySelector('nav')).toBeNull();
   form()!.dispatchEvent(new Event('submit', { bubbles: true, cancelable: true }));
   flushSync();
-  expect(document.querySelector('[role="alert"]')!.textContent).toContain('not a token');
+  expect(document.querySelector('[role="alert"]')!.textContent).toContain('not an access token');
 });
 
 test('the server does not know the token: it is asked for again, and why is said', () => {
@@ -46,7 +46,7 @@ test('the server does not know the token: it is asked for again, and why is said
   wires[0]!.onclose!({ code: WRONG_TOKEN });
   flushSync();
   expect(document.querySelector('nav')).toBeNull();
-  expect(document.querySelector('[role="alert"]')!.textContent).toContain('does not know this token');
+  expect(document.querySelector('[role="alert"]')!.textContent).toContain('does not accept this token');
   expect(window.sessionStorage.getItem('homebody-token')).toBeNull();
 });
 

@@ -133,7 +133,7 @@ test('a kept picture says from when to when it is and of which runs, and which c
   const two = caption('flat-2 without depression');
   expect(two.words.slice(0, 3)).toEqual([span, 'above the line: flat-1', 'below the line: flat-2 without depression']);
   expect(two.colours).toEqual([light.seen, light.beam]);
-  expect([two.words[3], caption('x', true).words[3]].map((words) => /what each (.*?);/.exec(words!)![1])).toEqual(['has alone, and its curve of numbers', 'has more of']);
+  expect([two.words[3], caption('x', true).words[3]].map((words) => /colours show (.*?)\./.exec(words!)![1])).toEqual(['events that only one run has, and curves of values', 'where one run has more']);
   // Where names of twins differ is at their ends.
   expect(caption(`${'x'.repeat(900)} without depression`).words[2]).toMatch(/^below the line: x{39}…x+ without depression$/);
 });

@@ -277,9 +277,9 @@ fn a_folder_that_cannot_be_written_is_said_so() {
     let library = Library::new("/proc".into(), false);
     let served = Served::of(tempfile::tempdir().unwrap(), Options { port: Some(0), ..Options::new(library) });
     let view = served.json("/api/library");
-    assert!(view["trouble"].as_str().unwrap().contains("Nothing can be changed here"), "{view}");
+    assert!(view["trouble"].as_str().unwrap().contains("Cannot write to this folder"), "{view}");
     let (code, why) = served.refusal("POST", "/api/library/homes/mine", &json!({ "from": "empty" }));
-    assert!(code == 422 && why.contains("Nothing can be written into /proc"), "{code} {why}");
+    assert!(code == 422 && why.contains("Cannot write to /proc"), "{code} {why}");
 }
 
 #[test]

@@ -24,7 +24,7 @@ test('a month has whole weeks from Monday, and no day twice', () => {
   expect(months.map(({ title, weeks }) => [title, weeks.length])).toEqual([['February 2024', 1], ['March 2024', 2]]);
   const cells = months.flatMap(({ weeks }) => weeks.flatMap((week) => week.days)).filter((cell) => cell !== null);
   expect(cells.map(({ day }) => day)).toEqual(days(8).map(({ day }) => day));
-  expect(described(cells[5]!)).toBe('Saturday 2 March 2024, 1 alert not seen to, 1 alert seen to, with a note');
+  expect(described(cells[5]!)).toBe('Saturday 2 March 2024, 1 alert open, 1 alert acknowledged, with a note');
   expect(monthsOf({ days: [], alerts: [] }, [])).toEqual([]);
 });
 

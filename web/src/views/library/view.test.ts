@@ -24,7 +24,7 @@ function answers(path: string, init: RequestInit): Response {
   if (init.method === 'DELETE') return Response.json({ key: `${path.split('/').at(-1)}~1` });
   if (refusal !== null && path.includes('/put-aside/')) return new Response(refusal, { status: 422 });
   if (path.startsWith('/api/library/logs/') || path.startsWith('/api/homes/')) return Response.json({ name: 'tm 1', remarks: [] });
-  if (path.endsWith('/copy')) return new Response('There is something called flat 2 here already.', { status: 422 });
+  if (path.endsWith('/copy')) return new Response('The name flat 2 is already in use here.', { status: 422 });
   if (init.method === 'POST' && path === '/api/library/homes/cottage') return Response.json({ name: 'cottage', remarks: [] });
   return Response.json(init.method === 'GET' ? card : 'flat');
 }
@@ -69,7 +69,7 @@ test('a home is drawn, with who lives there and what is wrong, and leads to its 
   const article = document.querySelector('article')!;
   expect(article.querySelector('polygon.room')).not.toBeNull();
   expect(article.textContent).toContain('agnes');
-  expect(article.querySelector('a.wrong')!.textContent).toContain('2 things');
+  expect(article.querySelector('a.wrong')!.textContent).toContain('2 problems');
   expect(article.querySelector('a.open')!.getAttribute('href')).toBe('/homes/flat/#/plan');
 });
 
@@ -101,7 +101,7 @@ test('a home that is deleted leaves its place, from which it is put back', async
   expect([first!.style.minHeight, first!.contains(document.activeElement)]).toEqual(['321px', true]);
   expect(document.querySelector('.note')!.textContent!.trim()).toBe('');
   // What keeps it from being put back is said there.
-  refusal = 'There is something called flat here already.';
+  refusal = 'The name flat is already in use here.';
   second!.querySelector('button')!.click();
   await settled();
   expect(second!.querySelector('[role="alert"]')!.textContent).toBe(refusal);
@@ -117,7 +117,7 @@ test('a home that is deleted leaves its place, from which it is put back', async
   button('Restore').click();
   await settled();
   expect(asked).toContain('POST /api/library/put-aside/old~1 {}');
-  expect(document.querySelector('.note')!.textContent).toContain('old is back');
+  expect(document.querySelector('.note')!.textContent).toContain('Restored old');
 });
 
 test('homes that are deleted one after the other or at once keep their places, also beside one that is renamed or dismissed', async () => {
@@ -173,15 +173,15 @@ test('a home is begun empty with a picture under its plan; of a file that is no 
   expect(store.kept.get('cottage')).toMatchObject({ name: 'cottage.png', at: [5, 3.5], width_m: 7 });
   // One that the browser does not keep is made all the same, and says so.
   store.isFull = true;
-  expect(await begun('image/png')).toMatchObject({ remarks: [expect.stringContaining('does not keep the image')] });
+  expect(await begun('image/png')).toMatchObject({ remarks: [expect.stringContaining('cannot store the image')] });
 });
 
 test('a folder that cannot be written says so, and offers nothing that would fail', async () => {
-  await open({ trouble: 'Nothing can be changed here: read-only.', runs_beside: 3, more: 7 });
+  await open({ trouble: 'Cannot write to this folder: read-only.', runs_beside: 3, more: 7 });
   expect(document.querySelector('.trouble')!.textContent).toContain('read-only');
   for (const name of ['New home', 'Rename flat', 'Duplicate flat', 'Delete flat']) expect(button(name).disabled).toBe(true);
-  expect(document.body.textContent).toContain('3 runs lie');
-  expect(document.body.textContent).toContain('7 more are in the folder');
+  expect(document.body.textContent).toContain('3 runs in the folder');
+  expect(document.body.textContent).toContain('7 more homes are in the folder');
 });
 
 test('the log that a home was made from is walked through it by one button', async () => {
@@ -226,7 +226,7 @@ test('why a name cannot be had goes once another is typed', async () => {
   dialog.querySelector('form')!.dispatchEvent(new SubmitEvent('submit', { bubbles: true, cancelable: true }));
   await settled();
   const problem = dialog.querySelector('[role="alert"]')!;
-  expect(problem.textContent).toBe('There is something called flat 2 here already.');
+  expect(problem.textContent).toBe('The name flat 2 is already in use here.');
   const field = dialog.querySelector('input')!;
   field.value = '';
   field.dispatchEvent(new Event('input', { bubbles: true }));

@@ -97,11 +97,11 @@ test('without a run it is said what is wrong, and a run is begun once that is me
   wire.onopen!();
   view = mount(LiveView, { target: document.body, props: { live } });
   const problem = { file: 'logger.json', line: 5, column: 3, width: 4, what: 'there is no sensor "hall motion"', hint: null };
-  const unbegun = { tell: 'unbegun', why: 'No run can be begun: something is wrong with the scenario.', problems: [problem] };
+  const unbegun = { tell: 'unbegun', why: 'Cannot start a run: the scenario has a problem.', problems: [problem] };
   wire.onmessage!({ data: JSON.stringify(unbegun) });
   flushSync();
   const card = () => document.querySelector('[aria-label="No run"]')!;
-  expect(card().textContent).toContain('No run can be begun');
+  expect(card().textContent).toContain('Cannot start a run');
   expect(card().textContent).toContain('there is no sensor');
   live.drafts.check = { problems: [], warnings: [] };
   flushSync();
@@ -146,13 +146,13 @@ test('of a home whose files are gone it is said that they are, with a run and wi
   files('home.json');
   expect(said()).toBe('');
   files();
-  expect(said()).toContain('This home is gone');
+  expect(said()).toContain('The files of this home are no longer');
   expect(said()).toContain('The current run continues, but no new run can start.');
   show({ state: 'over' });
   expect(said()).not.toContain('goes on, but');
   live.run = null;
   flushSync();
-  expect(said()).toContain('This home is gone');
+  expect(said()).toContain('The files of this home are no longer');
   files('home.json');
   expect(said()).toBe('');
 });
@@ -264,7 +264,7 @@ test('Space plays and pauses, and does nothing to a field', () => {
 });
 
 test('controls say what they are for', () => {
-  button('1 s on').click();
+  button('Step 1 s').click();
   button('100×').click();
   button('As fast').click();
   button('Sit').click();
@@ -292,12 +292,12 @@ test('a run begins with whom was chosen, and one that was stopped can be lived a
 
 test('what is chosen for the next run, and what is not saved yet, is said to wait', () => {
   const said = () => document.querySelector('[aria-label="Run"]')!.textContent!.replace(/\s+/g, ' ');
-  expect(said()).not.toContain('next new run');
+  expect(said()).not.toContain('Applies to');
   const who = document.querySelector<HTMLSelectElement>('#walks')!;
   who.value = '1';
   who.dispatchEvent(new Event('change', { bubbles: true }));
   flushSync();
-  expect(said()).toContain('holds from the next new run on');
+  expect(said()).toContain('Applies to the next run');
   expect(said()).not.toContain('not saved');
   live.drafts.write('home.json', '{}');
   flushSync();
@@ -308,8 +308,8 @@ test('what becomes of the run that goes on is said, and what went wrong stays un
   const said = () => document.querySelector('[aria-label="Run"]')!.textContent!.replace(/\s+/g, ' ');
   expect(said()).not.toContain('A new run stops');
   show({ now_us: 3_600e6 });
-  expect(said()).toContain(`A new run stops ${live.run!.id} , which stays in Playback.`);
-  expect(button('New run').title).toContain('is kept as far as it has come');
+  expect(said()).toContain(`A new run stops ${live.run!.id}, which stays in Playback.`);
+  expect(button('New run').title).toContain('which stays in Playback');
   live.note('The disk is full.', true);
   live.note('All is well.', false);
   vi.advanceTimersByTime(3_600_000);
@@ -458,7 +458,7 @@ test('a run that ended with its server is told of, with how far it came; one tha
   cut();
   const notes = told({ id: 'next' });
   expect(notes).toHaveLength(1);
-  expect(notes[0]).toMatch(new RegExp(`^The server stopped, and ${old} with it at .*\\d{4}, \\d\\d:55:00\\. It is kept that far and listed in Playback`));
+  expect(notes[0]).toMatch(new RegExp(`^The server stopped, and ${old} stopped with it at .*\\d{4}, \\d\\d:55:00\\. That part is saved and listed in Playback`));
   expect(notes[0]).toContain('--resume');
 });
 
@@ -474,14 +474,14 @@ test('a new run does not go on as fast as it goes because the one before did', (
 
 test('what is hatched leads to Playback, which has all of it', () => {
   show({ now_us: 90_000e6, told: 900, firings: [firing(899, 90_000e6 - 1)] });
-  button('All of it').click();
+  button('Show all').click();
   flushSync();
   expect(document.querySelector<HTMLAnchorElement>('.hatched a')!.getAttribute('href')).toBe(`#/playback/${encodeURIComponent(live.run!.id!)}`);
 });
 
 test('a click that reaches nobody is said so', () => {
   wire.onclose!({ code: 1006 });
-  button('1 s on').click();
+  button('Step 1 s').click();
   expect(live.status).toBe('lost');
   expect(live.notes.map((note) => note.bad)).toEqual([true]);
 });

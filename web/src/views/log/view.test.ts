@@ -130,7 +130,7 @@ test('where no row comes it is said of how many days', async () => {
 });
 
 test('where rows were not looked for to the end, it is said until when', async () => {
-  const cut = 'Rows are looked for until 2026-01-05 09:00:50. To come so far has taken 5 seconds: too much happens.';
+  const cut = 'Rows up to 2026-01-05 09:00:50 are shown. The simulation stopped here after 5 seconds, because too much happens.';
   await begin({}, {}, { ...ROWS, places: [{ ...ROWS.places[0]!, rows: [] }], cut });
   expect(document.body.textContent).toContain(cut);
   expect(document.body.textContent).not.toContain('No sensor says anything');
@@ -155,8 +155,8 @@ test('a problem stands beside its field', async () => {
   expect(field.getAttribute('aria-invalid')).toBe('true');
   expect(document.getElementById(field.getAttribute('aria-describedby')!)!.textContent).toContain('twice');
   expect(input('Id of front door').getAttribute('aria-invalid')).toBe('false');
-  expect(document.querySelector('[aria-label="The logger\'s file"]')!.textContent).toContain('odd');
-  expect(document.querySelector('[aria-label="The logger\'s file"]')!.textContent).not.toContain('elsewhere');
+  expect(document.querySelector('[aria-label="Logger file"]')!.textContent).toContain('odd');
+  expect(document.querySelector('[aria-label="Logger file"]')!.textContent).not.toContain('elsewhere');
 });
 
 test('a scenario without a logger’s file gets one with the first change, linked and saved together', async () => {
@@ -199,7 +199,7 @@ test('changes are taken back and made again, the letters of a word together', as
 
 test('ids are numbered, pasted, and taken back at once', async () => {
   await begin();
-  button('Number 2').click();
+  button('Assign 2').click();
   flushSync();
   expect(JSON.parse(written()!).ids).toEqual({ bed: 'C1', 'hall motion': 'M001', 'front door': 'D001' });
   button('Undo').click();

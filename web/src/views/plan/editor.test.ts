@@ -125,7 +125,7 @@ test('walls are clicked one after the other, and end where they meet one that is
   // The next space is filled by the next click, and one that is a room already is not filled twice.
   const rooms = () => JSON.parse(editor.text!).rooms.length;
   click(editor, editor.home!, [5.3, 0.5], snapping);
-  expect([rooms(), editor.one!.value.name, editor.said, editor.tool.tool]).toEqual([3, 'room 2', 'This is room 2 already.', 'fill']);
+  expect([rooms(), editor.one!.value.name, editor.said, editor.tool.tool]).toEqual([3, 'room 2', 'This space is already room 2.', 'fill']);
   click(editor, editor.home!, [4.5, 2.5], snapping);
   expect([rooms(), editor.one!.value.name, editor.said]).toEqual([4, 'room 3', '']);
 });

@@ -85,7 +85,7 @@ test('all kinds of sensors and all furniture can be put into the home, under nam
   }
   expect(newSensor(flat, 'contact', [4.05, 1.4], targets, null)).toMatchObject({ on: 'bath door' });
   expect(newSensor(flat, 'bed', [5, 2.5], targets, null)).toMatch(/^Click .* for the bed sensor\.$/);
-  expect(newSensor(flat, 'light', [9, 9], targets, null)).toMatch(/^Click into the room/);
+  expect(newSensor(flat, 'light', [9, 9], targets, null)).toMatch(/^Click the room/);
   expect(newPiece(flat, PIECES[0]!, [1, 1])).toMatchObject({ name: 'bed 2', enterable: true });
   expect(freshName(flat, 'Window')).toBe('Window 2');
 });
@@ -133,7 +133,7 @@ test('problems are led back to the elements they mean', () => {
 test('many pieces that stand in something are one row with a list', () => {
   const sofas = (count: number) => home(JSON.stringify({ furniture: Array.from({ length: count }, (_, index) => ({ name: `sofa ${index}`, at: [index, 0], size_m: [1.2, 1], enterable: true })) }));
   const rows = (count: number) => listed(sofas(count), 'home.json', null, null, 'metric');
-  expect(rows(4).map(({ what, each }) => [what, each])).toEqual([0, 1, 2].map((index) => [`sofa ${index} reaches 0.20 m into sofa ${index + 1}`, undefined]));
+  expect(rows(4).map(({ what, each }) => [what, each])).toEqual([0, 1, 2].map((index) => [`sofa ${index} overlaps sofa ${index + 1} by 0.20 m`, undefined]));
   const [row, ...more] = rows(40);
   expect([row!.what, row!.warning, more]).toEqual(['39 pieces of furniture overlap each other or walls', true, []]);
   expect(row!.each!.map(({ element }) => element.name).slice(0, 2)).toEqual(['sofa 0', 'sofa 1']);

@@ -57,5 +57,5 @@ test('what cameras take for a fall and what the truth tells of are counted apart
   expect(made.counted).toBe('3 times');
   made.choose('seen_fall');
   await made.find();
-  expect([made.counted, made.title]).toEqual(['Falls seen by cameras: 1, by the truth: 2', '']);
+  expect([made.counted, made.title]).toEqual(['Falls seen by cameras: 1, in the ground truth: 2', '']);
 });
