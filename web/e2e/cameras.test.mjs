@@ -34,7 +34,7 @@ test('a fall is played back in silhouettes of all cameras with the voxel person'
   // The usual rules find the fall; its mark leads there.
   await cameras.getByRole('button', { name: 'Find falls seen by cameras' }).click();
   // The finder opens, and says apart what cameras see and what is true.
-  await page.getByText(/Falls seen by cameras: [1-9]\d*, by the truth: \d+/).waitFor();
+  await page.getByText(/Falls seen by cameras: [1-9]\d*, in the ground truth: \d+/).waitFor();
   const hit = page.getByRole('region', { name: 'Search results' }).getByRole('button', { name: /by cameras: very likely a fall/ }).first();
   await hit.waitFor();
   await hit.click();

@@ -23,7 +23,7 @@ const opened = (page) => page.getByRole('region', { name: 'Selected day' });
 
 test('a day is found by keyboard, and what is noted about its alert another browser sees', { timeout: 240_000 }, async () => {
   const { page } = served;
-  const alert = calendar(page).getByRole('button', { name: /alert not seen to/ }).last();
+  const alert = calendar(page).getByRole('button', { name: /alert open/ }).last();
   await alert.waitFor();
   const day = /^\w+ (\d+ \w+ \d+)/.exec(await alert.getAttribute('title'))[1];
   await calendar(page).locator('td button[tabindex="0"]').focus();
@@ -58,7 +58,7 @@ test('a sentence opens down to its days, and to the evening on which one began',
   const { page } = served;
   const changed = page.getByRole('region', { name: 'Changes' });
   await changed.locator('summary').first().click();
-  const link = changed.getByRole('link', { name: /^See/ }).first();
+  const link = changed.getByRole('link', { name: /^Watch/ }).first();
   const moment = /@(\d+-\d+-\d+)T(\d+:\d+)/.exec(await link.getAttribute('href'));
   await link.click();
   const clock = new RegExp(`^${Number(moment[1].slice(8))} \\w+, ${moment[2]}`);

@@ -30,7 +30,7 @@ async function write(sentence) {
   await served.page.getByText('margaret.routine is not saved.').waitFor();
 }
 
-const question = () => served.page.getByRole('alert').filter({ hasText: /was (changed on|removed from) disk/ });
+const question = () => served.page.getByRole('alert').filter({ hasText: /was (changed on|deleted from) disk/ });
 
 test('what nobody here has changed is shown as it is on disk', { timeout: 240_000 }, async () => {
   writeFileSync(path(), `${onDisk()}\nOften she drinks.`);

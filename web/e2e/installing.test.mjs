@@ -16,12 +16,12 @@ before(async () => {
   await page.setViewportSize({ width: 1280, height: 900 });
   await page.getByRole('link', { name: 'Plan' }).click();
   await page.getByRole('application').waitFor();
-  await page.getByRole('tab', { name: 'Parts' }).click();
+  await page.getByRole('tab', { name: 'Install' }).click();
 });
 after(() => served.close());
 
 const home = () => JSON.parse(readFileSync(join(served.folder, SCENARIO, 'home.json'), 'utf8'));
-const desk = () => served.page.getByRole('region', { name: /What goes where/ });
+const desk = () => served.page.getByRole('region', { name: /Install sheet/ });
 const count = () => desk().locator('ol > li').count();
 
 /** Saves what is drawn, and reads it from the disk. */
@@ -37,7 +37,7 @@ test('a device of the catalogue is put up with its numbers, and the list leads t
   const before = home().sensors.length;
   await until(async () => (await count()) === before, 'all sensors are listed');
   await page.getByRole('combobox', { name: 'Device', exact: true }).selectOption('fibaro');
-  await page.getByText('Z-Wave, 2.4 m high').waitFor();
+  await page.getByText('Z-Wave, mounted 2.4 m high').waitFor();
   await page.getByRole('button', { name: 'Place one' }).click();
   const area = await page.getByRole('application').boundingBox();
   await page.mouse.click(area.x + area.width / 2, area.y + area.height / 2);
@@ -50,7 +50,7 @@ test('a device of the catalogue is put up with its numbers, and the list leads t
   await entry.getByRole('button').click();
   await page.getByRole('tab', { name: 'Element' }).click();
   assert.equal(await page.getByRole('tabpanel').getByRole('heading', { level: 2 }).first().innerText(), fresh.name);
-  await page.getByRole('tab', { name: 'Parts' }).click();
+  await page.getByRole('tab', { name: 'Install' }).click();
 });
 
 test('a sheet to print and a table are saved', { timeout: 240_000 }, async () => {
@@ -91,7 +91,7 @@ test('places are suggested, put in place of those there, and compared with them'
   assert.equal(await answer.locator('ol > li').count(), 3);
   assert.match(await answer.innerText(), new RegExp(`that makes ${before.length - motion.length + 3} sensors: ${motion.join(', ')} go; the ${before.length - motion.length} others stay`));
   assert.equal(await page.getByRole('tabpanel').evaluate((panel) => panel.scrollWidth - panel.clientWidth), 0);
-  await answer.getByRole('button', { name: `Put them in place of the ${motion.length} motion sensors of now` }).click();
+  await answer.getByRole('button', { name: `Replace the current ${motion.length} motion sensors` }).click();
   const now = before.length - motion.length + 3;
   await until(async () => (await count()) === now, 'the list has those that were suggested, and those of other kinds');
 

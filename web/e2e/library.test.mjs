@@ -46,7 +46,7 @@ test('a home is begun empty, and one from a template; names that are none are re
   await looked(page, 'new', pictures);
   await dialog.getByLabel('Name').fill(`${'n'.repeat(4000)}/`);
   await dialog.getByRole('button', { name: 'Create home' }).click();
-  await dialog.getByText('it is longer than 100 letters').waitFor();
+  await dialog.getByText('it is longer than 100 characters').waitFor();
   await dialog.getByLabel('Name').fill(LONG);
   await dialog.getByRole('radio', { name: 'From a template' }).check();
   await dialog.getByLabel('Template', { exact: true }).selectOption('by-hand');
@@ -70,7 +70,7 @@ test('a home is begun from an image: it lies under the plan, is scaled by two po
   const file = (name, mimeType, text) => dialog.getByLabel('File', { exact: true }).setInputFiles({ name, mimeType, buffer: Buffer.from(text) });
   await file('notes.txt', 'text/plain', 'no picture');
   await dialog.getByRole('button', { name: 'Create home' }).click();
-  await dialog.getByText('This is no PNG, JPEG or SVG file.').waitFor();
+  await dialog.getByText('This file is not a PNG, JPEG or SVG image.').waitFor();
   await file('torn.png', 'image/png', 'no picture');
   await dialog.getByRole('button', { name: 'Create home' }).click();
   await dialog.getByText('The browser cannot read this image.').waitFor();
@@ -87,7 +87,7 @@ test('a home is begun from an image: it lies under the plan, is scaled by two po
   const plan = page.getByRole('application');
   const box = await plan.boundingBox();
   for (const share of [0.4, 0.6]) await page.mouse.click(box.x + share * box.width, box.y + 0.5 * box.height);
-  const apart = Number.parseFloat((await panel.getByText(/They are .* apart now/).innerText()).match(/[\d.]+/)[0]);
+  const apart = Number.parseFloat((await panel.getByText(/^Now .* Real distance/).innerText()).match(/[\d.]+/)[0]);
   // Typed at once, as a wall's length.
   await page.keyboard.type('7');
   await page.keyboard.press('Enter');
@@ -159,7 +159,7 @@ test('the files of a home that is open are deleted on disk: what was drawn is wr
   await page.keyboard.press('ArrowLeft');
   await page.getByText('home.json is not saved.').waitFor();
   rmSync(at('studio', 'home.json'));
-  await page.getByText(/was removed from disk/).waitFor();
+  await page.getByText(/was deleted from disk/).waitFor();
   // What is asked leaves the tools beside it as they are.
   assert.ok((await page.getByRole('button', { name: 'Snap', exact: true }).boundingBox()).height < 50);
   await page.getByRole('button', { name: 'Keep my version' }).click();

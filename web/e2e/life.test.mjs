@@ -93,11 +93,11 @@ test('the days are drawn, and are others without the condition', { timeout: 240_
   const { page } = served;
   await page.getByRole('button', { name: 'Show its days' }).click();
   await page.getByText('3 – 30 May 2009').waitFor();
-  await page.getByText('living them').waitFor({ state: 'hidden' });
+  await page.getByText('simulating').waitFor({ state: 'hidden' });
   const [before, picture] = [await days(), await drawn()];
   assert.equal(before.length, 28);
   await page.getByLabel('depression', { exact: true }).check();
-  await page.getByLabel('Compare').uncheck();
+  await page.getByLabel('Side by side').uncheck();
   await page.getByRole('heading', { name: 'Without depression' }).waitFor();
   const motion = (all) => all.reduce((sum, day) => sum + Number(/(\d+) motion firings/.exec(day)[1]), 0);
   assert.ok(motion(await days()) > motion(before) * 1.1, 'who is not depressed moves more');

@@ -60,7 +60,7 @@ test('the recording is lived again, to the same firings', { timeout: 240_000 }, 
   const before = await shown(page);
   await page.getByRole('button', { name: 'Replay' }).click();
   await page.getByRole('button', { name: 'As fast as possible' }).click();
-  await page.getByText('The same as the recording').first().waitFor();
+  await page.getByText('The replay matches the recording').first().waitFor();
   await page.locator(`tr[aria-rowindex="${before.length + 1}"]`).waitFor();
   assert.deepEqual(await shown(page), before);
   assert.match(served.homebody('replay', 'runs/tigerplace-1/recording.json', '--out', 'csv:again.csv'), /the same as the recording/);

@@ -60,9 +60,9 @@ test('a chair that is called otherwise is so in the routine, and one step back e
   assert.deepEqual(JSON.parse(served.homebody('check', SCENARIO, '--json')).problems, []);
   // The run goes by what the files were.
   await go('live');
-  await page.getByText('have been saved since this run began').waitFor();
-  await page.getByRole('button', { name: 'New run' }).click();
-  await page.getByText('have been saved since this run began').waitFor({ state: 'detached' });
+  await page.getByText('have been saved since this run started').waitFor();
+  await page.getByRole('button', { name: 'New run' }).first().click();
+  await page.getByText('have been saved since this run started').waitFor({ state: 'detached' });
 });
 
 test('what was understood stands beside its sentence, however wide the window is', { timeout: 240_000 }, async () => {
@@ -168,12 +168,12 @@ test('a resident is called otherwise in one step, which can be undone, and lives
     await page.getByRole('alert').getByText('Enter a name.').waitFor();
     await page.getByRole('button', { name: 'Cancel' }).click();
     await rename('margaret', 'joan');
-    await page.getByText(/now called joan, in margaret\.json, margaret\.routine/).waitFor();
+    await page.getByText(/Renamed to joan, in margaret\.json, margaret\.routine/).waitFor();
     await page.getByRole('button', { name: 'Undo' }).last().click();
     await page.getByRole('button', { name: 'Rename margaret' }).waitFor();
     await page.getByText('All changes saved').first().waitFor();
     await rename('margaret', 'joan');
-    await page.getByText(/now called joan/).waitFor();
+    await page.getByText(/Renamed to joan/).waitFor();
     await page.getByRole('button', { name: 'Save', exact: true }).first().click();
     await page.getByRole('button', { name: 'Rename joan' }).waitFor();
     await page.waitForFunction(() => [...document.querySelectorAll('.who option')].some((option) => option.value === 'joan'));
@@ -199,13 +199,13 @@ test('what has one answer is done by a button in one step, and what a home lacks
     await page.goto(`${address.split('#')[0]}#/plan`);
     await page.setViewportSize({ width: 1280, height: 800 });
     await page.getByRole('tab', { name: /^Problems/ }).click();
-    await page.getByRole('button', { name: 'Write “front door”' }).click();
-    await page.getByRole('button', { name: 'Write “front door”' }).waitFor({ state: 'detached' });
-    await page.getByRole('button', { name: 'Put “fridge”' }).click();
-    await page.getByText('Nothing is wrong.').waitFor();
+    await page.getByRole('button', { name: 'Change to “front door”' }).click();
+    await page.getByRole('button', { name: 'Change to “front door”' }).waitFor({ state: 'detached' });
+    await page.getByRole('button', { name: 'Add “fridge”' }).click();
+    await page.getByText('No problems.').waitFor();
     // Each is one step.
     await page.getByRole('button', { name: 'Undo', exact: true }).click();
-    await page.getByRole('button', { name: 'Put “fridge”' }).waitFor();
+    await page.getByRole('button', { name: 'Add “fridge”' }).waitFor();
     await page.getByRole('button', { name: 'Undo', exact: true }).click();
     await page.getByRole('button', { name: /^Show front door contact/ }).click();
     assert.equal(await page.getByRole('tab', { name: 'Element' }).getAttribute('aria-selected'), 'true');
@@ -226,11 +226,11 @@ test('of a home whose folder is gone it is said that it is, and its files are wr
     await served.page.goto(`${served.address.split('#')[0]}#/plan`);
     await served.page.getByRole('application').waitFor();
     rmSync(join(served.folder, 'studio'), { recursive: true });
-    await served.page.getByText('This home is gone').waitFor();
+    await served.page.getByText('The files of this home are no longer').waitFor();
     await served.page.getByRole('link', { name: 'Live' }).click();
-    await served.page.getByRole('alert').getByText('This home is gone').waitFor();
+    await served.page.getByRole('alert').getByText('The files of this home are no longer').waitFor();
     await served.page.getByRole('button', { name: /^Write back \d+ files$/ }).click();
-    await served.page.getByText('This home is gone').waitFor({ state: 'detached' });
+    await served.page.getByText('The files of this home are no longer').waitFor({ state: 'detached' });
     assert.deepEqual(JSON.parse(served.homebody('check', 'studio', '--json')).problems, []);
   } finally {
     await served.close();

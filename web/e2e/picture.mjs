@@ -75,7 +75,7 @@ await picture('life', 'tigerplace-depression', async (page) => {
   await page.getByLabel('Number of days').selectOption('14 days');
   await page.getByLabel('depression', { exact: true }).check();
   await page.getByRole('heading', { name: 'Without depression' }).waitFor({ timeout: 60_000 });
-  await page.getByText('living them').waitFor({ state: 'hidden', timeout: 60_000 });
+  await page.getByText('simulating').waitFor({ state: 'hidden', timeout: 60_000 });
   await page.getByRole('textbox', { name: /^Routine of margaret/ }).click();
   await page.keyboard.press('Control+End');
   await page.keyboard.press('ArrowUp');
@@ -88,6 +88,6 @@ await picture('care', 'tigerplace-depression', async (page, served) => {
   await page.setViewportSize({ width: 1280, height: 1465 });
   await page.reload();
   await page.getByRole('heading', { name: 'Day by day' }).waitFor();
-  await page.getByRole('region', { name: 'Calendar' }).getByRole('button', { name: /2 alerts not seen to/ }).last().click();
+  await page.getByRole('region', { name: 'Calendar' }).getByRole('button', { name: /2 alerts open/ }).last().click();
   await wait(500);
 });

@@ -131,7 +131,7 @@ for (const [mistake, make] of [
     await page.getByRole('button', { name: /^Show / }).first().click();
     await page.getByRole('application').focus();
     await page.keyboard.press('Control+z');
-    await page.getByText('Nothing is wrong.').waitFor();
+    await page.getByText('No problems.').waitFor();
     await page.keyboard.press('Control+s');
     await page.getByText('All changes saved.').waitFor();
     assert.equal(onDisk(), begun);

@@ -54,16 +54,16 @@ test('of two runs that differ by a condition it is shown what one has and the ot
     await differs.getByRole('rowheader', { name: 'bedroom motion' }).waitFor();
     await differs.getByRole('columnheader', { name: 'Room' }).waitFor();
     await page.getByLabel('Heat map').check();
-    await page.getByText('More and less than in the first run that day').waitFor();
+    await page.getByText('Difference from the first run on this day').waitFor();
     const now = page.getByRole('region', { name: 'At this time' });
     assert.equal(await now.getByRole('rowheader', { name: /^margaret$/ }).count(), 2);
     await page.getByLabel('Table').check();
     await page.getByRole('region', { name: 'Rows by day' }).getByRole('row', { name: /8 Apr 2009.*[+−]\d+/ }).waitFor();
     // Of all days both runs are counts, and what one has more of than the other.
-    const line = page.getByRole('group', { name: /^Time line/ });
+    const line = page.getByRole('group', { name: /^Timeline/ });
     await line.focus();
     await page.keyboard.press('a');
-    await page.getByText('38 d in sight').waitFor();
+    await page.getByText('38 d shown').waitFor();
     await page.getByText('more above').waitFor();
     // Twins are told apart by what one was lived without, also in what is kept.
     assert.deepEqual(await page.locator('.clock .run').allInnerTexts(), ['first: tigerplace-depression-1', 'second: tigerplace-depression-2 without depression']);
@@ -118,31 +118,31 @@ test('what is looked for over the whole run is listed, marked on the time line, 
   await page.getByLabel('From hour').selectOption('0');
   await page.getByLabel('To hour').selectOption('0');
   await page.getByRole('button', { name: 'Find', exact: true }).click();
-  await page.getByRole('alert').getByText('different times of a day').waitFor();
+  await page.getByRole('alert').getByText('The two hours must differ').waitFor();
 });
 
 test('the time line goes from the whole run to seconds, is sorted, and is kept as picture, lines and table', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/tigerplace-1@2009-03-10T12:00:00`);
   await page.getByText('Day 9 of 90').waitFor();
-  const line = page.getByRole('group', { name: /^Time line/ });
+  const line = page.getByRole('group', { name: /^Timeline/ });
   await line.focus();
   await page.keyboard.press('a');
-  await page.getByText('90 d in sight').waitFor();
+  await page.getByText('90 d shown').waitFor();
   await page.keyboard.press('0');
-  await page.getByText('1 d in sight').waitFor();
+  await page.getByText('1 d shown').waitFor();
   const box = await line.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + 60);
   for (let turn = 0; turn < 60; turn += 1) await page.mouse.wheel(0, -240);
-  await page.getByText('1 s in sight').waitFor();
+  await page.getByText('1 s shown').waitFor();
   await page.keyboard.press('0');
   // Two hours are drawn out over the times.
   await page.mouse.move(box.x + box.width / 2, box.y + 8);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 + 80, box.y + 8, { steps: 4 });
   await page.mouse.up();
-  await page.getByText(/^[12] h \d+ min in sight$/).waitFor();
-  await page.getByRole('combobox', { name: 'Lanes' }).selectOption('active');
+  await page.getByText(/^[12] h \d+ min shown$/).waitFor();
+  await page.getByRole('combobox', { name: 'Order of lanes' }).selectOption('active');
   await page.keyboard.press('Escape');
   const kept = {};
   for (const form of ['PNG', 'SVG', 'CSV']) {

@@ -58,7 +58,7 @@ export class Finding {
       const true_ = hits.filter(({ is_fall }) => is_fall).length;
       return `Falls seen by cameras: ${hits.length - true_}${this.run.has_truth ? `, in the ground truth: ${true_}` : ''}`;
     }
-    return found.all === 1 ? 'Once' : `${found.all.toLocaleString('en-GB')} times`;
+    return found.all === 1 ? 'Once:' : `${found.all.toLocaleString('en-GB')} times:`;
   }
 
   /** What may be asked for of this kind. */
