@@ -123,7 +123,7 @@ test('arrow keys go through the calendar by day and week, and the day that is op
   expect(one('.opened h2').textContent).toBe('Sunday 22 March 2009');
   expect(window.location.hash).toBe('#/care/a@2009-03-22');
   expect(document.querySelectorAll('td button[tabindex="0"]').length).toBe(1);
-  for (const [label, told] of [['10 March', 'Nobody was at home for most of this day'], ['11 March', 'Too little is known of this day']] as const) {
+  for (const [label, told] of [['10 March', 'Away for most of this day'], ['11 March', 'Incomplete data']] as const) {
     one<HTMLButtonElement>(`td button[title*="${label}"]`).click();
     flushSync();
     expect(one('.opened').textContent).toContain(told);
@@ -169,7 +169,7 @@ test('where nobody can be seen walking that is said, and a log is walked back on
   expect(one<HTMLSelectElement>('#care-run').value).toBe('b');
   expect(text()).toContain('Playback shows its sensors only');
   answers['/api/runs/b/log'] = 'rows';
-  [...document.querySelectorAll('button')].find((button) => button.textContent === 'Locate people')!.click();
+  one<HTMLButtonElement>('.card .about button').click();
   await settle();
   expect(sent.map(([path]) => path)).toEqual(['/api/walk/b.db/b']);
   await unmount(view);

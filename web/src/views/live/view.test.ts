@@ -424,7 +424,7 @@ test('of five hundred rows few are in the page', () => {
 
 test('firings are spoken of', () => {
   show({ now_us: 1, told: 1, firings: [firing(0, 1, 0)] });
-  expect(document.querySelector('[aria-live="polite"]')!.textContent).toBe(`Fired: ${live.run!.home.sensors[0]!.name}.`);
+  expect(document.querySelector('[aria-live="polite"]')!.textContent).toBe(`New events: ${live.run!.home.sensors[0]!.name}.`);
 });
 
 test('hostile names are text', () => {

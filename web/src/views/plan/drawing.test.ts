@@ -123,7 +123,7 @@ test('a problem is what hardly anybody means: not what may stand on another, han
 test('an angle has the point of the compass beside it', () => {
   const facing = (deg: number) => home(FLAT.replace('"facing_deg": 0', `"facing_deg": ${deg}`)).byId.get('sensors/0')!;
   expect([0, 90, -90, 222].map((deg) => described(facing(deg), 'metric').split(' · ').at(-1))).toEqual(
-    ['faces  east (0° from east)', 'faces  north (90° from east)', 'faces  south (-90° from east)', 'faces  south-west (222° from east)'],
+    ['faces east (0° from east)', 'faces north (90° from east)', 'faces south (-90° from east)', 'faces south-west (222° from east)'],
   );
   expect(described([[0, 0], [0, 2]], 'metric')).toBe('2.00 m at 90° (north)');
 });

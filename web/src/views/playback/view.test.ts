@@ -61,7 +61,7 @@ test('zooming and looking elsewhere leave the clock and the address as they are'
   window.location.hash = '#/playback/cottage@2009-03-04T08:00:00';
   await begin(['cottage'], (name) => storedRun(name, 30));
   const [time, address] = [said(), window.location.hash];
-  const line = document.querySelector('[aria-label^="Timeline"]')!;
+  const line = document.querySelector('.line[aria-label^="Timeline"]')!;
   press('a', line);
   for (let turn = 0; turn < 8; turn++) press('+', line);
   for (let turn = 0; turn < 20; turn++) press('ArrowRight', line);
