@@ -23,7 +23,7 @@ test('a fall is played back in silhouettes of all cameras with the voxel person'
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/postures-1@2025-06-02T10:00:05`);
   const cameras = page.getByRole('region', { name: 'Cameras', exact: true });
-  await cameras.getByText('no other picture of anybody exists').waitFor();
+  await cameras.getByText('No other picture of a person exists').waitFor();
   for (const name of ['south-west', 'south-east', 'north-east']) await cameras.getByRole('img', { name: `Silhouette of ${name}: person in view` }).waitFor();
   assert.ok(await bodyPixels(cameras.getByRole('img', { name: 'Silhouette of south-west' })) > 100);
   await cameras.getByRole('img', { name: /voxel person/ }).waitFor();

@@ -89,7 +89,7 @@ test('places are suggested, put in place of those there, and compared with them'
   const answer = page.getByRole('region', { name: 'Suggested sensors' });
   await answer.waitFor();
   assert.equal(await answer.locator('ol > li').count(), 3);
-  assert.match(await answer.innerText(), new RegExp(`that makes ${before.length - motion.length + 3} sensors: ${motion.join(', ')} go; the ${before.length - motion.length} others stay`));
+  assert.match(await answer.innerText(), new RegExp(`Replace: ${before.length - motion.length + 3} sensors in all\\. Removed: ${motion.join(', ')}\\. Kept: ${before.length - motion.length} sensors`));
   assert.equal(await page.getByRole('tabpanel').evaluate((panel) => panel.scrollWidth - panel.clientWidth), 0);
   await answer.getByRole('button', { name: `Replace the current ${motion.length} motion sensors` }).click();
   const now = before.length - motion.length + 3;

@@ -80,7 +80,7 @@ test('a home is begun from an image: it lies under the plan, is scaled by two po
   await dialog.getByRole('button', { name: 'Create home' }).click();
   const panel = page.getByRole('tabpanel', { name: 'Image' });
   await panel.getByText('Oak Street 5.svg').waitFor();
-  await panel.getByText('Click two points of the image with a known distance').waitFor();
+  await panel.getByText('Click two points with a known distance').waitFor();
   assert.equal(await panel.getByRole('button', { name: 'Set scale with two points' }).getAttribute('aria-pressed'), 'true');
   const width = () => panel.getByLabel('Width of the image').inputValue();
   const before = Number.parseFloat(await width());

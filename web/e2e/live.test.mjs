@@ -69,7 +69,7 @@ test('the recording is lived again, to the same firings', { timeout: 240_000 }, 
 test('the log is downloaded as it is stored', { timeout: 240_000 }, async () => {
   const { page } = served;
   await page.getByText(/^Recording: |^Stored: |tigerplace-1/).first().click();
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Log', exact: true }).click()]);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Export log' }).click()]);
   const bytes = readFileSync(await download.path());
   assert.deepEqual(bytes, readFileSync(join(served.folder, 'runs/tigerplace-1/log.db')));
 });

@@ -30,7 +30,7 @@ test('table, columns, ids, messages and time are changed, and the first rows sho
   await goTo('Log');
   await rows().getByRole('columnheader', { name: 'event_code' }).waitFor();
   const before = logger();
-  await page.getByLabel('Table', { exact: true }).fill('reading');
+  await page.getByRole('textbox', { name: 'Table' }).fill('reading');
   await page.getByRole('textbox', { name: 'Time', exact: true }).fill('read_at');
   await page.getByRole('textbox', { name: 'Sensor', exact: true }).fill('unit');
   await page.getByLabel('Id of bedroom motion').fill('Z9');
@@ -53,7 +53,7 @@ test('table, columns, ids, messages and time are changed, and the first rows sho
 
 test('what is wrong stands beside its field, and a place outside the run is told', { timeout: 240_000 }, async () => {
   const { page } = served;
-  const table = page.getByLabel('Table', { exact: true });
+  const table = page.getByRole('textbox', { name: 'Table' });
   await table.fill('My Table');
   await page.getByText('cannot be the name of a table or a column').first().waitFor();
   assert.equal(await table.getAttribute('aria-invalid'), 'true');
@@ -73,7 +73,7 @@ test('what is wrong stands beside its field, and a place outside the run is told
 test('the next run is stored so, and is seen to grow', { timeout: 240_000 }, async () => {
   const { page } = served;
   await goTo('Live');
-  await page.getByRole('button', { name: 'New run' }).click();
+  await page.getByRole('button', { name: 'New run' }).first().click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await page.locator('summary', { hasText: 'tigerplace-1' }).waitFor();
   await page.getByRole('button', { name: '100×: ' }).click();
@@ -85,7 +85,7 @@ test('the next run is stored so, and is seen to grow', { timeout: 240_000 }, asy
   await hour.waitFor();
   const first = await hour.innerText();
   await page.waitForFunction((first) => document.querySelector('.foot .said').innerText !== first, first);
-  await page.getByLabel('Table').last().check();
+  await page.getByRole('checkbox', { name: 'Table' }).last().check();
   await page.getByRole('row', { name: /^bedroom motion [1-9]/ }).waitFor();
   await goTo('Live');
   await page.getByRole('button', { name: 'Stop' }).click();
@@ -105,6 +105,6 @@ test('the next run is stored so, and is seen to grow', { timeout: 240_000 }, asy
 test('the log is downloaded from the Log view as it is stored', { timeout: 240_000 }, async () => {
   const { page } = served;
   await goTo('Log');
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Log', exact: true }).click()]);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Export log' }).click()]);
   assert.deepEqual(readFileSync(await download.path()), readFileSync(join(served.folder, 'runs/tigerplace-1/log.db')));
 });

@@ -53,7 +53,7 @@ test('a log is opened, and she walks in it where she was, with doubt', { timeout
   const { page } = served;
   await open(log);
   await page.getByText('real.txt, people located').first().waitFor({ state: 'attached' });
-  await page.getByText('How sure it is').waitFor();
+  await page.getByText('Certainty:').waitFor();
   await page.getByText('Day 1 of 3').waitFor();
 
   // The truth of the run that the log is of, which the page was not given.
@@ -94,7 +94,7 @@ test('it plays, is gone through from room to room, and the real log’s rows sta
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
   await page.getByRole('row', { name: /motion.*ON/ }).first().waitFor();
   await page.getByText('Show located people').click();
-  assert.equal(await page.getByText('How sure it is').count(), 0);
+  assert.equal(await page.getByText('Certainty:').count(), 0);
   await page.getByText('Show located people').click();
 });
 
