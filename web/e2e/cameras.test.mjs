@@ -26,7 +26,7 @@ test('a fall is played back in silhouettes of all cameras with the voxel person'
   await cameras.getByText('No other picture of a person exists').waitFor();
   for (const name of ['south-west', 'south-east', 'north-east']) await cameras.getByRole('img', { name: `Silhouette of ${name}: person in view` }).waitFor();
   assert.ok(await bodyPixels(cameras.getByRole('img', { name: 'Silhouette of south-west' })) > 100);
-  await cameras.getByRole('img', { name: /voxel person/ }).waitFor();
+  await cameras.getByRole('img', { name: /Voxel person/ }).waitFor();
   await cameras.getByText('upright', { exact: true }).waitFor();
   const top = async () => Number.parseFloat(await cameras.getByRole('definition').nth(1).innerText());
   assert.ok(await top() > 1.4, `${await top()} m high`);
