@@ -149,7 +149,7 @@ for (const scheme of ['light', 'dark']) {
   await check(page, `token-${scheme}`);
   await page.getByLabel('Token').fill('no token');
   await page.getByRole('button', { name: 'Connect' }).click();
-  expect(await page.getByRole('alert').innerText().then((text) => text.startsWith('This is not a token')), 'what is no token is said to be none');
+  expect(await page.getByRole('alert').innerText().then((text) => text.startsWith('This is not an access token')), 'what is no token is said to be none');
   await page.goto(`${real.address}/#token=${'ab'.repeat(32)}`);
   await page.reload();
   await page.waitForTimeout(900);

@@ -194,11 +194,11 @@ test('where all of it has been lived it can be played back', async () => {
   const told = () => document.querySelector('.generate')!.textContent!;
   live.frame = frame({ state: 'paused', now_us: 86_400_000_000 });
   flushSync();
-  expect(told()).toContain('either stops cottage-1 at day 2 of 31; it stays in Playback');
+  expect(told()).toContain('Both stop cottage-1 at day 2 of 31');
   expect(button('Run all days').title).toContain('cottage-1 stops at day 2 of 31 and stays in Playback');
   live.frame = frame({});
   flushSync();
-  expect(told()).not.toContain('either stops');
+  expect(told()).not.toContain('Both stop');
   button('Run all days').click();
   for (let turn = 0; turn < 3; turn++) await settle();
   live['hear']({ tell: 'run', run: madeUpRun() });
