@@ -104,7 +104,7 @@ for (const scheme of ['light', 'dark']) {
     if (!`${what}-${scheme}`.startsWith(only)) continue;
     const page = await open(query, { scheme, width: 1024, height: 768, hash: '#/log' });
     await check(page, `${what}-${scheme}`);
-    for (const box of await page.getByLabel('Table').all()) await box.check();
+    for (const box of await page.getByRole('checkbox', { name: 'Table' }).all()) await box.check();
     await page.getByText('File text').click();
     await check(page, `${what}-tables-${scheme}`);
     await page.close();
