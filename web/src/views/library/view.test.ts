@@ -155,7 +155,7 @@ test('a copy has a name that is free, and why there is none is said in its dialo
   dialog.querySelector('form')!.dispatchEvent(new Event('submit', { bubbles: true, cancelable: true }));
   await settled();
   expect(asked).toContain('POST /api/library/homes/flat/copy {"name":"flat 2"}');
-  expect(dialog.querySelector('[role="alert"]')!.textContent).toContain('something called flat 2');
+  expect(dialog.querySelector('[role="alert"]')!.textContent).toContain('The name flat 2 is already in use');
   expect(dialog.open).toBe(true);
 });
 
