@@ -127,8 +127,9 @@ impl Desk {
         if folder.exists() || !names.contains(self.shelf.entry.as_str()) {
             return Ok(false);
         }
-        let failed =
-            |error: std::io::Error| format!("the folder of the scenario was deleted, and Homebody cannot create it again: {error}");
+        let failed = |error: std::io::Error| {
+            format!("the folder of the scenario was deleted, and Homebody cannot create it again: {error}")
+        };
         std::fs::create_dir(folder).map_err(failed)?;
         Ok(true)
     }

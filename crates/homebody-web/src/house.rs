@@ -409,7 +409,10 @@ async fn begun(
     body: Body,
 ) -> Result<Option<WalkingView>, Refused> {
     let too_large = || {
-        let what = format!("The page takes logs of at most {} MB. For a larger log, use homebody locate.", LARGEST_LOG_BYTES >> 20);
+        let what = format!(
+            "The page takes logs of at most {} MB. For a larger log, use homebody locate.",
+            LARGEST_LOG_BYTES >> 20
+        );
         (StatusCode::PAYLOAD_TOO_LARGE, what)
     };
     let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string());
@@ -417,7 +420,9 @@ async fn begun(
         return Err(too_large());
     }
     let coming = walks.begin(&log, home).map_err(|why| match why {
-        Unwalked::Busy(log) => (StatusCode::CONFLICT, format!("Homebody is locating people in {log}. Wait for it, or stop it.")),
+        Unwalked::Busy(log) => {
+            (StatusCode::CONFLICT, format!("Homebody is locating people in {log}. Wait for it, or stop it."))
+        }
         Unwalked::NoPlace(error) => failed(error),
     })?;
     let whole = received(body, &coming.file(), (LARGEST_LOG_BYTES, too_large), || coming.is_cancelled()).await?;

@@ -25,7 +25,8 @@ fn unknown(run: &str) -> Refusal {
 /// Where that is kept; a link may lead to what its author was never to see.
 fn place(shelf: &Shelf, run: &str) -> Result<PathBuf, Refusal> {
     let folder = shelf.run(run).ok_or_else(|| unknown(run))?;
-    plain::within(&folder, Path::new(ABOUT)).ok_or_else(|| damaged(format!("{ABOUT} links to a place outside the folder of the run.")))
+    plain::within(&folder, Path::new(ABOUT))
+        .ok_or_else(|| damaged(format!("{ABOUT} links to a place outside the folder of the run.")))
 }
 
 /// What a run is called; nothing where nobody has said, or where that cannot be read.
@@ -39,7 +40,8 @@ pub fn about(shelf: &Shelf, run: &str) -> RunAbout {
 pub fn call(shelf: &Shelf, run: &str, about: RunAbout) -> Result<RunAbout, Refusal> {
     let letters = |text: &str| text.chars().count();
     if letters(&about.title) > LONGEST_TITLE || letters(&about.note) > LONGEST_NOTE {
-        let what = format!("The name of a run has at most {LONGEST_TITLE} characters, and its note at most {LONGEST_NOTE}.");
+        let what =
+            format!("The name of a run has at most {LONGEST_TITLE} characters, and its note at most {LONGEST_NOTE}.");
         return Err(Refusal::Damaged(what));
     }
     let place = place(shelf, run)?;

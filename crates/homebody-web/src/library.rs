@@ -105,7 +105,7 @@ impl Library {
     pub fn has_own_runs(&self, name: &str) -> Result<(), Refusal> {
         match fs::symlink_metadata(self.shelf(name).runs).is_ok_and(|found| found.is_symlink()) {
             true => Err(damaged(format!(
-                "The folder {RUNS} of {} is a link. Homebody writes runs only into the folder of the home itself. Remove the link.",
+                "The folder {RUNS} of {} is a link. Homebody writes runs only into the folder of the home. Remove the link.",
                 shown(name)
             ))),
             false => Ok(()),

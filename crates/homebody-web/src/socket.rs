@@ -140,8 +140,7 @@ impl Drop for Held {
 
 /// The answer to a page that says more than the run can do.
 fn busy() -> Tell {
-    let text =
-        "The run is still busy with earlier commands and dropped this one. Try again a little later.";
+    let text = "The run is still busy with earlier commands and dropped this one. Try again a little later.";
     Tell::Note { text: text.into(), bad: true }
 }
 

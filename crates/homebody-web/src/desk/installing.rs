@@ -95,9 +95,8 @@ impl Desk {
 
     fn proposed(&self, asked: Suggest, cancel: &Cancel) -> Result<Proposed, Unsuggested> {
         let Suggest { draft, sensors, to_see, people, device } = asked;
-        let goals = goals(&to_see).map_err(|unknown| {
-            Unsuggested::Said(format!("Unknown goals: {}.", unknown.join(", ").escape_debug()))
-        })?;
+        let goals = goals(&to_see)
+            .map_err(|unknown| Unsuggested::Said(format!("Unknown goals: {}.", unknown.join(", ").escape_debug())))?;
         if goals.is_empty() {
             return Err(Unsuggested::Said("Choose at least one goal.".into()));
         }
@@ -149,7 +148,7 @@ impl From<NotLived> for Unsuggested {
         match error {
             NotLived::Problems(wrong) => Unsuggested::Problems(problems(&wrong.0)),
             NotLived::NoRoutine => Unsuggested::Said(
-                "The first resident has no routine, so no condition can be simulated. Choose only the goal “Most of the floor”."
+                "The first resident has no routine, so no condition can be simulated. Choose only “Most of the floor”."
                     .into(),
             ),
             other => Unsuggested::Said(other.to_string()),

@@ -67,7 +67,10 @@ impl Desk {
         let base = there.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         try_place(&url.at(base.join(format!(".homebody-{}", std::process::id()))))?;
         let folder = self.shelf.runs.display();
-        Ok(format!("Each run writes its own {} into a new folder in {folder}. Homebody can write there.", file.display()))
+        Ok(format!(
+            "Each run writes its own {} into a new folder in {folder}. Homebody can write there.",
+            file.display()
+        ))
     }
 }
 
