@@ -30,6 +30,7 @@ pub mod activity;
 // What the user wrote, and what is wrong with it.
 pub mod scenario;
 pub mod messages;
+pub mod catalogue;
 pub mod problem;
 
 // The home, what its sensors are, and what they see in it.

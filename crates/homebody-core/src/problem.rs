@@ -1,9 +1,35 @@
 //! What is wrong with what a user wrote: all of it at once, each with its place and a hint.
 
-use crate::messages::{Diagnose, Severity};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt;
+
+/// How serious a message is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// The command does not do what was asked.
+    #[default]
+    Error,
+    /// The command continues, and its result may not be what was meant.
+    Warning,
+}
+
+impl Severity {
+    /// The word before a message.
+    pub fn word(self) -> &'static str {
+        match self {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        }
+    }
+}
+
+/// An error or a remark that can be shown to people and read by programs.
+pub trait Diagnose {
+    /// Its code, text, hint and data.
+    fn diagnostic(&self) -> Diagnostic;
+}
 
 /// A message for people and programs: its code, its words, what to do, and where in a file it is about.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]

@@ -181,7 +181,7 @@ homebody_core::messages! {
             name: String,
             /// The known names.
             hint: String,
-        } error "unknown-name" ("there is no {kind} {name:?}") hint ("{hint}");
+        } error "unknown-name" ("no {kind} is called {name:?}") hint ("{hint}");
         /// Activities, falls and lost messages are in the ground truth of a run, and not in a log.
         NoTruth(what: &'static str) error "needs-truth" ("a log alone does not contain {what}")
             hint ("name a run that has its ground truth");

@@ -14,7 +14,7 @@ mod density;
 mod devices;
 mod doctor;
 mod experiment;
-pub mod explain;
+mod explain;
 mod falls;
 mod find;
 mod fit;

@@ -195,7 +195,8 @@ fn misunderstood(Shown { document, line, words, .. }: &Shown) -> Vec<String> {
     let mut path: Vec<&str> = Vec::new();
     let mut help = help(&path);
     while let (Some(list), Some(word)) = (commands_of(&help, &path), words.get(path.len())) {
-        if word.starts_with('-') {
+        // `[OPTIONS]` and `<COMMAND>` stand for what a reader writes.
+        if word.starts_with(['-', '[', '<']) {
             break;
         }
         if !list.lines().any(|line| line.split_whitespace().next() == Some(word)) {
