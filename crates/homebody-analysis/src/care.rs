@@ -1,7 +1,7 @@
-//! How somebody is, for those who care: the last day beside the usual, what has changed, what was worth a visit, and charts.
+//! A report for carers: the last day compared with the usual, changes, alerts and charts.
 //!
-//! All of it is of measures, alerts and summaries, in words without sensors. A day's usual is the mean and the standard deviation of the
-//! days before it that count, as alerts have it.
+//! It comes from measures, alerts and summaries, in words without sensors. The usual value of a day is the mean of the complete
+//! days before it, with their standard deviation, as in alerts.
 
 use crate::alerts::{Alert, Rules, alerts, counts, usual_before};
 use crate::measures::{Day, Measure, Measures, Unit};
@@ -88,20 +88,13 @@ pub struct Point {
     pub usual: Option<(f64, f64)>,
 }
 
-/// A measure that carers ask about.
-struct Asked {
-    measure: &'static Measure,
-    /// A standard deviation is taken to be so much at least.
-    least_sd: f64,
-}
-
 /// Sentences are about so many of the last days.
 pub const LAST_DAYS: usize = 14;
 
 /// A day is told as unusual that is so many standard deviations from the mean (ours), and what is less than these apart is
 /// usual all the same (ours).
 const UNUSUAL_SD: f64 = 2.0;
-/// What carers ask about, in the order of a day's account, with the least standard deviation.
+/// The measures that carers ask about, in the order of a day's account, with the least standard deviation.
 const ASKED: [(&str, f64); 11] = [
     ("time_in_bed", 0.5),
     ("sleep", 0.5),
@@ -128,8 +121,7 @@ pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
     let has_better = |name: &str| INSTEAD.iter().any(|(better, of)| name == *of && has(better));
     for (name, least_sd) in ASKED {
         let Some(measure) = Measure::named(name).filter(|_| !has_better(name)) else { continue };
-        let asked = Asked { measure, least_sd };
-        let chart = chart(&asked, measures);
+        let chart = chart(measure, least_sd, measures);
         if !chart.is_guess {
             let values: Vec<Option<f64>> = chart.days.iter().map(|day| day.value).collect();
             for (number, value) in values.iter().enumerate() {
@@ -165,18 +157,17 @@ fn nothing_told(day: &Day) -> DayTold {
     DayTold { date: day.date, known, told: Vec::new() }
 }
 
-fn chart(asked: &Asked, measures: &Measures) -> Chart {
-    let value = |day: &Day| day.value(asked.measure.name).filter(|_| counts(day));
+fn chart(of: &Measure, little: f64, measures: &Measures) -> Chart {
+    let value = |day: &Day| day.value(of.name).filter(|_| counts(day));
     let values: Vec<Option<f64>> = measures.days.iter().map(value).collect();
     let point = |(number, day): (usize, &Day)| {
         // Nothing that is measured is below 0.
-        let usual = usual_before(&values, number, asked.least_sd).map(|(mean, sd)| ((mean - sd).max(0.0), mean + sd));
+        let usual = usual_before(&values, number, little).map(|(mean, sd)| ((mean - sd).max(0.0), mean + sd));
         Point { date: day.date, value: values[number], usual }
     };
     let days = measures.days.iter().enumerate().map(point).collect();
-    let &Asked { measure: &Measure { name: measure, title, .. }, least_sd: little } = asked;
-    let is_guess = measures.guesses.contains(&measure);
-    Chart { measure, title, unit: asked.measure.kind(), little, is_guess, days }
+    let is_guess = measures.guesses.contains(&of.name);
+    Chart { measure: of.name, title: of.title, unit: of.kind(), little, is_guess, days }
 }
 
 /// A measure of a day in words, beside the usual: mean and standard deviation.

@@ -10,7 +10,7 @@ use jiff::civil::Date;
 use std::borrow::Borrow;
 use std::fmt::Display;
 
-/// A pace that differs by fewer per cent counts as the same (ours).
+/// A pace that differs by fewer per cent counts as the same (our choice).
 const SAME_PACE_PERCENT: f64 = 5.0;
 /// Counts from here on are written without decimals.
 const LARGE_COUNT: f64 = 20.0;
@@ -57,7 +57,9 @@ impl Measure {
         match (said, self.short(other)) {
             (Some(said), Some(other)) => format!("{said}, {word} {other}"),
             _ if other <= 0.0 => String::new(),
-            _ => format!("{:.0} % {} than {than}", (value / other - 1.0).abs() * 100.0, self.comparative(value > other)),
+            _ => {
+                format!("{:.0} % {} than {than}", (value / other - 1.0).abs() * 100.0, self.comparative(value > other))
+            }
         }
     }
 
@@ -80,7 +82,7 @@ impl Measure {
         format!("{} {how} {on}", capitalised(about.subject))
     }
 
-    /// A day in words beside its usual value, and whether it is more than usual.
+    /// A day in words, compared with the usual value, if that is known: its mean, and whether the day is more.
     pub(crate) fn day(&self, value: f64, usual: Option<(f64, Option<bool>)>) -> String {
         let is_walk = matches!(self.kind(), Unit::OfUsual | Unit::MetresASecond);
         match usual {
@@ -234,12 +236,48 @@ mod tests {
     #[test]
     fn an_alert_has_its_values_and_the_usual_ones() {
         for (name, method, values, days, words) in [
-            ("meals", Method::Ewma, (2.8, 3.6), 1, "Fewer kitchen meals, building up over several days: 2.8 a day on average, usually 3.6"),
-            ("rising", Method::Deviation, (9.0, 7.25), 3, "Getting up later than usual, three days in a row: at 09:00, usually 07:15"),
-            ("density_morning", Method::Ewma, (276.0, 451.0), 1, "Less movement in the morning, building up over several days: 39 % lower than usual"),
-            ("sleep", Method::Deviation, (6.0, 7.25), 2, "Less sleep than usual, two nights in a row: 6.0 hours, usually 7.2"),
-            ("bathroom_night", Method::Deviation, (6.0, 1.5), 1, "More bathroom visits at night than usual: 6 times, usually 1.5"),
-            ("pace", Method::Cusum, (0.88, 1.0), 4, "Walking more slowly since 1 January 2024: 12 % more slowly than usual"),
+            (
+                "meals",
+                Method::Ewma,
+                (2.8, 3.6),
+                1,
+                "Fewer kitchen meals, building up over several days: 2.8 a day on average, usually 3.6",
+            ),
+            (
+                "rising",
+                Method::Deviation,
+                (9.0, 7.25),
+                3,
+                "Getting up later than usual, three days in a row: at 09:00, usually 07:15",
+            ),
+            (
+                "density_morning",
+                Method::Ewma,
+                (276.0, 451.0),
+                1,
+                "Less movement in the morning, building up over several days: 39 % lower than usual",
+            ),
+            (
+                "sleep",
+                Method::Deviation,
+                (6.0, 7.25),
+                2,
+                "Less sleep than usual, two nights in a row: 6.0 hours, usually 7.2",
+            ),
+            (
+                "bathroom_night",
+                Method::Deviation,
+                (6.0, 1.5),
+                1,
+                "More bathroom visits at night than usual: 6 times, usually 1.5",
+            ),
+            (
+                "pace",
+                Method::Cusum,
+                (0.88, 1.0),
+                4,
+                "Walking more slowly since 1 January 2024: 12 % more slowly than usual",
+            ),
         ] {
             assert_eq!(alert(name, method, values, days), words);
         }
@@ -261,7 +299,10 @@ mod tests {
     fn days_are_worded_by_their_unit() {
         let day = |name: &str, value, usual| Measure::named(name).unwrap().day(value, usual);
         assert_eq!(day("time_out", 0.0, None), "Did not go out");
-        assert_eq!(day("meals", 1.0, Some((2.8, Some(false)))), "Had a meal in the kitchen once, less often than usual (2.8)");
+        assert_eq!(
+            day("meals", 1.0, Some((2.8, Some(false)))),
+            "Had a meal in the kitchen once, less often than usual (2.8)"
+        );
         assert_eq!(day("rising", 9.0, Some((7.25, Some(true)))), "Got up at 09:00, later than usual (07:15)");
         assert_eq!(day("pace", 0.8, None), "Walked 20 % more slowly than on most days");
         assert_eq!(day("pace", 0.8, Some((1.0, None))), "Walked at the usual pace");

@@ -41,7 +41,10 @@ fn what_is_far_from_usual_on_days_in_a_row_is_told_once() {
     let found = alerts(&days_of("bathroom_night", &then(&[6.0, 2.0, 6.0, 5.0, 6.0])), &rules(NIGHTS));
     let [alert] = &found.alerts[..] else { panic!("{found}") };
     assert_eq!((alert.date, alert.shown_by.len()), (date(2024, 1, 18), 2));
-    assert!(alert.words.contains("More bathroom visits at night than usual, two nights in a row: 5 times, usually "), "{found}");
+    assert!(
+        alert.words.contains("More bathroom visits at night than usual, two nights in a row: 5 times, usually "),
+        "{found}"
+    );
     // Less is not more.
     assert!(alerts(&days_of("bathroom_night", &then(&[0.0, 0.0, 0.0])), &rules(NIGHTS)).alerts.is_empty());
 }

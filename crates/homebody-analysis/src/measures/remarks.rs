@@ -31,9 +31,7 @@ impl Remarks {
         if timeline.hides_showers {
             told.remark("Showers are unknown: the motion sensor in the bathroom stays on for more than a minute after a movement");
         } else if timeline.showers.is_none() && timeline.rooms.has(Purpose::Bathroom) {
-            told.remark(
-                "Showers are unknown: no motion sensor is in the bathroom, and no sensor at the shower",
-            );
+            told.remark("Showers are unknown: no motion sensor is in the bathroom, and no sensor at the shower");
         }
         if timeline.is_unwatched {
             told.remark("Room changes and sitting are unknown: most sensors report the use of things, not movement");
@@ -89,7 +87,9 @@ impl Remarks {
             return;
         }
         if known.rooms.is_empty() {
-            self.remark("Rooms are guessed from sensor names; pass --home to name them, or see guessed_rooms in the JSON");
+            self.remark(
+                "Rooms are guessed from sensor names; pass --home to name them, or see guessed_rooms in the JSON",
+            );
         }
         if unplaced > 0 {
             self.remark(&format!("The room of {unplaced} of {} sensors is unknown", log.sensors.len()));

@@ -107,7 +107,10 @@ fn sensors_that_stay_on_hide_no_stays() {
     for name in ["showers", "restlessness"] {
         assert!(values(&held, name).iter().all(Option::is_none), "{name}");
         assert!(values(&plain, name).iter().any(Option::is_some), "{name}");
-        assert!(held.remarks.iter().any(|remark| remark.to_lowercase().starts_with(name) && remark.contains("unknown: ")), "{name}");
+        assert!(
+            held.remarks.iter().any(|remark| remark.to_lowercase().starts_with(name) && remark.contains("unknown: ")),
+            "{name}"
+        );
     }
     assert!(held.guesses.contains(&"bathroom_day") && !plain.guesses.contains(&"bathroom_day"));
 }

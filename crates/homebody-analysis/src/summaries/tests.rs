@@ -22,7 +22,10 @@ fn what_is_told_is_true_and_says_most() {
     let summary = summarise(&days(&[2.0; 14], &[22.6; 14]), ADA);
     let told: Vec<&str> = summary.sentences.iter().map(|sentence| sentence.plain.as_str()).collect();
     assert!(told.contains(&"Ada got up for the bathroom twice on every night of the last two weeks."), "{told:?}");
-    assert!(told.contains(&"Ada went to bed between 22:30 and 23:00 on every night of the last two weeks."), "{told:?}");
+    assert!(
+        told.contains(&"Ada went to bed between 22:30 and 23:00 on every night of the last two weeks."),
+        "{told:?}"
+    );
     assert_eq!(summary.remarks.len(), 1, "nothing lies before: {:?}", summary.remarks);
     let mixed: Vec<f64> = (0..14).map(|night| if night % 5 == 0 { 0.0 } else { 2.0 + f64::from(night % 2) }).collect();
     let summary = summarise(&days(&mixed, &[22.6; 14]), ADA);
@@ -47,7 +50,11 @@ fn what_has_changed_comes_first() {
 #[test]
 fn too_few_days_say_nothing() {
     let summary = summarise(&days(&[2.0; 3], &[22.6; 3]), ADA);
-    assert!(summary.sentences.is_empty() && summary.remarks[0].contains("Only 3 complete days so far"), "{:?}", summary.remarks);
+    assert!(
+        summary.sentences.is_empty() && summary.remarks[0].contains("Only 3 complete days so far"),
+        "{:?}",
+        summary.remarks
+    );
 }
 
 #[test]

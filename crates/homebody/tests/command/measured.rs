@@ -71,7 +71,11 @@ fn alerts_go_by_rules_that_may_be_changed() {
 fn days_are_told_in_sentences() {
     let folder = lived();
     let told = folder.run("summarise runs/tigerplace-1").ok();
-    assert!(told.out.contains("\nMargaret went to bed between ") && told.out.contains(" of the last two weeks.\n"), "{}", told.out);
+    assert!(
+        told.out.contains("\nMargaret went to bed between ") && told.out.contains(" of the last two weeks.\n"),
+        "{}",
+        told.out
+    );
     let of_one = folder.run("summarise runs/tigerplace-1 --resident margaret --for experts --last 7").ok();
     assert!(of_one.out.contains(" of the last 7 days (truth ") && of_one.out.contains("Margaret "), "{}", of_one.out);
     let beside = folder.run("summarise runs/tigerplace-1 --beside runs/tigerplace-1 --json").ok().json();
