@@ -10,7 +10,7 @@ use jiff::civil::Date;
 use std::borrow::Borrow;
 use std::fmt::Display;
 
-/// A pace that differs by fewer per cent counts as the same (our choice).
+/// A pace that differs by fewer per cent counts as the same; the limit is ours.
 const SAME_PACE_PERCENT: f64 = 5.0;
 /// Counts from here on are written without decimals.
 const LARGE_COUNT: f64 = 20.0;
