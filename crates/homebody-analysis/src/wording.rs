@@ -8,7 +8,6 @@ use homebody_core::fuzzy::Quantifier;
 use homebody_core::names::capitalised;
 use jiff::civil::Date;
 use std::borrow::Borrow;
-use std::fmt::Display;
 
 /// A pace that differs by fewer per cent counts as the same; the limit is ours.
 const SAME_PACE_PERCENT: f64 = 5.0;
@@ -186,8 +185,9 @@ pub(crate) fn joined(headline: String, numbers: &str) -> String {
 }
 
 /// Things in a row: `sleep, kitchen meals and getting up`.
-pub(crate) fn listed(things: &[impl Borrow<str> + Display]) -> String {
-    match things {
+pub(crate) fn listed(things: &[impl Borrow<str>]) -> String {
+    let things: Vec<&str> = things.iter().map(Borrow::borrow).collect();
+    match &things[..] {
         [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
         _ => things.concat(),
     }
