@@ -90,7 +90,7 @@ impl Measure {
                 format!("Walked {:.0} % {} than usual", (value / mean - 1.0).abs() * 100.0, self.comparative(is_more))
             }
             // It is relative to the whole log, so it has words before there is a usual value.
-            None if self.kind() == Unit::OfUsual => match (value - 1.0).abs() * 100.0 {
+            None if self.kind() == Unit::OfUsual => match ((value - 1.0).abs() * 100.0).round() {
                 percent if percent < SAME_PACE_PERCENT => "Walked as fast as on most days".to_owned(),
                 percent => format!("Walked {percent:.0} % {} than on most days", self.comparative(value > 1.0)),
             },

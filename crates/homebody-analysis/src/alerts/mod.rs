@@ -80,8 +80,6 @@ impl Alert {
 struct Usual {
     mean: f64,
     sd: f64,
-    /// Of how many days it is.
-    days: usize,
 }
 
 /// All alerts of the measures of a log.
@@ -144,7 +142,7 @@ fn of_before(values: &[Option<f64>], day: usize, (baseline, least): (usize, usiz
     let mean = before.clone().sum::<f64>() / days as f64;
     let variance = before.map(|value| (value - mean) * (value - mean)).sum::<f64>() / (days as f64 - 1.0);
     let sd = variance.sqrt().max(least_sd);
-    (sd > 0.0).then_some(Usual { mean, sd, days })
+    (sd > 0.0).then_some(Usual { mean, sd })
 }
 
 /// By how many standard deviations a value differs in a direction that counts; 0 where it does not.

@@ -40,7 +40,7 @@ impl Remarks {
             told.guess(&["time_in_bed", "bedtime", "rising", "bathroom_night"]);
             told.remark("Nights are estimated from the use of things in the bedroom (no motion sensor there, and none in the bed)");
         } else if timeline.in_bed.is_some() && timeline.asleep.is_none() {
-            told.remark("Sleep is unknown: no motion sensor is in the bedroom, only one in the bed");
+            told.remark("Time in bed is known, but not sleep: no motion sensor is in the bedroom");
         }
         if timeline.hides_visits {
             told.guess(&["bathroom_day", "bathroom_night"]);
@@ -61,7 +61,7 @@ impl Remarks {
         }
         if measured.crowded > 0 {
             let days = counted(measured.crowded, "day", "days");
-            told.remark(&format!("{days} with more rows than any home sends have no values"));
+            told.remark(&format!("No values for {days} with more rows than any home sends"));
         }
         told
     }
