@@ -5,15 +5,13 @@ use crate::measures::Measure;
 /// A measure of summaries. The numbers are ours.
 pub(super) struct Topic {
     pub measure: &'static Measure,
-    /// Of several measures with one subject, a summary has one.
-    pub subject: &'static str,
     /// The range of its values; `None` if only its changes have sentences.
     pub range: Option<(f64, f64)>,
     /// A standard deviation is taken to be so much at least.
     pub least_sd: f64,
 }
 
-/// By name: subject, range, least standard deviation.
+/// By name: subject, range, least standard deviation. Of several measures with one subject, a summary has one.
 const TOPICS: [(&str, &str, Option<(f64, f64)>, f64); 17] = [
     ("bedtime", "bedtime", Some((18.0, 30.0)), 0.4),
     ("rising", "getting up", Some((3.0, 14.0)), 0.4),
@@ -36,9 +34,9 @@ const TOPICS: [(&str, &str, Option<(f64, f64)>, f64); 17] = [
 
 /// All measures of summaries.
 pub(super) fn topics() -> impl Iterator<Item = Topic> {
-    TOPICS.into_iter().filter_map(|(name, subject, range, least_sd)| {
-        Some(Topic { measure: Measure::named(name)?, subject, range, least_sd })
-    })
+    TOPICS
+        .into_iter()
+        .filter_map(|(name, _, range, least_sd)| Some(Topic { measure: Measure::named(name)?, range, least_sd }))
 }
 
 /// The subject of a measure.
