@@ -12,7 +12,7 @@ const LONG = 'a name that goes on and on '.repeat(4).trim().slice(0, 100);
 
 let served;
 before(async () => {
-  served = await serveLibrary(['studio', 'tigerplace', 'older-adult'], { words: ['--keep-address', 'address'] });
+  served = await serveLibrary(['studio', 'tigerplace', 'older-adult'], { words: ['--address-file', 'address'] });
   if (pictures) mkdirSync(pictures, { recursive: true });
   await served.page.setViewportSize({ width: 1280, height: 800 });
 });

@@ -91,8 +91,8 @@ pub struct Point {
 /// Sentences are about so many of the last days.
 pub const LAST_DAYS: usize = 14;
 
-/// A day is told as unusual that is so many standard deviations from the mean (ours), and what is less than these apart is
-/// usual all the same (ours).
+/// Standard deviations from the mean at which a day is unusual, and difference below which a day is usual in any case
+/// (our choice).
 const UNUSUAL_SD: f64 = 2.0;
 /// The measures that carers ask about, in the order of a day's account, with the least standard deviation.
 const ASKED: [(&str, f64); 11] = [

@@ -9,7 +9,7 @@ use homebody_core::names::capitalised;
 use jiff::civil::Date;
 use std::borrow::Borrow;
 
-/// A pace that differs by fewer per cent counts as the same; the limit is ours.
+/// Difference of the pace, in percent, below which it is unchanged (our choice).
 const SAME_PACE_PERCENT: f64 = 5.0;
 /// Counts from here on are written without decimals.
 const LARGE_COUNT: f64 = 20.0;

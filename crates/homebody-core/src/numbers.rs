@@ -130,7 +130,7 @@ pub fn wrong(known: &[Number], name: &str, value: f64) -> Option<(String, String
     let Some(number) = known.iter().find(|number| number.name == name) else {
         let hint = match nearest(name, known.iter().map(|number| &*number.name)) {
             Some(near) => format!("did you mean {near:?}?"),
-            None => "`homebody numbers` lists those that can be set".to_owned(),
+            None => "`homebody parameters` lists those that can be set".to_owned(),
         };
         return Some((format!("there is no number {name:?}"), hint));
     };
@@ -186,7 +186,7 @@ mod tests {
             (what.as_str(), hint.as_str()),
             ("there is no number \"gait.slowst\"", "did you mean \"gait.slowest\"?")
         );
-        assert!(wrong("weather", 1.0).unwrap().1.contains("homebody numbers"));
+        assert!(wrong("weather", 1.0).unwrap().1.contains("homebody parameters"));
         let (what, hint) = wrong("gait.slowest", 0.7).unwrap();
         assert_eq!(what, "\"gait.slowest\" is 0.7 m/s, and must be at most 0.6");
         assert_eq!(hint, "its own value is 0.2; set it from 0.05 to 0.6");

@@ -65,7 +65,7 @@ pub fn told_length(headers: &HeaderMap) -> Option<u64> {
     headers.get(header::CONTENT_LENGTH)?.to_str().ok()?.parse().ok()
 }
 
-/// The most plans at once: each is in memory until it is read.
+/// Largest number of plans at once: each is in memory until it is read.
 const MOST_PLANS: usize = 2;
 
 /// The places for plans; a later plan waits for one.

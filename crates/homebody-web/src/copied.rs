@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::Path;
 
-/// So many files are copied, and so many bytes (ours).
+/// Largest number of files that are copied, and of their bytes (our choice).
 const MOST_FILES: usize = 2000;
 const MOST_BYTES: u64 = 256 << 20;
 
-/// Folders lie in folders so deep at most (ours).
+/// Largest depth of nested folders (our choice).
 const DEEPEST: usize = 8;
 
 /// Copies all but hidden things and those that are called so in the outermost folder. `to` is not there yet, and is left half made

@@ -17,7 +17,7 @@ pub fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(
 
 /// Where somebody stands who is about to be driven: a place with a name and room around it, else any free place.
 fn standing_place(plan: &Plan, radius_m: f64) -> Point {
-    /// Beside the body, so that it can leave the place (ours).
+    /// Room next to the body, so that it can leave the place (our choice).
     const ROOM_M: f64 = 0.1;
     let (least, most) = plan.bounds();
     let named = plan.places.iter().map(|(_, at)| *at);

@@ -35,7 +35,7 @@ pub const HOMES: &str = "/api/homes/";
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; \
     connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// How long a wrong token waits for its answer (ours).
+/// Delay of the answer to a wrong token (our choice).
 const DELAY: Duration = Duration::from_millis(100);
 
 /// What a server lets through.

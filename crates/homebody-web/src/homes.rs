@@ -23,7 +23,7 @@ use std::sync::Arc;
 use tokio::sync::{Mutex, Semaphore};
 use tower_service::Service;
 
-/// So many homes are open at once (ours): each has a thread, and a run at its start.
+/// Largest number of open homes (our choice): each has a thread, and a run at its start.
 const MOST_OPEN: usize = 16;
 
 /// All homes of a library. A clone is the same.

@@ -33,7 +33,7 @@ use std::sync::Arc;
 use tokio::io::{AsyncRead, AsyncReadExt};
 use tokio::sync::{Semaphore, watch};
 
-/// What a page may send by HTTP (ours).
+/// Largest size of a page's HTTP request (our choice).
 pub const LARGEST_BODY_BYTES: usize = 8 << 20;
 
 /// What answers are made from.
@@ -409,7 +409,7 @@ async fn begun(
     body: Body,
 ) -> Result<Option<WalkingView>, Refused> {
     let too_large = || {
-        let what = format!("A log has at most {} MB here; homebody translate takes any.", LARGEST_LOG_BYTES >> 20);
+        let what = format!("A log has at most {} MB here; homebody locate takes any.", LARGEST_LOG_BYTES >> 20);
         (StatusCode::PAYLOAD_TOO_LARGE, what)
     };
     let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string());

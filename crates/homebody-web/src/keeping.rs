@@ -12,10 +12,10 @@ use homebody_log::fresh::FreshFile;
 use homebody_log::plain;
 use std::path::{Path, PathBuf};
 
-/// How many letters there are at most (ours).
+/// Largest numbers of letters of a title, and of a note (our choice).
 const LONGEST_TITLE: usize = 100;
 const LONGEST_NOTE: usize = 2000;
-/// No such file is larger: a letter has four bytes at most, and six as JSON escapes it.
+/// Largest size of such a file: a letter has at most four bytes, and six as JSON escapes it.
 const LARGEST_BYTES: u64 = 32 << 10;
 
 fn unknown(run: &str) -> Refusal {

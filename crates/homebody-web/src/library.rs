@@ -35,23 +35,24 @@ const ENTRY: &str = "scenario.json";
 /// The file at which servers of one library take turns; no listing shows it.
 const NAMING: &str = ".homebody";
 
-/// So many homes are shown, those that were changed last (ours).
+/// Largest number of homes that are shown, those that were changed last (our choice).
 const MOST_HOMES: usize = 1000;
 
-/// So many runs of a home are told on the first page (ours).
+/// Largest number of a home's runs on the first page (our choice).
 const MOST_RUNS: usize = 3;
 
-/// A home's name has no more letters, and no more bytes (ours): most systems take 255, and what is put aside has some more.
+/// Largest numbers of letters and bytes of a home's name (our choice): most systems take 255 bytes, and names of
+/// set-aside files have some more.
 const MOST_LETTERS: usize = 100;
 const MOST_NAME_BYTES: usize = 200;
 
-/// No larger home is drawn on the first page (ours).
+/// Largest home that is drawn on the first page (our choice).
 const LARGEST_DRAWN_BYTES: usize = 1 << 20;
 
-/// So many pictures of runs are kept (ours): each is some kilobytes.
+/// Largest number of stored pictures of runs (our choice): each is some kilobytes.
 const MOST_PICTURES: usize = 2000;
 
-/// So many days are told apart in the picture of a run (ours).
+/// Largest number of days that the picture of a run tells apart (our choice).
 const MOST_COLUMNS: usize = 60;
 
 /// A folder of homes. A clone is the same one.

@@ -14,11 +14,11 @@ use homebody_log::plain;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
-/// A note has so many letters, a rule's name as well (ours).
+/// Largest number of letters of a note, and of a rule's name (our choice).
 const LONGEST_NOTE: usize = 500;
-/// There are so many notes of a run at most (ours).
+/// Largest number of notes of a run (our choice).
 const MOST_NOTES: usize = 5000;
-/// The file is so large at most: no note has more bytes than letters times four, and a name (ours).
+/// Largest size of the file of notes (our choice): a note has at most four bytes a letter, and a name.
 const LARGEST_BYTES: u64 = 16 << 20;
 
 /// The notes of a shelf's runs. A clone is the same.

@@ -15,16 +15,16 @@ use std::time::Duration;
 use tokio::sync::{Semaphore, watch};
 use tokio::time::{Instant, interval, sleep_until, timeout};
 
-/// A message of a page is no longer than this (ours).
+/// Largest size of a page's message (our choice).
 const LONGEST_MESSAGE_BYTES: usize = 64 << 10;
 
 /// No page sees more pictures than sixty a second.
 const FRAME: Duration = Duration::from_micros(16_000);
 
-/// How many rows come with a picture at most: as many as a table shows (ours).
+/// Largest number of rows with a picture (our choice): as many as a table shows.
 const MOST_ROWS: usize = 500;
 
-/// Who does not say the token by then is sent away (ours).
+/// Time within which a page has to send the token (our choice).
 const LONGEST_HELLO: Duration = Duration::from_secs(10);
 
 /// What a socket is closed with whose token is wrong.
@@ -36,7 +36,7 @@ const TOO_MANY: u16 = 1013;
 /// What a socket is closed with whose home is not there, or not any more.
 const NO_HOME: u16 = 4404;
 
-/// A page that has not read what was sent to it for so long is gone (ours).
+/// Time without reading after which a page is disconnected (our choice).
 const LONGEST_UNREAD: Duration = Duration::from_secs(900);
 
 /// Takes a socket of our own page, which is shown what there is once it has said the token.

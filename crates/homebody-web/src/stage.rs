@@ -27,16 +27,16 @@ use wishes::{Heard, Next, Speakers, Wish, wishes};
 /// How often the run is advanced, and looked at.
 const FRAME: Duration = Duration::from_micros(16_667);
 
-/// How long wishes are done before the next picture.
+/// Time for commands before the next picture.
 const LONGEST_TURN: Duration = Duration::from_millis(100);
 
 /// How often a paused run looks after its log.
 const IDLE: Duration = Duration::from_millis(250);
 
-/// How many of the latest rows a page may still ask for (ours).
+/// Number of the latest rows that a page may request (our choice).
 const MOST_ROWS: usize = 2000;
 
-/// How many of the latest notes (ours).
+/// Number of the latest notes (our choice).
 const MOST_NOTES: usize = 20;
 
 /// The run that everybody looks at. A clone is another view of the same.

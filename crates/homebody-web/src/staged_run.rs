@@ -126,13 +126,13 @@ struct Moment {
     activities: Vec<Option<String>>,
 }
 
-/// How far apart moments are kept at first (ours): to live them takes some milliseconds.
+/// Initial distance between saved moments (our choice): a simulation between them takes some milliseconds.
 const MOMENTS: Micros = 4 * DAY;
 
-/// So much is lived at once, at most (ours).
+/// Longest stretch that is simulated at once (our choice).
 const LONGEST_STRETCH: Micros = 60 * SECOND;
 
-/// So much before where one goes back to is lived, too, for the rows that are shown (ours).
+/// Time before the chosen moment that is simulated, too, for the rows that are shown (our choice).
 const SHOWN_BEFORE: Micros = 6 * 3600 * SECOND;
 
 struct Written {

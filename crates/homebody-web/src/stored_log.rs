@@ -11,7 +11,7 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
 
-/// So many rows of a log are kept (ours): 1.6 GB on disk, forty years of a home's.
+/// Largest number of rows of a log that are stored (our choice): 1.6 GB on disk, forty years of a home's.
 pub const MOST_ROWS: u64 = 100_000_000;
 
 /// Why there is no answer, in a sentence.

@@ -17,7 +17,8 @@ use homebody_log::places::TRUTH;
 use homebody_picture::{density_map, look_page, realism_page};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// So many rows of a log are judged (ours): some years of a home's. They are in memory meanwhile.
+/// Largest number of rows of a log that are analysed (our choice): some years of a home's. They are in memory
+/// meanwhile.
 const MOST_ROWS: usize = 5_000_000;
 
 /// The logs of a shelf's runs. A clone is the same.
@@ -36,7 +37,7 @@ struct ToldCare {
     care: CareView,
 }
 
-/// So many are kept (ours).
+/// Largest number of results that are stored (our choice).
 const MOST_TOLD: usize = 4;
 
 /// Which log of a run.

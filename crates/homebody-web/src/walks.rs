@@ -20,16 +20,16 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// No larger log is opened in the page, in bytes (ours).
+/// Largest log that the page opens, in bytes (our choice).
 pub const LARGEST_LOG_BYTES: u64 = 64 << 20;
 
-/// No log with more rows (ours): they take a minute or two.
+/// Largest number of rows of such a log (our choice): they take a minute or two.
 const MOST_ROWS: usize = 1_000_000;
 
-/// None of more days (ours).
+/// Largest number of days of such a log (our choice).
 const MOST_DAYS: i64 = 1100;
 
-/// How long is waited at the end for a log that is being walked back (ours).
+/// Time to wait at the end for a log that is being located (our choice).
 const LONGEST_FAREWELL: Duration = Duration::from_secs(2);
 
 /// What a log is called whose file has no name that can be kept.
@@ -256,7 +256,7 @@ impl Walks {
 }
 
 fn small_enough(read: &LogWithRun) -> Result<(), Error> {
-    const HINT: &str = "hint: open a part of it, or use homebody translate, which has no such limit";
+    const HINT: &str = "hint: open a part of it, or use homebody locate, which has no such limit";
     let rows = read.log.events.len();
     if rows > MOST_ROWS {
         return Err(Error::Translation(

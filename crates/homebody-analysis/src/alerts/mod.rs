@@ -20,7 +20,7 @@ pub use rule::{Method, Rule, Rules, Several, USUAL, When};
 /// The rule of alerts about sensors that are silent.
 pub const SENSOR: &str = "sensor";
 
-/// Away for so many hours, a day does not count (ours).
+/// Smallest number of hours away at which a day does not count (our choice).
 const AWAY_H: f64 = 16.0;
 /// The alerts of a log.
 #[derive(Clone, Debug, Serialize)]
@@ -184,7 +184,7 @@ fn by_deviation(rule: &Rule, measure: &'static Measure, values: &[Option<f64>], 
 
 /// After so many days of alarm in a row a control chart begins anew (published for times of transfer out of bed).
 const ANEW_AFTER: usize = 3;
-/// What was told is not told again for so many days (ours).
+/// Days until the same alert is reported again (our choice).
 const TOLD_AGAIN: usize = 7;
 
 /// A chart that has begun.

@@ -57,7 +57,7 @@ pub enum Unit {
 macro_rules! measures {
     ($($name:ident ($unit:literal, $title:literal) $definition:literal, $source:literal,
         $occasion:ident: $more:literal, $less:literal $(; $did:literal $($did_not:literal)?)?;)*) => {
-        /// All measures. Those of a night are of the one that ends on the day; numbers without a source are ours.
+        /// All measures. Those of a night are of the one that ends on the day; figures without a source are our choice.
         pub static MEASURES: &[Measure] = &[$(Measure {
             name: stringify!($name),
             unit: $unit,
@@ -76,105 +76,119 @@ macro_rules! measures {
 
 measures! {
     time_in_bed ("h", "Time in bed")
-        "Hours in bed in the night, without the times in other rooms. The bed sensor decides; without one, stays in the bedroom with 20 min or more without an event count as time in bed",
-        "Rantz et al. 2015, time in bed; the rule for motion sensors is ours",
+        "Hours in bed in the night: from going to bed to getting up, without the time in other rooms. From the bed's sensor, or else from stays in the bedroom with a silence of 20 min or more",
+        "Rantz et al. 2015, time in bed; the rule for motion sensors is our choice",
         night: "more time in bed", "less time in bed"; "was in bed {}";
     bedtime ("h of day", "Bedtime")
-        "Time at which the night begins, in hours of the day before: 24.5 is half past midnight", "ours",
+        "Beginning of the night, in hours of the day before: 24.5 is half past midnight",
+        "our definition",
         night: "a later bedtime", "an earlier bedtime"; "went to bed {}";
     rising ("h of day", "Getting up")
-        "Time at which the night ends, in hours of the day", "ours",
+        "End of the night, in hours of the day",
+        "our definition",
         day: "getting up later", "getting up earlier"; "got up {}";
     sleep ("h", "Sleep")
         "Hours of the time in bed in stretches of 5 min or more without movement in the bedroom",
-        "actigraphy's scoring of sleep by rest; the 5 min are ours",
+        "sleep scoring by rest in actigraphy; the 5 min are our choice",
         night: "more sleep", "less sleep"; "slept {}";
     restlessness ("bouts/h", "Restlessness in bed")
         "Bouts of movement in bed per hour in bed; movements more than 30 s apart are two bouts",
-        "Rantz et al. 2015, bed restlessness; the bouts are ours",
+        "Rantz et al. 2015, bed restlessness; the definition of a bout is our choice",
         night: "more restless in bed", "less restless in bed";
     bathroom_night ("visits", "Bathroom visits at night")
-        "Stays of 20 s or more in the bathroom between going to bed and getting up; stays at most 60 s apart are one. If sensors of several rooms report movement at once, the room with most of them counts",
+        "Stays in the bathroom of 20 s or more between going to bed and getting up; gaps of up to 60 s do not end a stay. If several sensors see a person at once, the room of most of them counts",
         "Rantz et al. 2015, bathroom activity",
         night: "more bathroom visits at night", "fewer bathroom visits at night"; "got up for the bathroom {}" "did not get up for the bathroom";
     bathroom_day ("visits", "Bathroom visits by day")
-        "Stays of 20 s or more in the bathroom on the day, without those of the night; stays at most 60 s apart are one",
+        "Stays in the bathroom of 20 s or more on the day, without those of the night; gaps of up to 60 s do not end a stay",
         "Rantz et al. 2015, bathroom activity",
         day: "more bathroom visits by day", "fewer bathroom visits by day"; "used the bathroom {} by day" "did not use the bathroom by day";
     showers ("times", "Showers")
-        "Spans of movement of 3 min or more at the shower's sensor. Without one, an estimate: stays of 10 min or more by day in a bathroom with a motion sensor, with an event every minute",
-        "ours",
+        "With a sensor at the shower: spans of its movements of 3 min or more. Otherwise an estimate, if a motion sensor sees the bathroom: stays there by day of 10 min or more with a sign of presence every minute",
+        "our definition",
         day: "more showers", "fewer showers"; "showered {}" "did not shower";
     meals ("times", "Kitchen meals")
-        "Periods in and around the kitchen with 15 min or more in it; absences of at most 15 min do not end a period", "ours",
+        "Periods around the kitchen with 15 min or more in it; gaps of up to 15 min do not end a period",
+        "our definition",
         day: "more kitchen meals", "fewer kitchen meals"; "had a meal in the kitchen {}" "had no meal in the kitchen";
     time_out ("h", "Time out of the home")
-        "Hours of the day with nobody at home, as far as the log shows it when the day ends", "Wang and Skubic 2008, time away from home",
+        "Hours of the day in which the home is empty, as far as known at the end of the day",
+        "Wang and Skubic 2008, time away from home",
         day: "more time out of the home", "less time out of the home"; "was out {}" "did not go out";
     outings ("times", "Outings")
-        "Absences of half an hour or more, each on the day on which its first half hour ends", "Wang and Skubic 2008, time away from home",
+        "Absences of half an hour or more, counted on the day on which the half hour ended",
+        "Wang and Skubic 2008, time away from home",
         day: "more outings", "fewer outings"; "went out {}" "did not go out";
     room_changes ("times", "Room changes")
-        "Moves from one room to another on the day", "Petersen et al. 2014, room transitions",
+        "Changes from one room to another on the day",
+        "Petersen et al. 2014, room transitions",
         day: "moving about more at home", "moving about less at home";
     pace ("of usual", "Walking pace")
-        "Median of how fast the day's walks from sensor to sensor were, each compared with its usual time: the median of its earlier times, of the first 100 at most",
-        "Hagler et al. 2010, walking speed by sensors in a line; relative times are ours",
+        "Median of the relative pace over the day's walks between sensors: the usual time of a walk, which is the median of the earlier times (the first 100 at most), divided by its time",
+        "Hagler et al. 2010, walking speed by sensors in a line; relative times are our choice",
         day: "walking faster", "walking more slowly";
     pace_slow ("of usual", "Pace of the slowest walks")
-        "Like pace, but the tenth percentile of the day's walks instead of the median", "Hagler et al. 2010, the distribution of walking speeds",
+        "Relative pace that the slowest tenth of the day's walks between sensors does not exceed; the usual time of a walk is that of pace",
+        "Hagler et al. 2010, the distribution of walking speeds",
         day: "a faster pace on the slowest walks", "a slower pace on the slowest walks";
     walking_speed ("m/s", "Walking speed")
-        "Median speed of the day's walks from sensor to sensor, along the walkable ways of the home; needs a home",
-        "Hagler et al. 2010, walking speed by sensors in a line; ways of a home instead of a line are ours",
+        "Median speed of the day's walks between sensors, by the length of the walkable path in the home; not known without a home",
+        "Hagler et al. 2010, walking speed by sensors in a line; paths of a home in place of a line are our choice",
         day: "walking faster", "walking more slowly"; "walked {}";
     walking_speed_slow ("m/s", "Speed of slow walks")
-        "Tenth percentile of the speeds of the day's walks from sensor to sensor, along the walkable ways of the home", "Hagler et al. 2010, the distribution of walking speeds",
+        "10th percentile of the speed of the day's walks between sensors, by the length of the path in the home",
+        "Hagler et al. 2010, the distribution of walking speeds",
         day: "faster slow walks", "slower slow walks";
     walking_speed_fast ("m/s", "Speed of fast walks")
-        "Ninetieth percentile of the speeds of the day's walks from sensor to sensor, along the walkable ways of the home", "Hagler et al. 2010, the distribution of walking speeds",
+        "90th percentile of the speed of the day's walks between sensors, by the length of the path in the home",
+        "Hagler et al. 2010, the distribution of walking speeds",
         day: "faster fast walks", "slower fast walks";
     company ("h", "Time with visitors")
-        "Estimated hours of the day with a visitor at home: a span of 10 min to 5 h between two uses of the front door's contact, with the home occupied before and after, and at least 1.3 times as many events as usual over the 28 days up to the day",
-        "Petersen et al. 2012, visitors by sensors; the rule is ours",
+        "Estimate of the hours of the day with another person besides the resident: between two uses of the front door's contact, 10 min to 5 h apart, with a person at home before and after, and with 1.3 times or more the usual signs of presence of the 28 days up to the day",
+        "Petersen et al. 2012, visitors by sensors; the rule is our choice",
         day: "more time with visitors", "less time with visitors"; "had visitors {}" "had no visitors";
     visits ("times", "Visitors")
-        "Estimated number of times that a visitor came on the day: see company", "Petersen et al. 2012, visitors by sensors; the rule is ours",
+        "Estimate of the arrivals of other people on the day: see company",
+        "Petersen et al. 2012, visitors by sensors; the rule is our choice",
         day: "more visitors", "fewer visitors";
     pacing ("times", "Pacing")
-        "Walks back and forth between two rooms, three times or more, with no stay of more than a minute",
-        "Martino-Saltzman et al. 1991; three times are ours",
+        "Walks back and forth between two rooms, three times or more, without a stay of over a minute",
+        "Martino-Saltzman et al. 1991; the three times are our choice",
         day: "more pacing to and fro", "less pacing to and fro";
     lapping ("times", "Lapping")
-        "Rounds through three or more rooms, three times or more, with no stay of more than a minute",
-        "Martino-Saltzman et al. 1991; three times are ours",
+        "Walks round three rooms or more, three times or more, without a stay of over a minute",
+        "Martino-Saltzman et al. 1991; the three times are our choice",
         day: "more walking in circles", "less walking in circles";
     sedentary ("h", "Sitting and resting")
-        "Hours of the day in stays of 30 min or more in one room, without the night's time in bed",
-        "ours, after the 30-min bouts of sedentary time in actigraphy",
+        "Hours of the day in stays of 30 min or more in one room, outside the bed of the night",
+        "our definition, after the 30-min bouts of sedentary time in actigraphy",
         day: "more sitting and resting by day", "less sitting and resting by day"; "sat or rested {} by day";
     density_night ("firings/h", "Movement at night")
-        "Firings of motion sensors per hour at home, from midnight to 06:00", "Wang and Skubic 2008",
+        "Firings of motion sensors per hour at home, from midnight to 06:00",
+        "Wang and Skubic 2008",
         night: "more movement at night", "less movement at night";
     density_morning ("firings/h", "Movement in the morning")
-        "Firings of motion sensors per hour at home, from 06:00 to noon", "Wang and Skubic 2008",
+        "Firings of motion sensors per hour at home, from 06:00 to noon",
+        "Wang and Skubic 2008",
         day: "more movement in the morning", "less movement in the morning";
     density_afternoon ("firings/h", "Movement in the afternoon")
-        "Firings of motion sensors per hour at home, from noon to 18:00", "Wang and Skubic 2008",
+        "Firings of motion sensors per hour at home, from noon to 18:00",
+        "Wang and Skubic 2008",
         day: "more movement in the afternoon", "less movement in the afternoon";
     density_evening ("firings/h", "Movement in the evening")
-        "Firings of motion sensors per hour at home, from 18:00 to midnight", "Wang and Skubic 2008",
+        "Firings of motion sensors per hour at home, from 18:00 to midnight",
+        "Wang and Skubic 2008",
         day: "more movement in the evening", "less movement in the evening";
     density_distance ("0-2.24", "Change of daily pattern")
-        "Distance between the density maps of the seven days that end with the day and of the seven before; the first 14 whole days of the log set the levels of the maps",
+        "Distance between the density map of the seven days that end with the day and that of the seven days before; the first 14 whole days of the log set the height of the levels",
         "Wang and Skubic 2008, dissimilarity of density maps",
         day: "more change in the daily pattern", "less change in the daily pattern";
     interdaily_stability ("0-1", "Regularity of days")
-        "Variance of the mean firings by hour of day, divided by the variance of all hours, over the seven days that end with the day",
+        "Variance of the mean firings per hour of day, divided by the variance of all hours, over the seven days that end with the day",
         "Witting et al. 1990, interdaily stability",
         day: "more regular days", "less regular days";
     intradaily_variability ("ratio", "Fragmentation of days")
-        "Mean squared difference of firings from hour to hour, divided by the variance of all hours, over the seven days that end with the day",
+        "Mean squared difference of firings between consecutive hours, divided by the variance of all hours, over the seven days that end with the day",
         "Witting et al. 1990, intradaily variability",
         day: "more fragmented days", "less fragmented days";
 }

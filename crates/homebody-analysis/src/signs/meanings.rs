@@ -10,7 +10,7 @@ use homebody_core::states::{Says, says};
 use homebody_core::time::Micros;
 use homebody_log::{Event, Log, Pair};
 
-/// One text of two is rare if it holds for so many times less (our choice).
+/// Ratio of the times of two texts at which the shorter one is rare (our choice).
 const LESS: Micros = 2;
 
 /// The meanings of the values of a log, each looked up once.

@@ -24,9 +24,9 @@ pub use protoform::truth;
 pub use sentence::{About, Sentence, Summary, TRUE_ENOUGH};
 pub use set::Set;
 
-/// With fewer days that count nothing is summarised (ours).
+/// Smallest number of days that count for a summary (our choice).
 const LEAST_DAYS: usize = 5;
-/// What was before is taken from so many days at most, and from so many that count at least (ours).
+/// Largest number of earlier days, and smallest number of them that count (our choice).
 const BEFORE: usize = 56;
 const LEAST_BEFORE: usize = 7;
 

@@ -9,14 +9,14 @@ use homebody_core::fuzzy::Quantifier;
 use homebody_core::names::capitalised;
 use jiff::civil::Date;
 
-/// Sets of counts go so far.
+/// Largest number in a set of counts.
 const MOST_TIMES: u32 = 8;
-/// One time more is so many times as likely (ours).
+/// Factor on the likelihood for each further count (our choice).
 const ONE_MORE: f64 = 0.6;
 /// Sets of hours are so wide.
 const WIDTHS_H: [f64; 5] = [0.5, 1.0, 1.5, 2.0, 3.0];
 
-/// How much the quantifiers of levels say (ours), from the one that says most.
+/// Strength of the quantifiers of each level, from the strongest on (our choice).
 const STRICT: [(Quantifier, f64); 6] = [
     (Quantifier::Every, 1.0),
     (Quantifier::AlmostAlways, 0.95),

@@ -6,7 +6,7 @@ use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
 
-/// A sentence is told from this truth value on (ours).
+/// Smallest truth value of a sentence in the summary (our choice).
 pub const TRUE_ENOUGH: f64 = 0.8;
 /// The days of a log in words.
 #[derive(Clone, Debug, Serialize)]

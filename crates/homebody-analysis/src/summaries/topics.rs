@@ -2,7 +2,7 @@
 
 use crate::measures::Measure;
 
-/// A measure of summaries. The numbers are ours.
+/// A measure of summaries. The figures are our choice.
 pub(super) struct Topic {
     pub measure: &'static Measure,
     /// The range of its values; `None` if only its changes have sentences.

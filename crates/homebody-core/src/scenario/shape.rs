@@ -8,7 +8,7 @@ use crate::problem::Problem;
 use serde_json::Value as Schema;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// No more is looked for in a file (ours): nobody reads so much.
+/// Largest number of problems searched for in a file (our choice).
 const MOST_FOUND: usize = 1_000;
 
 /// What is wrong with a source's shape.

@@ -19,10 +19,10 @@ use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
 use std::borrow::Cow;
 
-/// The same again after no longer than this is one (ours).
+/// Time within which the same event again belongs to one match (our choice).
 const PAUSE: Micros = MINUTE;
 
-/// Of a sensor that never says that something ends, what it says again after no longer than this is one (ours).
+/// Time within which a repeated event belongs to one match, for a sensor without an end of its events (our choice).
 const BOUT: Micros = 10 * MINUTE;
 
 /// How words begin about a fall that the truth tells of, beside those that cameras see.

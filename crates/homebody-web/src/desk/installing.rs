@@ -21,14 +21,15 @@ use homebody_picture::{installing, pdf};
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// No more sensors are suggested at once, and nobody waits for more lives (ours): the command does both.
+/// Largest number of sensors that are suggested at once, and of people that are simulated for it (our choice). The
+/// command has no such limits.
 const MOST_SENSORS: u16 = 64;
 const MOST_PEOPLE: u32 = 100;
-/// No fewer people live: one shows what is looked for, and others do not (ours).
+/// Smallest number of people that are simulated (our choice): one person shows only their own habits.
 const FEWEST_PEOPLE: u32 = 4;
 /// The same people live each time.
 const SEED: u64 = 1;
-/// Living takes about so much of the work (ours); trying layouts is the rest.
+/// Share of the work that simulation takes, approximately (our choice). Trying layouts takes the rest.
 const SHARE_OF_LIVES: f64 = 0.8;
 
 impl Desk {

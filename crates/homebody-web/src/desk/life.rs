@@ -15,7 +15,7 @@ use homebody_routine::household::{Household, Understood};
 use homebody_routine::routine::Routine;
 use std::sync::PoisonError;
 
-/// A month is no longer.
+/// Largest number of days of a month.
 const LONGEST: u32 = 31;
 
 impl Desk {

@@ -47,10 +47,10 @@ impl LivedDraft {
     }
 }
 
-/// How far apart moments are kept at first (ours): to live them takes some milliseconds.
+/// Initial distance between saved moments (our choice): a simulation between them takes some milliseconds.
 const MOMENTS: Micros = 4 * DAY;
 
-/// So much is lived at once, at most (ours).
+/// Longest stretch that is simulated at once (our choice).
 const LONGEST_STRETCH: Micros = 3600 * SECOND;
 
 /// A life at an instant, and what is known of it by then.

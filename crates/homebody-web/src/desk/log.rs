@@ -19,13 +19,13 @@ use homebody_routine::household::Household;
 use std::path::Path;
 use std::sync::{Arc, PoisonError};
 
-/// How many rows are shown (ours).
+/// Number of rows that are shown (our choice).
 const MOST_ROWS: usize = 40;
 
-/// Who makes no rows in so long has none to show (ours).
+/// Time of simulation after which a home without rows has none to show (our choice).
 const LONGEST_LIVED: i64 = 3 * DAY;
 
-/// So much is lived at once, at most (ours).
+/// Longest stretch that is simulated at once (our choice).
 const LONGEST_STRETCH: Micros = 600 * SECOND;
 
 impl Desk {

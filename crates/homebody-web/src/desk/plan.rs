@@ -14,7 +14,7 @@ use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// So many cells are looked at in a tenth of a second or two (ours): those of a home of 20 by 20 m.
+/// Number of cells that are examined in a tenth of a second or two (our choice): those of a home of 20 by 20 m.
 const MOST_CELLS: f64 = 160_000.0;
 
 /// What a cell is where no body can stand.

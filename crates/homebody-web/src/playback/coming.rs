@@ -7,7 +7,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Who asks for what is not read yet waits so long at most (ours).
+/// Longest wait for a part of a log that is not read yet (our choice).
 const LONGEST_WAIT: Duration = Duration::from_secs(60);
 
 /// What has come so far.

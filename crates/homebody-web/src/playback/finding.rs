@@ -15,7 +15,7 @@ use homebody_log::truth::Truth;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-/// So many are listed (ours); how many there are is said.
+/// Largest number of matches in a list (our choice). The total is given as well.
 const MOST_HITS: usize = 5000;
 
 impl Playback {

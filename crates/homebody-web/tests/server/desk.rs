@@ -444,7 +444,7 @@ fn a_place_for_a_log_is_tried_without_a_trace() {
         (format!("csv:{folder}/new.csv"), "no file name inside the run's folder"),
         ("csv:../new.csv".into(), "no file name inside the run's folder"),
         ("mysql:log".into(), "is nowhere a log can go"),
-        ("log.db".into(), "did you mean \"sqlite:log.db\"?"),
+        ("log.txt".into(), "did you mean \"casas:log.txt\", or \"csv:log.txt\"?"),
     ] {
         let told = tried(&url);
         assert!(told["works"] == false && told["said"].as_str().unwrap().contains(said), "{url}: {told}");

@@ -23,6 +23,9 @@ homebody_core::messages! {
     }
 }
 
+/// Explain a message by its code
+///
+/// Messages have codes such as `log::exists`, in brackets after the word error or warning.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody explain log::exists    explain one message

@@ -102,7 +102,7 @@ test('fields come from the schema, with their bounds, units and what holds witho
   const role = fieldsOf(flat.byId.get('furniture/0')!).find(({ path }) => path.at(-1) === 'role')!;
   expect(role).toMatchObject({ form: 'choice', label: 'Role', required: false, fallback: undefined });
   expect(role.form === 'choice' && role.options.slice(0, 2).map(({ value, title, about }) => [value, title, about])).toEqual([
-    ['', 'as its name says', ''], ['bed', 'bed', 'Where somebody sleeps.'],
+    ['', 'as its name says', ''], ['bed', 'bed', 'A place to sleep.'],
   ]);
   expect(fieldsOf(flat.byId.get('rooms/0')!).map(({ form }) => form)).toEqual(['text', 'corners', 'text', 'number']);
   expect(fieldsOf(flat.byId.get('sensors/1')!).map(({ form }) => form)).toEqual(['text', 'bearer', 'list', 'number', 'numbers', 'numbers', 'number']);
