@@ -39,11 +39,11 @@ impl Effort<'_> {
         let days = u32::try_from(self.lived / DAY).unwrap_or(u32::MAX);
         let longest = LONGEST_ANSWER + LONGEST_ANSWER_A_DAY.saturating_mul(days);
         if self.cancel.is_cancelled() {
-            Err("Nobody waits for the rest.".into())
+            Err("The request was cancelled.".into())
         } else if told > MOST_TOLD {
-            Err(format!("More than {MOST_TOLD} things are not told at once."))
+            Err(format!("The answer is limited to {MOST_TOLD} entries."))
         } else if self.begun.elapsed() > longest {
-            Err(format!("To come so far has taken {} seconds: too much happens.", longest.as_secs()))
+            Err(format!("The simulation stopped here after {} seconds, because too much happens.", longest.as_secs()))
         } else {
             Ok(())
         }

@@ -106,7 +106,7 @@ impl Library {
     pub fn has_own_runs(&self, name: &str) -> Result<(), Refusal> {
         match fs::symlink_metadata(self.shelf(name).runs).is_ok_and(|found| found.is_symlink()) {
             true => Err(damaged(format!(
-                "The folder {RUNS} of {} is a link: runs are written into no folder but the home's own. Remove the link.",
+                "The folder {RUNS} of {} is a link. Homebody writes runs only into the folder of the home. Remove the link.",
                 shown(name)
             ))),
             false => Ok(()),
@@ -202,7 +202,7 @@ impl Library {
         lack: Vec<String>,
     ) -> Result<MadeView, Refusal> {
         self.make(name, |folder| begun::write(folder, texts))?;
-        remarks.extend(lack.iter().map(|lack| format!("Nobody can live an ordinary life here yet: {lack}")));
+        remarks.extend(lack.iter().map(|lack| format!("The home is not ready for a resident yet: {lack}")));
         Ok(MadeView { name: name.to_owned(), remarks })
     }
 
@@ -234,7 +234,7 @@ impl Library {
     pub fn put_aside(&self, name: &str) -> Result<String, Refusal> {
         let _naming = self.naming()?;
         self.home(name)?;
-        let failed = |error: io::Error| damaged(format!("{name} cannot be put aside: {error}"));
+        let failed = |error: io::Error| damaged(format!("Cannot delete {name}: {error}"));
         aside::put(&self.folder, name).map_err(failed)
     }
 
@@ -242,9 +242,9 @@ impl Library {
     pub fn fetch_back(&self, key: &str) -> Result<String, Refusal> {
         let _naming = self.naming()?;
         aside::fetch_back(&self.folder, key).map_err(|why| match why {
-            Unmoved::Unknown => Refusal::Unknown(format!("Nothing is put aside as {}.", shown(key))),
-            Unmoved::Taken(name) => damaged(format!("There is another home called {name} now: rename that one first.")),
-            Unmoved::Failed(error) => damaged(format!("{} cannot be fetched back: {error}", shown(key))),
+            Unmoved::Unknown => Refusal::Unknown(format!("There is no deleted home {}.", shown(key))),
+            Unmoved::Taken(name) => damaged(format!("Another home now has the name {name}. Rename that one first.")),
+            Unmoved::Failed(error) => damaged(format!("Cannot restore {}: {error}", shown(key))),
         })
     }
 
@@ -254,7 +254,7 @@ impl Library {
             return Err(damaged(why));
         }
         match fs::symlink_metadata(self.folder.join(name)) {
-            Ok(_) => Err(damaged(format!("There is something called {name} here already: choose another name."))),
+            Ok(_) => Err(damaged(format!("The name {name} is already in use here. Choose another name."))),
             Err(_) => Ok(()),
         }
     }
@@ -309,11 +309,11 @@ impl Library {
     /// Why no home can be put into it, if that is so. A file without a name leaves no trace.
     fn trouble(&self) -> Option<String> {
         let error = tempfile::tempfile_in(&self.folder).err()?;
-        Some(format!("Nothing can be changed here: {error}. Homes can be looked at; their runs cannot be stored."))
+        Some(format!("Cannot write to this folder: {error}. You can view homes, but not change them or store runs."))
     }
 
     fn unwritten(&self, error: &io::Error) -> Refusal {
-        damaged(format!("Nothing can be written into {}: {error}", self.folder.display()))
+        damaged(format!("Cannot write to {}: {error}", self.folder.display()))
     }
 
     fn naming(&self) -> Result<Turn<'_>, Refusal> {
@@ -322,7 +322,7 @@ impl Library {
 }
 
 fn unknown(name: &str) -> Refusal {
-    Refusal::Unknown(format!("There is no home called {} here.", shown(name)))
+    Refusal::Unknown(format!("There is no home named {} here.", shown(name)))
 }
 
 /// As much of a name as is read.
@@ -340,24 +340,24 @@ fn is_inside(name: &str) -> bool {
 fn wrong_name(name: &str) -> Option<String> {
     let mut wrong = Vec::new();
     if name.trim().is_empty() {
-        wrong.push("it has no letters".to_owned());
+        wrong.push("it is empty".to_owned());
     }
     if name.chars().count() > MOST_LETTERS || name.len() > MOST_NAME_BYTES {
-        wrong.push(format!("it is longer than {MOST_LETTERS} letters"));
+        wrong.push(format!("it is longer than {MOST_LETTERS} characters"));
     }
     if name.starts_with('.') {
-        wrong.push("it begins with a dot".into());
+        wrong.push("it starts with a dot".into());
     }
     if name != name.trim() || name.ends_with('.') {
-        wrong.push("it begins or ends with a space, or ends with a dot".into());
+        wrong.push("it starts or ends with a space, or ends with a dot".into());
     }
     if name.chars().any(|c| is_unseen(c) || "/\\:*?\"<>|".contains(c)) {
-        wrong.push("it has one of / \\ : * ? \" < > | in it, or a character that nobody sees".into());
+        wrong.push("it contains one of / \\ : * ? \" < > | or an invisible character".into());
     }
     if name == RUNS {
-        wrong.push("runs that were made from here are in a folder of that name".into());
+        wrong.push("the folder of that name is reserved for runs".into());
     }
-    (!wrong.is_empty()).then(|| format!("No home can be called {:?}: {}.", shown(name), wrong.join("; ")))
+    (!wrong.is_empty()).then(|| format!("{:?} is not a valid name for a home: {}.", shown(name), wrong.join("; ")))
 }
 
 fn is_folder(path: &Path) -> bool {
@@ -387,7 +387,7 @@ fn without_options(said: &str) -> String {
     let is_option = |line: &str| line.trim_start().starts_with("hint: ") && line.contains(" --");
     let lines = said.lines().map(|line| {
         if is_option(line) {
-            "  hint: begin an empty home, draw its rooms, and put up sensors of these names"
+            "  hint: start an empty home, draw its rooms, and place sensors with these names"
         } else {
             line
         }

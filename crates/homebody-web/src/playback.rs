@@ -301,7 +301,7 @@ impl Playback {
                 Some(reading)
             }
             (None, None) => {
-                view.remarks.push("There is no log in its folder.".into());
+                view.remarks.push("The folder of this run has no log.".into());
                 None
             }
         };

@@ -48,7 +48,7 @@ pub fn upgraded<F: Future<Output = ()> + Send>(
     show: impl FnOnce(WebSocket, Visit) -> F + Send + 'static,
 ) -> Response {
     if !guard.is_socket_from_us(headers) {
-        return (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response();
+        return (StatusCode::FORBIDDEN, "This server answers requests from its own page only.").into_response();
     }
     let upgrade = upgrade.max_message_size(LONGEST_MESSAGE_BYTES).max_frame_size(LONGEST_MESSAGE_BYTES);
     upgrade.on_upgrade(async move |socket| {
@@ -83,12 +83,12 @@ pub async fn serve(socket: WebSocket, visit: Visit, pages: &Semaphore, stage: &S
 
 /// Tells a page that there is no such home, or not any more.
 pub async fn close_without_home(socket: WebSocket) {
-    close(socket, NO_HOME, "there is no such home").await;
+    close(socket, NO_HOME, "this home does not exist").await;
 }
 
 /// Tells a page that it may try again later.
 pub async fn close_for_now(socket: WebSocket) {
-    close(socket, TOO_MANY, "too much is looked at already").await;
+    close(socket, TOO_MANY, "too many pages are open").await;
 }
 
 /// The socket again once its page has said the token; else it is closed.
@@ -140,8 +140,7 @@ impl Drop for Held {
 
 /// The answer to a page that says more than the run can do.
 fn busy() -> Tell {
-    let text =
-        "The run has not done yet what it was told before, and has not heard the rest: say it again a little later.";
+    let text = "The run is still busy with earlier commands and dropped this one. Try again a little later.";
     Tell::Note { text: text.into(), bad: true }
 }
 

@@ -85,7 +85,9 @@ impl Logs {
         let mut read = LogWithRun::alone(named, zone, MOST_ROWS).map_err(|error| self.wrong(&error))?;
         if read.log.rows > MOST_ROWS as u64 {
             let rows = read.log.rows;
-            return Err(Refusal::Damaged(format!("{run} has {rows} rows; the page takes {MOST_ROWS} at most.")));
+            return Err(Refusal::Damaged(format!(
+                "{run} is too long for this page: it has {rows} rows, and the limit is {MOST_ROWS}."
+            )));
         }
         scenario.iter().for_each(|scenario| _ = read.place_in(scenario));
         let measures = read.measures().map_err(|why| Refusal::Damaged(shortened(&why.to_string())))?;
@@ -140,7 +142,9 @@ impl Logs {
         let rows = named.survey().map_err(|error| self.wrong(&error))?.rows;
         if rows > MOST_ROWS as u64 {
             let name = &named.name;
-            return Err(Refusal::Damaged(format!("{name} has {rows} rows; the page compares {MOST_ROWS} at most.")));
+            return Err(Refusal::Damaged(format!(
+                "{name} is too long to compare here: it has {rows} rows, and the limit is {MOST_ROWS}."
+            )));
         }
         let zone = scenario.file.time_zone.as_str();
         let mut read = LogWithRun::of(named, Some(zone)).map_err(|error| self.wrong(&error))?;
@@ -161,7 +165,7 @@ impl Logs {
             Some(walked) => given(walked)?,
             None => {
                 let mut found = NamedLog::find(&folder.to_string_lossy()).map_err(|error| self.wrong(&error))?;
-                found.name = if walked.is_some() { "what was lived again" } else { run }.to_owned();
+                found.name = if walked.is_some() { "the run simulated from it" } else { run }.to_owned();
                 found
             }
         };

@@ -178,7 +178,7 @@ impl Coming {
         thread::spawn(move || {
             let hidden = folder.path().to_owned();
             let walk = || walks.make(&hidden, &log, &home, &cancel);
-            let broken = || Error::Translation("it cannot be walked back, by a mistake of the program".into());
+            let broken = || Error::Translation("cannot locate people because of an error in Homebody".into());
             let ended = catch_unwind(AssertUnwindSafe(walk)).unwrap_or_else(|_| Err(broken()));
             // First all is tidy, then it is told.
             drop(folder);
@@ -194,7 +194,7 @@ impl Drop for Coming {
             drop(folder);
             let why = match self.cancel.is_cancelled() {
                 true => Error::Cancelled,
-                false => Error::Translation("not all of the log has come".into()),
+                false => Error::Translation("the log arrived incomplete".into()),
             };
             self.walks.end(Err(why), &hidden);
         }
@@ -256,11 +256,11 @@ impl Walks {
 }
 
 fn small_enough(read: &LogWithRun) -> Result<(), Error> {
-    const HINT: &str = "hint: open a part of it, or use homebody locate, which has no such limit";
+    const HINT: &str = "hint: open a part of the log, or use homebody locate, which has no limit";
     let rows = read.log.events.len();
     if rows > MOST_ROWS {
         return Err(Error::Translation(
-            format!("the log has {rows} rows; the page takes {MOST_ROWS} at most\n  {HINT}").into(),
+            format!("the log has {rows} rows; the limit of the page is {MOST_ROWS}\n  {HINT}").into(),
         ));
     }
     let times = || read.log.events.iter().map(|event| event.at);
@@ -268,7 +268,7 @@ fn small_enough(read: &LogWithRun) -> Result<(), Error> {
     if span > MOST_DAYS * DAY {
         let days = counted((span / DAY) as usize, "day", "days");
         return Err(Error::Translation(
-            format!("the log goes over {days}; the page takes {MOST_DAYS} at most\n  {HINT}").into(),
+            format!("the log covers {days}; the limit of the page is {MOST_DAYS}\n  {HINT}").into(),
         ));
     }
     Ok(())

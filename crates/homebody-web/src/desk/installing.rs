@@ -96,15 +96,14 @@ impl Desk {
 
     fn proposed(&self, asked: Suggest, cancel: &Cancel) -> Result<Proposed, Unsuggested> {
         let Suggest { draft, sensors, to_see, people, device } = asked;
-        let goals = goals(&to_see).map_err(|unknown| {
-            Unsuggested::Said(format!("Nothing is called {}.", unknown.join(", ").escape_debug()))
-        })?;
+        let goals = goals(&to_see)
+            .map_err(|unknown| Unsuggested::Said(format!("Unknown goals: {}.", unknown.join(", ").escape_debug())))?;
         if goals.is_empty() {
-            return Err(Unsuggested::Said("Say what is to be seen.".into()));
+            return Err(Unsuggested::Said("Choose at least one goal.".into()));
         }
         let of_key = |key: &String| Device::all().find(|device| device.key() == *key);
         let device = match &device {
-            Some(key) => Some(of_key(key).ok_or_else(|| Unsuggested::Said("There is no such device.".into()))?),
+            Some(key) => Some(of_key(key).ok_or_else(|| Unsuggested::Said("This device is not known.".into()))?),
             None => None,
         };
         let rules = Rules::read(USUAL).map_err(|wrong| Unsuggested::Said(wrong.join("; ")))?;
@@ -150,7 +149,7 @@ impl From<NotLived> for Unsuggested {
         match error {
             NotLived::Problems(wrong) => Unsuggested::Problems(problems(&wrong.0)),
             NotLived::NoRoutine => Unsuggested::Said(
-                "The first resident lives by no routine, so nobody can show a condition: ask for the floor alone."
+                "The first resident has no routine, so no condition can be simulated. Choose only “Most of the floor”."
                     .into(),
             ),
             other => Unsuggested::Said(other.to_string()),

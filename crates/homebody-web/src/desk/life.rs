@@ -29,7 +29,7 @@ impl Desk {
         let is_asked = |driver: &Driver| matches!(driver, Driver::Routine { file, .. } if *file == asked);
         let resident = scenario.residents.iter().position(|resident| is_asked(&resident.driver));
         let Some(known) = resident.and_then(|resident| Household::understand(&scenario, &files, resident)) else {
-            let nobodys = Problem::of_file(&asked, "nobody lives by this routine", None);
+            let nobodys = Problem::of_file(&asked, "no resident uses this routine", None);
             return not_understood(problems(&[nobodys]));
         };
         let length = scenario.calendar.span_of_days(scenario.file.days);

@@ -129,7 +129,7 @@ fn lived(
     let end = end.min(life.run.now());
     life.known.end(end, &mut view);
     if let Some(why) = &mut view.cut {
-        *why = format!("The days are shown until {}. {why}", calendar.wall_clock(end));
+        *why = format!("The days are shown up to {}. {why}", calendar.wall_clock(end));
     }
     // A stride may come to another room later.
     view.stays.iter_mut().flatten().for_each(|stay| stay.1 = stay.1.min(end));

@@ -78,7 +78,7 @@ impl<T: Grows> Coming<T> {
     pub fn until(&self, instant: Micros) -> Result<MutexGuard<'_, T>, Refusal> {
         let known = self.wait(instant, LONGEST_WAIT);
         match known.read_us()? {
-            Some(read) if read < instant => Err(Refusal::Early("The run is still being read.".into())),
+            Some(read) if read < instant => Err(Refusal::Early("Homebody is still reading this run.".into())),
             _ => Ok(known),
         }
     }
