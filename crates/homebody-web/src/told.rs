@@ -94,7 +94,7 @@ impl Logs {
         let rules = Rules::read(USUAL).map_err(|problems| Refusal::Damaged(shortened(&problems.join("; "))))?;
         let subject = read.subject();
         let person = if read.residents().len() > 1 { "the residents" } else { &subject };
-        let care = CareView::of(&care(&measures, &rules, &subject), &rules, (run, person), self.walks(run));
+        let care = CareView::of(&care(&measures, &rules, &subject), (run, person), self.walks(run));
         told.retain(|known| known.care.name != run);
         told.truncate(MOST_TOLD - 1);
         told.insert(0, ToldCare { files, care: care.clone() });

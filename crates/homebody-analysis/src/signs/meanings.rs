@@ -68,7 +68,7 @@ impl OwnWords {
             let Some(kind) = kind_of_states(log, id).or_else(says_pir) else { continue };
             let Some((on, because)) = which_begins(pair, texts) else {
                 own.not_understood.push(format!(
-                    "{id} says {:?} and {:?}, and neither is known to begin something: it is taken for a reading",
+                    "{id} sends {:?} and {:?}; neither is a known state, so they count as readings",
                     texts[0], texts[1]
                 ));
                 continue;

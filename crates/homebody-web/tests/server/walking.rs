@@ -213,7 +213,7 @@ fn what_a_log_holds_and_how_real_it_is_are_the_pages_of_the_commands() {
     for run in [&run, &walked] {
         let care: Value = serde_json::from_str(&page(&format!("/api/runs/{run}/care"), 200)).unwrap();
         let remarks = care["remarks"].to_string();
-        assert!(remarks.contains("too few to summarise") && !care["charts"].as_array().unwrap().is_empty(), "{care}");
+        assert!(remarks.contains("needed for a summary") && !care["charts"].as_array().unwrap().is_empty(), "{care}");
     }
     page(&format!("/api/runs/{run}/realism/nowhere"), 404);
     // Of less than a day nothing can be compared, which is said.

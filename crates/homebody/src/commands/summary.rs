@@ -113,13 +113,7 @@ struct Told {
 
 impl fmt::Display for Told {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self.reader {
-            Reader::Carers => write!(f, "{}", self.summary)?,
-            Reader::Experts => {
-                self.summary.remarks.iter().try_for_each(|remark| writeln!(f, "{remark}."))?;
-                self.summary.sentences.iter().try_for_each(|sentence| writeln!(f, "{}", sentence.expert))?;
-            }
-        }
+        self.summary.write(f, matches!(self.reader, Reader::Experts))?;
         match self.distance {
             Some(distance) => writeln!(f, "\nDistance to the other summary: {distance:.2} (0 to 1)"),
             None => Ok(()),

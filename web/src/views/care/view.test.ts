@@ -15,24 +15,24 @@ const care = (name: string, walks: WalksView = 'lived'): CareView => ({
   person: 'Ada',
   day: '2009-03-30',
   is_compared: true,
-  remarks: ['No sensor is at an entrance, so nothing is known of outings'],
+  remarks: ['Outings are unknown: no sensor is at an entrance'],
   walks,
   days: days.map((day) => ({
     day,
     known: day === '2009-03-10' ? 'nobody_home' : day === '2009-03-11' ? 'partly' : 'whole',
     told: day === '2009-03-10' ? [] : [
-      { measure: 'sleep', words: 'Slept 4.0 hours, less than usual (7.0 hours)', is_more: day >= '2009-03-28' ? false : null },
-      { measure: 'meals', words: `Meals in the kitchen: 3 times, as usual ${EVIL}`, is_more: null },
+      { measure: 'sleep', words: 'Slept for 4.0 hours, less than usual (7.0)', is_more: day >= '2009-03-28' ? false : null },
+      { measure: 'meals', words: `Had a meal in the kitchen 3 times, as usual ${EVIL}`, is_more: null },
     ],
   })),
   sentences: [
-    { words: 'On most nights of the last two weeks, Ada slept less than before.', numbers: 'So on 2 of 14 nights.', measure: 'sleep', is_change: true, days: ['2009-03-29', '2009-03-30'] },
-    { words: 'Every day of the last two weeks, Ada was out for 2 hours at most.', numbers: 'So on 14 of 14 days.', measure: 'time_out', is_change: false, days: [] },
+    { words: 'Less sleep than before on most nights of the last two weeks: 4.0 hours on average, previously 7.0.', numbers: 'On 2 of 14 nights.', measure: 'sleep', is_change: true, days: ['2009-03-29', '2009-03-30'] },
+    { words: 'Ada was out for at most 2 hours on every day of the last two weeks.', numbers: 'On 14 of 14 days; 1.2 hours on average.', measure: 'time_out', is_change: false, days: [] },
   ],
-  alerts: [{ day: '2009-03-29', rule: 'sleep', words: 'Much less sleep than usual, two days in a row', numbers: 'On average 4.0 hours; usually 7.0 hours.', measures: ['sleep'], days: ['2009-03-28', '2009-03-29'] }],
+  alerts: [{ day: '2009-03-29', rule: 'sleep', words: 'Less sleep than usual, two nights in a row', numbers: '4.0 hours, usually 7.0.', measures: ['sleep'], days: ['2009-03-28', '2009-03-29'] }],
   charts: [
     { measure: 'sleep', title: 'Sleep', unit: 'hours', little: 0.5, is_guess: false, days: days.map((day, index) => ({ day, value: day < '2009-03-16' ? 7 + (index % 2) * 0.2 : 4, usual: [6.5, 7.5] })) },
-    { measure: 'bedtime', title: 'To bed', unit: 'clock', little: 0.4, is_guess: false, days: days.map((day) => ({ day, value: 22.5, usual: null })) },
+    { measure: 'bedtime', title: 'Bedtime', unit: 'clock', little: 0.4, is_guess: false, days: days.map((day) => ({ day, value: 22.5, usual: null })) },
   ],
 });
 
@@ -97,7 +97,7 @@ test('a run that is being lived has no length in the menu', async () => {
 
 test('the day, what has changed and what is worth a look are told in words', async () => {
   await begin();
-  for (const told of ['Latest day: Monday 30 March 2009', 'One thing was unusual', 'Slept 4.0 hours, less than usual', 'Ada slept less than before', '1 alert needs attention, 1 in all', 'nothing is known of outings']) {
+  for (const told of ['Latest day: Monday 30 March 2009', 'One thing was unusual', 'Slept for 4.0 hours, less than usual', 'Less sleep than before on most nights', '1 alert needs attention, 1 in all', 'Outings are unknown']) {
     expect(text()).toContain(told);
   }
   expect(document.querySelector('img')).toBeNull();
@@ -184,7 +184,7 @@ test('two spans stand side by side, and may be others', async () => {
   await begin();
   const row = () => [...document.querySelectorAll('section[aria-label="Compare two periods"] tbody tr')].map((tr) => [...tr.children].filter((part) => !part.matches('.picture')).map((part) => part.textContent));
   expect(row()[0]).toEqual(['Sleep', '4.0 h', '6.9 h', '2 hours 53 minutes less a day']);
-  expect(row()[1]).toEqual(['To bed', '22:30', '22:30', 'about the same']);
+  expect(row()[1]).toEqual(['Bedtime', '22:30', '22:30', 'about the same']);
   const [from] = document.querySelectorAll<HTMLInputElement>('input[type=date]');
   from!.value = '2009-03-29';
   from!.dispatchEvent(new Event('change', { bubbles: true }));
@@ -248,7 +248,7 @@ test('several alerts about sensors of one day are all told', async () => {
 test('of runs of which nothing is written yet the one before is shown, unless it is asked for', async () => {
   answers['/api/runs'] = [stored('lived'), stored('a')];
   await begin();
-  expect([one<HTMLSelectElement>('select').value, text().includes('Slept 4.0 hours'), document.querySelector('[role="alert"]')?.textContent ?? '']).toEqual(['a', true, '']);
+  expect([one<HTMLSelectElement>('select').value, text().includes('Slept for 4.0 hours'), document.querySelector('[role="alert"]')?.textContent ?? '']).toEqual(['a', true, '']);
   await unmount(view);
   await begin('#/care/lived');
   expect(text()).toContain('There is no such run.');
