@@ -274,14 +274,14 @@ impl fmt::Display for Comparison {
 
 /// What the measures are, for people.
 pub const MEASURES: &str = "\
-agreement   1 - |firings - reference| / reference, as Godsey & Skubic (2009) count: 100 % is as many,
-            0 % is none at all or twice as many, and below 0 % are more than twice as many. \"By\" lines
-            add up the differences first, so that too many here do not make up for too few there.
-            Logs with different numbers of dates are held against each other by firings a day.
-gaps apart  the Kolmogorov-Smirnov distance of the times from one firing to the next: 0 is spread
-            alike, 1 is wholly apart. Two halves of a real home's log are 0.02 to 0.05 apart, two
-            real homes 0.09 to 0.12. Of \"all together\" it is of times from any sensor to any, else of
-            each sensor's own.
+agreement   1 - |firings - reference| / reference, after Godsey & Skubic (2009). 100 % means equal
+            numbers; 0 % means none, or twice as many; negative values mean more than twice as many.
+            The \"By\" lines sum absolute differences, so that a surplus in one place does not cancel a
+            deficit in another. Logs of different lengths are compared by firings per day.
+gaps apart  the Kolmogorov-Smirnov distance between the distributions of the times from one firing to
+            the next: 0 means equal, 1 means disjoint. Two halves of a real home's log are 0.02 to
+            0.05 apart, two real homes 0.09 to 0.12. The line \"all together\" uses the times between
+            firings of any two sensors; all other lines use the times of one sensor.
 ";
 
 const SENSOR_BY_SENSOR: &str = "sensor by sensor";

@@ -86,7 +86,7 @@ homebody_core::messages! {
             residents: Vec<String>,
         } error "own-driver"
             ("cannot replay {}: a driver of another program moved {}", path.display(), residents.join(", "))
-            hint ("the run's files can be read, drawn and compared; the program that has the driver can run it again");
+            hint ("you can still read, draw and compare the run's files; to replay the run, use the program that contains the driver");
         /// A file has the place of the folder of a run or a cohort.
         NotFolder {
             /// The file.
@@ -164,7 +164,7 @@ homebody_core::messages! {
             /// The folder to resume: the run's own or its cohort's.
             resume: PathBuf,
         } error "no-rows" ("the run in {} has no rows yet", folder.display())
-            hint ("wait until it has, or resume an interrupted run: homebody run --resume {}", resume.display());
+            hint ("wait for the first row, or resume an interrupted run: homebody run --resume {}", resume.display());
         /// Each member of a cohort has its own log.
         IsCohort {
             /// The cohort's folder.
@@ -216,7 +216,7 @@ homebody_core::messages! {
             /// The system's message.
             why: String,
         } error "no-threads" ("cannot start threads to simulate on: {why}")
-            hint ("allow this user more threads or memory, or run less at once");
+            hint ("raise this user's limits on threads or memory, or run fewer simulations at once");
         => inner {
             /// All problems of all files, each with its place and a hint.
             Problems(Problems);

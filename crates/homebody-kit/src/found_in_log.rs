@@ -170,6 +170,6 @@ mod tests {
         assert_eq!((found.hits.len(), found.remarks[0].as_str()), (1, GUESSED), "{:?}", found.hits);
         // The control: no word of a name tells of a bathroom.
         let error = find("m17").unwrap_err().to_string();
-        assert!(error.contains("there is no room \"bathroom\""), "{error}");
+        assert!(error.contains("no room is called \"bathroom\""), "{error}");
     }
 }

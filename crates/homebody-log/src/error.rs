@@ -14,7 +14,9 @@ use std::time::Duration;
 
 /// What to say where the system gives no thread `to` do something.
 pub fn no_thread(to: &str, why: impl fmt::Display) -> String {
-    format!("there is no thread {to}: {why}\n  hint: allow this user more threads or memory, or run less at once")
+    format!(
+        "there is no thread {to}: {why}\n  hint: raise this user's limits on threads or memory, or run fewer simulations at once"
+    )
 }
 
 homebody_core::messages! {
@@ -81,7 +83,7 @@ homebody_core::messages! {
             /// The database's file.
             place: String,
         } error "write-failed" ("cannot write to the database {place}")
-            hint ("check that the disk is sound, has space, and that ulimit -f allows files of this size");
+            hint ("check that the disk is sound and has space, and that ulimit -f allows files of this size");
         /// Another program holds the lock of the database for longer than Homebody waits.
         Locked {
             /// The database's file.
@@ -129,12 +131,12 @@ homebody_core::messages! {
             /// The system's message.
             source: io::Error,
         } error "no-thread" ("cannot start a thread that writes {place}: {source}")
-            hint ("allow this user more threads or memory, or run less at once") cause (source);
+            hint ("raise this user's limits on threads or memory, or run fewer simulations at once") cause (source);
         /// A resumed run was stopped before it reached the end of the part that the destination has.
         NotYet {
             /// The destination.
             place: String,
-        } error "not-yet" ("{place} has more rows than this run has reached, so nothing was changed")
+        } error "not-yet" ("{place} has more rows than this run has produced so far; Homebody did not change it")
             hint ("resume the run again, and let it run longer");
         /// SQL names match `^[a-z_][a-z0-9_]{0,62}$` and are not words of SQLite.
         Name {
@@ -143,7 +145,7 @@ homebody_core::messages! {
             /// The name.
             name: String,
         } error "invalid-name" ("{name:?} is not a valid name of a {what}")
-            hint ("use up to 63 of a-z, 0-9 and _, and do not begin with a digit");
+            hint ("use at most 63 characters from a-z, 0-9 and _, and do not begin with a digit");
         /// Two columns or tables of the mapping have the same name.
         SameName {
             /// The kind of name: a table or a column.
@@ -219,7 +221,7 @@ homebody_core::messages! {
             what: String,
         } error "other-run" ("{truth} is not the ground truth of this log: {what}")
             hint ("name the ground truth of the same run");
-        /// The ground truth counts the rows of the log, and some lines of this log cannot be read.
+        /// The ground truth refers to rows of the log by number, and some lines of this log cannot be read.
         Gaps {
             /// The log.
             place: String,
@@ -228,7 +230,7 @@ homebody_core::messages! {
             /// The number of such lines.
             skipped: u64,
         } error "gaps" ("{lines}", lines = listed(place, problems, *skipped))
-            hint ("the ground truth counts the rows of the log: use the log as the run has written it");
+            hint ("the ground truth refers to rows by number: use the log exactly as the run wrote it");
         /// The output would replace a file of a run.
         OfRun {
             /// The file.
@@ -282,8 +284,8 @@ homebody_core::messages! {
             /// The system's message.
             source: io::Error,
         } error "no-run-folder" ("cannot create the folder {place}: {source}")
-            hint ("run in a folder that you may write, or pass --out to write elsewhere") cause (source);
-        /// The spool holds the rows of a destination that is away. It has reached its largest size.
+            hint ("run in a folder that you can write to, or pass --out to write elsewhere") cause (source);
+        /// The spool holds the rows of an unavailable destination. It has reached its largest size.
         SpoolFull {
             /// The destination.
             place: String,
@@ -291,7 +293,7 @@ homebody_core::messages! {
             spool: String,
             /// The largest size, in MB.
             most_mb: u64,
-        } error "spool-full" ("{place} is still away, and its spool {spool} has reached {most_mb} MB")
+        } error "spool-full" ("{place} is still unavailable, and its spool {spool} has reached {most_mb} MB")
             hint ("rows that {place} has confirmed are safe; once it is back, resume the run, or allow more with --spool-mb");
         /// The run has ended, and the destination did not come back in time.
         StillAway {
@@ -299,7 +301,7 @@ homebody_core::messages! {
             place: String,
             /// The time waited, in seconds.
             seconds: u64,
-        } error "still-away" ("{place} is away; Homebody waited {seconds} s at the end of the run")
+        } error "still-away" ("{place} is unavailable; Homebody waited {seconds} s for it at the end of the run")
             hint ("rows that it has confirmed are safe; once it is back, resume the run");
         /// The run was stopped while it waited for a destination.
         StoppedAway {
@@ -307,7 +309,7 @@ homebody_core::messages! {
             place: String,
             /// The reason, as a part of a sentence.
             why: String,
-        } error "stopped-away" ("{place} was away when the run stopped: {why}; rows that it has confirmed are safe");
+        } error "stopped-away" ("{place} was unavailable when the run stopped: {why}; the rows that it had confirmed are safe");
         /// This build of the program lacks a feature.
         NotBuiltIn {
             /// The place.
@@ -356,7 +358,7 @@ homebody_core::messages! {
             place: String,
             /// The difference, as a part of a sentence.
             what: String,
-        } error "changed" ("{place} is not the beginning of this run: {what}")
+        } error "changed" ("{place} does not match the beginning of this run: {what}")
             hint ("it was changed, or the recording is of another run; restore it, or start a new run");
         /// The destination did not answer within the time that its policy gives it.
         Hangs {

@@ -4,6 +4,7 @@ use super::paint::{DENSITY, HAIRLINE, INK, MUTED, Paint, QUIET};
 use super::svg::{Anchor, Px, Svg, Type};
 use homebody_analysis::measures::{MEASURES, Measures};
 use homebody_core::geometry::Point;
+use homebody_core::statistics::quantile;
 use std::fmt::Write;
 
 const WIDTH: f64 = 1200.0;
@@ -70,7 +71,7 @@ fn draw_row(svg: &mut Svg, measures: &Measures, number: usize, top: f64) {
     let measure = &MEASURES[number];
     let mut known = measures.known(number);
     known.sort_by(f64::total_cmp);
-    let at = |share: f64| known[((known.len() - 1) as f64 * share).round() as usize];
+    let at = |share: f64| quantile(&known, share).unwrap_or_default();
     let scale = Scale::of(&known);
     let (middle, bottom) = (top + (ROW - GAP) / 2.0, top + ROW - GAP);
     let column = (RIGHT - LEFT) / measures.days.len() as f64;

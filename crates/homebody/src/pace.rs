@@ -9,8 +9,8 @@ use std::sync::mpsc::{Receiver, sync_channel};
 use std::thread;
 
 /// The help of `--control`: as a doc comment, its brackets would be a link.
-const CONTROL: &str = "Read commands from standard input, one a line: pause, resume, step [SECONDS], speed X, stop. \
-    A command waits for the end of a step before it; the run continues after the last line";
+const CONTROL: &str = "Read commands from standard input, one per line: pause, resume, step [SECONDS], speed X, stop. \
+    A command after a step waits until the step has ended; at the end of the input the run continues";
 
 /// Longest line of a command (our choice).
 const LONGEST_COMMAND_BYTES: usize = 200;

@@ -31,7 +31,8 @@ impl Watched {
         self.metrics.is_some()
     }
 
-    /// Begins to serve the numbers of a run, where somebody wants them. That a destination is away is told unless the command is quiet.
+    /// Begins to serve the metrics of a run, if the command asks for them. Reports each unavailable destination, unless the command is
+    /// quiet.
     pub fn begin(&self, scenario: &str, is_quiet: bool) -> Result<Meters, Failure> {
         let meters = if is_quiet { Meters::default() } else { Meters::telling(|news| tell(news)) };
         let (seen, name) = (meters.clone(), scenario.to_owned());

@@ -88,7 +88,7 @@ measures! {
         "our definition",
         day: "getting up later", "getting up earlier"; "got up {}";
     sleep ("h", "Sleep")
-        "Hours of the time in bed in stretches of 5 min or more without movement in the bedroom",
+        "Hours in bed without movement in the bedroom, counting only stretches of 5 min or more",
         "sleep scoring by rest in actigraphy; the 5 min are our choice",
         night: "more sleep", "less sleep"; "slept {}";
     restlessness ("bouts/h", "Restlessness in bed")
@@ -104,7 +104,7 @@ measures! {
         "Rantz et al. 2015, bathroom activity",
         day: "more bathroom visits by day", "fewer bathroom visits by day"; "used the bathroom {} by day" "did not use the bathroom by day";
     showers ("times", "Showers")
-        "With a sensor at the shower: spans of its movements of 3 min or more. Otherwise an estimate, if a motion sensor sees the bathroom: stays there by day of 10 min or more with a sign of presence every minute",
+        "With a sensor at the shower: periods of 3 min or more in which it reports movement. Otherwise an estimate, which needs a motion sensor in the bathroom: daytime stays of 10 min or more with a sign of presence in every minute",
         "our definition",
         day: "more showers", "fewer showers"; "showered {}" "did not shower";
     meals ("times", "Kitchen meals")
@@ -124,11 +124,11 @@ measures! {
         "Petersen et al. 2014, room transitions",
         day: "moving about more at home", "moving about less at home";
     pace ("of usual", "Walking pace")
-        "Median of the relative pace over the day's walks between sensors: the usual time of a walk, which is the median of the earlier times (the first 100 at most), divided by its time",
+        "Median relative pace of the day's walks between sensors. The relative pace of a walk is its usual time (the median of up to 100 earlier times) divided by its actual time",
         "Hagler et al. 2010, walking speed by sensors in a line; relative times are our choice",
         day: "walking faster", "walking more slowly";
     pace_slow ("of usual", "Pace of the slowest walks")
-        "Relative pace that the slowest tenth of the day's walks between sensors does not exceed; the usual time of a walk is that of pace",
+        "10th percentile of the relative pace of the day's walks between sensors (see pace)",
         "Hagler et al. 2010, the distribution of walking speeds",
         day: "a faster pace on the slowest walks", "a slower pace on the slowest walks";
     walking_speed ("m/s", "Walking speed")
@@ -144,7 +144,7 @@ measures! {
         "Hagler et al. 2010, the distribution of walking speeds",
         day: "faster fast walks", "slower fast walks";
     company ("h", "Time with visitors")
-        "Estimate of the hours of the day with another person besides the resident: between two uses of the front door's contact, 10 min to 5 h apart, with a person at home before and after, and with 1.3 times or more the usual signs of presence of the 28 days up to the day",
+        "Estimate of the hours of the day with a visitor. A visit lies between two uses of the front door's contact, 10 min to 5 h apart; a person is at home before and after it; and the signs of presence are at least 1.3 times the median of the last 28 days",
         "Petersen et al. 2012, visitors by sensors; the rule is our choice",
         day: "more time with visitors", "less time with visitors"; "had visitors {}" "had no visitors";
     visits ("times", "Visitors")
@@ -153,11 +153,11 @@ measures! {
         day: "more visitors", "fewer visitors";
     pacing ("times", "Pacing")
         "Walks back and forth between two rooms, three times or more, without a stay of over a minute",
-        "Martino-Saltzman et al. 1991; the three times are our choice",
+        "Martino-Saltzman et al. 1991; the threshold of three is our choice",
         day: "more pacing to and fro", "less pacing to and fro";
     lapping ("times", "Lapping")
         "Walks round three rooms or more, three times or more, without a stay of over a minute",
-        "Martino-Saltzman et al. 1991; the three times are our choice",
+        "Martino-Saltzman et al. 1991; the threshold of three is our choice",
         day: "more walking in circles", "less walking in circles";
     sedentary ("h", "Sitting and resting")
         "Hours of the day in stays of 30 min or more in one room, outside the bed of the night",
@@ -180,7 +180,7 @@ measures! {
         "Wang and Skubic 2008",
         day: "more movement in the evening", "less movement in the evening";
     density_distance ("0-2.24", "Change of daily pattern")
-        "Distance between the density map of the seven days that end with the day and that of the seven days before; the first 14 whole days of the log set the height of the levels",
+        "Distance between the density map of the seven days that end with the day and that of the seven days before; the levels of the map are fixed from the first 14 whole days of the log",
         "Wang and Skubic 2008, dissimilarity of density maps",
         day: "more change in the daily pattern", "less change in the daily pattern";
     interdaily_stability ("0-1", "Regularity of days")

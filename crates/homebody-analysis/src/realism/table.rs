@@ -40,9 +40,10 @@ fn told_by(f: &mut fmt::Formatter, what: &str, signs: &[Sign]) -> fmt::Result {
 
 /// What the measures are, for people.
 pub const MEASURES: &str = "\
-value  How far B is from A: 0 is alike, and 1 is wholly apart, but for density maps. KS is the Kolmogorov-Smirnov
-       distance, JS the Jensen-Shannon distance. The area under the curve is 0.5 if telling A from B is guessing.
-floor  The same of the first half of A's days against the second.
--      It cannot be said: names of sensors differ, ONs have no end, or there are too few days (a forest needs 4 on each
+value  Distance of B from A: 0 means equal, 1 means disjoint (density maps have another scale). KS is the
+       Kolmogorov-Smirnov distance, JS the Jensen-Shannon distance. An area under the curve of 0.5 means that
+       telling A from B is guessing.
+floor  The distance between the two halves of A's days.
+-      Not available: sensor names differ, ONs have no end, or there are too few days (a forest needs 4 on each
        side for days, 2 for hours).
 ";

@@ -37,7 +37,7 @@ fn ten_mistakes_in_three_files_are_reported_at_once() {
         ("ann.path.json", r#""08:00:00.5""#, r#""08:60""#),
     ]);
     let expected = [
-        r#"home.json:16:37: "from" must be a list of 2 numbers, but is the text "here"; One jamb; it lies on the middle line of a wall"#,
+        r#"home.json:16:37: "from" must be a list of 2 numbers, but is the text "here"; One jamb, on the centre line of a wall"#,
         r#"home.json:19:62: "heigth_m" is no key of a piece of furniture; did you mean "height_m"?"#,
         r#"home.json:29:24: "preset" is given twice; it is already given on line 29"#,
         r#"logger.json:2:27: "casis:log.txt" is nowhere a log can go; did you mean "casas:log.txt"?"#,
@@ -151,7 +151,7 @@ fn what_stands_behind_a_misspelt_key_is_looked_at() {
         r#"home.json:27:87: "beam" is no key of a motion sensor; did you mean "beams"?"#,
         r#"home.json:27:95: "beam" must be from 1 to 256, but is -3"#,
         r#"ann.path.json:5:17: "untill" is no key of a wait; did you mean "until"?"#,
-        r#"ann.path.json:5:27: "untill" must be a text, but is the number 7.3; Until when: the next such time of day, "07:30" or "07:30:15.5""#,
+        r#"ann.path.json:5:27: "untill" must be a text, but is the number 7.3; Time of day at which the stay ends, "07:30" or "07:30:15.5": the next such time"#,
         r#"ann.path.json:9:19: "for" is no key of a wait; did you mean "for_s"?"#,
         r#"ann.path.json:9:26: "for" must be from 0.000001 to 3200000000, but is 1e300"#,
     ];

@@ -63,7 +63,7 @@ fn what_they_are_on_must_be_there() {
         ),
         (
             r#""kind": "light", "on": "kitchen""#,
-            "27:5: a light sensor needs the key \"room\"; The room that it is in\n27:50: \"on\" is no key of a light sensor; its keys are \"kind\", \"name\", \"room\", \"daylight_lux\", \"lamp_lux\", \"change_percent\", \"every_s\"",
+            "27:5: a light sensor needs the key \"room\"; Room that the sensor is in\n27:50: \"on\" is no key of a light sensor; its keys are \"kind\", \"name\", \"room\", \"daylight_lux\", \"lamp_lux\", \"change_percent\", \"every_s\"",
         ),
     ] {
         assert_eq!(of(sensor), expected, "of {sensor}");
@@ -79,7 +79,7 @@ fn limits_must_be_in_order() {
         ),
         (
             r#""kind": "bed", "on": "bed", "levels_s": []"#,
-            r#"27:73: "levels_s" must have 1 to 4 items, but has 0; How long a movement has lasted when it reaches each level of restlessness"#,
+            r#"27:73: "levels_s" must have 1 to 4 items, but has 0; Duration of a movement that reaches each level of restlessness"#,
         ),
         (
             r#""kind": "bed", "on": "bed", "pulse_bpm": [100, 30]"#,

@@ -107,7 +107,7 @@ fn what_is_too_long_is_refused_in_words() {
     let steps = said(&path(10_001, |_| "{\"wait\":{\"for_s\":1}}".into()));
     assert_eq!(
         steps,
-        r#"ann.path.json:1:24: "steps" must have at most 10000 items, but has 10001; What the resident does, in this order"#
+        r#"ann.path.json:1:24: "steps" must have at most 10000 items, but has 10001; Steps of the path, in order"#
     );
     let waypoints = said(&path(130, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(950, |i| format!("[1.{i},1]")))));
     assert_eq!(

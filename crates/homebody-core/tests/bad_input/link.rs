@@ -58,10 +58,10 @@ fn the_shape_of_a_link() {
         ("link.json", r#""kind": "battery""#, r#""kind": "batery""#,
             r#"link.json:8:32: "batery" is no kind of fault; did you mean "battery"?"#),
         ("link.json", r#""facing_deg": 0"#, r#""days": 3"#,
-            "link.json:11:5: a moved fault needs the key \"facing_deg\"; Where it looks from then on: 0 is east, 90 is north\n\
+            "link.json:11:5: a moved fault needs the key \"facing_deg\"; Direction of the lens from then on: 0 is east, 90 is north\n\
             link.json:11:87: \"days\" is no key of a moved fault; its keys are \"kind\", \"sensor\", \"from_day\", \"at\", \"facing_deg\""),
         ("link.json", r#""at": [4.1, 2.5], "#, "",
-            r#"link.json:11:5: a moved fault needs the key "at"; Where it hangs from then on"#),
+            r#"link.json:11:5: a moved fault needs the key "at"; Position from then on"#),
         ("link.json", r#""hours": 5"#, r#""hours": -5"#,
             r#"link.json:15:64: "hours" must be from 0.0001 to 876600, but is -5"#),
         ("scenario.json", r#""link.json""#, r#""logger.json""#,

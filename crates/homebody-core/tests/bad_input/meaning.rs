@@ -69,7 +69,7 @@ fn the_building() {
         ("home.json", "[4, 0], [4, 3], [0, 3]]", "[4.5, 0], [4.5, 3], [0, 3]]",
             r#"home.json:5:37: the rooms "kitchen" and "bedroom" overlap by 1.50 m²"#),
         ("home.json", "[4, 0], [4, 3], [0, 3]]", "[4, 0]]",
-            r#"home.json:4:37: "outline" must have 3 to 500 items, but has 2; The corners in order; the last is joined to the first"#),
+            r#"home.json:4:37: "outline" must have 3 to 500 items, but has 2; Corners in order"#),
         ("home.json", r#""to": [8, 3] }"#, r#""to": [8, 3000] }"#,
             "home.json:9:29: this is more than 100 m from the first room; lengths are in metres, not in centimetres"),
         ("home.json", r#""from": [4, 1], "to": [4, 2]"#, r#""from": [4.5, 1], "to": [4.2, 2]"#,
@@ -170,7 +170,7 @@ fn places_and_sensors() {
             r#""area": [[6, 1.5], [9, 1.5], [9, 2.9], [6, 2.9]]"#,
             r#"home.json:30:56: the area of "bed" reaches out of the home"#),
         ("home.json", r#""area": [[6, 1.5], [7.9, 1.5], [7.9, 2.9], [6, 2.9]]"#, r#""area": [[6, 1.5], [7.9, 1.5]]"#,
-            r#"home.json:30:56: "area" must have 3 to 64 items, but has 2; The convex area on the floor that it sees: its corners in order"#),
+            r#"home.json:30:56: "area" must have 3 to 64 items, but has 2; Convex area of the floor that the sensor sees: its corners in order"#),
         ("home.json", r#""refire_s": [6, 8]"#, r#""refire_s": [8, 6]"#,
             r#"home.json:31:19: the least of "refire_s", 8, is more than its most, 6; write [6, 8]"#),
         ("home.json", r#""refire_s": [6, 8]"#, r#""refire_s": [0.5, 8]"#,
@@ -363,7 +363,7 @@ fn a_home_has_at_most_1024_sensors_and_32768_beams() {
     assert_eq!(with(1024, 32), "");
     assert_eq!(
         with(1025, 1),
-        r#"home.json:26:14: "sensors" must have at most 1024 items, but has 1025; What senses, in the order in which sensors speak at one instant"#
+        r#"home.json:26:14: "sensors" must have at most 1024 items, but has 1025; Sensors"#
     );
     assert_eq!(with(129, 256), "home.json:155:1: the sensors up to this one have more than 32768 beams together");
 }

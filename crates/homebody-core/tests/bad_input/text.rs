@@ -104,6 +104,6 @@ fn deep_nesting_is_refused_however_deep() {
     files.insert("ann.path.json".into(), format!("{}{}", "[".repeat(64), "]".repeat(64)));
     assert_eq!(
         said(&files),
-        "ann.path.json:1:1: the file must be an object { ... }, but is a list; A path description file"
+        "ann.path.json:1:1: the file must be an object { ... }, but is a list; A path: the steps that a resident follows"
     );
 }

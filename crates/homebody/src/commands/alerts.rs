@@ -15,8 +15,8 @@ use std::time::Duration;
 /// Report changes from the resident's own baseline, day by day
 ///
 /// Homebody compares each measure of a day with the resident's last two weeks. Days away and incomplete days do not count, nor do
-/// measures that need a silent sensor; a silent sensor has its own alert. --rules replaces the rules, a few lines of JSON;
-/// docs/reference/measures.md lists the default ones.
+/// measures that need a silent sensor; a silent sensor has its own alert. --rules replaces the default rules by those of a JSON
+/// file; docs/reference/measures.md lists the default rules.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody alerts runs/tigerplace-depression-1

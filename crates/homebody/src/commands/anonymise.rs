@@ -36,7 +36,7 @@ pub struct Arguments {
     /// Destination: FILE.csv, FILE.db, casas:FILE and so on (homebody convert --help lists all forms)
     #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Url,
-    /// Shift dates by N weeks; without it, the first week becomes that of 1 January 2001
+    /// Shift dates by N weeks (default: the first week becomes that of 1 January 2001)
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(i64).range(-52_000..=52_000))]
     weeks: Option<i64>,
     /// Keep the activities

@@ -39,8 +39,8 @@ pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
 /// Instants stay exact to the microsecond. Names and values do not change, except in the form of CASAS, which has local
 /// time only and no blanks in names.
 ///
-/// Activities of the log are converted, too: in CASAS as notes at their beginning and end, in other forms on the rows and in a
-/// separate table: in SQLite the table activity, in CSV a second file such as week.activity.csv.
+/// Homebody also converts activities. In CASAS they become notes at their start and end; in other forms they are a column of the
+/// rows and a separate table (in SQLite activity, in CSV a second file such as week.activity.csv).
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody convert log.db --out casas:log.txt

@@ -41,10 +41,10 @@ pub struct Arguments {
     /// Shortest absence: 10m, 30m, 2h
     #[arg(long, value_name = "DURATION", default_value = "30m", value_parser = span)]
     away_after: Micros,
-    /// First day of the map, such as 2009-03-02; the first day of the log without it
+    /// First day of the map, such as 2009-03-02 (default: the first day of the log)
     #[arg(long, value_name = "DATE")]
     from: Option<dates::Asked>,
-    /// Number of days; all days without it
+    /// Number of days (default: all days)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3660))]
     days: Option<u32>,
     /// The home's time zone, for a log in UTC; a run has its own

@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 {EXIT_CODES}.
 The exit code is 1 if a check is wrong; warnings do not count."))]
 pub struct Arguments {
-    /// Places to check; the installation without any
+    /// Places to check (default: the installation)
     #[arg(value_name = "PLACE")]
     places: Vec<String>,
     /// logger.json with the table and column names of a log

@@ -15,7 +15,7 @@ use homebody_core::scenario::nearest::nearest;
   homebody explain log            list the messages about logs
   homebody explain                list all messages")]
 pub struct Arguments {
-    /// The code of a message, or the part before `::`; without it, all messages are listed
+    /// The code of a message, or the part before `::` (default: list all messages)
     #[arg(value_name = "CODE")]
     code: Option<String>,
 }

@@ -14,9 +14,9 @@ use std::fmt;
 
 /// Find intervals in a log: in a room, sensor on, falls, alerts
 ///
-/// Each result has its start and its duration. For a run, rooms, activities, falls and lost messages come from the ground truth. For
-/// another log, a resident is in a room from an event there until the next event in another room. --between cuts the intervals
-/// first; --min-duration then selects.
+/// Each result has its start and its duration. For a run, rooms, activities, falls and lost messages come from the ground truth.
+/// For another log, a resident is in a room from an event there until the next event in another room. Homebody first cuts the
+/// intervals to the hours of --between, and then drops those shorter than --min-duration.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody find runs/tigerplace-1 room bathroom --between 0-6

@@ -23,8 +23,8 @@ use std::path::PathBuf;
 /// Homebody fits the timing of the sensors, the rhythm of the resident, how much the resident moves and turns, how days differ, and
 /// the shares of repeated and lost messages. It simulates the fitted scenario and compares it with days that it did not use.
 ///
-/// The scenario has one resident. Its sensors have the names of the log, or its logger.json maps their ids. Walls, furniture and
-/// everything else that a log does not show stay as in the scenario.
+/// The scenario must have one resident. Its sensors must have the names that the log uses, unless its logger.json maps their ids.
+/// Walls, furniture and everything else that a log does not show stay as in the scenario.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody fit week.csv --home my-home --out fitted
@@ -48,13 +48,13 @@ pub struct Arguments {
     /// Scenario with the home of the log
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
-    /// First and last training day; the first half of the log without it. The other days are test days
+    /// First and last training day (default: the first half of the log). The other days are test days
     #[arg(long, value_name = "FROM..TO", value_parser = days)]
     training_days: Option<(Date, Date)>,
     /// New folder for the fitted scenario
     #[arg(short, long, value_name = "FOLDER")]
     out: PathBuf,
-    /// The home's time zone, for a log in UTC; the scenario's without it
+    /// Time zone of the home, for a log in UTC (default: that of the scenario)
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     /// Print the report as one JSON object

@@ -13,9 +13,9 @@ use std::path::{Path, PathBuf};
 
 /// Make a scenario from a plan of Sweet Home 3D
 ///
-/// Homebody imports rooms, walls, doors and furniture, and sets levels that stairs connect next to each other. It reports what it left
-/// out or guessed. The resident is Anna, with an ordinary routine. Homebody lists the furniture that the routine needs and the home
-/// lacks, with a line for home.json each; --furnish adds it. Sensors are up to you.
+/// Homebody imports rooms, walls, doors and furniture. It places levels that are connected by stairs side by side. It reports what
+/// it left out or guessed. The resident is Anna, with an ordinary routine. Homebody lists the furniture that the routine needs and
+/// the home lacks, each with a line to paste into home.json; --furnish adds it for you. Sensors are up to you.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody import flat.sh3d my-home && homebody check my-home
@@ -29,8 +29,8 @@ pub struct Arguments {
     plan: PathBuf,
     /// New folder for the scenario
     folder: PathBuf,
-    /// Level of the plan, by its name or by its number from below; without it, the level of the entrance, and those that stairs
-    /// connect to it
+    /// Level of the plan, by its name or by its number from below (default: the level of the entrance, and those that stairs
+    /// connect to it)
     #[arg(long, value_name = "NAME")]
     level: Option<String>,
     /// Add furniture that the routine needs and the plan lacks or makes unreachable

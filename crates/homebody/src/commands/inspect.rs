@@ -26,9 +26,10 @@ use std::path::{Path, PathBuf};
   homebody inspect runs/tigerplace-1 --png log.png
   homebody inspect week.csv --home scenarios/tigerplace --sensors sensors.csv --json log.json --html log.html
 
-An ON after an ON is repeated; an OFF without an ON has a missing ON. A sensor is dead if it sends
-nothing for the last two days or more, and for three times its longest earlier silence. A motion sensor
-is stuck if it is on for 6 h; a sensor of readings is stuck after 50 equal values over a day.
+An ON that follows an ON counts as a repeated message; an OFF without an ON before it counts as a
+missing ON. A sensor is dead if it has sent nothing for the last two days or more, and for at least
+three times its longest earlier silence. A motion sensor is stuck if it is on for 6 h; a sensor of
+readings is stuck after 50 equal values over a day.
 
 The kind of a sensor is motion, contact, used, reading or other. Homebody takes it from the first of:
 a sensors.csv in the log's folder (columns id,kind), the log's source, the home, the values, the name,
@@ -39,7 +40,7 @@ state after it counts neither as an event nor as a missing message.
 pub struct Arguments {
     #[command(flatten)]
     log: Mapped,
-    /// Compare the sensors with the home of this scenario: unknown, silent, or of another kind
+    /// Compare with the home of this scenario, and report sensors that are unknown, silent or of another kind
     #[arg(long, value_name = "SCENARIO")]
     home: Option<PathBuf>,
     /// CSV file with the columns id and name: the home's names of the log's sensors

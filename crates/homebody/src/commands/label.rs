@@ -44,7 +44,7 @@ pub struct Arguments {
     log: String,
     #[command(flatten)]
     how: HowRead,
-    /// Ground truth of the same run: a database, or csv:FILE and so on; the run folder's without it
+    /// Ground truth of the same run: a database, or csv:FILE and so on (default: the ground truth in the run folder)
     truth: Option<String>,
     /// Destination: FILE.csv, FILE.db, casas:FILE and so on, as listed below
     #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]

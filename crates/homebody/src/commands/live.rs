@@ -16,9 +16,9 @@ use std::time::{Duration, Instant};
 
 /// Simulate a home in real time until you stop it
 ///
-/// Homebody writes the log, the ground truth and the recording into live/NAME, or into --folder. --out sends the rows to servers and
-/// to standard output as they come. After a stop or a crash, the same command resumes: Homebody simulates the time in between as fast
-/// as possible, and no row is missing or doubled.
+/// Homebody writes the log, the ground truth and the recording into live/NAME, or into --folder. --out sends the rows to servers
+/// and to standard output as they come. After a stop or a crash, the same command resumes: Homebody simulates the time in between
+/// as fast as possible. No row is missing; brokers and readers may receive a row twice, with the same number.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody live scenarios/tigerplace
@@ -38,10 +38,10 @@ pub struct Arguments {
     /// Homebody simulates the time before now as fast as possible.
     #[arg(long, value_name = "TIME", default_value = "now")]
     start: Start,
-    /// Folder of the home; live/NAME without it
+    /// Folder of the home (default: live/NAME)
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
-    /// Seed of all random numbers; the scenario's without it
+    /// Seed of all random numbers (default: that of the scenario)
     #[arg(long)]
     seed: Option<u64>,
     /// Leave out a condition of the routine; repeatable

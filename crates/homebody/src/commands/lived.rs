@@ -47,11 +47,11 @@ impl Output {
     }
 }
 
-/// The options for destinations that are away.
+/// The options for unavailable destinations.
 #[derive(clap::Args)]
-#[command(next_help_heading = "Destinations that are away")]
+#[command(next_help_heading = "Unavailable destinations")]
 pub struct Away {
-    /// Action while a server is away or does not answer
+    /// Action while a server is unavailable
     ///
     /// The reader of standard output counts as a server.
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
@@ -68,9 +68,9 @@ pub struct Away {
 
 /// The longest answer time of a destination.
 #[derive(clap::Args)]
-#[command(next_help_heading = "Destinations that are away")]
+#[command(next_help_heading = "Unavailable destinations")]
 pub struct DestinationTimeout {
-    /// Treat a server as away if one request takes longer than this: 500ms, 10s or 2m
+    /// Treat a server as unavailable if one request takes longer than this: 500ms, 10s or 2m
     ///
     /// The reader of standard output counts as a server.
     #[arg(long, value_name = "DURATION", value_parser = timeout, default_value = "10s")]
@@ -317,7 +317,7 @@ pub fn go_on_by(folder: &Path) -> String {
     format!("homebody run --resume {}", folder.display())
 }
 
-/// The failure of an error. If a signal stopped the run while a server was away, it prints the error and returns the signal's failure.
+/// The failure of an error. If a signal stopped the run while a server was unavailable, it prints the error and returns the signal's failure.
 pub fn failure(error: Error, go_on_by: impl Fn(&Path) -> String, signals: &Signals) -> Failure {
     match (&error, signals.ended(true)) {
         (Error::StoppedAway { folder, .. }, Err(signal)) => {

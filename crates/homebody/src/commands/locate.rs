@@ -19,7 +19,7 @@ use std::path::PathBuf;
 /// Sensors do not identify people: with several residents, Homebody cannot tell which of them was where. In a home with one resident,
 /// it reports another person only if the log is much less likely without one.
 ///
-/// With --follow, Homebody writes no files and prints changes as rows arrive, from the rows until then.
+/// With --follow, Homebody writes no files. It prints changes as rows arrive, using only the rows received so far.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody locate runs/tigerplace-1 --home scenarios/tigerplace --out located
@@ -29,15 +29,16 @@ use std::path::PathBuf;
   tail -n +1 -F home.txt | homebody locate casas:- --home my-home --follow --json
 
 With --follow, Homebody prints a line when the room of a resident or its probability changes; with
---json one object a line. Standard input ends with its last line, a file when you stop the program.
+--json one object per line. Homebody stops at the end of standard input; it follows a file until you
+stop the program.
 Between two rows, Homebody evaluates each 30 s of log time, and prints changes with the next row.
 
 Files in the new folder:
   where.csv      a row for each change: time, resident, room, probability of the room, x and y in
                  metres, doing (out, walks, stands, busy, still, motionless)
   rooms.csv      the probability of each room: time, resident, room, probability from then on; a
-                 row for each change by 0.05 or more. The room is out for not at home, and empty
-                 for between rooms
+                 row for each change by 0.05 or more. The room is \"out\" if the resident is not at
+                 home, and empty if the resident is between rooms
   scenario.json  the home with a path for each resident, for homebody run and homebody serve
   run            the run of that path: log, ground truth, recording
   given          a copy of the log
@@ -64,10 +65,10 @@ pub struct Arguments {
     /// Seconds between two reads of the log with --follow
     #[arg(long, value_name = "SECONDS", default_value_t = 5, requires = "follow", value_parser = clap::value_parser!(u64).range(1..=86_400))]
     poll: u64,
-    /// The home's time zone, for a log in UTC; the scenario's without it
+    /// Time zone of the home, for a log in UTC (default: that of the scenario)
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
-    /// Print the report as one JSON object; with --follow one object a line
+    /// Print the report as one JSON object; with --follow one object per line
     #[arg(long)]
     json: bool,
     #[command(flatten)]

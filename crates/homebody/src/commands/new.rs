@@ -11,14 +11,14 @@ use std::path::{Path, PathBuf};
 
 /// Make a scenario from a template, a log or a picture of a plan
 ///
-/// Homebody creates the folder with a scenario from a template, with an empty one, or with one from the log of a home without a plan.
+/// Homebody creates the folder and a scenario in it: a copy of a template, an empty home, or a schematic home from a log.
 ///
-/// Draw an empty home on the page of homebody serve, over a picture of the plan if you have one. Its resident is Anna, with an
-/// ordinary routine; homebody check lists the furniture that the routine needs and the home lacks.
+/// Start with an empty home and draw it on the page of homebody serve, over a picture of the plan if you have one. Its resident is
+/// Anna, with an ordinary routine; homebody check lists the furniture that the routine needs and the home lacks.
 ///
-/// From a log, Homebody guesses a schematic home. It takes rooms, furniture and positions from the names of the sensors and from the
-/// activities, and neighbouring rooms from the order and the delay of events. With a picture of the plan and the positions of the
-/// sensors on it, sensors are at those positions, and Plan on the page shows the picture below the drawing.
+/// From a log, Homebody guesses a schematic home. It takes rooms, furniture and positions from the names of the sensors and from
+/// the activities, and neighbouring rooms from the order and the delay of events. If you give a picture of the plan and the
+/// position of each sensor on it, Homebody places the sensors there, and the Plan view shows the picture beneath the drawing.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Templates:
 {}
@@ -54,7 +54,8 @@ pub struct Arguments {
     /// Picture of the plan (PNG or JPEG), to draw over on the page
     #[arg(long, value_name = "FILE", conflicts_with = "template")]
     image: Option<PathBuf>,
-    /// Position of a point: its pixels from the upper left corner, and its metres to the east and north; give two points
+    /// A point of the picture, in pixels from its upper left corner, and the same point in metres east and north of the origin;
+    /// give two points
     #[arg(long, value_name = "X,Y=EAST,NORTH", requires = "image")]
     known: Vec<Known>,
     /// The home's time zone; a run has its own

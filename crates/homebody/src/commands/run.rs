@@ -47,10 +47,11 @@ with the feature cloud can write the folder to an object store.
 Columns of --profiles:
   name        name of the member's folder
   seed        the member's own seed; by default from the name and the seed of the run
-  age         in years; the routine mentions it, nothing else depends on it
+  age         in years; it changes only the text of the routine
   pace_mps    walking speed in metres a second
   conditions  conditions instead of the routine's, joined by +; or none
-  severity    mild, moderate or severe; joined by +, or one for all, as in the next three columns
+  severity    mild, moderate or severe: one value for all conditions, or one for each, joined by +
+              (the same in the next three columns)
   onset       start of the condition: week 6, day 40 or 2009-04-13; by default the start of the run
   over        time from the onset to the full effect: 10 days, 4 weeks
   until       end of the condition: week 12, day 80, 2009-06-01
@@ -63,7 +64,7 @@ pub struct Arguments {
     scenario: Option<PathBuf>,
     #[command(flatten)]
     trust: Trust,
-    /// Duration of the run: 90s, 15m, 2h, 7d or 52w; the scenario's without it
+    /// Duration of the run: 90s, 15m, 2h, 7d or 52w (default: that of the scenario)
     ///
     /// Days and weeks follow the calendar: a run of 7d ends at the hour at which it started, even if clocks change in between.
     #[arg(long = "for", value_name = "DURATION", value_parser = length)]
@@ -71,10 +72,10 @@ pub struct Arguments {
     /// Other commands and Python have it; here it leads to `--for`, whose value has a unit.
     #[arg(long = "days", hide = true, value_parser = UnknownArgumentValueParser::suggest("--for sets the duration, such as --for 7d"))]
     _days: Option<()>,
-    /// Start of the run in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00; the scenario's without it
+    /// Start of the run in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00 (default: the start in the scenario)
     #[arg(long, value_name = "TIME")]
     start: Option<Start>,
-    /// Seed of all random numbers; the scenario's without it
+    /// Seed of all random numbers (default: that of the scenario)
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
     /// Leave out a condition of the routine; repeatable
@@ -87,28 +88,29 @@ pub struct Arguments {
     /// `homebody parameters` lists all parameters with units and ranges. The recording stores the values.
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = number)]
     numbers: Vec<(String, f64)>,
-    /// Simulate a cohort of so many members, on all processors
+    /// Simulate a cohort of N members, on all processors
     ///
-    /// Each member varies from the routine as people vary, and has a folder.
+    /// Members differ from the routine as real people differ from one another, and each has its own folder.
     #[arg(long, value_name = "N", help_heading = "Cohorts", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_MEMBERS)))]
     members: Option<u32>,
     /// Resume the interrupted run or cohort in this folder
     ///
-    /// Homebody simulates the run from its start, compares what the folder holds, and writes what is missing. In the end, log and ground
-    /// truth have the bytes of an uninterrupted run. In a cohort, complete members stay and all others are resumed.
+    /// Homebody simulates the run again from its start, checks the existing files of the folder against it, and writes the missing
+    /// rows. The finished log and ground truth are byte for byte those of an uninterrupted run. In a cohort, complete members stay
+    /// and all others are resumed.
     #[arg(long, value_name = "FOLDER",
           conflicts_with_all = ["scenario", "length", "seed", "without", "numbers", "start", "members", "profiles", "truth_tables", "recording", "force", "replace_rows"])]
     resume: Option<PathBuf>,
     /// Simulate a cohort from a CSV file with a row for each member
     ///
-    /// The first line names the columns; only the column name is required. An empty cell means the scenario's value. Everything else
-    /// varies as people vary.
+    /// The first line names the columns; only the column name is required. An empty cell means the scenario's value. All other
+    /// properties vary between members as they do between real people.
     #[arg(long, value_name = "FILE", conflicts_with = "members", help_heading = "Cohorts")]
     profiles: Option<PathBuf>,
     /// Ground truth tables that a cohort stores
     ///
-    /// By default a cohort stores all tables, and one of more than 10,000 days in total only the brief ones. `homebody replay` of a
-    /// member's recording writes the others.
+    /// By default a cohort stores all tables, but a cohort of more than 10,000 days in total stores only the brief ones. `homebody
+    /// replay` of a member's recording writes the others.
     #[arg(long, value_name = "TABLES", value_enum, help_heading = "Cohorts")]
     truth_tables: Option<TruthTables>,
     #[command(flatten)]

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 /// Write the JSON Schemas of the scenario files, for editors
 #[derive(clap::Args)]
 #[command(
-    after_long_help = "Example:\n  homebody schema schemas\n\nMost editors use the schema that \"$schema\" in a file names."
+    after_long_help = "Example:\n  homebody schema schemas\n\nMost editors use the schema named by the \"$schema\" key of a file."
 )]
 pub struct Arguments {
     /// Folder for the schemas; Homebody creates it if necessary

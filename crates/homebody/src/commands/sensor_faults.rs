@@ -11,11 +11,11 @@ use std::path::PathBuf;
 
 /// Detect sensor faults from the log of a home
 ///
-/// Homebody reports sensors that are stuck, dead or weak, lose messages, fire without cause, look in another direction than the plan
-/// says, or have a wrong clock, and since when.
+/// Homebody reports sensors that are stuck, dead or weak, lose messages, fire without cause, face a different direction from that
+/// in the plan, or have a wrong clock, and since when.
 ///
-/// It locates the residents from the log, and compares each sensor with the path from all sensors and from all other sensors. It
-/// also compares each sensor with its own other days; a log of two weeks or more gives the best result.
+/// It locates the residents from all sensors, and again without each sensor in turn, and compares that sensor with both paths. It
+/// also compares each sensor with its own behaviour on other days; use a log of two weeks or more if you can.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody sensor-faults runs/tigerplace-1 --home scenarios/tigerplace
@@ -32,7 +32,7 @@ pub struct Arguments {
     /// Scenario with the home of the log
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
-    /// The home's time zone, for a log in UTC; the scenario's without it
+    /// Time zone of the home, for a log in UTC (default: that of the scenario)
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]

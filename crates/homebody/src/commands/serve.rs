@@ -37,7 +37,7 @@ pub struct Arguments {
     scenario: PathBuf,
     #[command(flatten)]
     trust: Trust,
-    /// Port; without it, the first free one from 8642 on
+    /// Port (default: the first free one from 8642 on)
     #[arg(long)]
     port: Option<u16>,
     /// Store port and token in this file, so that the address stays the same; only you can read the file

@@ -23,10 +23,11 @@ use std::sync::Mutex;
 /// Suggest where to mount sensors, and what each sensor adds
 ///
 /// Homebody simulates people in the home with the routine of its first resident, each with variations: some with the conditions of
-/// --goals from day 61 on, some without. Candidates are a motion sensor in each room, one above each seat, the shower and the toilet,
-/// a sensor in each bed and a contact on each outer door. Homebody picks the sensor whose log scores best on the goals, then the one
-/// that adds most, and so on (two at once where one adds nothing), and finally exchanges sensors that others beat. The report also
-/// scores the sensors that the home has. scenarios/tigerplace takes about a minute.
+/// --goals from day 61 on, some without. Candidates are a motion sensor in each room, one above each seat, the shower and the
+/// toilet, a sensor in each bed and a contact on each outer door. Homebody picks the sensor whose log scores best on the goals,
+/// then the one that adds most, and so on (two at once where one adds nothing). At the end, Homebody replaces a sensor if a
+/// different candidate scores better. The report also scores the sensors that the home has. scenarios/tigerplace takes about a
+/// minute.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody suggest-sensors scenarios/tigerplace --count 6
@@ -35,8 +36,8 @@ use std::sync::Mutex;
   homebody suggest-sensors my-home --goals falls --count 5 --device fibaro
 
 Goals: a condition that comes with the program; a measure of homebody measures, such as meals or
-time-out; night-bathroom; falls, by the share of the floor that sensors see. JSON has \"sensors\", as
-home.json takes them, and \"steps\".")]
+time-out; night-bathroom; falls, by the share of the floor that sensors see. The JSON has \"sensors\",
+in the form that home.json uses, and \"steps\".")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,

@@ -245,12 +245,12 @@ fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
     assert!(!folder.path("runs").exists());
     // It begins where nothing is, but for what is hidden.
     folder.write("mine/mine.txt", "mine");
-    folder.run("run flat --members 2 --for 1m --out csv:mine").fails(1, "[kit::not-empty]: mine already contains mine.txt");
+    folder
+        .run("run flat --members 2 --for 1m --out csv:mine")
+        .fails(1, "[kit::not-empty]: mine already contains mine.txt");
     folder.write("new/.hidden", "");
     folder.run("run flat --members 2 --for 1m --quiet --out csv:new").ok();
-    folder
-        .run("run flat --members 2 --for 1m --quiet --out csv:new")
-        .fails(1, "kit::not-empty");
+    folder.run("run flat --members 2 --for 1m --quiet --out csv:new").fails(1, "kit::not-empty");
 }
 
 #[test]

@@ -152,10 +152,10 @@ fn a_day_or_a_log_that_is_not_there_is_refused() {
         ("density runs/flat-1 --from 2", 2, "write a date"),
         ("density runs/flat-1 --compare nowhere", 1, "[log::not-found]: nowhere"),
         ("density runs/flat-1 --csv a.txt --svg a.txt", 2, "log::same-file"),
-        ("density runs/flat-1 --csv runs/flat-1/log.db --force", 1, "which cannot replace it"),
-        ("density room.txt --compare runs/flat-1 --csv runs/flat-1/log.db --force", 1, "which cannot replace it"),
-        ("density runs/flat-1 --svg runs/flat-1/recording.json --force", 1, "which cannot replace it"),
-        ("day runs/flat-1 first --png runs/flat-1/truth.db --force", 1, "which cannot replace it"),
+        ("density runs/flat-1 --csv runs/flat-1/log.db --force", 1, "log::is-source"),
+        ("density room.txt --compare runs/flat-1 --csv runs/flat-1/log.db --force", 1, "log::is-source"),
+        ("density runs/flat-1 --svg runs/flat-1/recording.json --force", 1, "log::is-source"),
+        ("day runs/flat-1 first --png runs/flat-1/truth.db --force", 1, "log::is-source"),
     ] {
         folder.run(words).fails(code, said);
     }

@@ -242,9 +242,7 @@ fn a_pipe_is_told_as_a_pipe() {
     folder.write("runs/flat-1/recording.json", unfinished.to_string());
     fs::remove_file(folder.path("runs/flat-1/log.db")).unwrap();
     pipe("runs/flat-1/log.db");
-    folder
-        .run("run --resume runs/flat-1")
-        .fails(1, "[log::not-regular]: runs/flat-1/log.db");
+    folder.run("run --resume runs/flat-1").fails(1, "[log::not-regular]: runs/flat-1/log.db");
     fs::remove_file(folder.path("flat/home.json")).unwrap();
     pipe("flat/home.json");
     folder.run("check flat").fails(2, "it is no plain file, but a device or a pipe");

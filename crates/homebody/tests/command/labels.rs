@@ -223,9 +223,7 @@ fn no_file_of_a_run_is_replaced() {
 fn a_log_and_the_tables_of_a_truth_have_files_of_their_own() {
     let folder = flat();
     let before = folder.files();
-    folder
-        .run("run flat --for 5m --quiet --out csv:t.room.csv --truth csv:./t.csv")
-        .fails(2, "log::same-file");
+    folder.run("run flat --for 5m --quiet --out csv:t.room.csv --truth csv:./t.csv").fails(2, "log::same-file");
     assert_eq!(folder.files(), before);
     folder.write("t.cause.csv", "somebody's");
     folder.run("run flat --for 5m --quiet --out csv:t.csv --truth csv:t.csv").fails(1, "[log::exists]: t.cause.csv");

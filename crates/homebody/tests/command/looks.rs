@@ -86,7 +86,9 @@ fn a_mapping_names_another_networks_table() {
     folder.run("convert odd.csv --mapping logger.json --out casas:log.txt").ok();
     assert_eq!(folder.read("log.txt"), "2009-03-02 07:00:00.000000\tM1\t5\n2009-03-02 07:00:09.000000\tM1\t0\n");
     folder.write("wrong.json", r#"{ "colums": {} }"#);
-    folder.run("inspect odd.csv --mapping wrong.json").fails(2, "[log::invalid-mapping]: wrong.json is not a valid logger.json: unknown field `colums`");
+    folder
+        .run("inspect odd.csv --mapping wrong.json")
+        .fails(2, "[log::invalid-mapping]: wrong.json is not a valid logger.json: unknown field `colums`");
 }
 
 #[test]

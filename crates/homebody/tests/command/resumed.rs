@@ -392,7 +392,7 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     let before = left(&folder, "flat-2");
     folder
         .run("run --resume runs/flat-2")
-        .fails(1, "it holds another run\n  hint: it was changed since, or the recording is of");
+        .fails(1, "it holds another run\n  hint: it was changed, or the recording is of");
     assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "and no journal is left");
     folder.write("runs/flat-2/recording.json", &recording);
     folder.run("run --resume runs/flat-2").fails(2, "the run in runs/flat-2 is complete");

@@ -83,7 +83,7 @@ fn a_reader_that_stands_still_stops_neither_the_homes_own_log_nor_a_signal() {
     let up = "homebody_destination_up{scenario=\"studio\",destination=\"jsonl:-\"} 0";
     assert!(seen.contains(up), "{seen}");
     assert_eq!(stop(&folder, &mut home), Some(143), "{}", folder.read("said"));
-    assert!(folder.read("said").contains("was away when the run stopped"), "{}", folder.read("said"));
+    assert!(folder.read("said").contains("was unavailable when the run stopped"), "{}", folder.read("said"));
     let mut first = String::new();
     output.read_to_string(&mut first).unwrap();
     let first = numbers(&first);

@@ -13,7 +13,7 @@ const SCHEMES: [&str; 3] = ["sqlite", "csv", "casas"];
 fn where_no_run_can_be_kept_another_place_is_named() {
     let folder = flat();
     folder.write("runs", "no folder");
-    let said = "hint: run in a folder that you may write, or pass --out to write elsewhere";
+    let said = "hint: run in a folder that you can write to, or pass --out to write elsewhere";
     folder.run("run flat --for 1m").fails(1, said);
     folder.run("run flat --for 1m --out csv:a.csv").ok();
 }
@@ -46,7 +46,9 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
         folder.run(&format!("run flat --for 5000w {words}")).fails(1, said);
         assert_eq!(folder.files(), given, "{words}");
     }
-    folder.run("coverage flat --svg map.svg --json=none/a.json").fails(1, "[log::no-folder]: the folder of none/a.json");
+    folder
+        .run("coverage flat --svg map.svg --json=none/a.json")
+        .fails(1, "[log::no-folder]: the folder of none/a.json");
     folder.run("new none/home").ok();
     folder.run("new file/home").fails(1, "file/home");
     folder.run("schema file").fails(1, "file: ");
@@ -69,7 +71,8 @@ fn a_folder_that_may_not_be_written_says_so() {
     fs::set_permissions(folder.path("closed"), Permissions::from_mode(0o555)).unwrap();
     let may_all = fs::write(folder.path("closed/probe"), "").is_ok();
     // Nobody may make a file here, not even who may all.
-    let (place, said) = if may_all { ("/proc", "/proc/log") } else { ("closed", "[log::write-denied]: cannot write closed/log") };
+    let (place, said) =
+        if may_all { ("/proc", "/proc/log") } else { ("closed", "[log::write-denied]: cannot write closed/log") };
     for scheme in SCHEMES {
         folder.run(&format!("run flat --for 1m --out {scheme}:{place}/log")).fails(1, said);
     }
@@ -98,13 +101,17 @@ fn where_no_room_is_left_nothing_is_half_written() {
         (24, "run flat --for 10d --out sqlite:log.db", "[log::write-failed]: cannot write to the database log.db"),
         (64, "run flat --for 10d --out csv:log.csv", "log.csv: "),
         (64, "run flat --for 10d --out casas:log.txt", "log.txt: "),
-        (24, "run flat --for 10d --out csv:log.csv --out sqlite:log.db --truth truth.db --recording r.json", "error: "),
+        (
+            24,
+            "run flat --for 10d --out csv:log.csv --out sqlite:log.db --truth truth.db --recording r.json",
+            "error[log::",
+        ),
         (24, "run flat --for 10d", "runs/flat-1/"),
         (4, "coverage flat --svg map.svg", "map.svg: "),
         (1, "plan flat --svg plan.svg", "plan.svg: "),
         (4, "coverage flat --png map.png", "map.png: "),
         (1, "coverage flat --json=figures.json", "figures.json: "),
-        (4, "convert given.csv --out sqlite:log.db", "log.db.part: "),
+        (4, "convert given.csv --out sqlite:log.db", "log.db.part"),
         (4, "convert given.csv --out csv:log.csv", "log.csv: "),
         (4, "new home", ".home.part/"),
     ] {
@@ -139,7 +146,7 @@ fn where_there_are_no_threads_it_is_said() {
     ] {
         // A stack for which no machine has room.
         let output = folder.command(words).env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
-        Done::new(words, output).fails(1, "hint: allow this user more threads or memory");
+        Done::new(words, output).fails(1, "hint: raise this user's limits on threads or memory");
         assert_eq!(folder.files(), given, "{words}");
     }
     let mut experiment = folder.command("experiment daily-life --people 2 --days 2");
@@ -184,7 +191,7 @@ fn what_a_run_comes_from_is_never_replaced() {
     }
     assert_eq!(["flat/home.json", "r.json"].map(|name| folder.read(name)), given);
     let said = folder.run("replay r.json --out csv:again.csv").ok().out;
-    assert!(said.contains("the same as the recording"), "{said}");
+    assert!(said.contains("identical to the recording"), "{said}");
 }
 
 #[test]
@@ -196,7 +203,7 @@ fn one_full_device_ends_the_run() {
         folder.run(&words).fails(1, "[log::disk-full]: no space left to write /dev/full");
         assert_eq!(folder.files(), given);
     }
-    folder.run("run flat --for 1s --out sqlite:/dev/full").fails(1, "no file that a database can be in");
+    folder.run("run flat --for 1s --out sqlite:/dev/full").fails(1, "log::not-a-file");
 }
 
 /// What may be replaced, may not while somebody writes it: neither what was there, nor what is to come, nor the recording.

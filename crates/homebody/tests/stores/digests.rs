@@ -204,7 +204,7 @@ fn looked_at(folder: &Folder, name: &str) -> Vec<Row> {
     // A run that is over has its rows in its folder, which a note says.
     loop {
         let Message::Text(text) = page.read().unwrap() else { continue };
-        if text.contains("rows are in") {
+        if text.contains("Stored ") && text.contains(" rows in ") {
             break;
         }
     }

@@ -57,7 +57,7 @@ fn a_database_file_that_holds_more_than_a_run_is_kept() {
     add("CREATE TABLE letters (text TEXT); INSERT INTO letters VALUES ('dear')");
     for to in ["--out sqlite:log.db", "--out csv:log.db", "--truth log.db"] {
         let words = format!("run flat --for 20m --quiet {to} --out csv:other.csv --force");
-        folder.run(&words).fails(1, "is a database that holds the table \"letters\"");
+        folder.run(&words).fails(1, "is a database with the table \"letters\"");
     }
     folder.run("convert runs/none --out sqlite:log.db --force");
     assert_eq!(folder.query("log.db", "SELECT text FROM letters"), ["dear"]);

@@ -98,7 +98,7 @@ export class Finding {
       if (asked !== this.asked) return;
       this.isOfCameras = what === 'seen_fall';
       this.found = found;
-      this.title = this.isOfCameras ? '' : `${of === null || what !== 'on' ? ASKED[what].title : ''}${of === null ? '' : ` ${of}`}${what === 'on' ? ` ${ASKED.on.title}` : ''}`.trim();
+      this.title = this.isOfCameras ? '' : `${of === null || what !== 'on' ? ASKED[what].title : ''}${of === null ? '' : `${what === 'room' ? ' the' : ''} ${of}`}${what === 'on' ? ` ${ASKED.on.title}` : ''}`.trim();
     } catch (error) {
       if (asked === this.asked) [this.found, this.problem] = [null, said(error)];
     } finally {

@@ -18,12 +18,12 @@ use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// Measure how early alerts find conditions, and false alarms
+/// Measure how early alerts find conditions, and how often they are false
 ///
-/// Homebody simulates people with and without conditions in the apartment of the template `older-adult`, with variations as between
-/// people. One in nine has no condition. Each of the others has one of the program's conditions from day 61 on, mild, moderate or
-/// severe in turn. Conditions build up over their known time: infections over days, depression over weeks. The alerts are those of
-/// `homebody alerts`, from the log alone.
+/// Homebody simulates people with and without conditions in the apartment of the template `older-adult`, with the variation that
+/// exists between people. One in nine has no condition. Each of the others has one of the program's conditions from day 61 on,
+/// mild, moderate or severe in turn. Conditions build up over their known time: infections over days, depression over weeks. The
+/// alerts are those of `homebody alerts`, from the log alone.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment alerts --people 200

@@ -10,8 +10,8 @@ use rayon::prelude::*;
 /// Measure whether simulations follow the sentences of routines
 ///
 /// Each case adds sentences to a calm routine, and measures their claims in the ground truth: how often, when, how long, how far. A
-/// claim is "lived" if the measure agrees, "told" if Homebody warns before the run that it does not, and "neither" otherwise. The
-/// exit code is 0 only without a claim that is neither.
+/// claim is "lived" if the measured value agrees with it, "told" if it does not but Homebody warned before the run, and "neither"
+/// otherwise. The exit code is 0 only if every claim is "lived" or "told".
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment claims

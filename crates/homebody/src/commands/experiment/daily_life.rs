@@ -19,8 +19,9 @@ use rayon::prelude::*;
 
 /// Compare simulated older adults with published figures
 ///
-/// Each person has the routine and the apartment of the template `older-adult`, with variations as between people. Homebody measures
-/// sleep, toilet visits, meals, use of time, walks and events, and compares them with published figures. The first day does not count.
+/// Each person has the routine and the apartment of the template `older-adult`, with the variation that exists between people.
+/// Homebody measures sleep, toilet visits, meals, use of time, walks and events, and compares them with published figures. The
+/// first day does not count.
 #[derive(clap::Args)]
 #[command(after_long_help = "Example:\n  homebody experiment daily-life --people 20 --days 14 --png people.png")]
 pub struct Arguments {

@@ -14,8 +14,8 @@ use std::path::PathBuf;
 
 /// Measure the errors of homebody measures
 ///
-/// Homebody compares the measures from logs with those from the ground truth. Homes are those of templates with one resident in turn,
-/// each with its own seed. Each home has two logs: one without losses, and one with every sensor fault.
+/// Homebody compares the measures from logs with those from the ground truth. The homes cycle through the templates that have one
+/// resident, each with its own seed. Each home has two logs: one without losses, and one with every sensor fault.
 ///
 /// With --data, it compares the measures from sensors of real homes with the activities that their logs note.
 #[derive(clap::Args)]

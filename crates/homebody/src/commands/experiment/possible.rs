@@ -17,14 +17,14 @@ use std::path::PathBuf;
 /// Count impossible events in simulations
 ///
 /// These are two people in one spot or walking through each other, visits to an empty home, meals eaten before they are cooked, and
-/// intervals that end before they begin. Without a scenario, Homebody simulates all templates. The exit code is 0 only without
-/// impossible events.
+/// intervals that end before they begin. Without a scenario, Homebody simulates all templates. The exit code is 0 only if no
+/// impossible event occurs.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment possible
   homebody experiment possible my-home --days 365 --json")]
 pub struct Arguments {
-    /// Scenario folders; all templates without any
+    /// Scenario folders (default: all templates)
     scenarios: Vec<PathBuf>,
     /// Days of each scenario
     #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u32).range(1..=3660))]

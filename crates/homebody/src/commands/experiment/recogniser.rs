@@ -12,8 +12,9 @@ use std::path::{Path, PathBuf};
 /// Train a recogniser on simulated days, and test it on a real flat
 ///
 /// Homebody compares it with a recogniser that is trained on real days of the flat. The flat is home A of the data set "ADLs
-/// Recognition Using Binary Sensors" (Ordonez et al. 2013), which is not part of this program: uci_adl_ordonez/OrdonezA_Sensors.txt and
-/// OrdonezA_ADLs.txt in the folder. The routine comes from the first half of its days; the test uses the second half only.
+/// Recognition Using Binary Sensors" (Ordonez et al. 2013), which does not come with Homebody. The folder needs
+/// uci_adl_ordonez/OrdonezA_Sensors.txt and OrdonezA_ADLs.txt. The routine comes from the first half of its days; the test uses the
+/// second half only.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment recogniser --data uci

@@ -12,9 +12,9 @@ use std::fmt;
 
 /// Compare summaries of logs with the routines behind them
 ///
-/// Homes are those of templates with one resident in turn, each with a random routine: times of getting up and going to bed, bathroom
-/// visits at night, showers, meals, outings, and a change after four weeks. Homebody simulates six weeks, summarises the last two from
-/// the log, and checks each sentence.
+/// The homes cycle through the templates that have one resident. Each has a random routine: times of getting up and going to bed,
+/// bathroom visits at night, showers, meals, outings, and a change after four weeks. Homebody simulates eight weeks, summarises the
+/// last four from the log, and checks each sentence.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment round-trip

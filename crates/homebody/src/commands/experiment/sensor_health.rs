@@ -9,8 +9,8 @@ use std::fmt;
 
 /// Measure how well homebody sensor-faults finds faults
 ///
-/// Homes are those of templates in turn, each with its own seed and four faults, each in another motion sensor; every second home has
-/// the other four kinds.
+/// The homes cycle through the templates, each with its own seed. Each home has four faults, in four different motion sensors; odd
+/// and even homes have different kinds of fault.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment sensor-health

@@ -14,15 +14,15 @@ use std::path::{Path, PathBuf};
 
 /// Compare a real house of the SPHERE challenge with its simulation
 ///
-/// Homebody simulates the recorded walks of the resident, and compares the motion sensors. The recordings (Twomey et al. 2016) are not
-/// part of this program: folders with location_0.csv, annotations_0.csv and pir.csv each.
+/// Homebody simulates the recorded walks of the resident, and compares the motion sensors. The recordings (Twomey et al. 2016) do
+/// not come with Homebody. Each is a folder with location_0.csv, annotations_0.csv and pir.csv.
 #[derive(clap::Args)]
 #[command(after_long_help = "Example:\n  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
 pub struct Arguments {
     /// Folder of the recordings, or the folder above it if it is called `train`
     #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
-    /// Another model of the house; the template `sphere-house` without it
+    /// Another model of the house (default: the template `sphere-house`)
     #[arg(long, value_name = "SCENARIO")]
     house: Option<PathBuf>,
     /// Seed of all random numbers

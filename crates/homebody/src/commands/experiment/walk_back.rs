@@ -14,9 +14,9 @@ use std::fmt;
 
 /// Measure how well homebody locate finds residents from logs
 ///
-/// Homebody compares the located rooms with the ground truth, and with two simpler methods. Homes are those of templates in turn, each
-/// with its own seed; the last of five has two residents and a cat. Each home has two logs: one without losses, and one with every
-/// sensor fault. The method knows the home and its sensors, and nothing of the routines.
+/// Homebody compares the located rooms with the ground truth, and with two simpler methods. The homes cycle through the templates,
+/// each with its own seed; every fifth home has two residents and a cat. Each home has two logs: one without losses, and one with
+/// every sensor fault. The method knows the home and its sensors, and nothing of the routines.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment walk-back
@@ -62,7 +62,7 @@ impl Arguments {
     }
 }
 
-/// Of the homes of one resident alone, which come before the last of [`HOMES`]: the number of such a one among all.
+/// The number of a home among all homes, by its number among those with one resident, which come before the last of [`HOMES`].
 pub(super) fn of_one(number: usize) -> usize {
     let of_one = HOMES.len() - 1;
     number / of_one * HOMES.len() + number % of_one

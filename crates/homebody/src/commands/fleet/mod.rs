@@ -27,8 +27,9 @@ use told::{Telling, bar};
 
 /// Load a back end with thousands of homes in real time
 ///
-/// One process simulates all homes. The seed and the number of a home decide its events; no other option changes them. With several
-/// scenarios, homes take them in turn. Homebody reports the message rate and the delays every few seconds, and the totals at the end.
+/// One process simulates all homes. The scenario, the start, the seed and the number of a home decide its events; the number of
+/// homes and the speed do not. With several scenarios, homes take them in turn. Homebody reports the message rate and the delays
+/// every few seconds, and the totals at the end.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody fleet scenarios/tigerplace --homes 1000 --out 'mqtt://localhost/load?discovery=off' --for 10min
@@ -61,10 +62,10 @@ pub struct Arguments {
     /// Simulated seconds per second from the start on, 0.1 to 1000, instead of real time
     #[arg(long, value_name = "FACTOR", value_parser = speed)]
     speed: Option<f64>,
-    /// Real duration, such as 10min; without it, the fleet runs until you stop it
+    /// Real duration, such as 10min (default: the fleet runs until you stop it)
     #[arg(long = "for", value_name = "DURATION", value_parser = span)]
     lasts: Option<Micros>,
-    /// Seed of all random numbers; the first scenario's without it
+    /// Seed of all random numbers (default: that of the first scenario)
     #[arg(long)]
     seed: Option<u64>,
     /// Leave out a condition of the routines; repeatable
@@ -87,7 +88,7 @@ pub struct Arguments {
     /// Time between two reports
     #[arg(long, value_name = "DURATION", default_value = "5s", value_parser = span)]
     report_every: Micros,
-    /// Write all reports to this file, one JSON object a line; the last has the totals
+    /// Write all reports to this file, one JSON object per line; the last has the totals
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
     /// Write a CSV file with the scenario, seed, run and clock error of each home

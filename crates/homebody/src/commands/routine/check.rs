@@ -12,7 +12,8 @@ use std::path::{Path, PathBuf};
 
 /// Report all problems of the routines of a scenario
 ///
-/// Each problem of a routine or a condition has its word, what Homebody expected there, and the nearest known name.
+/// For each problem of a routine or a condition, the report gives the offending word, the expected input and the nearest known
+/// name.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody routine check scenarios/tigerplace
@@ -30,10 +31,10 @@ pub struct Arguments {
     /// Simulate the scenario, and list the sentences that it did not follow
     #[arg(long)]
     lived: bool,
-    /// Days to simulate with --lived; the scenario's without it
+    /// Days to simulate with --lived (default: all days of the scenario)
     #[arg(long, value_name = "N", requires = "lived", value_parser = clap::value_parser!(u32).range(1..=36_525))]
     days: Option<u32>,
-    /// Seed of all random numbers with --lived; the scenario's without it
+    /// Seed of all random numbers with --lived (default: that of the scenario)
     #[arg(long, value_name = "N", requires = "lived")]
     seed: Option<u64>,
     /// Replace an existing file

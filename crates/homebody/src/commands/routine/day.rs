@@ -22,10 +22,10 @@ use homebody_picture::{DayChart, day_chart};
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// Date, such as 2009-03-02; the second day of the run without it, because the first begins at night
+    /// Date, such as 2009-03-02 (default: the second day of the run, because the first begins at night)
     #[arg(value_name = "DATE")]
     date: Option<jiff::civil::Date>,
-    /// Seed of all random numbers; the scenario's without it
+    /// Seed of all random numbers (default: that of the scenario)
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
     /// Leave out a condition of the routine; repeatable

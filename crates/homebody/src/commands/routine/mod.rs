@@ -7,7 +7,7 @@ mod explain;
 use crate::failure::Failure;
 use clap::Subcommand;
 
-/// Check, explain and try routines, days in plain language
+/// Check, explain and try routines, which describe days in plain language
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody routine check scenarios/tigerplace

@@ -28,9 +28,9 @@ const STRIP_EVERY: Micros = 1_000_000;
 /// Silhouettes are the only pictures that a simulated camera stores. Without an output, Homebody prints their number by camera and their
 /// times. --png and --svg draw moments side by side, with a row for each camera.
 ///
-/// --out writes all silhouettes, by the extension: .apng is a film with the cameras side by side, which browsers show. .csv and .jsonl
-/// have a row for each silhouette: box, centre, direction, elongation, and the position and height of the body by this camera alone.
-/// Any other name is a new folder of PNG files, in folders by camera.
+/// --out writes all silhouettes in a form that depends on the extension. .apng is a film of the cameras side by side, which
+/// browsers can play. .csv and .jsonl have a row for each silhouette: box, centre, direction, elongation, and the position and
+/// height of the body by this camera alone. Any other name is a new folder of PNG files, in folders by camera.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody silhouettes runs/cameras-1
@@ -53,7 +53,7 @@ pub struct Arguments {
     /// Last moment
     #[arg(long, value_name = "TIME")]
     to: Option<String>,
-    /// Time between two pictures; without it, all pictures, and 1s for --png and --svg
+    /// Time between two pictures (default: all pictures, and 1s for --png and --svg)
     #[arg(long, value_name = "DURATION", value_parser = span)]
     every: Option<Micros>,
     /// Number of moments in --png and --svg
