@@ -361,10 +361,7 @@ fn a_home_has_at_most_1024_sensors_and_32768_beams() {
         said(&files)
     };
     assert_eq!(with(1024, 32), "");
-    assert_eq!(
-        with(1025, 1),
-        r#"home.json:26:14: "sensors" must have at most 1024 items, but has 1025; Sensors"#
-    );
+    assert_eq!(with(1025, 1), r#"home.json:26:14: "sensors" must have at most 1024 items, but has 1025; Sensors"#);
     assert_eq!(with(129, 256), "home.json:155:1: the sensors up to this one have more than 32768 beams together");
 }
 
