@@ -75,7 +75,7 @@ test('what is wrong is underlined and told, and so is that the days are those of
   expect(region('Interpretation').textContent).not.toContain('about 06:45');
   expect(region('Problems').textContent).toContain('1 problem');
   expect(region('Problems').textContent).toContain('did you mean "watches television"?');
-  expect(region('Days').textContent).toContain('not understood. These days are shown as they were before the mistake.');
+  expect(region('Days').textContent).toContain('not understood. These days are from before the mistake.');
   expect(button('Go to line')).toBeTruthy();
   expect([button('Watch run').disabled, button('Run all days').disabled]).toEqual([true, true]);
   // A problem that is older than the text is grey, and its button is dead.
