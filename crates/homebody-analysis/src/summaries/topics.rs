@@ -11,8 +11,11 @@ pub(super) struct Topic {
     pub least_sd: f64,
 }
 
-/// By name: subject, range, least standard deviation. Of several measures with one subject, a summary has one.
-const TOPICS: [(&str, &str, Option<(f64, f64)>, f64); 17] = [
+/// The name of a measure, its subject, its range and its least standard deviation.
+type Row = (&'static str, &'static str, Option<(f64, f64)>, f64);
+
+/// Of several measures with one subject, a summary has one.
+const TOPICS: [Row; 17] = [
     ("bedtime", "bedtime", Some((18.0, 30.0)), 0.4),
     ("rising", "getting up", Some((3.0, 14.0)), 0.4),
     ("sleep", "night", Some((0.0, 14.0)), 0.4),

@@ -50,8 +50,7 @@ Columns of --profiles:
   age         in years; it changes only the text of the routine
   pace_mps    walking speed in metres a second
   conditions  conditions instead of the routine's, joined by +; or none
-  severity    mild, moderate or severe: one value for all conditions, or one for each, joined by +
-              (the same in the next three columns)
+  severity    mild, moderate or severe; one for all conditions or one each, joined by +, as in the next three columns
   onset       start of the condition: week 6, day 40 or 2009-04-13; by default the start of the run
   over        time from the onset to the full effect: 10 days, 4 weeks
   until       end of the condition: week 12, day 80, 2009-06-01
