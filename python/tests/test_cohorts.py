@@ -267,7 +267,7 @@ def test_a_script_that_begins_a_local_cluster_as_it_is_imported_is_told_how(tmp_
 
 def test_a_cohort_begins_where_nothing_is(tmp_path: Path) -> None:
     (tmp_path / "mine.txt").write_text("mine")
-    with pytest.raises(hb.Exists, match="holds mine.txt already\n  hint: a cohort begins where nothing is"):
+    with pytest.raises(hb.Exists, match="already contains mine.txt\n  hint: name a new or an empty folder"):
         hb.cohort("studio", 1, tmp_path, days=0.1)
     assert [path.name for path in tmp_path.iterdir()] == ["mine.txt"]
 
@@ -320,7 +320,7 @@ def test_more_members_than_there_may_be_are_refused_on_both_sides() -> None:
     for count in (0, MOST + 1):
         with pytest.raises(ValueError, match=f"profiles is {count}"):
             hb.cohort("studio", count, "never")
-        with pytest.raises(hb.ScenarioError, match=f"a cohort of {count} members is none"):
+        with pytest.raises(hb.ScenarioError, match=f"a cohort cannot have {count} members"):
             _homebody.Cohort(hb.scenario("studio")._scenario, {**wanted, "residents": count})
 
 

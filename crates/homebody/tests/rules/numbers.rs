@@ -65,7 +65,6 @@ const LIMITS: [&str; 4] = ["MOST", "LARGEST", "LONGEST", "GREATEST"];
 /// Files whose fields are keys of a scenario's files, with defaults of ours: they are set there.
 const FORMS: &str = "crates/homebody-core/src/scenario/";
 
-
 /// A constant that is a limit, or whose comment says that it is ours.
 #[derive(Debug, PartialEq)]
 pub(super) struct Fixed {
