@@ -63,7 +63,7 @@ test('the recording is lived again, to the same firings', { timeout: 240_000 }, 
   await page.getByText('The replay matches the recording').first().waitFor();
   await page.locator(`tr[aria-rowindex="${before.length + 1}"]`).waitFor();
   assert.deepEqual(await shown(page), before);
-  assert.match(served.homebody('replay', 'runs/tigerplace-1/recording.json', '--out', 'csv:again.csv'), /the same as the recording/);
+  assert.match(served.homebody('replay', 'runs/tigerplace-1/recording.json', '--out', 'csv:again.csv'), /identical to the recording/);
 });
 
 test('the log is downloaded as it is stored', { timeout: 240_000 }, async () => {
