@@ -1,4 +1,4 @@
-//! The messages of the program, each with a stable code: declared in one place per area by [`messages!`], listed by `homebody explain`,
+//! The messages of the program, each with a stable code: declared in one place per area by [`crate::messages!`], listed by `homebody explain`,
 //! and written into one snapshot for readers.
 
 pub use crate::problem::{Diagnose, Severity};
