@@ -417,7 +417,7 @@ fn lost_messages_are_those_of_the_truth_by_their_sensor_and_without_one_nobody_k
     let connection = Connection::open(stored.file("truth.db")).unwrap();
     let told: i64 = connection.query_row("SELECT count(*) FROM lost", [], |row| row.get(0)).unwrap();
     assert!(lost.all > 10 && lost.all == told as u64, "{} of {told}", lost.all);
-    let sensor = lost.hits[0].words.split(" said ").next().unwrap().to_owned();
+    let sensor = lost.hits[0].words.split(": ").next().unwrap().to_owned();
     let own = find(&stored, FindWhat::Lost, &sensor, None, 0.0);
     assert!(own.all > 0 && own.hits.iter().all(|hit| hit.words.starts_with(&sensor)));
     drop(connection);
