@@ -24,7 +24,7 @@ pub struct Entry {
 
 /// All messages that an area declares.
 pub trait Catalogue {
-    /// In the order in which they are declared.
+    /// The entries, in the order of the declaration.
     const ENTRIES: &'static [Entry];
 }
 
@@ -120,9 +120,8 @@ impl<T: Datum> Datum for Option<T> {
 /// assert_eq!(DoorMessage::ENTRIES[0].hint, Some("move it into a wall"));
 /// ```
 ///
-/// After the hint may stand `cause (EXPRESSION)`, the error that caused this one. A hint that depends on the data is
-/// `advice (EXPRESSION)`, an `Option<String>`. A part `=> inner { Variant(Type); }` at the end
-/// holds errors of other areas as they are.
+/// After the hint may stand `cause (EXPRESSION)`, an `Option` of the error that caused this one. A hint that depends on the data is
+/// `advice (EXPRESSION)`, an `Option<String>`. A part `=> inner { Variant(Type); }` at the end holds errors of other areas unchanged.
 #[macro_export]
 macro_rules! messages {
     (
@@ -200,7 +199,7 @@ macro_rules! messages {
                 match self {
                     $(
                         Self::$variant $(($only))? $({ $($field),* })? => {
-                            $(return Some($cause as &(dyn std::error::Error + 'static));)?
+                            $(return $cause;)?
                             #[allow(unreachable_code)]
                             None
                         }

@@ -25,7 +25,7 @@ fn the_key_of_a_row_is_that_of_its_form() {
     assert_eq!(keys, KINDS.iter().map(|kind| kind.key).collect::<Vec<_>>());
 }
 
-/// What `docs/reference/sensors.md` lacks of a kind: its line, or something that it says.
+/// The parts of a kind that `docs/reference/sensors.md` lacks: its line, or one of its messages.
 fn missing(document: &str, kind: &KindRow) -> Vec<String> {
     let first = format!("| `{}` |", kind.key);
     let lines = document.lines().skip_while(|line| !line.starts_with(&first));

@@ -26,7 +26,8 @@ homebody_core::messages! {
             why: String,
             /// The system's message, where it was asked.
             source: Option<io::Error>,
-        } error "file" ("{}: {why}", path.display());
+        } error "file" ("{}: {why}", path.display())
+            cause (source.as_ref().map(|source| source as _));
         /// Homebody comes with some example scenarios, which are templates of new ones. None has this name.
         Template {
             /// The name asked for.
@@ -205,12 +206,12 @@ homebody_core::messages! {
             away: Box<LogError>,
             /// The folder to resume, where there is one.
             folder: Option<PathBuf>,
-        } error "stopped-away" ("{away}") cause (away.as_ref());
+        } error "stopped-away" ("{away}") cause (Some(away.as_ref()));
         /// A destination of the caller's own failed.
         Sink {
             /// Its error.
             source: BoxError,
-        } error "sink" ("a destination failed: {source}") cause (source.as_ref());
+        } error "sink" ("a destination failed: {source}") cause (Some(source.as_ref()));
         /// The system gives the program no threads.
         Threads {
             /// The system's message.
@@ -312,5 +313,21 @@ impl From<Unfindable> for Error {
 impl From<Problem> for Error {
     fn from(problem: Problem) -> Error {
         Error::Problems(Problems(vec![problem]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::error::Error as _;
+
+    #[test]
+    fn an_error_of_a_file_leads_to_that_of_the_system() {
+        assert!(Error::io(Path::new("a"), io::ErrorKind::NotFound.into()).source().is_some());
+        assert!(Error::file(Path::new("a"), "it is empty").source().is_none());
+        let source = Some("the third is too many".into());
+        let (place, what, hint) = ("mine".to_owned(), "it failed".to_owned(), None);
+        let error = LogError::Destination { place, what, hint, passes: false, source };
+        assert_eq!(error.source().map(ToString::to_string).as_deref(), Some("the third is too many"));
     }
 }

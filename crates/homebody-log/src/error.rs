@@ -131,7 +131,7 @@ homebody_core::messages! {
             /// The system's message.
             source: io::Error,
         } error "no-thread" ("cannot start a thread that writes {place}: {source}")
-            hint ("raise this user's limits on threads or memory, or run fewer simulations at once") cause (source);
+            hint ("raise this user's limits on threads or memory, or run fewer simulations at once") cause (Some(source));
         /// A resumed run was stopped before it reached the end of the part that the destination has.
         NotYet {
             /// The destination.
@@ -245,7 +245,7 @@ homebody_core::messages! {
             place: String,
             /// The system's message.
             source: io::Error,
-        } error "io" ("{place}: {source}") cause (source);
+        } error "io" ("{place}: {source}") cause (Some(source));
         /// The file is not a database, or a damaged one.
         Broken {
             /// The file.
@@ -253,7 +253,7 @@ homebody_core::messages! {
             /// The database's message.
             source: Box<dyn Error + Send + Sync>,
         } error "not-a-database" ("{place} is not a database, or is damaged: {source}")
-            hint ("restore the file, or name another one") cause (source.as_ref());
+            hint ("restore the file, or name another one") cause (Some(source.as_ref()));
         /// The database reports an error that Homebody does not know.
         Database {
             /// The database's file.
@@ -261,7 +261,7 @@ homebody_core::messages! {
             /// The database's message.
             source: Box<dyn Error + Send + Sync>,
         } error "database" ("{place}: {source}")
-            hint ("name another file, or a copy of this one from before it was changed") cause (source.as_ref());
+            hint ("name another file, or a copy of this one from before it was changed") cause (Some(source.as_ref()));
         /// The database opens, but its journal does not.
         NoRoomBeside {
             /// The database's file.
@@ -270,7 +270,7 @@ homebody_core::messages! {
             source: Box<dyn Error + Send + Sync>,
         } error "no-journal" ("cannot open the journal of {place}: {source}")
             hint ("check the permissions of its folder and the number of open files that the system allows (ulimit -n)")
-            cause (source.as_ref());
+            cause (Some(source.as_ref()));
         /// The command reads the file that it is asked to write.
         IsSource {
             /// The file.
@@ -284,7 +284,7 @@ homebody_core::messages! {
             /// The system's message.
             source: io::Error,
         } error "no-run-folder" ("cannot create the folder {place}: {source}")
-            hint ("run in a folder that you can write to, or pass --out to write elsewhere") cause (source);
+            hint ("run in a folder that you can write to, or pass --out to write elsewhere") cause (Some(source));
         /// The spool holds the rows of an unavailable destination. It has reached its largest size.
         SpoolFull {
             /// The destination.
@@ -324,7 +324,7 @@ homebody_core::messages! {
         Recording {
             /// The reason.
             source: serde_json::Error,
-        } error "recording" ("cannot write the recording: {source}") cause (source);
+        } error "recording" ("cannot write the recording: {source}") cause (Some(source));
         /// No time zone has this name.
         Zone {
             /// The reason, with a hint.
@@ -380,7 +380,8 @@ homebody_core::messages! {
             passes: bool,
             /// The error that caused it.
             source: Option<Box<dyn Error + Send + Sync>>,
-        } error "destination" ("{place}: {what}") advice (hint.clone());
+        } error "destination" ("{place}: {what}") advice (hint.clone())
+            cause (source.as_ref().map(|source| source.as_ref() as _));
         => inner {
             /// The text does not name a place for a log.
             NoPlace(NoPlace);
@@ -519,7 +520,7 @@ pub(crate) fn place_of(path: &Path) -> String {
     path.display().to_string()
 }
 
-/// The lines that cannot be read, each by its place, as far as they are listed.
+/// The lines that cannot be read, each with its place, and a count of the rest.
 fn listed(place: &str, problems: &[Skipped], skipped: u64) -> String {
     let mut lines: Vec<String> = problems.iter().map(|line| format!("{}: {}", line.place(place), line.why)).collect();
     let rest = skipped.saturating_sub(lines.len() as u64);

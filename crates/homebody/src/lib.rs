@@ -62,9 +62,12 @@ pub fn command() -> clap::Command {
     whole.help_template(template)
 }
 
-fn parse<'a>(words: impl IntoIterator<Item = &'a OsString>) -> Result<Arguments, clap::Error> {
-    let mut matches = command().try_get_matches_from(words)?;
-    Arguments::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command()))
+fn parse<'a>(
+    mut whole: clap::Command,
+    words: impl IntoIterator<Item = &'a OsString>,
+) -> Result<Arguments, clap::Error> {
+    let mut matches = whole.try_get_matches_from_mut(words)?;
+    Arguments::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut whole))
 }
 
 /// Runs the command of a command line, whose first word is the program's name. Returns the exit code. No thread may run before.
@@ -72,8 +75,9 @@ pub fn run(words: Vec<OsString>) -> u8 {
     signals::outlive_full_files();
     homebody_kit::elsewhere::install_all();
     let words = without_help_of_help(words);
-    let notes = old_names::notes(&command(), &words);
-    let arguments = match parse(&words) {
+    let whole = command();
+    let notes = old_names::notes(&whole, &words);
+    let arguments = match parse(whole, &words) {
         Ok(arguments) => arguments,
         Err(error) => {
             notes.iter().for_each(tell);
@@ -111,7 +115,7 @@ fn with_meant(error: clap::Error, words: &[OsString]) -> clap::Error {
         Some(value) if value.starts_with('=') => OsString::from(format!("{meant}{value}")),
         _ => word.clone(),
     };
-    let Err(other) = parse(&words.iter().map(replaced).collect::<Vec<_>>()) else { return error };
+    let Err(other) = parse(command(), &words.iter().map(replaced).collect::<Vec<_>>()) else { return error };
     let is_refused = text(other.get(ContextKind::InvalidArg)).is_some_and(|arg| arg.starts_with(&meant));
     if let Some(tips) = other.get(ContextKind::Suggested).filter(|_| is_refused) {
         error.remove(ContextKind::SuggestedArg);

@@ -1,4 +1,4 @@
-//! All messages of the program, in the order in which `homebody explain` lists them.
+//! All messages of the program, in the order of `homebody explain`.
 
 use homebody_core::messages::{Catalogue, Entry};
 
