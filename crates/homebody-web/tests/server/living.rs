@@ -82,7 +82,7 @@ fn a_recording_is_replayed_to_the_same_firings() {
     let id = served.only_run().file_name().unwrap().to_str().unwrap().to_owned();
     page.say(r#"{"say":"speed","times":null}"#);
     page.say(&json!({ "say": "replay", "run": id }).to_string());
-    assert_eq!(page.until_told("The same as the recording").rows, first.rows);
+    assert_eq!(page.until_told("matches the recording").rows, first.rows);
     page.say(r#"{"say":"replay","run":"../by-hand"}"#);
     page.until_told("there is no run");
 }

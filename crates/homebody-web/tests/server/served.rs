@@ -222,10 +222,12 @@ impl Page {
 }
 
 impl Page {
-    /// Reads until something is told, and returns all that came on the way and the frame after it.
+    /// Reads until a note holds the text, and returns all that came before it and the frame after it.
     pub fn until_told(&mut self, text: &str) -> Seen {
+        let begun = Instant::now();
         let mut seen = Seen::default();
         while !seen.notes.iter().any(|note| note.contains(text)) {
+            assert!(begun.elapsed() < LONGEST_WAIT, "no note holds {text:?}: {:?}", seen.notes);
             let next = self.until(|_| true);
             seen.rows.extend(next.rows);
             seen.notes.extend(next.notes);
