@@ -1,34 +1,11 @@
 //! The messages of the program, each with a stable code: declared in one place per area by [`messages!`], listed by `homebody explain`,
 //! and written into one snapshot for readers.
 
-use crate::problem::Diagnostic;
-use serde::Serialize;
+pub use crate::MESSAGES as ALL;
+use crate::geometry::Point;
+pub use crate::problem::{Diagnose, Severity};
 pub use serde_json::Value;
 use std::path::{Path, PathBuf};
-
-/// The messages of this crate, by area.
-pub const ALL: &[&[Entry]] = &[crate::scenario::scheme::PlaceMessage::ENTRIES];
-
-/// How serious a message is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Severity {
-    /// The command does not do what was asked.
-    #[default]
-    Error,
-    /// The command continues, and its result may not be what was meant.
-    Warning,
-}
-
-impl Severity {
-    /// The word before a message.
-    pub fn word(self) -> &'static str {
-        match self {
-            Severity::Error => "error",
-            Severity::Warning => "warning",
-        }
-    }
-}
 
 /// One declared message, for lists of all messages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,6 +49,12 @@ data_as_json!(String, bool, u8, u16, u32, u64, usize, i64, f64);
 impl Datum for &str {
     fn datum(&self) -> Value {
         Value::from(*self)
+    }
+}
+
+impl Datum for Point {
+    fn datum(&self) -> Value {
+        Value::from(vec![self.x, self.y])
     }
 }
 
@@ -121,12 +104,6 @@ impl<T: Datum> Datum for Option<T> {
     fn datum(&self) -> Value {
         self.as_ref().map_or(Value::Null, Datum::datum)
     }
-}
-
-/// An error or a remark that can be shown to people and read by programs.
-pub trait Diagnose {
-    /// Its code, text, hint and data.
-    fn diagnostic(&self) -> Diagnostic;
 }
 
 /// Declares the messages of an area as an enum: for each variant its data, severity, code, text and hint. The comment above a variant is

@@ -1,9 +1,36 @@
 //! What is wrong with what a user wrote: all of it at once, each with its place and a hint.
 
-use crate::messages::{Diagnose, Severity};
+pub use crate::problems::Problems;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt;
+
+/// How serious a message is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// The command does not do what was asked.
+    #[default]
+    Error,
+    /// The command continues, and its result may not be what was meant.
+    Warning,
+}
+
+impl Severity {
+    /// The word before a message.
+    pub fn word(self) -> &'static str {
+        match self {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        }
+    }
+}
+
+/// An error or a remark that can be shown to people and read by programs.
+pub trait Diagnose {
+    /// Its code, text, hint and data.
+    fn diagnostic(&self) -> Diagnostic;
+}
 
 /// A message for people and programs: its code, its words, what to do, and where in a file it is about.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
@@ -60,30 +87,6 @@ const BEFORE_HINT: &str = "\n  hint: ";
 /// A message is cut to this length, in bytes (ours): what it quotes may be longer.
 const LONGEST_MESSAGE_BYTES: usize = 600;
 
-/// Everything that is wrong, in the order of files and places.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Problems(pub Vec<Problem>);
-
-impl Problems {
-    /// Of each file, whose problems stand together, no more than anybody reads, and how many more there are.
-    pub fn truncated(problems: &[Problem]) -> Problems {
-        let mut kept = Vec::new();
-        for of_file in problems.chunk_by(|a, b| a.file == b.file) {
-            kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
-            if of_file.len() > MOST_PER_FILE {
-                let what = format!("there are {} more problems", of_file.len() - MOST_PER_FILE);
-                kept.push(Problem::of_file(&of_file[0].file, what, None));
-            }
-        }
-        Problems(kept)
-    }
-
-    /// All problems as plain text, each with its source line and carets under the place.
-    pub fn render(&self) -> String {
-        self.0.iter().map(Problem::render).collect::<Vec<_>>().join("\n")
-    }
-}
-
 impl Diagnostic {
     /// A message that is about no file, with the data that it quotes.
     pub fn new(
@@ -118,7 +121,8 @@ impl Diagnostic {
         }
     }
 
-    fn render(&self) -> String {
+    /// The message as plain text with its source line and carets under the place.
+    pub fn render(&self) -> String {
         let mut text = format!("{}\n", self.headline());
         if let Some(excerpt) = &self.excerpt {
             text += &format!("{:>5} | {}\n", self.line, excerpt.text);
@@ -206,29 +210,6 @@ impl Excerpt {
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}{}", self.position(), self.text())
-    }
-}
-
-impl fmt::Display for Problems {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        for (index, problem) in self.0.iter().enumerate() {
-            if index > 0 {
-                writeln!(f)?;
-            }
-            write!(f, "{problem}")?;
-        }
-        Ok(())
-    }
-}
-
-impl std::error::Error for Problems {}
-
-impl Diagnose for Problems {
-    fn diagnostic(&self) -> Diagnostic {
-        match &self.0[..] {
-            [one] => one.clone(),
-            _ => self.to_string().into(),
-        }
     }
 }
 
