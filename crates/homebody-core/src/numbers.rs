@@ -181,7 +181,8 @@ pub fn wrong(known: &[Number], name: &str, value: f64) -> Option<ParameterMessag
         let nearest = nearest(name, known.iter().map(|number| &*number.name)).map(str::to_owned);
         return Some(ParameterMessage::Unknown { name: name.to_owned(), nearest });
     };
-    let (name, Number { value: usual, unit, least, most, .. }) = (name.to_owned(), *number);
+    let Number { value: usual, unit, least, most, .. } = *number;
+    let name = name.to_owned();
     if value.is_nan() {
         return Some(ParameterMessage::NotANumber { name, usual, least, most });
     }
