@@ -49,7 +49,7 @@ crate::messages! {
             least: f64,
             /// The largest value.
             most: f64,
-        } error "out-of-range" ("{name:?} must be from {least} to {most}, but is {value}{}", shown(unit))
+        } error "out-of-range" ("{name:?} must be from {least} to {most}, but is {value}{of_unit}", of_unit = shown(unit))
             hint ("set it from {least} to {most}; its usual value is {usual}");
     }
 }

@@ -90,7 +90,7 @@ crate::messages! {
             sensor: String,
             /// Its point, in metres.
             at: Point,
-        } error "outside-home" ("the sensor {sensor:?} at ({}, {}) is outside the home", short(at.x), short(at.y))
+        } error "outside-home" ("the sensor {sensor:?} at {at} is outside the home", at = written(*at))
             hint ("move it to the inner surface of a wall");
         /// The lens looks at the wall behind the sensor, or at a piece of furniture directly before it.
         FacesSolid {
@@ -106,7 +106,7 @@ crate::messages! {
             camera: String,
             /// Its point, in metres.
             at: Point,
-        } error "camera-outside" ("the camera {camera:?} at ({}, {}) is not in a room", short(at.x), short(at.y))
+        } error "camera-outside" ("the camera {camera:?} at {at} is not in a room", at = written(*at))
             hint ("move it into a room");
         /// A camera is below the ceiling of its room.
         AboveCeiling {
@@ -215,7 +215,8 @@ crate::messages! {
     }
 }
 
-/// A coordinate to the millimetre.
-fn short(value: f64) -> f64 {
-    (value * 1000.0).round() / 1000.0 + 0.0
+/// A point to the millimetre.
+fn written(at: Point) -> String {
+    let short = |value: f64| (value * 1000.0).round() / 1000.0 + 0.0;
+    format!("({}, {})", short(at.x), short(at.y))
 }

@@ -54,6 +54,7 @@ crate::messages! {
             other_ends: bool,
         } error "faults-overlap" ("{sensor:?} cannot be {kind:?} {days}: it is {other:?} {other_days}")
             advice (Some(match other_ends {
+                _ if other == "moved" => "remove one of them".into(),
                 true => "end one of them before the other begins".into(),
                 false => format!("give {other:?} an end with \"days\""),
             }));
@@ -86,7 +87,7 @@ crate::messages! {
             /// The end of the run, in local time.
             end: String,
         } warning "fault-after-end"
-            ("the fault {kind:?}{} begins on {begin}, after the run ends on {end}", of_sensor(sensor))
+            ("the fault {kind:?}{whose} begins on {begin}, after the run ends on {end}", whose = of_sensor(sensor))
             hint ("days count from 0: let the fault begin before the end, or run longer with --for");
         /// The sensors send at the same instants. On this kind of radio no sensor waits for another, so their messages collide and are lost.
         Simultaneous {
@@ -95,7 +96,7 @@ crate::messages! {
             /// The thing that they report.
             thing: String,
         } warning "simultaneous-messages"
-            ("{} report {thing:?} at the same instants, and their messages collide", together(sensors))
+            ("{names} report {thing:?} at the same instants, and their messages collide", names = together(sensors))
             hint ("remove one of them, or choose another network");
     }
 }
@@ -188,8 +189,7 @@ fn report_contradiction(report: &mut Report, index: usize, one: &FaultFile, othe
             days: days(other),
             other: one.kind().to_owned(),
             other_days: days(one),
-            // A move has no end, and the fault after it cannot be divided from it.
-            other_ends: one.span().end != NEVER || matches!(one, FaultFile::Moved(_)),
+            other_ends: one.span().end != NEVER,
         },
     };
     report.add(&format!("/faults/{index}"), message);

@@ -130,11 +130,11 @@ fn check_sql_names(report: &mut Report, file: &LoggerFile) {
         ("sensor", &columns.sensor),
         ("value", &columns.value),
     ];
-    for (index, (key, name)) in columns.iter().enumerate() {
+    for (index, &(key, name)) in columns.iter().enumerate() {
         let pointer = format!("/columns/{key}");
         check_sql_name(report, &pointer, name);
-        if let Some((first, _)) = columns[..index].iter().find(|(_, other)| other == name) {
-            report.add(&pointer, LoggerMessage::SameColumn { first, second: key, name: (*name).clone() });
+        if let Some(&(first, _)) = columns[..index].iter().find(|(_, other)| *other == name) {
+            report.add(&pointer, LoggerMessage::SameColumn { first, second: key, name: name.clone() });
         }
     }
 }

@@ -1,6 +1,6 @@
 //! A resident's file: a name of their own, and a place to stand for a body that is driven live.
 
-use super::{Report, Surroundings, at, blocking, folded, solid_name};
+use super::{Report, Surroundings, at as written, blocking, folded, solid_name};
 use crate::geometry::{self, Point, point};
 use crate::problem::Problem;
 use crate::scenario::home::{HomeFile, RoomFile};
@@ -37,7 +37,7 @@ crate::messages! {
             resident: String,
             /// The start, in metres.
             at: Point,
-        } error "start-outside" ("{resident} starts at {}, outside the home", at(*at))
+        } error "start-outside" ("{resident} starts at {at}, outside the home", at = written(*at))
             hint ("move the start into a room");
         /// A resident starts where a person can stand.
         StartBlocked {

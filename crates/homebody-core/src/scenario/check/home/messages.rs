@@ -1,7 +1,7 @@
 //! Messages for the building of `home.json`: its rooms, walls, doors, furniture, places and names.
 
 use crate::geometry::Point;
-use crate::scenario::check::at;
+use crate::scenario::check::at as written;
 
 crate::messages! {
     /// Problems with the building of a home.
@@ -156,7 +156,7 @@ crate::messages! {
             place: String,
             /// Its point, in metres.
             at: Point,
-        } error "place-outside" ("the place {place:?} at {} is outside the home", at(*at))
+        } error "place-outside" ("the place {place:?} at {at} is outside the home", at = written(*at))
             hint ("move it into a room");
         /// Residents walk to places, so a person can stand at each of them.
         PlaceBlocked {
