@@ -4,7 +4,7 @@ use super::{Desk, problems};
 use crate::effort::Effort;
 use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
 use homebody_core::event::Events;
-use homebody_core::problem::Problem;
+use homebody_core::problem::{Diagnose, Problem};
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::inside::outside_folder;
@@ -59,8 +59,9 @@ impl Desk {
 
     fn try_url(&self, url: &Url) -> Result<String, LogError> {
         let Some(file) = url.file() else { return try_place(url).map(|()| format!("{url} can be written.")) };
-        if let Some(what) = outside_folder(&file.to_string_lossy(), "the run's folder") {
-            return Err(LogError::NoPlace(NoPlace { what, hint: "name a file in there".into() }));
+        if let Some(outside) = outside_folder(&file.to_string_lossy(), "the run's folder") {
+            let what = outside.diagnostic().what;
+            return Err(LogError::NoPlace(NoPlace { what, hint: "name a file in the folder".into() }));
         }
         // Each run has a folder of its own; what matters is whether it can be made.
         let there = self.shelf.runs.ancestors().find(|folder| folder.is_dir() || folder.as_os_str().is_empty());

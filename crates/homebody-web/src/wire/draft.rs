@@ -147,6 +147,8 @@ pub struct MendView {
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct ProblemView {
+    /// The stable code, such as `home::rooms-overlap`; empty for a message without one.
+    pub code: String,
     pub file: String,
     /// From 1; 0 where the file as a whole is meant.
     pub line: u32,
