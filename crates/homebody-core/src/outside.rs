@@ -97,18 +97,14 @@ crate::messages! {
         /// A resident falls where they are, so they have to be at home.
         NotAtHome error "not-at-home" ("the resident is not at home")
             hint ("wait until they come back");
-        /// The driver of the resident decides what happens after a fall. Those of paths, scripts and live input do not know falls.
+        /// The driver of the resident decides what happens after a fall. Only drivers of routines know falls.
         CannotFall error "cannot-fall" ("the resident cannot fall")
             hint ("choose a resident with a routine");
     }
 }
 
 impl OutsideMessage {
-    fn unknown<'n>(
-        kind: &'static str,
-        name: &str,
-        known: impl Iterator<Item = &'n str> + Clone,
-    ) -> OutsideMessage {
+    fn unknown<'n>(kind: &'static str, name: &str, known: impl Iterator<Item = &'n str> + Clone) -> OutsideMessage {
         let nearest = nearest(name, known.clone()).map(str::to_owned);
         OutsideMessage::Unknown { kind, name: name.to_owned(), nearest, known: some_names(known) }
     }

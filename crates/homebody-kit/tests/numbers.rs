@@ -113,7 +113,10 @@ fn refuses_all_wrong_parameters_at_once() {
     let Error::Problems(problems) = wrong else { unreachable!("matched above") };
     let [unknown, large] = [&problems.0[0], &problems.0[1]];
     assert_eq!((unknown.code, &unknown.data["nearest"]), ("parameter::unknown", &"gait.slowest".into()));
-    assert_eq!((large.code, &large.data["most"], &large.data["usual"]), ("parameter::out-of-range", &48.0.into(), &4.0.into()));
+    assert_eq!(
+        (large.code, &large.data["most"], &large.data["usual"]),
+        ("parameter::out-of-range", &48.0.into(), &4.0.into())
+    );
     assert!(scenario.cohort(2).number("need.thirst", f64::NAN).start().is_err());
     assert!(scenario.run().number("gait.slowest", 0.3).start().is_ok());
 }

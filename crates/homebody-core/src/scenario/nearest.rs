@@ -32,7 +32,7 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
 /// A hint shows at most this many known names (our choice).
 const MOST_SHOWN: usize = 12;
 
-/// The hint for an unknown name: the nearest known name, or some of the known names. `None` where there is none.
+/// The hint for an unknown name: the nearest known name, or some of the known names. `None` without known names.
 pub fn suggestion(nearest: &Option<String>, known: &[String]) -> Option<String> {
     let few = &known[..known.len().min(MOST_SHOWN)];
     let more = if few.len() < known.len() { ", ..." } else { "" };

@@ -52,7 +52,7 @@ crate::messages! {
             hint ("give the sensors fewer \"beams\"");
         /// A sensor decides after the wait `refire_s` whether it fires again. It remembers a movement for `persist_s` within that wait.
         PersistTooLong {
-            /// The time for which a movement counts.
+            /// The time during which a movement counts.
             persist_s: f64,
             /// The least wait.
             least_refire_s: f64,

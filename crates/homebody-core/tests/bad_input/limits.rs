@@ -100,20 +100,12 @@ fn rejects_long_texts_lists_and_paths() {
         &format!(r#""home": {text}"#),
         "scenario.json:6:11: json::long-text",
     )]);
-    assert_eq!(
-        reported(&with("home.json", format!("[{values}]"))),
-        "home.json:1:2000001: json::too-many-values"
-    );
+    assert_eq!(reported(&with("home.json", format!("[{values}]"))), "home.json:1:2000001: json::too-many-values");
     let steps = reported(&path(10_001, |_| "{\"wait\":{\"for_s\":1}}".into()));
-    assert_eq!(
-        steps,
-        "ann.path.json:1:24: schema::wrong-count"
-    );
-    let waypoints = reported(&path(130, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(950, |i| format!("[1.{i},1]")))));
-    assert_eq!(
-        waypoints,
-        "ann.path.json:1:24: path::too-many-steps"
-    );
+    assert_eq!(steps, "ann.path.json:1:24: schema::wrong-count");
+    let waypoints =
+        reported(&path(130, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(950, |i| format!("[1.{i},1]")))));
+    assert_eq!(waypoints, "ann.path.json:1:24: path::too-many-steps");
 }
 
 #[test]

@@ -361,10 +361,7 @@ fn a_home_has_at_most_1024_sensors_and_32768_beams() {
         reported(&files)
     };
     assert_eq!(with(1024, 32), "");
-    assert_eq!(
-        with(1025, 1),
-        "home.json:26:14: schema::wrong-count"
-    );
+    assert_eq!(with(1025, 1), "home.json:26:14: schema::wrong-count");
     assert_eq!(with(129, 256), "home.json:155:1: sensor::too-many-beams");
 }
 
@@ -393,8 +390,9 @@ fn rejects_live_input_that_starts_in_an_outside_door() {
 
 #[test]
 fn rejects_an_area_that_reaches_through_a_wall() {
-    let over =
-        |area: &str| reported(&broken(&[("home.json", r#""area": [[6, 1.5], [7.9, 1.5], [7.9, 2.9], [6, 2.9]]"#, area)]));
+    let over = |area: &str| {
+        reported(&broken(&[("home.json", r#""area": [[6, 1.5], [7.9, 1.5], [7.9, 2.9], [6, 2.9]]"#, area)]))
+    };
     assert_eq!(
         over(r#""area": [[3.5, 0.2], [4.5, 0.2], [4.5, 0.8], [3.5, 0.8]]"#),
         "home.json:30:56: sensor::reaches-through"

@@ -102,8 +102,5 @@ fn rejects_deep_nesting() {
     }
     let mut files = good();
     files.insert("ann.path.json".into(), format!("{}{}", "[".repeat(64), "]".repeat(64)));
-    assert_eq!(
-        reported(&files),
-        "ann.path.json:1:1: schema::wrong-type"
-    );
+    assert_eq!(reported(&files), "ann.path.json:1:1: schema::wrong-type");
 }

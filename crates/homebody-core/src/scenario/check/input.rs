@@ -7,7 +7,7 @@ use crate::scenario::nearest::nearest;
 use crate::scenario::source::Source;
 
 crate::messages! {
-    /// Problems with live input.
+    /// Problems with files of held keys.
     pub enum InputMessage in "input" {
         /// The changes of the held keys follow each other in time.
         Backward {

@@ -52,7 +52,7 @@ crate::messages! {
             name: String,
         } error "sql-name" ("{name:?} cannot be the name of a table or a column")
             hint ("use up to 63 of a-z, 0-9 and _, and do not begin with a digit");
-        /// Rows of a log are told apart by the sensor's id. A sensor without an id in `ids` has its name as its id.
+        /// The rows of a log name their sensors by id, so each id is different. A sensor without an id in `ids` has its name as its id.
         SameId {
             /// The first sensor.
             first: String,

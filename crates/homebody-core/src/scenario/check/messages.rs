@@ -3,7 +3,7 @@
 crate::messages! {
     /// Problems with names.
     pub enum NameMessage in "name" {
-        /// A name of blanks cannot be told from others in tables and pictures.
+        /// A name of blanks is invisible in tables and pictures.
         Blank error "blank" ("a name must not be blank")
             hint ("write a name");
         /// Ends of lines, tabs and other control characters in a name would break tables and terminals.

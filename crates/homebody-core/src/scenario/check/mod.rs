@@ -50,11 +50,7 @@ impl Report<'_> {
 
     /// The nearest known name and some of the known names, for problems that are shown only: the search takes long with many names
     /// on both sides.
-    fn names_for<'a>(
-        &self,
-        name: &str,
-        known: impl Iterator<Item = &'a str> + Clone,
-    ) -> (Option<String>, Vec<String>) {
+    fn names_for<'a>(&self, name: &str, known: impl Iterator<Item = &'a str> + Clone) -> (Option<String>, Vec<String>) {
         match self.count() < MOST_PER_FILE {
             true => (nearest(name, known.clone()).map(str::to_owned), some_names(known)),
             false => (None, Vec::new()),

@@ -13,12 +13,12 @@ mod walls;
 pub(in crate::scenario::check) use sensors::check_mounting;
 
 use super::{Report, TOLERANCE_M, at, blocking, is_within, solid_name};
-use messages::HomeMessage;
 use crate::geometry::{At, point};
 use crate::home::plan::Plan;
 use crate::problem::Problem;
 use crate::scenario::home::{GREATEST_SIZE_M, HomeFile};
 use crate::scenario::source::Source;
+use messages::HomeMessage;
 
 /// Checks the file; gives the plan if the building is sound.
 pub fn check(source: &Source, home: &HomeFile, problems: &mut Vec<Problem>) -> Option<Plan> {
