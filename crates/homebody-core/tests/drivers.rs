@@ -122,7 +122,7 @@ fn an_impossible_answer_ends_the_run() {
         assert_eq!(error, DriverError { resident: "resident 1".into(), at: begin, fault }, "{answer:?}");
         let problem = error.diagnostic();
         assert!(problem.code.starts_with("driver::") && problem.hint.is_some(), "{problem:?}");
-        assert_eq!([&problem.data["resident"], &problem.data["at_us"]], [&"resident 1".into(), &begin.into()]);
+        assert_eq!((&problem.data["resident"], &problem.data["at_us"]), (&"resident 1".into(), &begin.into()));
         // It stands at that instant, with all that was before, and goes no further.
         events.facts.retain(|fact| !matches!(fact, Fact::Activity { .. }));
         assert_eq!((run.now(), &events), (begin, &before), "{answer:?}");

@@ -418,14 +418,14 @@ mod tests {
     }
 
     #[test]
-    fn what_no_sensor_wakes_is_wrong() {
+    fn rejects_cameras_that_never_wake_or_never_sleep() {
         let wrong = |file: serde_json::Value| {
             let file: CameraFile = serde_json::from_value(file).unwrap();
-            file.wrong().into_iter().map(|wrong| wrong.what).collect::<Vec<_>>()
+            file.wrong().into_iter().map(|wrong| wrong.message.code).collect::<Vec<_>>()
         };
         let file = json!({ "name": "c", "at": [0, 0], "facing_deg": 0 });
-        assert_eq!(wrong(file), ["no sensor wakes the camera \"c\""]);
+        assert_eq!(wrong(file), ["sensor::camera-never-wakes"]);
         let both = json!({ "name": "c", "at": [0, 0], "facing_deg": 0, "woken_by": ["m"], "always": true });
-        assert_eq!(wrong(both), ["the camera \"c\" never sleeps, so nothing wakes it"]);
+        assert_eq!(wrong(both), ["sensor::camera-never-sleeps"]);
     }
 }
