@@ -111,6 +111,6 @@ fn rejects_long_texts_lists_and_paths() {
 #[test]
 fn messages_quote_no_more_than_a_line() {
     let long = "y".repeat(9_000);
-    let told = reported(&with("home.json", format!("{{ \"{long}\": 0, \"name\": [] }}")));
+    let told = problems(&with("home.json", format!("{{ \"{long}\": 0, \"name\": [] }}"))).to_string();
     assert!(told.len() < 4_000 && told.contains("yyy ... yyy"), "{told}");
 }
