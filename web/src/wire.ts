@@ -831,9 +831,9 @@ texts: { [key in string]: string }, };
 
 export type ProblemView = { 
 /**
- * The stable code, such as `home::rooms-overlap`; empty for a message without one.
+ * The stable code, such as `home::rooms-overlap`.
  */
-code: string, file: string, 
+code?: string, file: string, 
 /**
  * From 1; 0 where the file as a whole is meant.
  */
