@@ -198,7 +198,7 @@ fn rejects_wrong_values_of_a_logger() {
             "logger.json:6:51: logger::no-share"),
         ("logger.json", r#""sqlite:log.db""#, r#""sqlit:log.db""#,
             "logger.json:2:10: place::invalid"),
-        ("logger.json", r#""sqlite:log.db""#, r#""log.db""#,
+        ("logger.json", r#""sqlite:log.db""#, r#""log.txt""#,
             "logger.json:2:10: place::invalid"),
         ("logger.json", r#""sqlite:log.db""#, r#""sqlite:""#,
             "logger.json:2:10: place::invalid"),

@@ -443,7 +443,7 @@ fn a_place_for_a_log_is_tried_without_a_trace() {
     for (url, said) in [
         (format!("csv:{folder}/new.csv"), "is not a file name inside the run's folder"),
         ("csv:../new.csv".into(), "is not a file name inside the run's folder"),
-        ("mysql:log".into(), "is nowhere a log can go"),
+        ("mysql:log".into(), "is not a place for a log"),
         ("log.db".into(), "did you mean \"sqlite:log.db\"?"),
     ] {
         let told = tried(&url);

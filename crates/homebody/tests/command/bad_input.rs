@@ -84,7 +84,7 @@ fn what_is_asked_wrongly_is_refused() {
         ("run flat --paused", "--control"),
         ("run flat --out log.db", "did you mean \"sqlite:log.db\"?"),
         ("run flat --out mysql:log", "write sqlite:FILE, csv:FILE, casas:FILE"),
-        ("run flat --out csv:", "names no file"),
+        ("run flat --out csv:", "does not name a file"),
         ("run flat --owt csv:a", "--out"),
         (
             "new home --template castle",
