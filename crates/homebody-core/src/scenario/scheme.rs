@@ -256,14 +256,18 @@ impl Scheme {
         match row.stands {
             Stands::Server if at.strip_prefix("//").is_none_or(|at| at.trim().is_empty()) => Err(none("server")),
             Stands::Server if told != place => {
-                let what =
-                    readable(format!("{told:?} had a password in it, which shell histories and lists of processes show"));
+                let what = readable(format!(
+                    "{told:?} had a password in it, which shell histories and lists of processes show"
+                ));
                 Err(NoPlace { what, hint: row.scheme.instead_of_password().into() })
             }
             Stands::Text | Stands::File if at.trim().is_empty() => Err(none("file")),
             Stands::File if at == OUTPUT => {
                 let hint = format!("name a file, or write one of {} to standard output", texts());
-                Err(NoPlace { what: readable(format!("{place:?} cannot be standard output: {} is not text", row.name)), hint })
+                Err(NoPlace {
+                    what: readable(format!("{place:?} cannot be standard output: {} is not text", row.name)),
+                    hint,
+                })
             }
             _ => Ok((row.scheme, at)),
         }
