@@ -55,7 +55,7 @@ crate::messages! {
         /// JSON does not allow zeros at the start of a number.
         LeadingZero error "leading-zero" ("a number cannot begin with 0")
             hint ("remove the 0");
-        /// JSON has no comments. Many files of a scenario have the key `about` for remarks.
+        /// JSON has no comments. `scenario.json` and `home.json` have the key `about` for remarks.
         Comment error "comment" ("JSON has no comments")
             hint ("remove it, or write it as the value of \"about\"");
         /// Items of a list and entries of an object are separated by commas.
