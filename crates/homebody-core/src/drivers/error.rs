@@ -50,7 +50,7 @@ crate::messages! {
             to: Point,
         } error "jump" ("its segment begins at {to:.2}, but the body is at {from:.2}")
             hint ("let the body walk there, or leave the home and come back");
-        /// The place is further than [`WALL_M`] from every room and every opening of a door.
+        /// The place is more than half a metre from every room and every opening of a door.
         Outside {
             /// The place.
             at: Point,
