@@ -127,12 +127,12 @@ impl<'a> Walk<'a> {
             };
             let noun = if wanted.ends_with(" 1") { "item" } else { "items" };
             let is_number = |item: &Node| matches!(item.value, Value::Number(..));
-            let meaning = match count == 2 * most && items.iter().all(is_number) {
+            let fix = match count == 2 * most && items.iter().all(is_number) {
                 true => Some(DECIMAL_POINT.into()),
                 false => hint_of(schema),
             };
             let (subject, wanted) = (subject.into(), format!("{wanted} {noun}"));
-            self.report(node.start, SchemaMessage::WrongCount { subject, wanted, count, meaning });
+            self.report(node.start, SchemaMessage::WrongCount { subject, wanted, count, fix });
         }
         let Some(schema) = schema.get("items") else { return };
         for (index, item) in items.iter().enumerate() {

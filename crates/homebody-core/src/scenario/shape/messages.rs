@@ -62,10 +62,10 @@ crate::messages! {
             wanted: String,
             /// The number of items that it has.
             count: u64,
-            /// The meaning of the key, from the schema.
-            meaning: Option<String>,
+            /// The correction, or the meaning of the key.
+            fix: Option<String>,
         } error "wrong-count" ("{subject} must have {wanted}, but has {count}")
-            advice (meaning.clone());
+            advice (fix.clone());
         /// The object has more entries than Homebody reads.
         TooManyKeys {
             /// The key or item.
