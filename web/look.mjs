@@ -104,8 +104,8 @@ for (const scheme of ['light', 'dark']) {
     if (!`${what}-${scheme}`.startsWith(only)) continue;
     const page = await open(query, { scheme, width: 1024, height: 768, hash: '#/log' });
     await check(page, `${what}-${scheme}`);
-    for (const box of await page.getByLabel('as a table').all()) await box.check();
-    await page.getByText('The file’s text').click();
+    for (const box of await page.getByRole('checkbox', { name: 'Table' }).all()) await box.check();
+    await page.getByText('File text').click();
     await check(page, `${what}-tables-${scheme}`);
     await page.close();
   }
@@ -119,8 +119,8 @@ function expect(holds, what) {
 // What only a browser can tell: where the focus goes, what is done while a key is held, what names may do.
 for (const scheme of ['light', 'dark']) {
   const page = await open('?hostile=1&driven=0&residents=1', { scheme, width: 1280, height: 720, wait: 800 });
-  await page.locator('summary[aria-label="What is shown"]').click();
-  await page.getByLabel('as a table').check();
+  await page.locator('summary[aria-label="Layers"]').click();
+  await page.getByLabel('Table').check();
   await check(page, `opened-${scheme}`);
   const far = () => page.locator('.far').first().innerText().catch(() => 'none');
   const before = await far();
@@ -149,12 +149,12 @@ for (const scheme of ['light', 'dark']) {
   await check(page, `token-${scheme}`);
   await page.getByLabel('Token').fill('no token');
   await page.getByRole('button', { name: 'Connect' }).click();
-  expect(await page.getByRole('alert').innerText().then((text) => text.startsWith('This is not a token')), 'what is no token is said to be none');
+  expect(await page.getByRole('alert').innerText().then((text) => text.startsWith('This is not an access token')), 'what is no token is said to be none');
   await page.goto(`${real.address}/#token=${'ab'.repeat(32)}`);
   await page.reload();
   await page.waitForTimeout(900);
   expect(page.url().endsWith('/#/live'), 'the token is gone from the address bar');
-  expect(await page.getByText('connection lost, trying again').isVisible(), 'a lost connection is seen');
+  expect(await page.getByText('connection lost, reconnecting').isVisible(), 'a lost connection is seen');
   await check(page, `lost-${scheme}`);
   await page.close();
 }

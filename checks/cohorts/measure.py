@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Measures cohorts of tigerplace: workers of a cluster beside processes started by hand, and ten times the members beside the members.
+"""Measures cohorts of tigerplace: workers of a cluster against processes started by hand, and ten times the members against the members.
 
 Usage: PYTHON checks/cohorts/measure.py HOMEBODY [workers] [tenfold]
 
-PYTHON is that of an environment with the wheel of `pip install "./python[cluster]"`, HOMEBODY the program of `cargo build --release`, both of one
-version. Without a word more, both are measured. README.md beside this says what else may be said, and what the figures are.
+PYTHON is the interpreter of an environment with the wheel of `pip install "./python[cluster]"`, HOMEBODY the program of `cargo build --release`, both
+of one version. By default the script measures both. README.md in this folder lists the variables and the figures.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ MEMBERS = int(os.environ.get("MEMBERS", "1000"))
 DAYS = float(os.environ.get("DAYS", "28"))
 WORKERS = int(os.environ.get("WORKERS", str(os.cpu_count() or 1)))
 ROUNDS = int(os.environ.get("ROUNDS", "3"))
-#: What clouds ask for an hour of a virtual core, and for a gigabyte in an object store for a month, in dollars.
+#: Prices of clouds, in dollars: an hour of a virtual core, and a gigabyte in an object store for a month.
 CORE_HOUR_USD = float(os.environ.get("CORE_HOUR_USD", "0.05"))
 GB_MONTH_USD = float(os.environ.get("GB_MONTH_USD", "0.023"))
 
@@ -38,7 +38,7 @@ if __name__ == "__main__":
               progress=False)
 """
 
-#: The bare way: each process lives every so-manieth member, and nobody looks after it.
+#: The simplest way: each process simulates every n-th member, without supervision.
 BY_HAND = """
 import sys
 import homebody as hb
@@ -60,18 +60,18 @@ _homebody.Cohort(hb.scenario(scenario)._scenario, wanted).begin(folder)
 
 @dataclass
 class Took:
-    """What something took."""
+    """The time that a measurement took."""
 
     wall_s: float
     cpu_s: float
 
 
 def took(commands: list[list[str]]) -> Took:
-    """What commands take that run side by side."""
+    """The time that commands take when they run at once."""
     before, begun = os.times(), time.perf_counter()
     running = [subprocess.Popen(command) for command in commands]
     if any([process.wait() for process in running]):
-        sys.exit("measure: a command has failed")
+        sys.exit("measure: a command failed")
     after = os.times()
     cpu_s = after.children_user + after.children_system - before.children_user - before.children_system
     return Took(time.perf_counter() - begun, cpu_s)
@@ -84,7 +84,7 @@ def size(folder: Path) -> tuple[int, int]:
 
 
 def workers(scratch: Path) -> None:
-    """Workers of a cluster beside as many processes by hand, in turns."""
+    """Workers of a cluster against as many processes by hand, in turns."""
     script = scratch / "by_cluster.py"
     script.write_text(BY_CLUSTER)
     shares = []
@@ -99,18 +99,18 @@ def workers(scratch: Path) -> None:
         shares.append(hand.wall_s / cluster.wall_s)
         print(
             f"round {number + 1}: {MEMBERS} members of {DAYS:g} days: {WORKERS} workers {cluster.wall_s:.1f} s ({cluster.cpu_s:.1f} s of cores), "
-            f"{WORKERS} processes by hand {hand.wall_s:.1f} s ({hand.cpu_s:.1f} s): {shares[-1]:.3f} of their rate",
+            f"{WORKERS} processes by hand {hand.wall_s:.1f} s ({hand.cpu_s:.1f} s): {shares[-1]:.3f} of the rate by hand",
             flush=True,
         )
-    print(f"workers at {statistics.median(shares):.3f} ({min(shares):.3f}-{max(shares):.3f}) of processes started by hand; wanted: 0.9 or more")
+    print(f"workers reach {statistics.median(shares):.3f} ({min(shares):.3f}-{max(shares):.3f}) of the rate of processes started by hand; target: 0.9 or more")
 
 
 def tenfold(program: str, scratch: Path) -> None:
-    """Ten times as many members between two cohorts of the members, and what a million would take."""
+    """Ten times as many members between two cohorts of the members, and an estimate for a million."""
 
     def lived(members: int) -> tuple[Took, int, int, int]:
         folder = scratch / f"cohort-{members}"
-        words = ["run", str(SCENARIO), "--residents", str(members), "--for", f"{DAYS:g}d", "--seed", "7", "--truth-tables", "brief", "--quiet"]
+        words = ["run", str(SCENARIO), "--members", str(members), "--for", f"{DAYS:g}d", "--seed", "7", "--truth-tables", "brief", "--quiet"]
         cost = took([[program, *words, "--out", f"parquet:{folder}"]])
         rows = sum(member["rows"] for member in json.loads((folder / "cohort.json").read_text())["members"])
         files, in_bytes = size(folder)
@@ -126,13 +126,13 @@ def tenfold(program: str, scratch: Path) -> None:
     last = lived(MEMBERS)
     wall_s, cpu_s = (first[0].wall_s + last[0].wall_s) / 2, (first[0].cpu_s + last[0].cpu_s) / 2
     print(
-        f"ten times as many took {many[0].wall_s / wall_s:.2f} times as long and {many[0].cpu_s / cpu_s:.2f} times the time of cores, "
-        f"and {many[3] / first[3]:.2f} times the bytes; wanted: 9.5 to 10.5"
+        f"ten times as many took {many[0].wall_s / wall_s:.2f} times as long and {many[0].cpu_s / cpu_s:.2f} times the core time, "
+        f"and {many[3] / first[3]:.2f} times the bytes; target: 9.5 to 10.5"
     )
     times = 1_000_000 / (10 * MEMBERS)
     core_h, in_gb = many[0].cpu_s * times / 3600, many[3] * times / 1e9
     print(
-        f"a million members of {DAYS:g} days, on paper: {core_h:.0f} hours of a core, {CORE_HOUR_USD * core_h:.0f} dollars at {CORE_HOUR_USD} an hour; "
+        f"estimate for a million members of {DAYS:g} days: {core_h:.0f} hours of a core, {CORE_HOUR_USD * core_h:.0f} dollars at {CORE_HOUR_USD} an hour; "
         f"{many[1] * times / 1e9:.1f} billion rows, {many[2] * times / 1e6:.1f} million files, {in_gb:.0f} GB, "
         f"{GB_MONTH_USD * in_gb:.0f} dollars a month at {GB_MONTH_USD} for a GB; on 100 cores {core_h / 100:.1f} hours"
     )

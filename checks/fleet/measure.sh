@@ -37,7 +37,7 @@ fleet() {
     name="$1"
     shift
     printf '\n== %s: %s homes, %s min, %s cores\n' "$name" "$homes" "$minutes" "$(nproc)"
-    $pinned "$homebody" fleet "$scenario" --homes "$homes" --for "${minutes}min" --every 60s --json "$@" >report.json
+    $pinned "$homebody" fleet "$scenario" --homes "$homes" --for "${minutes}min" --report-every 60s --json "$@" >report.json
     printf '%s ' "$name"
     grep -E '^  "(messages|messages_per_s|late_median_ms|late_99_ms|late_most_ms|memory_mb|processors|storms|retries)"' report.json |
         tr -d '\n ' | tr ',' ' '
@@ -51,7 +51,7 @@ if [ "$what" = all ] || [ "$what" = broker ]; then
     broker=$!
     sleep 1
     fleet calm --out 'mqtt://127.0.0.1:18830/calm?discovery=off'
-    fleet storms --storm 'every 5min for 30s' --out 'mqtt://127.0.0.1:18830/storms?discovery=off'
+    fleet storms --outages 'every 5min for 30s' --out 'mqtt://127.0.0.1:18830/storms?discovery=off'
 fi
 
 if [ "$what" = all ] || [ "$what" = postgresql ]; then

@@ -1,4 +1,4 @@
-"""A whole Home Assistant beside a broker: prints its MQTT entities, how often each has changed, and how often it was on.
+"""Runs a complete Home Assistant with a broker, and prints its MQTT entities with their numbers of changes and of ON states.
 
     python live.py HOST PORT SECONDS
 """
@@ -25,7 +25,7 @@ async def main(host, port, seconds):
         loader.async_setup(hass)
         hass.config_entries = config_entries.ConfigEntries(hass, {})
         await bootstrap.async_load_base_functionality(hass)
-        # What a whole frontend needs is of no use here.
+        # The frontend is not needed here.
         hass.config.components.update({"http", "file_upload"})
         hass.http = MagicMock()
         changes, ons = {}, {}

@@ -1,8 +1,8 @@
-"""Holds discovery messages against Home Assistant's own schemas, and states against what they say.
+"""Checks discovery messages with Home Assistant's own schemas, and states with the messages.
 
     python schemas.py kept.jsonl
 
-Each line of the file is an object with `topic` and `payload`: what a broker keeps. README.md says how to get both.
+Each line of the file is an object with `topic` and `payload`: a retained message of a broker. README.md describes how to get them.
 """
 
 import asyncio
@@ -21,21 +21,21 @@ SCHEMAS = {
     "switch": switch.DISCOVERY_SCHEMA,
 }
 TOPIC = re.compile(r"^(?P<prefix>.+)/(?P<component>\w+)/(?P<object>[a-zA-Z0-9_-]+)/config$")
-# What the components of a device have in common may stand beside them.
+# The components of a device may share these keys.
 SHARED = ("availability", "availability_topic", "availability_mode", "state_topic", "command_topic", "qos", "encoding")
 
 try:
-    # From Home Assistant 2024.11 on.
+    # Home Assistant 2024.11 and later.
     from homeassistant.components.mqtt.discovery import DEVICE_DISCOVERY_SCHEMA
 except ImportError:
     DEVICE_DISCOVERY_SCHEMA = None
 
 
 def entities(topic, payload):
-    """The entities that a discovery message tells of: kind and configuration."""
+    """The entities of a discovery message: kind and configuration."""
     found = TOPIC.match(topic)
     if not found:
-        raise ValueError("this is no topic of discovery")
+        raise ValueError("this is not a discovery topic")
     config = json.loads(payload)
     if found["component"] != "device":
         return [(found["component"], config)]
@@ -43,20 +43,20 @@ def entities(topic, payload):
         DEVICE_DISCOVERY_SCHEMA(json.loads(payload))
     unknown = set(config) - {"device", "origin", "components", *SHARED}
     if unknown or not config["device"]["identifiers"] or not config["origin"]["name"]:
-        raise ValueError(f"a device has its identifiers, an origin with a name, and nothing else: {unknown}")
+        raise ValueError(f"a device needs identifiers and an origin with a name, without other keys: {unknown}")
     shared = {key: config[key] for key in SHARED if key in config}
     all_of_it = []
     for component in config["components"].values():
         component = dict(component)
         kind = component.pop("platform")
         if "unique_id" not in component:
-            raise ValueError("an entity of a device has a unique_id")
+            raise ValueError("an entity of a device needs a unique_id")
         all_of_it.append((kind, {**shared, "device": config["device"], "origin": config["origin"], **component}))
     return all_of_it
 
 
 def states(hass, config, kept):
-    """What is wrong with what the entity's topic was told last."""
+    """Raises an error if the last message of the entity's topic does not fit its configuration."""
     topic = config.get("state_topic")
     if topic not in kept or "command_topic" in config:
         return
@@ -67,12 +67,12 @@ def states(hass, config, kept):
         said = Template(text, hass).async_render_with_possible_json_value(said, "")
     said = str(said)
     if said == "None":
-        # A device of Zigbee2MQTT says all at once, also what it does not know yet.
+        # A device of Zigbee2MQTT sends all values at once, also unknown ones.
         return
     if "payload_on" in config and said not in (str(config["payload_on"]), str(config["payload_off"])):
-        raise ValueError(f"{said!r} is neither on nor off")
+        raise ValueError(f"{said!r} is neither the on nor the off payload")
     if config.get("options") and said not in config["options"]:
-        raise ValueError(f"{said!r} is none of {config['options']}")
+        raise ValueError(f"{said!r} is not one of {config['options']}")
     if config.get("state_class"):
         float(said)
 
@@ -89,11 +89,11 @@ async def main(hass):
             for kind, config in entities(topic, payload):
                 config = SCHEMAS[kind](config)
                 if config["unique_id"] in unique:
-                    raise ValueError("two entities have one unique_id")
+                    raise ValueError("two entities have the same unique_id")
                 unique.add(config["unique_id"])
                 states(hass, config, kept)
                 checked += 1
-        except Exception as error:  # Whatever is wrong is told.
+        except Exception as error:  # Each error is reported.
             wrong.append(f"{topic}: {error}")
     print(f"{checked} entities agree with Home Assistant, {len(wrong)} messages do not")
     print("\n".join(wrong))

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Imports plans of Sweet Home 3D, lives a day in each, and puts what Sweet Home 3D draws beside what Homebody draws.
+"""Imports plans of Sweet Home 3D, simulates a day in each, and draws each plan next to Homebody's drawing of it.
 
 Usage: PYTHON checks/plans/beside.py HOMEBODY DRAWN TO
 
-PYTHON is that of an environment with Pillow, HOMEBODY the program, DRAWN the folder that Draw.java has filled: NAME.sh3d, with a
-picture NAME.LEVEL.png of each of its levels. In the new folder TO are then NAME.png of each plan, and sheet.png of all.
-Ends with code 1 if fewer than nine in ten of the plans that have all that a life needs are lived in.
+PYTHON is the interpreter of an environment with Pillow, HOMEBODY the program, and DRAWN the output folder of Draw.java: NAME.sh3d, with
+a picture NAME.LEVEL.png of each of its levels. The script creates the folder TO with NAME.png for each plan, and sheet.png for all.
+It exits with code 1 if fewer than nine in ten of the plans with all necessary furniture have an ordinary day.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from lived import LEAST_SHARE, Life, lived
 
-#: What an ordinary life needs, by the words in which its lack is told.
+#: The words of the messages about missing necessary furniture.
 NEEDED = ("nowhere in this home to sleep", "nowhere to sit", "no toilet in this home", "no kitchen in this home")
 HALF = (1000, 760)
 HEAD = 110
@@ -35,7 +35,7 @@ PAPER, INK, FADED = "white", "#202020", "#707070"
 
 @dataclass
 class Found:
-    """What became of a plan."""
+    """The result for a plan."""
 
     name: str
     life: Life
@@ -51,11 +51,11 @@ class Found:
 
     @property
     def outcome(self) -> str:
-        return f"not imported: {self.life.refused}" if self.drawn is None else f"lived in {self.life.outcome}"
+        return f"not imported: {self.life.refused}" if self.drawn is None else f"ordinary day: {self.life.outcome}"
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description="Plans of Sweet Home 3D beside the homes that they become.")
+    parser = argparse.ArgumentParser(description="Draws plans of Sweet Home 3D next to the homes that Homebody makes of them.")
     parser.add_argument("homebody", type=Path)
     parser.add_argument("drawn", type=Path)
     parser.add_argument("to", type=Path)
@@ -75,20 +75,20 @@ def main() -> int:
     sheet(found, pairs).save(arguments.to / "sheet.png", optimize=True)
     whole = [became for became in found if became.has_all]
     lived_in = sum(became.life.is_lived_in for became in whole)
-    print(f"{len(found)} plans, {sum(became.drawn is not None for became in found)} imported, {len(whole)} with all that a life needs; "
-          f"somebody lives in {lived_in} of these")
+    print(f"{len(found)} plans, {sum(became.drawn is not None for became in found)} imported, {len(whole)} with all necessary furniture; "
+          f"{lived_in} of these with an ordinary day")
     return 0 if whole and lived_in >= LEAST_SHARE * len(whole) else 1
 
 
 def levels_of(plan: Path) -> list[Path]:
-    """The pictures of a plan's levels, from below; none of a plan in which nothing is drawn."""
+    """The pictures of a plan's levels, from below; an empty list for an empty plan."""
     number = re.compile(re.escape(plan.stem) + r"\.(\d+)\.png")
     levels = [(int(match[1]), path) for path in plan.parent.iterdir() if (match := number.fullmatch(path.name))]
     return [path for _, path in sorted(levels)]
 
 
 def found_of(homebody: Path, plan: Path) -> Found:
-    """Imports a plan, draws the home, and lives a day in it."""
+    """Imports a plan, draws the home, and simulates a day in it."""
     with tempfile.TemporaryDirectory() as folder:
         life = lived(homebody, plan, Path(folder))
         if life.refused is not None:
@@ -101,7 +101,7 @@ def found_of(homebody: Path, plan: Path) -> Found:
 
 
 def in_a_row(pictures: list[Image.Image]) -> Image.Image:
-    """The levels of a plan beside each other."""
+    """The levels of a plan next to each other."""
     if not pictures:
         return Image.new("RGB", HALF, PAPER)
     row = Image.new("RGB", (sum(picture.width for picture in pictures), max(picture.height for picture in pictures)), PAPER)
@@ -113,7 +113,7 @@ def in_a_row(pictures: list[Image.Image]) -> Image.Image:
 
 
 def beside(found: Found, source: Image.Image) -> Image.Image:
-    """A plan as Sweet Home 3D draws it at the left, as Homebody does at the right, and what became of it above."""
+    """The drawing of Sweet Home 3D on the left, that of Homebody on the right, and the result above."""
     pair = Image.new("RGB", (2 * HALF[0], HEAD + HALF[1]), PAPER)
     pen = ImageDraw.Draw(pair)
     pen.text((20, 14), found.name, INK, font(34))
@@ -126,7 +126,7 @@ def beside(found: Found, source: Image.Image) -> Image.Image:
 
 
 def fitted(picture: Image.Image, size: tuple[int, int]) -> Image.Image:
-    """A picture in the middle of a space, as large as that has room for."""
+    """A picture in the middle of an area, as large as fits."""
     share = min(size[0] / picture.width, size[1] / picture.height)
     small = picture.resize((round(picture.width * share), round(picture.height * share)), Image.Resampling.LANCZOS)
     space = Image.new("RGB", size, PAPER)
@@ -149,7 +149,7 @@ def sheet(found: list[Found], pairs: list[Image.Image]) -> Image.Image:
 
 
 def font(size: int) -> ImageFont.FreeTypeFont:
-    """A font with the letters of many languages, if there is one."""
+    """A font with letters of many languages, if one is installed."""
     try:
         return ImageFont.truetype("DejaVuSans.ttf", size)
     except OSError:

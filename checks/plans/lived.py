@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Imports plans of Sweet Home 3D and simulates a day in each: as it is drawn, and with what it lacks added by --furnish.
+"""Imports plans of Sweet Home 3D and simulates a day in each: with its own furniture, and with missing furniture added by --furnish.
 
 Usage: python3 checks/plans/lived.py HOMEBODY FOLDER...
 
-HOMEBODY is the program; of each FOLDER all NAME.sh3d are gone through, and a table in Markdown comes out, with the reason where
-nobody lives. Ends with code 1 if fewer than nine in ten of the plans that have rooms and furniture are lived in with --furnish.
+HOMEBODY is the program. The script reads all NAME.sh3d of each FOLDER and prints a Markdown table, with the reason if a plan has no
+ordinary day. It exits with code 1 if fewer than nine in ten of the plans with rooms and furniture have an ordinary day with --furnish.
 """
 
 from __future__ import annotations
@@ -19,28 +19,28 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 LEAST_SHARE = 0.9
-#: An ordinary day has so much at least: hours asleep, meals, visits to the bathroom.
+#: The least of an ordinary day: hours asleep, meals, visits to the bathroom.
 LEAST = (4.0, 2, 2)
 DAY = """
 SELECT (SELECT coalesce(sum(julianday(end_at) - julianday(begin_at)), 0) * 24 FROM activity WHERE name = 'sleeping'),
        (SELECT count(*) FROM activity WHERE name LIKE 'eating_%'), (SELECT count(*) FROM activity WHERE name = 'using_bathroom')
 """
-#: How a line begins that says what a life lacks.
-LACK = "nobody can live an ordinary life here yet: "
+#: The beginning of a line about missing furniture.
+LACK = "warning: the ordinary routine cannot run yet: "
 
 
 @dataclass
 class Life:
-    """What came of a plan."""
+    """The result for a plan."""
 
-    #: Why it was not imported; nothing where it was.
+    #: The reason why it was not imported; `None` if it was.
     refused: str | None = None
     rooms: int = 0
     doors: int = 0
     pieces: int = 0
     remarks: list[str] = field(default_factory=list)
     lacks: list[str] = field(default_factory=list)
-    #: Hours asleep, meals and visits to the bathroom; `None` if the home lacks furniture for that.
+    #: Hours asleep, meals and visits to the bathroom; `None` if the home lacks furniture for them.
     day: tuple[float, int, int] | None = None
 
     @property
@@ -58,7 +58,7 @@ class Life:
 
 
 def lived(homebody: Path, plan: Path, folder: Path, *options: str) -> Life:
-    """Imports a plan into a folder, and simulates a day where somebody can live."""
+    """Imports a plan into a folder, and simulates a day if the home has all necessary furniture."""
 
     def run(*words: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run([homebody, *words], cwd=folder, capture_output=True, text=True, check=False)
@@ -70,7 +70,7 @@ def lived(homebody: Path, plan: Path, folder: Path, *options: str) -> Life:
         return Life(refused=said[0] if said else "", remarks=said)
     ready = next((index for index, line in enumerate(said) if line.startswith(f"{name} is ready")), len(said))
     lacks = [line.removeprefix(LACK) for line in said if line.startswith(LACK)]
-    remarks = [line for line in said[:ready] if not line.startswith((LACK, "  ", "anna lives there"))]
+    remarks = [line for line in said[:ready] if not line.startswith((LACK, "  ", "Anna's routine"))]
     home = json.loads((folder / name / "home.json").read_text())
     life = Life(None, len(home["rooms"]), len(home["doors"]), len(home["furniture"]), remarks, lacks)
     if not lacks:
@@ -82,12 +82,12 @@ def lived(homebody: Path, plan: Path, folder: Path, *options: str) -> Life:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description="In which plans of Sweet Home 3D somebody lives.")
+    parser = argparse.ArgumentParser(description="Counts the plans of Sweet Home 3D in which Homebody can simulate an ordinary day.")
     parser.add_argument("homebody", type=Path)
     parser.add_argument("folders", type=Path, nargs="+")
     arguments = parser.parse_args()
     counts = []
-    print("| plan | rooms, doors, pieces | lived in as drawn | with --furnish |")
+    print("| plan | rooms, doors, pieces | ordinary day as drawn | with --furnish |")
     print("|---|---|---|---|")
     for folder in arguments.folders:
         lives = []
@@ -95,7 +95,7 @@ def main() -> int:
             with tempfile.TemporaryDirectory() as scratch:
                 given = arguments.homebody.resolve(), plan.resolve(), Path(scratch)
                 drawn = lived(*given)
-                # A home with all the furniture gets no more.
+                # A home with all the furniture does not need more.
                 furnished = drawn if drawn.is_lived_in else lived(*given, "--furnish")
             lives.append((drawn, furnished))
             size = drawn.refused or f"{drawn.rooms}, {drawn.doors}, {drawn.pieces}"
@@ -108,7 +108,7 @@ def main() -> int:
         whole = [pair for pair in imported if pair[0].rooms and pair[0].pieces]
         shares = [sum(pair[way].is_lived_in for pair in whole) for way in (0, 1)]
         anyhow = sum(pair[1].is_lived_in for pair in imported)
-        print(f"{name}: {len(lives)} plans, {len(imported)} imported, {len(whole)} with rooms and furniture; of these lived in as drawn "
+        print(f"{name}: {len(lives)} plans, {len(imported)} imported, {len(whole)} with rooms and furniture; of these with an ordinary day as drawn "
               f"{shares[0]}, with --furnish {shares[1]}; of all imported with --furnish {anyhow}")
     whole = [furnished for drawn, furnished in every if drawn.rooms and drawn.pieces]
     return 0 if whole and sum(life.is_lived_in for life in whole) >= LEAST_SHARE * len(whole) else 1

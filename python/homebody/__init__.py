@@ -1,4 +1,4 @@
-"""Homes wired with sensors, and the people who live in them, simulated.
+"""Simulates homes with sensors and the people in them.
 
 >>> import homebody as hb
 >>> home = hb.scenario("studio")

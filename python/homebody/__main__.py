@@ -6,7 +6,7 @@ from homebody._homebody import command
 
 
 def main() -> None:
-    """Does what the words of the command line ask for, and ends the program."""
+    """Runs the command with the arguments of the command line, and exits."""
     command(["homebody", *sys.argv[1:]])
 
 

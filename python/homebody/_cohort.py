@@ -1,4 +1,4 @@
-"""Cohorts: many lives side by side, on this machine or on a cluster."""
+"""Cohorts: many simulated people at once, on this machine or on a cluster."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from homebody.profiles import MOST, table
 from homebody.progress import Progress
 from homebody.scenario import Scenario, opened, temporary_folder, wanted_life
 
-#: The file that says what a cohort is, and who was lived.
+#: The manifest of a cohort, with its members.
 LIST = "cohort.json"
 
 Profiles = int | str | PathLike[str] | Iterable[Mapping[str, object]]
@@ -25,29 +25,29 @@ Profiles = int | str | PathLike[str] | Iterable[Mapping[str, object]]
 class Cohort:
     """A cohort in its folder, or below the URL of an object store.
 
-    Logs are ``log/member=0001/log.parquet`` and so on, truths lie apart in ``truth/member=0001/``; both are read as sets that are
-    parted by member. ``cohort.json`` is the manifest: what was asked, by which version, whose seeds, and a digest for each member.
+    Logs are ``log/member=0001/log.parquet`` and so on; the ground truth is in ``truth/member=0001/``. Both are data sets partitioned by
+    member. ``cohort.json`` is the manifest: the request, the version, the seeds, and a digest for each member.
     """
 
     def __init__(self, folder: str | PathLike[str]) -> None:
-        #: Where it lies: a path, or a URL such as ``s3://bucket/cohort``.
+        #: Its location: a path, or a URL such as ``s3://bucket/cohort``.
         self.folder = place(arguments.path("folder", folder, "the folder of a cohort"))
         told = _homebody.list_of_cohort(self.folder)
         try:
             #: The manifest.
             self.manifest: dict[str, Any] = json.loads(told)
         except ValueError as error:
-            raise LogError(f"{self.folder}/{LIST} is no JSON: {error}") from None
+            raise LogError(f"{self.folder}/{LIST} is not valid JSON: {error}") from None
 
     @property
     def members(self) -> list[str]:
-        """The names of those who were lived; nobody until the cohort is over."""
+        """The names of the members; empty until the cohort is complete."""
         return [member["name"] for member in self.manifest["members"]]
 
     def member(self, name: str) -> Log:
-        """The log of a member, with its truth. What lies in an object store is brought here for as long as the program runs."""
+        """The log of a member, with its truth. From an object store, a copy is made for the time of the program."""
         if name not in self.members:
-            raise ValueError(f"name {name!r}: nobody who was lived is called so; members lists them")
+            raise ValueError(f"name {name!r}: the cohort has no such member; see members")
         if "form" not in self.manifest:
             return Log(Path(self.folder) / name)
         folder = Path(self.folder)
@@ -59,7 +59,7 @@ class Cohort:
     @property
     def _form(self) -> str:
         if "form" not in self.manifest:
-            raise LogError(f"{self.folder} is no set: each member has a folder\n  hint: member(name) reads one")
+            raise LogError(f"{self.folder} is not a partitioned data set: each member has its own folder\n  hint: read one with member(name)")
         return str(self.manifest["form"])
 
     def logs(self) -> list[str]:
@@ -68,7 +68,7 @@ class Cohort:
         return [f"{self.folder}/log/member={name}/{_LOGS.get(form, f'log.{form}')}" for name in self.members]
 
     def truths(self, name: str = "activity") -> list[str]:
-        """The files of a table of all truths, in the order of members: paths, or URLs. A truth in a database is one file."""
+        """The files of a table of the truth of all members, in their order: paths, or URLs. A truth in a database is one file."""
         form = self._form
         file = "truth.db" if form in _LOGS else f"truth.{name}.{form}"
         return [f"{self.folder}/truth/member={member}/{file}" for member in self.members]
@@ -77,15 +77,15 @@ class Cohort:
         return len(self.manifest["members"])
 
     def __repr__(self) -> str:
-        return f"<homebody.Cohort {self.folder}: {len(self)} lives of {self.manifest['scenario']}>"
+        return f"<homebody.Cohort {self.folder}: {len(self)} members of {self.manifest['scenario']}>"
 
 
-#: What a log is called in forms whose files do not end as the form is called; their truths are databases.
+#: The names of logs in forms with another file extension; their truths are databases.
 _LOGS = {"sqlite": "log.db", "casas": "log.txt"}
 
 
 def place(folder: str) -> str:
-    """Where a cohort lies, so that it is found from everywhere: a whole path, or a URL as it is."""
+    """The location of a cohort, independent of the working folder: an absolute path, or the given URL."""
     return folder.rstrip("/") if "://" in folder else str(Path(folder).absolute())
 
 
@@ -103,24 +103,24 @@ def cohort(
     workers: int | None = None,
     progress: bool | None = None,
 ) -> Cohort:
-    """Lives many people in a home into a folder, all side by side: with the same bytes wherever that is done.
+    """Simulates many people in a home and writes their logs to a folder. The bytes are the same on every machine and cluster.
 
-    ``profiles`` is how many people, of whom each differs as people do; or a list of them: a file of CSV, or rows such as
-    :func:`homebody.draw` makes. Without ``cluster`` threads of this program live them. ``local`` is a cluster of processes on this
-    machine, and ``tcp://...`` the scheduler of one of Dask, whose workers see the folder under the same path.
+    ``profiles`` is the number of people, who differ as people do; or a list of them: a CSV file, or rows such as
+    :func:`homebody.draw` makes. Without ``cluster``, threads of this program simulate them. ``local`` is a cluster of processes on this
+    machine; ``tcp://...`` is the scheduler of a Dask cluster whose workers see the folder under the same path.
 
-    ``folder`` is new, or empty; in a build with object stores it may be a URL, ``s3://bucket/cohort``. ``truth`` is ``all`` tables of each
-    truth, or ``brief``, without those that have a row for each firing or movement: unless it is said, that is what large cohorts keep,
-    of more than 10,000 days in all.
+    ``folder`` is new or empty; in a build with object stores it may be a URL, ``s3://bucket/cohort``. ``truth`` is ``all`` for all tables
+    of the ground truth, or ``brief`` without those that have a row for each event or movement. The default is ``brief`` for cohorts of
+    more than 10,000 days in all.
 
-    A cohort that was stopped, by Ctrl-C too, or killed is gone on with by the same call. It warns of what is right and hardly meant,
-    such as a condition that begins after the last day.
+    The same call resumes a cohort that was stopped (also by Ctrl-C) or killed. It warns about settings that are valid but probably not
+    intended, such as a condition that begins after the last day.
 
     >>> import tempfile
     >>> import homebody as hb
     >>> folder = tempfile.mkdtemp()
-    >>> lived = hb.cohort("studio", 2, folder, days=0.2, seed=7)
-    >>> lived.members, len(lived.logs())
+    >>> cohort = hb.cohort("studio", 2, folder, days=0.2, seed=7)
+    >>> cohort.members, len(cohort.logs())
     (['0001', '0002'], 2)
     """
     wanted: dict[str, Any] = {
@@ -137,7 +137,7 @@ def cohort(
         try:
             wanted["profiles"] = (fspath(profiles), Path(profiles).read_text(encoding="utf-8"))
         except OSError as error:
-            raise LogError(f"{fspath(profiles)}: {error.strerror}\n  hint: it is a CSV file with a row for each member") from None
+            raise LogError(f"{fspath(profiles)}: {error.strerror}\n  hint: name a CSV file with a row for each member") from None
     elif isinstance(profiles, Iterable) and not isinstance(profiles, Mapping):
         wanted["profiles"] = ("profiles", table(profiles))
     else:
@@ -147,7 +147,7 @@ def cohort(
     if workers is not None:
         arguments.whole("workers", workers, 1, 10_000)
         if cluster != "local":
-            raise ValueError(f"workers is {workers}: only of a local cluster it is asked how many it has\n  hint: cluster=\"local\"")
+            raise ValueError(f"workers is {workers}: only a local cluster takes a number of workers\n  hint: cluster=\"local\"")
     if progress is not None:
         arguments.flag("progress", progress)
     inner = _homebody.Cohort(opened("home", home)._scenario, wanted)
@@ -155,7 +155,7 @@ def cohort(
     for remark in inner.remarks:
         warnings.warn(remark, stacklevel=2)
     if cluster is None:
-        with Progress(f"living {inner.count} lives", progress) as told:
+        with Progress(f"simulating {inner.count} members", progress) as told:
             inner.go_on(folder, told)
     else:
         from homebody.cluster import live

@@ -1,11 +1,11 @@
-"""What is written in Rust. Use it by way of the modules around it."""
+"""The part in Rust. Use the modules around it instead."""
 
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
 from typing import Any
 
 VERSION: str
-#: So many members a cohort has at most.
+#: The largest number of members of a cohort.
 MOST_MEMBERS: int
 
 Told = Callable[[float, float], object]

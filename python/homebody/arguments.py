@@ -1,4 +1,4 @@
-"""What arguments may be: a wrong type says which argument it is, what it is, and what it should be."""
+"""Checks of arguments. An error names the argument, its value and the expected value."""
 
 from __future__ import annotations
 
@@ -7,27 +7,27 @@ from os import PathLike, fspath
 from typing import Any
 
 
-#: No run and no cohort lives for longer.
+#: The longest run, and the longest cohort.
 MOST_DAYS = 36_525
 
 
 def wrong(name: str, value: object, wanted: str) -> TypeError:
-    """The error of an argument that is of another type than it should be."""
-    return TypeError(f"{name} is {value!r}: it is {wanted}")
+    """The error for an argument of a wrong type."""
+    return TypeError(f"{name} is {value!r}; expected {wanted}")
 
 
 def number(name: str, value: object) -> float:
-    """A number; what is true or false is none.
+    """A number; ``True`` and ``False`` are not numbers.
 
     >>> number("days", 7), number("days", 0.5)
     (7.0, 0.5)
     >>> number("days", "ten")
     Traceback (most recent call last):
-    TypeError: days is 'ten': it is a number
+    TypeError: days is 'ten'; expected a number
     """
     if isinstance(value, (bool, str)) or not hasattr(value, "__float__"):
         raise wrong(name, value, "a number")
-    # numpy's numbers, too.
+    # Also for numpy's numbers.
     return float(value)
 
 
@@ -37,31 +37,31 @@ def whole(name: str, value: object, least: int, most: int, what: str = "a whole 
         raise wrong(name, value, what)
     count = int(value.__index__())
     if not least <= count <= most:
-        raise ValueError(f"{name} is {count}: it is from {least:,} to {most:,}")
+        raise ValueError(f"{name} is {count}; expected a number from {least:,} to {most:,}")
     return count
 
 
 def length_days(name: str, value: object) -> float:
-    """How long something is lived, in days.
+    """The length of a run, in days.
 
     >>> length_days("days", -1)
     Traceback (most recent call last):
-    ValueError: days is -1.0: it is longer than nothing, and at most 36,525, which are a hundred years
+    ValueError: days is -1.0; expected more than 0 and at most 36,525 (a hundred years)
     """
     days = number(name, value)
     if not 0 < days <= MOST_DAYS:
-        raise ValueError(f"{name} is {days}: it is longer than nothing, and at most {MOST_DAYS:,}, which are a hundred years")
+        raise ValueError(f"{name} is {days}; expected more than 0 and at most {MOST_DAYS:,} (a hundred years)")
     return days
 
 
 def flag(name: str, value: object) -> bool:
-    """What is true or false; no word is taken for either.
+    """``True`` or ``False``; words are refused.
 
     >>> flag("one_of_many", "no")
     Traceback (most recent call last):
-    TypeError: one_of_many is 'no': it is True or False
+    TypeError: one_of_many is 'no'; expected True or False
     """
-    # numpy's, too.
+    # Also for numpy's values.
     if isinstance(value, bool) or type(value).__name__ in ("bool_", "bool"):
         return bool(value)
     raise wrong(name, value, "True or False")
@@ -81,16 +81,16 @@ def one_of(name: str, value: object, known: Sequence[str]) -> str:
     'all'
     >>> one_of("truth", "some", ("all", "brief"))
     Traceback (most recent call last):
-    ValueError: truth is 'some': it is all or brief
+    ValueError: truth is 'some'; expected all or brief
     """
     wanted = " or ".join(known)
     if text(name, value, wanted) not in known:
-        raise ValueError(f"{name} is {value!r}: it is {wanted}")
+        raise ValueError(f"{name} is {value!r}; expected {wanted}")
     return str(value)
 
 
 def texts(name: str, value: object, wanted: str) -> list[str]:
-    """Several texts, of which one alone is none."""
+    """Several texts; a single text is refused."""
     if isinstance(value, (str, Mapping)) or not isinstance(value, Iterable):
         raise wrong(name, value, wanted)
     return [text(f"{name}[{number}]", one) for number, one in enumerate(value)]

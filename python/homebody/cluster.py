@@ -1,7 +1,7 @@
 """Cohorts on a cluster of Dask: a member is a task.
 
-A task writes the files of its member, which have their names once they are whole, and answers with a few hundred bytes. So a worker that
-is killed loses no more than the members that it was at, and doubles none: whoever does a task again finds what is there.
+A task writes the files of its member and returns a few hundred bytes. Files get their names when they are complete. So a killed worker
+loses only its present members, and no member comes twice: a repeated task finds the files that exist.
 """
 
 from __future__ import annotations
@@ -19,45 +19,45 @@ from homebody import _homebody
 from homebody.errors import ClusterError, HomebodyError, LogError, needs
 from homebody.progress import Progress
 
-#: So many tasks are with the scheduler at once: neither it nor this program has to hold all of a large cohort.
+#: The number of tasks at the scheduler at once, so that neither it nor this program holds all of a large cohort.
 AT_ONCE = 2000
 
-#: What a worker does, as a text: read as a function of this package, it would end a worker that lacks the package before anybody is told.
+#: The code of a task, as text. As a function of this package it would end a worker without the package before Homebody could report it.
 TASK = "__import__('homebody.cluster', fromlist=['live_member']).live_member(folder, index, call)"
 
-#: Of a local cluster: its processes look into themselves less than Dask has them do, and keep the memory that the next life needs
-#: again, up to 64 MiB, where Dask has them give back all but 64 KiB.
+#: Settings of a local cluster: its processes profile themselves less than Dask's default, and keep up to 64 MiB of free memory for the
+#: next member, where Dask's default keeps 64 KiB.
 LOCAL = {
     "distributed.worker.profile.enabled": False,
     "distributed.admin.tick.interval": "500ms",
     "distributed.nanny.pre-spawn-environ.MALLOC_TRIM_THRESHOLD_": 64 * 1024 * 1024,
 }
 
-#: So long a scheduler may take to answer.
+#: The time that a scheduler may take to answer.
 TIMEOUT_S = 10
 
-#: So often a member is tried again whose worker could not live it, such as one whose disk was full.
+#: The number of further attempts for a member after a failure of its worker, such as a full disk.
 RETRIES = 2
 
 
-#: So often it is looked whether those are still there who may live a member, once somebody was found who may not.
+#: The time between checks that suitable workers are still present, once an unsuitable one was found.
 LOOKS_S = 5
 
 
 @lru_cache(maxsize=2)
 def _begun(folder: str, call: str) -> _homebody.Cohort:
-    """The cohort in a folder: each process of a worker opens it once for each call of :func:`live`."""
+    """The cohort in a folder. Each process of a worker opens it once for each call of :func:`live`."""
     try:
         return _homebody.Cohort.left_in(folder)
     except LogError as error:
         raise ClusterError(
             f"a worker does not see the cohort in {folder}: {error}\n"
-            "  hint: it is on a file system that all workers have under the same path, or in an object store"
+            "  hint: use a file system that all workers have under the same path, or an object store"
         ) from None
 
 
 def live_member(folder: str, index: int, call: str = "") -> str:
-    """Lives one member; what became of them, as JSON. This is what a task does."""
+    """Simulates one member and returns its result as JSON. Each task calls this."""
     return _begun(folder, call).live_one(folder, index)
 
 
@@ -68,23 +68,23 @@ def _client(cluster: str, workers: int | None) -> Iterator[Any]:
     from distributed import Client, LocalCluster
 
     if cluster == "local":
-        # Processes, each of which lives one at a time: so one that dies takes one member with it.
+        # Processes with one member at a time, so a process that dies loses one member.
         try:
             with dask.config.set(LOCAL):
                 local = LocalCluster(
                     n_workers=workers, threads_per_worker=1, processes=True, host="127.0.0.1", dashboard_address=None
                 )
         except RuntimeError as error:
-            # Each process of it imports the program that began it.
+            # Each process of the cluster imports the program that started it.
             raise ClusterError(
-                f"a local cluster does not begin: {error}\n"
-                '  hint: in a script, what begins it stands below if __name__ == "__main__":'
+                f"a local cluster cannot start: {error}\n"
+                '  hint: in a script, put the call below if __name__ == "__main__":'
             ) from None
         with local, Client(local) as client:
             yield client
         return
     if "://" not in cluster:
-        raise ValueError(f"cluster {cluster!r}: it is local, or the address of a scheduler such as tcp://10.0.0.1:8786")
+        raise ValueError(f"cluster is {cluster!r}; expected local, or the address of a scheduler such as tcp://10.0.0.1:8786")
     try:
         client = Client(cluster, timeout=TIMEOUT_S)
     except (OSError, TimeoutError, ValueError) as error:
@@ -95,36 +95,36 @@ def _client(cluster: str, workers: int | None) -> Iterator[Any]:
 
 
 def _look_at_workers(client: Any, cluster: str) -> None:
-    """Tells what would have a cohort wait for ever: no worker is there, or one cannot do what it is to do."""
+    """Reports reasons for endless waiting: no workers, or a worker without the package."""
     if not client.nthreads():
-        # It may get them as soon as there is something to do.
-        hint = f"nobody is lived until it has\n  hint: dask worker {cluster}"
+        # Workers may join when there are tasks.
+        hint = f"the cohort waits for workers\n  hint: dask worker {cluster}"
         warnings.warn(f"the cluster at {cluster} has no workers yet: {hint}", stacklevel=5)
     for error in _lacking(client).values():
         raise _lacks(cluster, error)
 
 
 def _lacking(client: Any) -> dict[str, BaseException]:
-    """The workers that cannot import the package, by their addresses, and why."""
+    """The addresses of workers that cannot import the package, with the reasons."""
     told = client.run(exec, "import homebody", on_error="return")
     return {worker: why for worker, why in told.items() if isinstance(why, BaseException)}
 
 
 def _lacks(cluster: str, error: BaseException) -> ClusterError:
-    hint = f"all workers have the wheel of homebody {_homebody.VERSION}"
-    return ClusterError(f"a worker of the cluster at {cluster} lacks what it needs: {error}\n  hint: {hint}")
+    hint = f"install the wheel of homebody {_homebody.VERSION} on all workers"
+    return ClusterError(f"a worker of the cluster at {cluster} lacks the package: {error}\n  hint: {hint}")
 
 
 class _Tasks:
-    """The members who are with a scheduler, each as a task."""
+    """The tasks at a scheduler, one for each member."""
 
     def __init__(self, client: Any, cluster: str, folder: str) -> None:
         self.client = client
         self.cluster = cluster
         self.folder = folder
-        #: What tells this call from others: workers open the cohort anew for it.
+        #: The id of this call: workers open the cohort again for each call.
         self.call = uuid4().hex
-        #: By the key of a task: whose it is, and the workers that may do it; ``None`` for all.
+        #: By the key of a task: the member, the task, and the workers that may do it; ``None`` for all.
         self.running: dict[str, tuple[int, Any, list[str] | None]] = {}
         self.done: SimpleQueue[Any] = SimpleQueue()
         #: Workers that joined without the package.
@@ -141,7 +141,7 @@ class _Tasks:
         task.add_done_callback(self.done.put)
 
     def next(self) -> tuple[int, Any]:
-        """Whose task has ended next, and the task."""
+        """The member of the next completed task, and the task."""
         while True:
             try:
                 task = self.done.get(timeout=LOOKS_S)
@@ -152,7 +152,7 @@ class _Tasks:
                 return self.running.pop(task.key)[0], task
 
     def leave_out_who_lacks(self, index: int, error: ImportError) -> None:
-        """A worker that joined late lacks the package: others live the member."""
+        """Leaves out a worker that joined late without the package; others simulate the member."""
         found = _lacking(self.client)
         new = set(found) - self.lacking
         self.lacking |= set(found)
@@ -163,7 +163,7 @@ class _Tasks:
         self.submit(index)
 
     def _bring_back_to_life(self) -> None:
-        """Those who wait for workers that are gone may be lived by others who have come."""
+        """Gives tasks that wait for workers that left to workers that joined."""
         there = set(self.client.nthreads()) if self.lacking else set()
         for key, (index, task, able) in list(self.running.items()):
             if able is not None and not there.intersection(able) and there - self.lacking:
@@ -175,10 +175,10 @@ class _Tasks:
 def live(
     cohort: _homebody.Cohort, folder: str, cluster: str, workers: int | None = None, progress: bool | None = None
 ) -> None:
-    """Lives all members of a cohort that was begun in a folder, on a cluster."""
+    """Simulates all members of a cohort in its folder, on a cluster."""
     count = cohort.count
     lived: list[str | None] = [None] * count
-    with _client(cluster, workers) as client, Progress(f"living {count} lives", progress) as told:
+    with _client(cluster, workers) as client, Progress(f"simulating {count} members", progress) as told:
         from distributed import CancelledError, KilledWorker
 
         tasks = _Tasks(client, cluster, folder)
@@ -197,13 +197,13 @@ def live(
                 continue
             except KilledWorker as error:
                 raise ClusterError(
-                    f"workers have died over and over, at {cohort.name_of(index)} at last: {error}\n"
-                    "  hint: what was lived stays; the same call goes on"
+                    f"workers died repeatedly, most recently at member {cohort.name_of(index)}: {error}\n"
+                    "  hint: completed members are kept; repeat the call to resume"
                 ) from None
             except CancelledError as error:
                 raise ClusterError(
-                    f"the cluster at {cluster} has lost its tasks, as where its scheduler has ended: {error}\n"
-                    "  hint: what was lived stays; once the cluster is there again, the same call goes on"
+                    f"the cluster at {cluster} lost its tasks, for example because its scheduler stopped: {error}\n"
+                    "  hint: completed members are kept; once the cluster runs again, repeat the call to resume"
                 ) from None
             done += 1
             if told is not None:

@@ -1,4 +1,4 @@
-"""Drivers in Python: who decides what somebody does next.
+"""Drivers in Python: classes that control a resident.
 
 >>> import random
 >>> import homebody as hb
@@ -32,7 +32,7 @@ Point = tuple[float, float]
 
 @dataclass(frozen=True)
 class Stride:
-    """To walk straight to a point, in metres, in so many seconds."""
+    """Walk straight to a point, in metres, in this number of seconds."""
 
     to: Point
     seconds: float
@@ -41,7 +41,7 @@ class Stride:
 
 @dataclass(frozen=True)
 class Rest:
-    """To keep still for so many seconds; ``float("inf")`` for ever. ``at`` says where, of who has no body yet or comes home."""
+    """Keep still for this number of seconds; ``float("inf")`` means for ever. ``at`` is the place at the start and on coming home."""
 
     seconds: float
     at: Point | None = None
@@ -50,7 +50,7 @@ class Rest:
 
 @dataclass(frozen=True)
 class Stir:
-    """To move on the spot for so many seconds; ``amplitude_m`` is how far what moves moves."""
+    """Move on the spot for this number of seconds; ``amplitude_m`` is the reach of the movements."""
 
     seconds: float
     amplitude_m: float = 0.3
@@ -60,14 +60,14 @@ class Stir:
 
 @dataclass(frozen=True)
 class Away:
-    """To be out of the home for so many seconds."""
+    """Be out of the home for this number of seconds."""
 
     seconds: float
 
 
 @dataclass(frozen=True)
 class Use:
-    """To turn a thing on or off, to open or close it. It takes no time."""
+    """Turn a thing on or off, or open or close it. Takes no time."""
 
     thing: str
     on: bool
@@ -75,7 +75,7 @@ class Use:
 
 @dataclass(frozen=True)
 class Doing:
-    """From now on the activity has this label, for the truth; ``None`` for nothing that has a name. It takes no time."""
+    """Label the following steps in the ground truth; ``None`` ends the label. Takes no time."""
 
     activity: str | None
 
@@ -88,9 +88,9 @@ class Body:
     """A body in the home."""
 
     resident: int
-    #: Where it is, in metres.
+    #: Its position, in metres.
     at: Point
-    #: Where its present movement leads.
+    #: The end of its present movement.
     to: Point
     posture: str
     name: str | None = None
@@ -98,46 +98,46 @@ class Body:
 
 @dataclass(frozen=True)
 class Surroundings:
-    """What a driver is asked with."""
+    """The input of a driver."""
 
     #: Seconds since the start of the run.
     now: float
     #: Its own body; ``None`` while it is away, and before its first answer.
     body: Body | None
-    #: The room that it is in.
+    #: Its room.
     room: str | None
-    #: The bodies of the others who are at home.
+    #: The bodies of the other people at home.
     others: list[Body] = field(default_factory=list)
-    #: The things that are on, or open.
+    #: The things that are on or open.
     on: frozenset[str] = frozenset()
 
 
 class Driver(Protocol):
-    """Who decides. It is asked whenever its last answer has ended, and again after each that took no time.
+    """Controls a resident. Homebody calls it when its last step has ended, and again after each step that takes no time.
 
-    Its life is as reproducible as its own randomness is: draw it from the seed that it is made with. What it remembers must be such
-    that :func:`copy.deepcopy` copies it.
+    A run is as reproducible as the random numbers of its driver: draw them from the seed that the driver gets. :func:`copy.deepcopy`
+    must be able to copy its state.
     """
 
     def next(self, around: Surroundings) -> Answer:
-        """What to do now."""
+        """Returns the next step."""
         ...
 
 
-#: What makes a driver of the run's seed: a class, or a function.
+#: Makes a driver from the run's seed: a class, or a function.
 MakeDriver = Callable[[int], Driver]
 
 
 def _lasting(name: str, value: object) -> float:
-    """How long an answer is to last: a microsecond at least, as instants are whole ones."""
+    """The duration of a step: a microsecond at least, because times are whole microseconds."""
     lasts = arguments.number(name, value)
     if not lasts >= 1e-6:
-        raise ValueError(f"{name} is {lasts}: it is a number of seconds, longer than nothing")
+        raise ValueError(f"{name} is {lasts}; expected a number of seconds above 0")
     return lasts
 
 
 class _Asked:
-    """Asks a driver in the tuples that the other side has."""
+    """Calls a driver with the tuples of the part in Rust."""
 
     def __init__(self, driver: Driver, residents: Sequence[str]) -> None:
         self.driver = driver
@@ -171,20 +171,20 @@ class _Asked:
             case Doing(activity):
                 return "doing", activity if activity is None else arguments.text("Doing.activity", activity)
         raise TypeError(
-            f"{type(self.driver).__name__}.next answered {answer!r}: it answers with Stride, Rest, Stir, Away, Use or Doing"
+            f"{type(self.driver).__name__}.next returned {answer!r}; expected Stride, Rest, Stir, Away, Use or Doing"
         )
 
 
 def wrapped(make: MakeDriver, residents: Sequence[str]) -> Callable[[int], _Asked]:
-    """What the other side calls with a seed, and then with surroundings."""
+    """The function that the part in Rust calls with a seed, and then with surroundings."""
     if not callable(make):
-        raise TypeError(f"a driver is a class or a function that is called with the seed, and not {make!r}")
+        raise TypeError(f"a driver is {make!r}; expected a class or a function that takes the seed")
     _takes_a_seed(make)
 
     def made(seed: int) -> _Asked:
         driver = make(seed)
         if not callable(getattr(driver, "next", None)):
-            raise TypeError(f"a driver has a method next(around), and {driver!r} has none")
+            raise TypeError(f"a driver needs a method next(around); {driver!r} does not have it")
         return _Asked(driver, residents)
 
     return made
@@ -196,10 +196,10 @@ def _takes_a_seed(make: Callable[..., object]) -> None:
     try:
         known = signature(make)
     except (TypeError, ValueError):
-        # What is not written in Python does not tell.
+        # Code outside Python has no signature.
         return
     try:
         known.bind(0)
     except TypeError as error:
         name = getattr(make, "__qualname__", repr(make))
-        raise arguments.wrong("a driver", make, f"made with the seed alone, as {name}(seed), which it does not take: {error}") from None
+        raise arguments.wrong("a driver", make, f"a class or a function that takes only the seed, as {name}(seed): {error}") from None

@@ -1,9 +1,9 @@
-"""Environments for learning, as Gymnasium has them: ``pip install homebody[gym]``.
+"""Gymnasium environments: ``pip install homebody[gym]``.
 
 >>> from homebody.env import PlaceSensors
 >>> env = PlaceSensors("studio", sensors=2)
->>> observed, told = env.reset(seed=1)
->>> observed, reward, over, cut, told = env.step(int(env.action_space.sample()))
+>>> observed, info = env.reset(seed=1)
+>>> observed, reward, over, cut, info = env.step(int(env.action_space.sample()))
 >>> over, cut
 (False, False)
 """
@@ -28,11 +28,11 @@ from gymnasium import spaces  # noqa: E402
 
 
 class PlaceSensors(gymnasium.Env[Any, Any]):
-    """Places ceiling sensors in a home, one at a step, so that as much of the floor as possible is seen.
+    """Places ceiling sensors in a home, one per step, so that they see as much of the floor as possible.
 
-    An action is one of the places that sensors may have: points of a grid in rooms. What is observed is by place whether a sensor is
-    there. The reward is by how much the share of the floor that is seen has grown, from 0 to 1. An episode is over when all sensors are
-    placed. Sensors of the home that look for movement are taken away first; nothing is left to chance but the actions.
+    An action is a place for a sensor: a point of a grid in the rooms. The observation is, for each place, 1 if a sensor is there. The
+    reward is the increase in the share of the floor that sensors see, from 0 to 1. An episode ends when all sensors are placed. The
+    environment first removes the home's own motion sensors. It is deterministic.
     """
 
     metadata = {"render_modes": []}
@@ -40,7 +40,7 @@ class PlaceSensors(gymnasium.Env[Any, Any]):
     def __init__(self, home: Scenario | str = "tigerplace", sensors: int = 4, step_m: float = 1.0) -> None:
         sensors, step_m = arguments.whole("sensors", sensors, 1, 1000), arguments.number("step_m", step_m)
         if not step_m > 0:
-            raise ValueError(f"step_m is {step_m}: it is a length in metres")
+            raise ValueError(f"step_m is {step_m}; expected a length in metres above 0")
         self._home = _without_motion(opened("home", home))
         self._count = sensors
         left, bottom, right, top = self._home.plan.bounds
@@ -51,18 +51,18 @@ class PlaceSensors(gymnasium.Env[Any, Any]):
         )
         #: Half the side of the square that a sensor sees, in metres.
         self.half_m = step_m / 2
-        #: Where sensors may be, in metres: where all of their square is in one room.
+        #: The places for sensors, in metres: points with their whole square in one room.
         self.places = [place for place in grid if len({self._home.plan.room_at(*at) for at in self._corners(place)}) == 1]
         self.places = [place for place in self.places if self._home.plan.room_at(*place) is not None]
         if not self.places:
-            raise ValueError(f"step_m is {step_m}: no square of such a grid is in a room")
+            raise ValueError(f"step_m is {step_m}: no square of this grid is inside a room")
         self.action_space = spaces.Discrete(len(self.places))
         self.observation_space = spaces.MultiBinary(len(self.places))
         self._seen_alone: dict[tuple[int, ...], float] = {}
         self._placed: list[int] = []
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
-        """Takes all sensors away."""
+        """Removes all sensors."""
         super().reset(seed=seed)
         self._placed = []
         return self._observed(), {"seen": 0.0}
@@ -76,7 +76,7 @@ class PlaceSensors(gymnasium.Env[Any, Any]):
         return self._observed(), seen - before, len(self._placed) >= self._count, False, {"seen": seen}
 
     def scenario(self) -> Scenario:
-        """The home with the sensors that were placed."""
+        """The home with the placed sensors."""
         home = self._home
         for number, place in enumerate(sorted(set(self._placed)), 1):
             home = home.add_sensor(
@@ -89,7 +89,7 @@ class PlaceSensors(gymnasium.Env[Any, Any]):
         return [[round(x + dx * half, 3), round(y + dy * half, 3)] for dx, dy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
 
     def plot(self) -> Picture:
-        """What they see."""
+        """The area that the sensors see."""
         return self.scenario().coverage().plot()
 
     def _observed(self) -> Any:
@@ -108,14 +108,14 @@ class PlaceSensors(gymnasium.Env[Any, Any]):
 
 
 def _without_motion(home: Scenario) -> Scenario:
-    """The home without the sensors that see."""
+    """The home without its motion sensors."""
     sensors = home.data(home.data("scenario.json")["home"])["sensors"]
     return home.without_sensor(*(sensor["name"] for sensor in sensors if str(sensor["kind"]).endswith("motion")))
 
 
 @dataclass(frozen=True)
 class _Life:
-    """What is kept of a life: by day the measures, as they are and as they are observed; and the day of the onset, counted from 0."""
+    """A simulated person: the measures of each day, the observations, and the day of the onset, counted from 0."""
 
     values: list[dict[str, float | None]]
     seen: Any
@@ -123,21 +123,21 @@ class _Life:
 
 
 class DecideVisits(gymnasium.Env[Any, Any]):
-    """Decides each morning whether to visit somebody who may fall ill.
+    """Decides each morning to visit a person who may fall ill, or not.
 
-    An action is 0, to let the day go by, or 1, to visit. What is observed are the measures of the last days that are over, by the log
-    alone: each as so many standard deviations from the mean of the first :attr:`FIRST` days, on which nobody is ill or visited; 0 where it
-    is not known. A visit that finds the illness ends the episode, with a reward of 1 on the morning after the onset and less with each
-    day after it, down to 0 after :attr:`LATE` days. A needless visit costs ``cost``. An episode ends otherwise when its days are over.
+    An action is 0 to wait, or 1 to visit. The observation has the measures of the last complete days, from the log alone. Each is in
+    standard deviations from the mean of the first :attr:`FIRST` days, which are free of illness and visits; 0 means not known. A visit
+    that finds the illness ends the episode. Its reward is 1 on the morning after the onset, and falls each day, to 0 after
+    :attr:`LATE` days. A needless visit costs ``cost``. Otherwise an episode ends after its last day.
 
-    The truth decides which visit is which, and is nowhere in what is observed; it is in what is told at the end. Somebody falls ill
-    in three lives of four, from a day on that differs from life to life. A visit changes nothing of what is lived: so lives are
-    lived once and kept. ``seed`` says which they are, ``lives`` how many there are to draw from; another seed has other people.
+    The ground truth decides the result of a visit. It is not part of the observation; ``info`` contains it at the end. Three of four
+    people fall ill, on different days. A visit does not change the simulation, so each person is simulated once and reused. ``seed``
+    selects the people, and ``lives`` is their number; another seed gives other people.
     """
 
     metadata = {"render_modes": []}
 
-    #: What is observed of a day. What is judged by the whole log, such as the pace, would know of days to come.
+    #: The observed measures of a day. Measures that need the whole log are left out: they would look into the future.
     MEASURES = (
         "time_in_bed",
         "bedtime",
@@ -156,11 +156,11 @@ class DecideVisits(gymnasium.Env[Any, Any]):
     )
     #: Days before the first decision.
     FIRST = 14
-    #: So many days after the onset a visit is too late to be worth anything.
+    #: A visit this number of days after the onset, or later, is worth nothing.
     LATE = 21
-    #: How often somebody falls ill.
+    #: The share of people who fall ill.
     ILL = 0.75
-    #: Further from what is usual is not told apart, in standard deviations.
+    #: The largest observed distance from the mean, in standard deviations.
     MOST = 8.0
 
     def __init__(
@@ -177,13 +177,13 @@ class DecideVisits(gymnasium.Env[Any, Any]):
         self._home = opened("home", home)
         self._resident = self._home.residents[0]
         self._condition = arguments.text("condition", condition, "the name of a condition")
-        # The first days say what is usual; some more are decided on.
+        # The first days set the baseline; the others have decisions.
         self._days = arguments.whole("days", days, self.FIRST + 7, 36_500)
         self._last = arguments.whole("last", last, 1, self.FIRST)
         self._cost = arguments.number("cost", cost)
         self._lives = arguments.whole("lives", lives, 1, 1_000_000)
         self._seed = arguments.whole("seed", seed, 0, 2**64 - 1)
-        # What is wrong with the condition is told here, and not by an episode.
+        # Reports an unknown condition now, before an episode.
         self._with_onset(self.FIRST)
         self.action_space = spaces.Discrete(2)
         shape = (self._last, len(self.MEASURES))
@@ -193,7 +193,7 @@ class DecideVisits(gymnasium.Env[Any, Any]):
         self._over = 0
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Any, dict[str, Any]]:
-        """Begins with one of the lives, on the morning after the first days."""
+        """Begins with one of the people, on the morning after the first days."""
         super().reset(seed=seed)
         number = int(self.np_random.integers(self._lives))
         if number not in self._kept:
@@ -202,11 +202,11 @@ class DecideVisits(gymnasium.Env[Any, Any]):
         return self._observed(self._life), self._told(self._life)
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Visits, or lets the day go by."""
+        """Visits, or waits."""
         life = self._life
         if life is None:
-            raise RuntimeError("reset begins an episode")
-        visits = arguments.whole("action", action, 0, 1, "0, to let the day go by, or 1, to visit") == 1
+            raise RuntimeError("call reset to begin an episode")
+        visits = arguments.whole("action", action, 0, 1, "0 to wait, or 1 to visit") == 1
         is_ill = life.onset is not None and life.onset < self._over
         found, reward = False, 0.0
         if visits and is_ill and life.onset is not None:
@@ -237,7 +237,7 @@ class DecideVisits(gymnasium.Env[Any, Any]):
         return _Life(values, self._beside_usual(table), onset)
 
     def _beside_usual(self, table: Any) -> Any:
-        """Standard deviations from the mean of the first days; where all of these are alike or none is known, there are none."""
+        """Standard deviations from the mean of the first days; 0 if these are all equal or unknown."""
         first = numpy.ma.masked_invalid(table[: self.FIRST])
         mean, deviation = first.mean(axis=0).filled(numpy.nan), first.std(axis=0).filled(0.0)
         away = (table - mean) / numpy.where(deviation > 0, deviation, numpy.nan)

@@ -1,4 +1,4 @@
-"""What goes wrong, as exceptions. All of them are a :class:`HomebodyError`."""
+"""The exceptions of the package. All of them are a :class:`HomebodyError`."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from types import MappingProxyType
 
 @dataclass(frozen=True)
 class Problem:
-    """One thing that is wrong with a scenario or a list, where, and what to do about it."""
+    """An error in a scenario or a list, with its place and a hint."""
 
     file: str
-    #: Counted from 1; 0 where the problem is with the file as a whole.
+    #: Counted from 1; 0 if the problem concerns the whole file.
     line: int
     column: int
     what: str
@@ -32,7 +32,7 @@ class Problem:
 
 
 class HomebodyError(Exception):
-    """Something could not be done; the text says what, and what to do."""
+    """The base of all errors; the text describes the error and the remedy."""
 
     #: The stable code of the message; empty where it has none.
     code: str = ""
@@ -43,19 +43,19 @@ class HomebodyError(Exception):
 
 
 class ScenarioError(HomebodyError):
-    """A scenario, a list of profiles, or what is asked of them is wrong: all problems at once."""
+    """Errors in a scenario, in a list of profiles, or in their use: all problems at once."""
 
     def __init__(self, text: str, problems: Sequence[Problem] = ()) -> None:
         super().__init__(text)
         self.problems: list[Problem] = list(problems)
 
     def __reduce__(self) -> tuple[object, ...]:
-        # With its problems, from a worker of a cluster too.
+        # Keeps the problems, also from a worker of a cluster.
         return (type(self), (self.args[0], self.problems))
 
 
 class Exists(HomebodyError, FileExistsError):
-    """What is to be written is there already, and nothing is replaced unasked."""
+    """The output exists already, and Homebody does not replace it."""
 
 
 class LogError(HomebodyError):
@@ -63,7 +63,7 @@ class LogError(HomebodyError):
 
 
 class DriverError(HomebodyError):
-    """A driver decided what nobody can do."""
+    """A driver returned an impossible step."""
 
 
 class Stopped(HomebodyError):
@@ -71,32 +71,32 @@ class Stopped(HomebodyError):
 
 
 class ClusterError(HomebodyError):
-    """A cluster is not there, or has lost a cohort's members."""
+    """A cluster is not available, or has lost members of a cohort."""
 
 
 class MissingPackage(HomebodyError, ImportError):
-    """A package that is optional is not installed; the text says how to install it."""
+    """An optional package is missing; the text says how to install it."""
 
 
 def new_folder(folder: str, make: Callable[[Path], object]) -> Path:
-    """A folder of this name, which ``make`` makes; one that is there already stays as it is.
+    """A folder of this name, which ``make`` makes; an existing one stays unchanged.
 
     >>> new_folder(".", Path.mkdir)
     Traceback (most recent call last):
-    homebody.errors.Exists: .: it is there already
+    homebody.errors.Exists: .: the folder exists already
       hint: name a new folder
     """
     try:
         make(Path(folder))
     except FileExistsError:
-        raise Exists(f"{folder}: it is there already\n  hint: name a new folder") from None
+        raise Exists(f"{folder}: the folder exists already\n  hint: name a new folder") from None
     except OSError as error:
         raise LogError(f"{folder}: {error.strerror or error}") from None
     return Path(folder)
 
 
 def needs(package: str, what: str, extra: str | None = None) -> None:
-    """Sees to it that an optional package is there which ``what`` imports next.
+    """Checks that an optional package is installed, which ``what`` imports next.
 
     >>> needs("json", "this example")
     >>> needs("no_such_package", "this example", "pandas")

@@ -1,4 +1,4 @@
-"""A run that is lived step by step."""
+"""A run that you step through."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from homebody.table import Table
 
 @dataclass(frozen=True)
 class Body:
-    """Where somebody is at home, in metres, and how they hold themselves."""
+    """The position of a person at home, in metres, and the posture."""
 
     x: float
     y: float
@@ -22,42 +22,42 @@ class Body:
 
 @dataclass(frozen=True)
 class Scene:
-    """What a run looks like at an instant."""
+    """The state of a run at a moment."""
 
-    #: By resident and visitor; ``None`` for who is out.
+    #: By resident and visitor; ``None`` for a person who is out.
     bodies: dict[str, Body | None]
-    #: The things that are on, or open.
+    #: The things that are on or open.
     on: list[str]
 
 
 class Live:
-    """A run under way. Steps change nothing of what is lived: cut as one likes, it is the same."""
+    """A run in progress. The length of the steps does not change it."""
 
     def __init__(self, run: _homebody.LiveRun) -> None:
         self._run = run
 
     def step(self, span: str | float = "1h") -> Table:
-        """Lives on for a span, and returns what the sensors said: ``time``, ``device``, ``value``."""
+        """Simulates a span and returns its events: ``time``, ``device``, ``value``."""
         return Table(self._run.step(seconds(span)))
 
     @property
     def now(self) -> str:
-        """What the clock on the wall says."""
+        """The wall-clock time of the home."""
         return self._run.progress[2]
 
     @property
     def done(self) -> bool:
-        """Whether it has come to its end."""
+        """Whether the run has ended."""
         lived, length, _ = self._run.progress
         return lived >= length
 
     @property
     def lived_s(self) -> float:
-        """How many seconds were lived."""
+        """The simulated time, in seconds."""
         return self._run.progress[0]
 
     def scene(self) -> Scene:
-        """Who is where, and what is on. Looking changes nothing."""
+        """The positions of people, and the things that are on. Reading it does not change the run."""
         told = json.loads(self._run.scene())
         bodies = {name: body and Body(**body) for name, body in told["bodies"].items()}
         return Scene(bodies, told["on"])

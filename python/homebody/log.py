@@ -1,4 +1,4 @@
-"""Logs: of runs, and of real homes."""
+"""Logs of runs and of real homes."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from homebody.scenario import Scenario
 
-#: From one instant to the next, in seconds.
+#: The resolution of times, in seconds.
 INSTANT_S = 1e-6
 
 _SECONDS = {"s": 1.0, "m": 60.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
@@ -41,27 +41,27 @@ def seconds(span: str | float) -> float:
     else:
         match = re.fullmatch(r"\s*([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*(s|min|m|h|d)\s*", span)
         if match is None:
-            raise ValueError(f"span {span!r}: write a number with its unit, such as 60s, 15m, 1h")
+            raise ValueError(f"span is {span!r}; expected a number with its unit, such as 60s, 15m, 1h")
         lasts = float(match[1]) * _SECONDS[match[2]]
     if not lasts > 0:
-        raise ValueError(f"span is {span!r}: it is longer than nothing")
+        raise ValueError(f"span is {span!r}; expected more than 0")
     if lasts < INSTANT_S:
-        raise ValueError(f"span is {span!r}: it is at least a microsecond, as instants are whole ones")
+        raise ValueError(f"span is {span!r}; expected at least a microsecond, the resolution of times")
     return lasts
 
 
 @dataclass(frozen=True)
 class Pyadlml:
-    """A log as pyadlml has it: what devices said, and what somebody did, by the clock on the wall."""
+    """A log in the form of pyadlml: events of devices, and activities, in wall-clock time."""
 
-    #: ``time``, ``device``, ``value``; what is on or off is true or false.
+    #: ``time``, ``device``, ``value``; on and off are true and false.
     devices: pandas.DataFrame
     #: ``start_time``, ``end_time``, ``activity``.
     activities: pandas.DataFrame
 
 
 class Log:
-    """A log, and what the truth beside it tells. :func:`homebody.read` reads one; a run has one.
+    """A log, with its ground truth if it has one. :func:`homebody.read` reads one; a run has one.
 
     >>> import homebody as hb
     >>> run = hb.scenario("studio").run(days=1, seed=7)
@@ -71,7 +71,7 @@ class Log:
     """
 
     def __init__(self, place: str | PathLike[str], time_zone: str | None = None) -> None:
-        #: Where it is.
+        #: Its location.
         self.place = arguments.path("place", place, "the folder of a run, or a file with a log")
         if time_zone is not None:
             arguments.text("time_zone", time_zone, "the name of a zone, such as 'Europe/Berlin'")
@@ -80,7 +80,7 @@ class Log:
 
     @property
     def time_zone(self) -> str | None:
-        """The zone of its home; ``None`` where nobody knows: then its times are on the wall, and have no zone."""
+        """The time zone of its home; ``None`` if unknown: then its times are wall-clock times without a zone."""
         return self._log.time_zone
 
     @property
@@ -90,45 +90,45 @@ class Log:
 
     @property
     def residents(self) -> list[str]:
-        """Whom its truth tells of, visitors too."""
+        """The people in its ground truth, visitors included."""
         return [name for name in self._log.residents if name]
 
     @property
     def remarks(self) -> list[str]:
-        """What was left out of it as it was read, in sentences, and that its hours are those of UTC, where nobody knows its zone."""
+        """Sentences about lines that Homebody left out, and about times in UTC if the zone is unknown."""
         return self._log.remarks
 
     @cached_property
     def events(self) -> Table:
-        """What was said: ``time``, ``device``, ``value``."""
+        """The events: ``time``, ``device``, ``value``."""
         return Table(self._log.events())
 
     @cached_property
     def activities(self) -> Table:
-        """What was done, by the truth: ``start_time``, ``end_time``, ``activity``, ``resident``."""
+        """The activities of the ground truth: ``start_time``, ``end_time``, ``activity``, ``resident``."""
         return Table(self._log.spans(False))
 
     @cached_property
     def rooms(self) -> Table:
-        """Who was where, by the truth: ``start_time``, ``end_time``, ``room``, ``resident``."""
+        """The rooms of people, from the ground truth: ``start_time``, ``end_time``, ``room``, ``resident``."""
         return Table(self._log.spans(True))
 
     @cached_property
     def movement(self) -> Table:
-        """What bodies did, by the truth."""
+        """The movements of bodies, from the ground truth."""
         return self.truth("movement")
 
     def truth(self, table: str) -> Table:
-        """A table of the truth by its name, such as ``act``, ``need`` or ``condition``."""
+        """A table of the ground truth by its name, such as ``act``, ``need`` or ``condition``."""
         return Table(self._log.truth(arguments.text("table", table, "the name of a table of the truth")))
 
     def windows(self, span: str | float = "60s") -> Table:
-        """Windows of one length, a row for each resident: ``time``, ``resident``, ``label`` (the activity of most of the window),
-        ``room``, and as features ``hour``, ``weekday``, ``last`` (who spoke last), and for each sensor how often it said something.
+        """Windows of equal length, with a row for each resident: ``time``, ``resident``, ``label`` (the activity of most of the window),
+        ``room``, and the features ``hour``, ``weekday``, ``last`` (the last sensor to report), and the number of reports of each sensor.
 
-        Windows are cut by the clock on the wall of the home: ``1d`` from midnight to midnight, ``1h`` at full hours, ``6h`` at 0, 6, 12 and
-        18. Where clocks are set, a window is as much shorter or longer: a day has 23 or 25 hours. Of an hour that comes twice, both are
-        windows. Where ``time_zone`` is ``None``, the wall is that of the log's own times.
+        Windows follow the wall clock of the home: ``1d`` runs from midnight to midnight, ``1h`` begins at full hours, ``6h`` at 0, 6, 12
+        and 18. When clocks change, a window is shorter or longer: a day has 23 or 25 hours. An hour that comes twice gives two windows.
+        If ``time_zone`` is ``None``, the wall clock is that of the log's own times.
 
         >>> import homebody as hb
         >>> windows = hb.scenario("studio").run(days=1, seed=7).windows("5m")
@@ -138,7 +138,7 @@ class Log:
         return Table(self._log.windows(seconds(span)))
 
     def labelled(self) -> Table:
-        """Each row with whose doing it was, in which room, during which activity, and why: what ``homebody label`` joins. Its columns
+        """Each event with its resident, room, activity and cause, as ``homebody label`` writes them. The columns
         are ``time``, ``device``, ``value``, ``resident``, ``room``, ``activity``, ``cause``, ``thing``."""
         import tempfile
 
@@ -146,28 +146,28 @@ class Log:
             return Table(self._log.labelled(Path(folder) / "labelled.arrow"))
 
     def day(self, day: int | str = "first") -> Answer:
-        """One day: by its number from 0 on, by its date, or ``first`` or ``last``. It is drawn as 24 hours on the clock on the wall: where
-        clocks are set on, one of them is empty, and where they are set back, one holds two."""
+        """One day: by its number from 0, by its date, or ``first`` or ``last``. The picture has 24 hours of the wall clock. When
+        clocks go forward, one of them is empty; when they go back, one holds two."""
         if not isinstance(day, str):
-            day = str(arguments.whole("day", day, -(10**9), 10**9, "a number from 0 on, a date, or first or last"))
+            day = str(arguments.whole("day", day, -(10**9), 10**9, "a number from 0, a date, or first or last"))
         return Answer("Day", *self._log.day(day))
 
     def density(self) -> Answer:
-        """How much somebody moved in each hour of each day. An hour that is left out as clocks are set on has no data, and one that comes
-        twice has two hours recorded."""
+        """The amount of movement in each hour of each day. An hour that clocks skip has no data, and one that comes twice has two
+        recorded hours."""
         return Answer("Density", *self._log.density())
 
     def measures(self) -> Answer:
-        """What somebody has been doing day by day: bed, bathroom, meals, outings, pace."""
+        """The measures of each day: bed, bathroom, meals, outings, pace."""
         return Answer("Measures", *self._log.measures())
 
     @property
     def dates(self) -> tuple[str, str] | None:
-        """The first and the last of its days."""
+        """The first and the last day."""
         return self._log.dates
 
     def to_pyadlml(self, resident: str | None = None) -> Pyadlml:
-        """As pyadlml has it; of several residents, the activities of one."""
+        """The log in the form of pyadlml, with the activities of one resident."""
         needs("pandas", "to_pyadlml", "pandas")
         import pandas
 
@@ -181,7 +181,7 @@ class Log:
             resident = known[0]
         if resident is not None and known:
             if resident not in known:
-                raise ValueError(f"resident {resident!r}: there are {', '.join(known)}")
+                raise ValueError(f"resident is {resident!r}; expected one of {', '.join(known)}")
             activities = activities[activities["resident"] == resident]
         activities = activities[["start_time", "end_time", "activity"]].reset_index(drop=True)
         activities["activity"] = activities["activity"].astype(str)
@@ -196,16 +196,16 @@ class Log:
 
 
 def read(place: str | PathLike[str], time_zone: str | None = None) -> Log:
-    """Reads a log: the folder of a run, a file of any form that Homebody knows, or ``FORM:FILE``. ``time_zone`` is that of its home,
-    where nothing else tells it."""
+    """Reads a log: the folder of a run, a file of any form that Homebody knows, or ``FORM:FILE``. Pass ``time_zone``, the zone of its
+    home, if the log does not contain it."""
     return Log(place, time_zone)
 
 
 class Comparison:
-    """How alike two logs are."""
+    """The agreement of two logs."""
 
     def __init__(self, figures: str, words: str) -> None:
-        #: The figures, as the command's ``--json`` has them.
+        #: The figures, as in the command's ``--json``.
         self.data: dict[str, Any] = json.loads(figures)
         self._words = words
 
@@ -216,30 +216,30 @@ class Comparison:
 
 
 def _place(name: str, log: Log | str | PathLike[str]) -> tuple[str, str | None]:
-    """Where a log is, and the zone that was asked for as it was read."""
-    return (log.place, log._asked_zone) if isinstance(log, Log) else (arguments.path(name, log, "a log, or where one is"), None)
+    """The location of a log, and the zone that the caller gave."""
+    return (log.place, log._asked_zone) if isinstance(log, Log) else (arguments.path(name, log, "a log, or its path"), None)
 
 
 def compare(a: Log | str | PathLike[str], b: Log | str | PathLike[str]) -> Comparison:
-    """How alike two logs are; the second is the reference.
+    """Compares two logs; the second is the reference.
 
     >>> import homebody as hb
     >>> home = hb.scenario("studio")
-    >>> alike = hb.compare(home.run(days=1, seed=1), home.run(days=1, seed=2))
-    >>> 0.3 < alike.data["agreement_by_sensor"] < 1
+    >>> result = hb.compare(home.run(days=1, seed=1), home.run(days=1, seed=2))
+    >>> 0.3 < result.data["agreement_by_sensor"] < 1
     True
     """
     return Comparison(*_homebody.compare(_place("a", a), _place("b", b)))
 
 
 class Translated(Log):
-    """A log that was walked back through its home, and lived again."""
+    """A log with the located positions of its residents, and the simulation of them."""
 
     def __init__(self, folder: Path, report: str) -> None:
         super().__init__(folder / "run")
-        #: The folder with all that came of it: ``where.csv``, ``rooms.csv``, ``report.json``, and a scenario.
+        #: The folder of results: ``where.csv``, ``rooms.csv``, ``report.json``, and a scenario.
         self.folder = folder
-        #: What did not fit, which sensors could not be believed, and how well the path explains the log.
+        #: Events that did not fit, sensors that are not credible, and how well the path explains the log.
         self.report: dict[str, Any] = json.loads(report)
 
 
@@ -250,13 +250,13 @@ def translate(
     *,
     progress: bool | None = None,
 ) -> Translated:
-    """Walks a log back through the plan of its home: where everybody was at each instant. ``to`` is the folder to make; without it, one
-    that goes when the program ends."""
+    """Locates the residents in the plan of the home at each moment of a log. ``to`` is a new folder for the results; the default is a
+    temporary folder, which the program deletes when it ends."""
     from homebody.scenario import opened, temporary_folder
 
     inner = opened("home", home)._scenario
     folder = Path(arguments.path("to", to)) if to is not None else temporary_folder() / "walked"
     place, zone = _place("log", log)
-    with Progress("walking back", progress) as told:
+    with Progress("locating", progress) as told:
         report = _homebody.translate(place, zone, inner, folder, told)
     return Translated(folder, report)

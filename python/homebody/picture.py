@@ -1,4 +1,4 @@
-"""Pictures, as notebooks show them and files hold them."""
+"""Pictures for notebooks and files."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from homebody.errors import HomebodyError
 
 
 class Picture:
-    """A picture. A notebook shows it; :meth:`save` writes it as SVG or PNG.
+    """A picture. Notebooks display it; :meth:`save` writes it as SVG or PNG.
 
     >>> import homebody as hb
     >>> hb.scenario("studio").plan.plot().svg[:4]
@@ -21,15 +21,15 @@ class Picture:
     """
 
     def __init__(self, svg: str) -> None:
-        #: Its text.
+        #: Its SVG text.
         self.svg = svg
 
     def png(self, width: int = 1600) -> bytes:
-        """The same as PNG, of so many pixels in width."""
+        """The picture as PNG, with this width in pixels."""
         return png(self.svg, arguments.whole("width", width, 1, 20_000))
 
     def save(self, path: str | PathLike[str], width: int = 1600) -> Path:
-        """Writes it into a file whose name ends in ``.svg`` or ``.png``."""
+        """Writes it to a file whose name ends in ``.svg`` or ``.png``."""
         path = Path(arguments.path("path", path))
         match path.suffix.lower():
             case ".svg":
@@ -37,11 +37,11 @@ class Picture:
             case ".png":
                 written = self.png(width)
             case other:
-                raise ValueError(f"path {str(path)!r} ends in {other!r}: a picture is .svg or .png")
+                raise ValueError(f"path is {str(path)!r}, which ends in {other!r}; expected .svg or .png")
         try:
             path.write_bytes(written)
         except OSError as error:
-            hint = f"\n  hint: {path.parent} is no folder" if not path.parent.is_dir() else ""
+            hint = f"\n  hint: {path.parent} is not a folder" if not path.parent.is_dir() else ""
             raise HomebodyError(f"{path}: {error.strerror or error}{hint}") from None
         return path
 
@@ -56,7 +56,7 @@ class Picture:
 
 
 class Answer:
-    """Figures with the picture of them.
+    """Figures, with their picture.
 
     >>> import homebody as hb
     >>> coverage = hb.scenario("studio").coverage()
@@ -68,7 +68,7 @@ class Answer:
 
     def __init__(self, what: str, figures: str, svg: str) -> None:
         self._what = what
-        #: The figures, as the command's ``--json`` has them.
+        #: The figures, as in the command's ``--json``.
         self.data: dict[str, Any] = json.loads(figures)
         self._picture = Picture(svg)
 
@@ -77,7 +77,7 @@ class Answer:
         return self._picture
 
     def save(self, path: str | PathLike[str], width: int = 1600) -> Path:
-        """Writes the picture into a file."""
+        """Writes the picture to a file."""
         return self._picture.save(path, width)
 
     def _repr_svg_(self) -> str:

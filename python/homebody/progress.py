@@ -1,4 +1,4 @@
-"""How far some work is, told where somebody looks."""
+"""Progress bars for terminals and notebooks."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from homebody import arguments
 
 
 class Progress:
-    """A bar while something is done: in a notebook that of tqdm, or a line where tqdm is not there; a line on a terminal; else nothing."""
+    """A progress bar: in a notebook that of tqdm, or a line without tqdm; a line on a terminal; otherwise nothing."""
 
     def __init__(self, what: str, shown: bool | None = None) -> None:
         self._what = what
@@ -41,7 +41,7 @@ class Progress:
 
 
 class _Line:
-    """A line in a notebook that goes when all is done, with as much of a bar's face as is used here."""
+    """A line in a notebook that disappears at the end, with the part of tqdm's interface that this module uses."""
 
     def __init__(self, what: str) -> None:
         from IPython.display import display
@@ -70,5 +70,5 @@ def _bar(what: str) -> Any:
 
 
 def _in_notebook() -> bool:
-    """Whether a notebook's kernel is what runs this."""
+    """Whether a notebook's kernel runs this program."""
     return "ipykernel" in sys.modules

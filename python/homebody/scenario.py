@@ -1,4 +1,4 @@
-"""Scenarios: opened, made and changed by code, looked at, and lived."""
+"""Scenarios: open, make, change, inspect and run them."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from homebody.log import Log
 from homebody.picture import Answer, Picture
 from homebody.progress import Progress
 
-#: What a scenario's own file is called.
+#: The name of a scenario's main file.
 ENTRY = "scenario.json"
 
 
 def temporary_folder() -> Path:
-    """A new folder that goes when the program ends."""
+    """A new folder that the program deletes when it ends."""
     import tempfile
 
     folder = Path(tempfile.mkdtemp(prefix="homebody-"))
@@ -34,7 +34,7 @@ def temporary_folder() -> Path:
 
 
 class Run(Log):
-    """A run that was lived: its log, with the truth beside it.
+    """A complete run: its log, with the ground truth.
 
     >>> import homebody as hb
     >>> run = hb.scenario("studio").run(days=1, seed=7)
@@ -43,32 +43,32 @@ class Run(Log):
     """
 
     def __init__(self, scenario: Scenario, told: dict[str, Any], hardly_meant: Sequence[str] = ()) -> None:
-        #: The folder that it is in; it goes when the program ends, unless another was asked for.
+        #: Its folder, which the program deletes when it ends, unless the caller chose the folder.
         self.folder = Path(told["folder"])
         super().__init__(self.folder)
         self.scenario = scenario
-        #: What became of it: rows by sensor, sentences that were not lived as they are written, a digest of the firings.
+        #: The summary: rows by sensor, sentences of routines whose simulation differs, a digest of the firings.
         self.summary = told
         self._hardly_meant = list(hardly_meant)
 
     @property
     def remarks(self) -> list[str]:
-        """What is right in the scenario and hardly meant, in a run like this one, of which Python was warned; and what was left out of
-        the log as it was read."""
+        """The warnings of this run about settings that are probably not intended, and sentences about lines of the log that were left
+        out."""
         return self._hardly_meant + super().remarks
 
     @property
     def seed(self) -> int:
-        """The number that all its randomness came from."""
+        """The seed of all its random numbers."""
         return int(self.summary["seed"])
 
     @property
     def stopped(self) -> bool:
-        """Whether it was ended early."""
+        """Whether it was stopped early."""
         return bool(self.summary["stopped"])
 
     def save(self, folder: str | PathLike[str]) -> Path:
-        """Copies all of it into a new folder, which the command and the page know as well."""
+        """Copies it to a new folder, which the command and the browser page can open."""
         return new_folder(arguments.path("folder", folder), lambda to: shutil.copytree(self.folder, to))
 
 
@@ -79,7 +79,7 @@ class Plan:
         self._scenario = scenario
 
     def plot(self) -> Picture:
-        """The picture."""
+        """A picture of the plan."""
         return Picture(self._scenario.plan_svg())
 
     @property
@@ -89,7 +89,7 @@ class Plan:
 
     @property
     def places(self) -> dict[str, tuple[float, float]]:
-        """Points that have a name, in metres: rooms, furniture, places."""
+        """Named points, in metres: rooms, furniture, places."""
         return self._scenario.places
 
     @property
@@ -98,7 +98,7 @@ class Plan:
         return self._scenario.bounds
 
     def room_at(self, x: float, y: float) -> str | None:
-        """The room that a point is in."""
+        """The room of a point."""
         return self._scenario.room_at(*arguments.point("a place", (x, y)))
 
     def _repr_svg_(self) -> str:
@@ -106,7 +106,7 @@ class Plan:
 
 
 class Scenario:
-    """A scenario that has passed every check: a home, its sensors, and who lives there. :func:`scenario` opens one.
+    """A checked scenario: a home, its sensors and its residents. :func:`scenario` opens one.
 
     >>> import homebody as hb
     >>> home = hb.scenario("tigerplace")
@@ -119,12 +119,12 @@ class Scenario:
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """Its name."""
         return self._scenario.name
 
     @property
     def residents(self) -> list[str]:
-        """Who lives there."""
+        """The names of its residents."""
         return self._scenario.residents
 
     @property
@@ -139,7 +139,7 @@ class Scenario:
 
     @property
     def things(self) -> list[str]:
-        """What can be used: doors, furniture, lamps."""
+        """The things that residents can use: doors, furniture, lamps."""
         return self._scenario.things
 
     @property
@@ -153,11 +153,11 @@ class Scenario:
         return Plan(self._scenario)
 
     def coverage(self) -> Answer:
-        """Where in the home the sensors see."""
+        """The parts of the home that sensors see."""
         return Answer("Coverage", *self._scenario.coverage())
 
     def remarks(self, days: float | None = None) -> list[Problem]:
-        """What is right in it and hardly meant."""
+        """Settings that are valid but probably not intended."""
         return self._remarks(None if days is None else arguments.length_days("days", days), None, {})
 
     def _remarks(self, days: float | None, start: str | None, numbers: Mapping[str, float]) -> list[Problem]:
@@ -165,7 +165,7 @@ class Scenario:
         return [Problem(t["file"], t["line"], t["column"], t["what"], t.get("hint")) for t in told]
 
     def data(self, name: str = "home.json") -> Any:
-        """A file of JSON as Python has it, to be changed and given to :meth:`change`.
+        """A JSON file as Python data, to change and pass to :meth:`change`.
 
         >>> import homebody as hb
         >>> sorted(hb.scenario("studio").data("scenario.json"))[:2]
@@ -174,10 +174,10 @@ class Scenario:
         try:
             return json.loads(self._scenario.text(arguments.text("name", name, "the name of a file")))
         except ValueError as error:
-            raise ScenarioError(f"{name} is no JSON: {error}\n  hint: texts has it as it is") from None
+            raise ScenarioError(f"{name} is not valid JSON: {error}\n  hint: texts has the file as text") from None
 
     def change(self, files: Mapping[str, object]) -> Scenario:
-        """The same scenario with some of its files changed or added, and checked: texts, or what becomes JSON.
+        """A copy of the scenario with some files replaced or added, and checked. A file is a text, or data for JSON.
 
         >>> import homebody as hb
         >>> home = hb.scenario("studio")
@@ -188,12 +188,12 @@ class Scenario:
         >>> "another" in home.change({"home.json": data}).sensors
         True
         """
-        changed = arguments.mapping("files", files, "a mapping of files, by their names")
+        changed = arguments.mapping("files", files, "a mapping of file names to files")
         texts = self.texts | {name: _text(name, file) for name, file in changed.items()}
         return Scenario(_homebody.Scenario.of_texts(texts, self._scenario.entry))
 
     def add_sensor(self, **sensor: object) -> Scenario:
-        """The same scenario with one more sensor, in the words of ``home.json``.
+        """A copy of the scenario with one more sensor, with the keys of ``home.json``.
 
         >>> import homebody as hb
         >>> home = hb.scenario("studio")
@@ -205,7 +205,7 @@ class Scenario:
         return self._with("sensors", sensor)
 
     def add_room(self, **room: object) -> Scenario:
-        """The same scenario with one more room, in the words of ``home.json``."""
+        """A copy of the scenario with one more room, with the keys of ``home.json``."""
         return self._with("rooms", room)
 
     def _with(self, key: str, value: object) -> Scenario:
@@ -215,7 +215,7 @@ class Scenario:
         return self.change({name: home})
 
     def without_sensor(self, *names: str) -> Scenario:
-        """The same scenario without these sensors; what they are called in the log goes with them.
+        """A copy of the scenario without these sensors and their names in the log.
 
         >>> import homebody as hb
         >>> home = hb.scenario("studio")
@@ -225,7 +225,7 @@ class Scenario:
         """
         for name in names:
             if name not in self.sensors:
-                raise ValueError(f"name {name!r}: there is no such sensor; there are {', '.join(self.sensors)}")
+                raise ValueError(f"name is {name!r}; expected a sensor of the home: {', '.join(self.sensors)}")
         own = self.data(self._scenario.entry)
         home = self.data(own["home"])
         home["sensors"] = [sensor for sensor in home["sensors"] if sensor["name"] not in names]
@@ -237,11 +237,11 @@ class Scenario:
         return self.change(files)
 
     def routine(self, resident: str) -> str:
-        """The routine that somebody lives by: plain sentences."""
+        """The routine of a resident, as text."""
         return self._scenario.text(self._routine_file(resident))
 
     def with_routine(self, resident: str, text: str) -> Scenario:
-        """The same scenario in which somebody lives by another routine."""
+        """A copy of the scenario with another routine for a resident."""
         return self.change({self._routine_file(resident): arguments.text("text", text, "a routine: sentences in one text")})
 
     def _routine_file(self, resident: str) -> str:
@@ -250,12 +250,12 @@ class Scenario:
             if data["name"] == resident:
                 routine = data["driver"].get("routine")
                 if routine is None:
-                    raise ValueError(f"resident {resident!r} lives by no routine")
+                    raise ValueError(f"resident is {resident!r}, who has no routine")
                 return str(routine)
-        raise ValueError(f"resident {resident!r}: there are {', '.join(self.residents)}")
+        raise ValueError(f"resident is {resident!r}; expected one of {', '.join(self.residents)}")
 
     def save(self, folder: str | PathLike[str]) -> Path:
-        """Writes its files into a new folder, which the command and the page know as well."""
+        """Writes its files to a new folder, which the command and the browser page can open."""
         folder = new_folder(arguments.path("folder", folder), lambda to: to.mkdir(parents=True))
         for name, written in self.texts.items():
             file = folder / _inside(name)
@@ -276,12 +276,12 @@ class Scenario:
         drivers: Mapping[str, MakeDriver] | None = None,
         progress: bool | None = None,
     ) -> Run:
-        """Lives it, and stores what its sensors say, with the truth apart.
+        """Simulates the scenario and writes its sensor log and its ground truth.
 
-        Other threads of Python go on meanwhile; Ctrl-C stops it. It warns of what is right and hardly meant, such as a condition that
-        begins after the end: ``remarks`` of the run has it, too. ``into`` is a folder in which a new one is made for the run, such as
-        ``runs``; without it, the run goes when the program ends. ``without`` leaves conditions out, ``numbers`` sets numbers of the models,
-        ``one_of_many`` lets residents differ as people do, ``drivers`` moves residents by drivers in Python.
+        Other threads of Python continue meanwhile; Ctrl-C stops it. It warns about settings that are probably not intended, such as a
+        condition that begins after the end; ``remarks`` of the run has the warnings, too. The run gets a new folder in ``into``, such as
+        ``runs``; without ``into``, the program deletes the run when it ends. ``without`` leaves conditions out, ``numbers`` sets parameters
+        of the models, ``one_of_many`` varies the residents as people vary, and ``drivers`` gives residents drivers in Python.
 
         >>> import homebody as hb
         >>> hb.scenario("tigerplace").run(days=0.5, seed=7).events
@@ -289,7 +289,7 @@ class Scenario:
         """
         wanted = wanted_run(days, seed, start, without, numbers, one_of_many, drivers, self)
         runs = temporary_folder() if into is None else Path(arguments.path("into", into))
-        shown = Progress(f"living {self.name}", progress)
+        shown = Progress(f"simulating {self.name}", progress)
         hardly_meant = [str(remark) for remark in self._remarks(wanted["days"], wanted["start"], wanted["numbers"])]
         for remark in hardly_meant:
             warnings.warn(remark, stacklevel=2)
@@ -307,11 +307,11 @@ class Scenario:
         numbers: Mapping[str, float] | None = None,
         drivers: Mapping[str, MakeDriver] | None = None,
     ) -> Live:
-        """A run at its beginning, that is lived step by step.
+        """Begins a run that you step through.
 
         >>> import homebody as hb
         >>> live = hb.scenario("studio").live(days=1, seed=7)
-        >>> said = live.step("8h")
+        >>> events = live.step("8h")
         >>> live.now[-8:]
         '08:00:00'
         """
@@ -331,8 +331,8 @@ def wanted_run(
     drivers: Mapping[str, MakeDriver] | None,
     scenario: Scenario,
 ) -> dict[str, Any]:
-    """What a run is to be, with its types checked: a wrong one says which argument it is."""
-    set_to = arguments.mapping("numbers", numbers or {}, "a mapping of numbers of the models, such as {'life.day_spread': 0.3}")
+    """The settings of a run, with checked types."""
+    set_to = arguments.mapping("numbers", numbers or {}, "a mapping of parameters of the models, such as {'life.day_spread': 0.3}")
     moved = arguments.mapping("drivers", drivers or {}, "a mapping of residents, such as {'margaret': Pacing}")
     return {
         **wanted_life(days, seed, without),
@@ -344,7 +344,7 @@ def wanted_run(
 
 
 def wanted_life(days: float | None, seed: int | None, without: Sequence[str]) -> dict[str, Any]:
-    """What a run is to be, and a cohort."""
+    """The settings that runs and cohorts share."""
     return {
         "days": None if days is None else arguments.length_days("days", days),
         "seed": None if seed is None else arguments.whole("seed", seed, 0, 2**64 - 1),
@@ -353,13 +353,13 @@ def wanted_life(days: float | None, seed: int | None, without: Sequence[str]) ->
 
 
 def of_files(files: Mapping[str, object], entry: str = ENTRY) -> Scenario:
-    """A scenario of files in memory, by their names: texts, or what becomes JSON."""
-    known = arguments.mapping("files", files, "a mapping of files, by their names")
+    """A scenario from files in memory, by their names. A file is a text, or data for JSON."""
+    known = arguments.mapping("files", files, "a mapping of file names to files")
     return Scenario(_homebody.Scenario.of_texts({name: _text(name, file) for name, file in known.items()}, entry))
 
 
 def _inside(name: str) -> str:
-    """The name of a file, which stays inside the scenario's folder."""
+    """Checks that a file name stays inside the scenario's folder."""
     place = PurePosixPath(name)
     if place.is_absolute() or ".." in place.parts or "\\" in name:
         raise ValueError(f"the file {name!r} leads out of the scenario's folder")
@@ -373,13 +373,13 @@ def _text(name: str, file: object) -> str:
     try:
         return json.dumps(file, indent=2)
     except (TypeError, ValueError) as error:
-        raise TypeError(f"the file {name!r} is neither a text nor what becomes JSON: {error}") from None
+        raise TypeError(f"the file {name!r} is neither a text nor data for JSON: {error}") from None
 
 
 def scenario(what: str | PathLike[str] | Mapping[str, object], *, trusted: bool = False) -> Scenario:
-    """Opens a scenario: a folder, the name of one that came with the program, or files in memory, by their names.
+    """Opens a scenario: a folder, the name of a template, or files in memory, by their names.
 
-    A folder goes before a template of the same name. Everything that is wrong with it is in one :class:`ScenarioError`.
+    A folder takes precedence over a template of the same name. One :class:`ScenarioError` contains all errors.
 
     >>> import homebody as hb
     >>> hb.scenario("tigerplace")
@@ -395,7 +395,7 @@ def scenario(what: str | PathLike[str] | Mapping[str, object], *, trusted: bool 
         raise arguments.wrong("what", what, "a folder, the name of a template, or a mapping of files")
     place = arguments.path("what", what)
     if not place:
-        raise ValueError("what is empty: it is a folder, the name of a template, or a mapping of files")
+        raise ValueError("what is empty; expected a folder, the name of a template, or a mapping of files")
     is_path = not isinstance(what, str) or "/" in place or Path(place).exists()
     if not is_path:
         return Scenario(_homebody.Scenario.template(place))
@@ -406,14 +406,14 @@ def scenario(what: str | PathLike[str] | Mapping[str, object], *, trusted: bool 
 
 
 def opened(name: str, home: Scenario | str | PathLike[str]) -> Scenario:
-    """A scenario that is one already, or is opened."""
+    """The given scenario, or the one that a path or a name opens."""
     if isinstance(home, Scenario):
         return home
     return scenario(arguments.path(name, home, "a scenario, its folder, or the name of a template"))
 
 
 def templates() -> list[str]:
-    """The names of the scenarios that came with the program.
+    """The names of the scenarios in the package.
 
     >>> "tigerplace" in templates()
     True

@@ -1,4 +1,4 @@
-"""Tables: Arrow's columns in memory, which pandas, polars and pyarrow take."""
+"""Arrow tables in memory, for pandas, polars and pyarrow."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Table:
-    """A table. Whatever knows Arrow's PyCapsule interface takes it as it is: ``polars.DataFrame(table)``, ``pyarrow.table(table)``.
+    """A table. Libraries with the Arrow PyCapsule interface read it directly: ``polars.DataFrame(table)``, ``pyarrow.table(table)``.
 
     >>> import homebody as hb
     >>> run = hb.scenario("studio").run(days=1, seed=7)
@@ -42,27 +42,27 @@ class Table:
 
     @property
     def nbytes(self) -> int:
-        """How much memory it takes."""
+        """Its size in memory, in bytes."""
         return self._stream.bytes
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         return self._stream.__arrow_c_stream__(requested_schema)
 
     def to_pyarrow(self) -> pyarrow.Table:
-        """The same as a table of pyarrow, over the same memory."""
+        """The table as a pyarrow table, over the same memory."""
         needs("pyarrow", "Table.to_pyarrow")
         import pyarrow
 
         return pyarrow.table(self)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """The same as a frame of pandas: times know their zone, texts are categories."""
+        """The table as a pandas frame: times have a zone, texts are categories."""
         needs("pandas", "Table.to_pandas", "pandas")
         needs("pyarrow", "Table.to_pandas", "pandas")
         return self.to_pyarrow().to_pandas()
 
     def to_polars(self) -> polars.DataFrame:
-        """The same as a frame of polars."""
+        """The table as a polars frame."""
         needs("polars", "Table.to_polars", "polars")
         import polars
 
@@ -72,7 +72,7 @@ class Table:
         return f"<homebody.Table: {len(self):,} rows of {', '.join(self.columns)}>"
 
     def _repr_html_(self) -> str | None:
-        """Its first rows in a notebook, where pandas is there."""
+        """Its first rows in a notebook, if pandas is installed."""
         try:
             html: Any = self.to_pandas().head(10).to_html()
         except ImportError:

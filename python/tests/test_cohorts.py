@@ -164,7 +164,7 @@ def test_a_scheduler_that_dies_is_told(tmp_path: Path) -> None:
             time.sleep(0.01)
         late.start()
         address = json.loads(known.read_text())["address"]
-        with pytest.raises(hb.ClusterError, match="(?s)has lost its tasks.*\n  hint: what was lived stays; .* the same call goes on"):
+        with pytest.raises(hb.ClusterError, match="(?s)lost its tasks.*\n  hint: completed members are kept; .* repeat the call to resume"):
             hb.cohort("studio", 200, folder, days=5, seed=1, cluster=address)
     finally:
         for one in (scheduler, worker):
@@ -249,7 +249,7 @@ def test_a_cluster_without_workers_is_told_and_so_are_workers_without_the_packag
             begin(bare)
             with Client(local) as client:
                 client.wait_for_workers(2, timeout=60)
-            with pytest.raises(hb.ClusterError, match="No module named 'homebody'\n  hint: all workers have the wheel"):
+            with pytest.raises(hb.ClusterError, match="No module named 'homebody'\n  hint: install the wheel"):
                 hb.cohort("studio", 1, tmp_path / "b", days=0.1, cluster=local.scheduler_address)
         finally:
             late.join()
@@ -262,7 +262,7 @@ def test_a_script_that_begins_a_local_cluster_as_it_is_imported_is_told_how(tmp_
     script = tmp_path / "script.py"
     script.write_text(f"import homebody as hb\nhb.cohort('studio', 1, {str(tmp_path / 'a')!r}, days=0.1, cluster='local', workers=1)\n")
     told = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=120)
-    assert told.returncode != 0 and "in a script, what begins it stands below" in told.stderr
+    assert told.returncode != 0 and "in a script, put the call below" in told.stderr
 
 
 def test_a_cohort_begins_where_nothing_is(tmp_path: Path) -> None:
@@ -407,7 +407,7 @@ def test_a_worker_without_the_package_that_joins_late_is_left_out(tmp_path: Path
         late = threading.Thread(target=join)
         late.start()
         try:
-            with pytest.warns(UserWarning, match="is left out: .* lacks what it needs: No module named 'homebody'"):
+            with pytest.warns(UserWarning, match="is left out: .* lacks the package: No module named 'homebody'"):
                 lived = hb.cohort("tigerplace", 40, tmp_path / "cohort", days=3, seed=1, cluster=local.scheduler_address)
         finally:
             late.join()

@@ -111,7 +111,7 @@ def test_an_action_that_is_none_is_told(visits: DecideVisits) -> None:
     place.reset(seed=1)
     visits.reset(seed=1)
     for env, action in ((place, 10**6), (place, -1), (visits, 7)):
-        with pytest.raises(ValueError, match=f"action is {action}: it is from 0 to"):
+        with pytest.raises(ValueError, match=f"action is {action}; expected a number from 0 to"):
             env.step(action)
     with pytest.raises(TypeError, match="action is 0.5"):
         visits.step(0.5)

@@ -93,7 +93,7 @@ def test_labels_are_those_of_the_command(run: hb.Run, tmp_path: Path) -> None:
     assert len(labelled) == len(run.events)
     assert list(labelled.columns)[:3] == ["time", "device", "value"]
     assert labelled["time"].tolist() == run.events.to_pandas()["time"].tolist()
-    command = [sys.executable, "-m", "homebody", "label", str(run.folder), "--to", f"csv:{tmp_path / 'labelled.csv'}"]
+    command = [sys.executable, "-m", "homebody", "label", str(run.folder), "--out", f"csv:{tmp_path / 'labelled.csv'}"]
     subprocess.run(command, check=True, capture_output=True)
     told = pandas.read_csv(tmp_path / "labelled.csv", keep_default_na=False)
     assert labelled["activity"].astype(object).fillna("").tolist() == told["activity"].tolist()
@@ -107,7 +107,7 @@ def test_pictures_are_drawn(run: hb.Run, tmp_path: Path) -> None:
         assert picture._repr_svg_().startswith("<svg")
     with pytest.raises(ValueError, match="path"):
         pictures[0].save(tmp_path / "a.gif")
-    with pytest.raises(hb.HomebodyError, match="x.png: No such file or directory\n  hint: .*nodir is no folder"):
+    with pytest.raises(hb.HomebodyError, match="x.png: No such file or directory\n  hint: .*nodir is not a folder"):
         pictures[0].save(tmp_path / "nodir" / "x.png")
     with pytest.raises(ValueError, match="day is 99: the log goes from 2009-03-02 to 2009-03-03"):
         run.day(99)
@@ -303,7 +303,7 @@ def test_a_notebook_without_tqdm_has_a_line_that_goes(monkeypatch: pytest.Monkey
     for name, module in [("ipykernel", types.SimpleNamespace()), ("tqdm.auto", None), ("IPython.display", shown)]:
         monkeypatch.setitem(sys.modules, name, module)
     hb.scenario("studio").run(days=0.1, seed=1)
-    assert told[0].startswith("living studio: ") and told[-1] == ""
+    assert told[0].startswith("simulating studio: ") and told[-1] == ""
     told.clear()
     hb.scenario("studio").run(days=0.1, seed=1, progress=False)
     assert told == []

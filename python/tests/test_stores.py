@@ -114,7 +114,7 @@ hb.cohort("tigerplace", {COUNT}, "s3://bucket/killed", days={DAYS}, seed=9, clus
         living.wait()
         before = names(bucket, "killed/")
         assert len(before) < len(by_threads)
-        # The same call goes on.
+        # The same call resumes it.
         again = subprocess.run([sys.executable, "-c", code], timeout=300)
         assert again.returncode == 0
     assert bytes_of(bucket, "killed/") == by_threads

@@ -23,19 +23,19 @@ test('a fall is played back in silhouettes of all cameras with the voxel person'
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/postures-1@2025-06-02T10:00:05`);
   const cameras = page.getByRole('region', { name: 'Cameras', exact: true });
-  await cameras.getByText('no other picture of anybody exists').waitFor();
-  for (const name of ['south-west', 'south-east', 'north-east']) await cameras.getByRole('img', { name: `Silhouette of ${name}: sees somebody` }).waitFor();
+  await cameras.getByText('No other picture of a person exists').waitFor();
+  for (const name of ['south-west', 'south-east', 'north-east']) await cameras.getByRole('img', { name: `Silhouette of ${name}: person in view` }).waitFor();
   assert.ok(await bodyPixels(cameras.getByRole('img', { name: 'Silhouette of south-west' })) > 100);
-  await cameras.getByRole('img', { name: /voxel person/ }).waitFor();
+  await cameras.getByRole('img', { name: /Voxel person/ }).waitFor();
   await cameras.getByText('upright', { exact: true }).waitFor();
   const top = async () => Number.parseFloat(await cameras.getByRole('definition').nth(1).innerText());
   assert.ok(await top() > 1.4, `${await top()} m high`);
 
   // The usual rules find the fall; its mark leads there.
-  await cameras.getByRole('button', { name: 'Find what they take for falls' }).click();
+  await cameras.getByRole('button', { name: 'Find falls seen by cameras' }).click();
   // The finder opens, and says apart what cameras see and what is true.
-  await page.getByText(/Falls by cameras: [1-9]\d*, by the truth: \d+/).waitFor();
-  const hit = page.getByRole('region', { name: 'What was found' }).getByRole('button', { name: /by cameras: very likely a fall/ }).first();
+  await page.getByText(/Falls seen by cameras: [1-9]\d*, in the ground truth: \d+/).waitFor();
+  const hit = page.getByRole('region', { name: 'Search results' }).getByRole('button', { name: /by cameras: very likely a fall/ }).first();
   await hit.waitFor();
   await hit.click();
   for (let turn = 0; turn < 3; turn += 1) {
@@ -51,7 +51,7 @@ test('at any speed it goes on, and before the run there is nothing to see', { ti
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/postures-1@2025-06-02T10:00:00`);
   const cameras = page.getByRole('region', { name: 'Cameras', exact: true });
-  await cameras.getByRole('img', { name: /: sees somebody/ }).first().waitFor();
+  await cameras.getByRole('img', { name: /: person in view/ }).first().waitFor();
   await page.getByRole('button', { name: '10×: ' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await cameras.getByText('in between', { exact: true }).waitFor();
@@ -66,7 +66,7 @@ test('live pictures are those of now', { timeout: 240_000 }, async () => {
   await page.goto(`${address.split('#')[0]}#/live`);
   const cameras = page.getByRole('region', { name: 'Cameras', exact: true });
   await page.getByRole('button', { name: 'Play', exact: true }).click();
-  await cameras.getByRole('img', { name: 'Silhouette of south-west: sees somebody' }).waitFor();
+  await cameras.getByRole('img', { name: 'Silhouette of south-west: person in view' }).waitFor();
   assert.ok(await bodyPixels(cameras.getByRole('img', { name: 'Silhouette of south-west' })) > 100);
   await looked(page, 'cameras live', process.env.LOOKS);
 });

@@ -19,11 +19,11 @@ before(async () => {
 after(() => served.close());
 
 const calendar = (page) => page.getByRole('region', { name: 'Calendar' });
-const opened = (page) => page.getByRole('region', { name: 'The day that is open' });
+const opened = (page) => page.getByRole('region', { name: 'Selected day' });
 
 test('a day is found by keyboard, and what is noted about its alert another browser sees', { timeout: 240_000 }, async () => {
   const { page } = served;
-  const alert = calendar(page).getByRole('button', { name: /alert not seen to/ }).last();
+  const alert = calendar(page).getByRole('button', { name: /alert open/ }).last();
   await alert.waitFor();
   const day = /^\w+ (\d+ \w+ \d+)/.exec(await alert.getAttribute('title'))[1];
   await calendar(page).locator('td button[tabindex="0"]').focus();
@@ -56,9 +56,9 @@ function readIf(place) {
 
 test('a sentence opens down to its days, and to the evening on which one began', { timeout: 240_000 }, async () => {
   const { page } = served;
-  const changed = page.getByRole('region', { name: 'What has changed' });
+  const changed = page.getByRole('region', { name: 'Changes' });
   await changed.locator('summary').first().click();
-  const link = changed.getByRole('link', { name: /^See/ }).first();
+  const link = changed.getByRole('link', { name: /^Watch/ }).first();
   const moment = /@(\d+-\d+-\d+)T(\d+:\d+)/.exec(await link.getAttribute('href'));
   await link.click();
   const clock = new RegExp(`^${Number(moment[1].slice(8))} \\w+, ${moment[2]}`);
@@ -73,7 +73,7 @@ test('a sentence opens down to its days, and to the evening on which one began',
 test('two spans, and no violation in light or dark, nor on a telephone', { timeout: 240_000 }, async () => {
   const { page } = served;
   await page.goto(`${served.address.split('#')[0]}#/care/${RUN}`);
-  const spans = page.getByRole('region', { name: 'Two spans' });
+  const spans = page.getByRole('region', { name: 'Compare two periods' });
   await spans.getByRole('row', { name: /^Sleep/ }).waitFor();
   for (const [width, colorScheme] of [[1280, 'light'], [1024, 'dark'], [390, 'light']]) {
     await page.emulateMedia({ colorScheme });

@@ -69,7 +69,7 @@ async function picture() {
 test('a home is drawn from nothing to a lived day', { timeout: 240_000 }, async () => {
   const { page } = served;
   await press('New home');
-  await press('Make it');
+  await press('Create home');
   await page.getByRole('application').waitFor();
 
   // Walls by typed lengths.
@@ -116,10 +116,10 @@ test('a home is drawn from nothing to a lived day', { timeout: 240_000 }, async 
   await looked(page, 'drawing', process.env.LOOKS);
 
   await act(() => page.keyboard.press('Control+s'));
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   assert.deepEqual(JSON.parse(served.homebody('check', 'home', '--json')).problems, []);
   await act(() => page.getByRole('link', { name: 'Live' }).click());
-  await act(() => page.getByRole('button', { name: /Begin a run/ }).click());
+  await act(() => page.getByRole('button', { name: /New run/ }).click());
   const field = page.getByLabel('Date and time to go to');
   await field.waitFor();
   const start = await field.getAttribute('min');

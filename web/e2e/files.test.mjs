@@ -12,7 +12,7 @@ before(async () => {
   served = await serve('tigerplace');
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/life`);
-  editor = page.getByRole('textbox', { name: /^The routine of margaret/ });
+  editor = page.getByRole('textbox', { name: /^Routine of margaret/ });
   await page.getByText('Every sentence is understood.').waitFor();
 });
 after(() => served.close());
@@ -30,7 +30,7 @@ async function write(sentence) {
   await served.page.getByText('margaret.routine is not saved.').waitFor();
 }
 
-const question = () => served.page.getByRole('alert').filter({ hasText: /was (changed on|removed from) disk/ });
+const question = () => served.page.getByRole('alert').filter({ hasText: /was (changed on|deleted from) disk/ });
 
 test('what nobody here has changed is shown as it is on disk', { timeout: 240_000 }, async () => {
   writeFileSync(path(), `${onDisk()}\nOften she drinks.`);
@@ -48,9 +48,9 @@ test('what was changed here and there is asked about, and mine can be kept', { t
   await page.keyboard.press('Control+s');
   await page.getByText('margaret.routine is not saved.').waitFor();
   assert.equal(onDisk(), theirs);
-  await question().getByRole('button', { name: 'Keep mine' }).click();
+  await question().getByRole('button', { name: 'Keep my version' }).click();
   await page.keyboard.press('Control+s');
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   assert.match(onDisk(), /Often she exercises\.$/);
   assert.doesNotMatch(onDisk(), /snack/);
 });
@@ -60,16 +60,16 @@ test('theirs can be taken, and a file that has gone is made again', { timeout: 2
   await write('Often she naps.');
   const theirs = onDisk().replace('Often she exercises.', 'Often she relaxes.');
   writeFileSync(path(), theirs);
-  await question().getByRole('button', { name: 'Take the one on disk' }).click();
-  await page.getByText('All is saved.').waitFor();
+  await question().getByRole('button', { name: 'Use the version on disk' }).click();
+  await page.getByText('All changes saved.').waitFor();
   assert.match(await shown(), /Often she relaxes\.$/);
   assert.equal(onDisk(), theirs);
 
   await write('Often she reads.');
   rmSync(path());
-  await question().getByRole('button', { name: 'Keep mine' }).click();
+  await question().getByRole('button', { name: 'Keep my version' }).click();
   await page.keyboard.press('Control+s');
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   assert.equal(onDisk(), `${theirs}\nOften she reads.`);
 });
 
@@ -88,6 +88,6 @@ test('what is not saved is not lost with a view, and a connection that is lost i
   await context.setOffline(false);
   served.wrong.length = 0;
   await page.getByRole('button', { name: 'Save', exact: true }).click();
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   assert.match(onDisk(), /Often she phones\.$/);
 });

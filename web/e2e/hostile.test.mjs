@@ -64,7 +64,7 @@ test('whatever things are called, the page shows it as text', { timeout: 240_000
   await page.getByRole('button', { name: '1,000×: ' }).click();
   await wait(2500);
   await page.getByRole('button', { name: 'Stop' }).click();
-  await page.getByText('rows are in').first().waitFor();
+  await page.getByText(/Stored .* rows in/).first().waitFor();
   assert.ok((await page.getByRole('banner').innerText()).includes(EVIL[1]), 'the name is shown as it is');
   const [run] = served.runs();
   for (const view of ['live', 'plan', 'life', 'log', 'playback', `care/${encodeURIComponent(run)}`, `playback/${encodeURIComponent(run)}`]) {

@@ -16,19 +16,19 @@ before(async () => {
   await page.setViewportSize({ width: 1280, height: 900 });
   await page.getByRole('link', { name: 'Plan' }).click();
   await page.getByRole('application').waitFor();
-  await page.getByRole('tab', { name: 'Parts' }).click();
+  await page.getByRole('tab', { name: 'Install' }).click();
 });
 after(() => served.close());
 
 const home = () => JSON.parse(readFileSync(join(served.folder, SCENARIO, 'home.json'), 'utf8'));
-const desk = () => served.page.getByRole('region', { name: /What goes where/ });
+const desk = () => served.page.getByRole('region', { name: /Install sheet/ });
 const count = () => desk().locator('ol > li').count();
 
 /** Saves what is drawn, and reads it from the disk. */
 async function saved() {
   const { page } = served;
   await page.keyboard.press('Control+s');
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   return home();
 }
 
@@ -37,8 +37,8 @@ test('a device of the catalogue is put up with its numbers, and the list leads t
   const before = home().sensors.length;
   await until(async () => (await count()) === before, 'all sensors are listed');
   await page.getByRole('combobox', { name: 'Device', exact: true }).selectOption('fibaro');
-  await page.getByText('Z-Wave, 2.4 m high').waitFor();
-  await page.getByRole('button', { name: 'Put one up' }).click();
+  await page.getByText('Z-Wave, mounted 2.4 m high').waitFor();
+  await page.getByRole('button', { name: 'Place one' }).click();
   const area = await page.getByRole('application').boundingBox();
   await page.mouse.click(area.x + area.width / 2, area.y + area.height / 2);
   await until(async () => (await count()) === before + 1, 'what was put up is listed');
@@ -50,7 +50,7 @@ test('a device of the catalogue is put up with its numbers, and the list leads t
   await entry.getByRole('button').click();
   await page.getByRole('tab', { name: 'Element' }).click();
   assert.equal(await page.getByRole('tabpanel').getByRole('heading', { level: 2 }).first().innerText(), fresh.name);
-  await page.getByRole('tab', { name: 'Parts' }).click();
+  await page.getByRole('tab', { name: 'Install' }).click();
 });
 
 test('a sheet to print and a table are saved', { timeout: 240_000 }, async () => {
@@ -61,7 +61,7 @@ test('a sheet to print and a table are saved', { timeout: 240_000 }, async () =>
     const download = await coming;
     return [download.suggestedFilename(), readFileSync(await download.path())];
   };
-  const [sheet, bytes] = await fetched('Sheet to print');
+  const [sheet, bytes] = await fetched('Export PDF');
   assert.ok(sheet.endsWith('-sheet.pdf') && bytes.subarray(0, 5).toString() === '%PDF-', sheet);
   const [table, text] = await fetched('CSV');
   assert.ok(table.endsWith('-parts.csv'));
@@ -85,20 +85,20 @@ test('places are suggested, put in place of those there, and compared with them'
   const motion = home().sensors.filter(({ kind }) => kind === 'motion').map(({ name }) => name);
   assert.ok(motion.length > 1 && motion.length < before.length);
   await page.getByRole('spinbutton', { name: 'Sensors' }).fill('3');
-  await page.getByRole('button', { name: 'Suggest places' }).click();
-  const answer = page.getByRole('region', { name: 'What is suggested' });
+  await page.getByRole('button', { name: 'Suggest sensors' }).click();
+  const answer = page.getByRole('region', { name: 'Suggested sensors' });
   await answer.waitFor();
   assert.equal(await answer.locator('ol > li').count(), 3);
-  assert.match(await answer.innerText(), new RegExp(`that makes ${before.length - motion.length + 3} sensors: ${motion.join(', ')} go; the ${before.length - motion.length} others stay`));
+  assert.match(await answer.innerText(), new RegExp(`Replace: ${before.length - motion.length + 3} sensors in all\\. Removed: ${motion.join(', ')}\\. Kept: ${before.length - motion.length} sensors`));
   assert.equal(await page.getByRole('tabpanel').evaluate((panel) => panel.scrollWidth - panel.clientWidth), 0);
-  await answer.getByRole('button', { name: `Put them in place of the ${motion.length} motion sensors of now` }).click();
+  await answer.getByRole('button', { name: `Replace the current ${motion.length} motion sensors` }).click();
   const now = before.length - motion.length + 3;
   await until(async () => (await count()) === now, 'the list has those that were suggested, and those of other kinds');
 
   await page.getByLabel('First layout').selectOption('Before the suggestion');
-  await page.getByLabel('Second layout').selectOption('As it is now');
+  await page.getByLabel('Second layout').selectOption('Current plan');
   await page.getByRole('button', { name: 'Compare' }).click();
-  const both = page.getByRole('region', { name: 'Two layouts' });
+  const both = page.getByRole('region', { name: 'Comparison of two layouts' });
   await both.waitFor();
   assert.equal(await both.getByRole('row', { name: /^Sensors/ }).innerText().then((text) => text.split(/\s+/).join(' ')), `Sensors ${before.length} ${now}`);
   const differences = await both.locator('ul > li').allInnerTexts();
@@ -112,15 +112,15 @@ test('places are suggested, put in place of those there, and compared with them'
 
 test('by what people would show it takes a while, says how far it is, and can be stopped', { timeout: 240_000 }, async () => {
   const { page } = served;
-  await page.getByRole('checkbox', { name: 'Nights in the bathroom' }).check();
-  await page.getByRole('button', { name: 'Suggest places' }).click();
-  await page.getByRole('progressbar', { name: 'How far the suggestion is' }).waitFor();
+  await page.getByRole('checkbox', { name: 'Bathroom visits at night' }).check();
+  await page.getByRole('button', { name: 'Suggest sensors' }).click();
+  await page.getByRole('progressbar', { name: 'Progress of the suggestion' }).waitFor();
   // The first people are lived in a second, or in many where much else goes on; a quick machine may be ready before it is stopped.
-  const ready = page.getByRole('region', { name: 'What is suggested' }).waitFor();
-  const goesOn = page.waitForFunction(() => document.querySelector('progress[aria-label="How far the suggestion is"]')?.value > 0);
+  const ready = page.getByRole('region', { name: 'Suggested sensors' }).waitFor();
+  const goesOn = page.waitForFunction(() => document.querySelector('progress[aria-label="Progress of the suggestion"]')?.value > 0);
   await Promise.any([ready, goesOn]);
   await Promise.any([ready, page.getByRole('button', { name: 'Stop', exact: true }).click()]);
-  await page.getByRole('button', { name: 'Suggest places' }).and(page.locator(':enabled')).waitFor();
+  await page.getByRole('button', { name: 'Suggest sensors' }).and(page.locator(':enabled')).waitFor();
 });
 
 test('the desk is accessible, and as wide as its window', { timeout: 240_000 }, async () => {

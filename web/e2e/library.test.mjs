@@ -12,7 +12,7 @@ const LONG = 'a name that goes on and on '.repeat(4).trim().slice(0, 100);
 
 let served;
 before(async () => {
-  served = await serveLibrary(['studio', 'tigerplace', 'older-adult'], { words: ['--keep-address', 'address'] });
+  served = await serveLibrary(['studio', 'tigerplace', 'older-adult'], { words: ['--address-file', 'address'] });
   if (pictures) mkdirSync(pictures, { recursive: true });
   await served.page.setViewportSize({ width: 1280, height: 800 });
 });
@@ -45,21 +45,21 @@ test('a home is begun empty, and one from a template; names that are none are re
   const dialog = page.getByRole('dialog', { name: 'New home' });
   await looked(page, 'new', pictures);
   await dialog.getByLabel('Name').fill(`${'n'.repeat(4000)}/`);
-  await dialog.getByRole('button', { name: 'Make it' }).click();
-  await dialog.getByText('it is longer than 100 letters').waitFor();
+  await dialog.getByRole('button', { name: 'Create home' }).click();
+  await dialog.getByText('it is longer than 100 characters').waitFor();
   await dialog.getByLabel('Name').fill(LONG);
   await dialog.getByRole('radio', { name: 'From a template' }).check();
   await dialog.getByLabel('Template', { exact: true }).selectOption('by-hand');
-  await dialog.getByRole('button', { name: 'Make it' }).click();
+  await dialog.getByRole('button', { name: 'Create home' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   await page.getByRole('link', { name: 'All homes' }).click();
   await page.getByRole('button', { name: 'New home' }).click();
   await dialog.getByLabel('Name').fill('nothing yet');
-  await dialog.getByRole('button', { name: 'Make it' }).click();
+  await dialog.getByRole('button', { name: 'Create home' }).click();
   await page.getByRole('application').waitFor();
   assert.match(page.url(), /\/homes\/nothing%20yet\/#\/plan$/);
   await page.getByRole('link', { name: 'All homes' }).click();
-  await card('nothing yet').getByRole('link', { name: 'Draw it' }).waitFor();
+  await card('nothing yet').getByRole('link', { name: 'Draw the plan' }).waitFor();
 });
 
 test('a home is begun from an image: it lies under the plan, is scaled by two points, and goes with the home', { timeout: 240_000 }, async () => {
@@ -69,25 +69,25 @@ test('a home is begun from an image: it lies under the plan, is scaled by two po
   await dialog.getByRole('radio', { name: 'From an image' }).check();
   const file = (name, mimeType, text) => dialog.getByLabel('File', { exact: true }).setInputFiles({ name, mimeType, buffer: Buffer.from(text) });
   await file('notes.txt', 'text/plain', 'no picture');
-  await dialog.getByRole('button', { name: 'Make it' }).click();
-  await dialog.getByText('This is no PNG, JPEG or SVG file.').waitFor();
+  await dialog.getByRole('button', { name: 'Create home' }).click();
+  await dialog.getByText('This file is not a PNG, JPEG or SVG image.').waitFor();
   await file('torn.png', 'image/png', 'no picture');
-  await dialog.getByRole('button', { name: 'Make it' }).click();
+  await dialog.getByRole('button', { name: 'Create home' }).click();
   await dialog.getByText('The browser cannot read this image.').waitFor();
   assert.ok(!existsSync(at('notes')) && !existsSync(at('torn')));
   await file('Oak Street 5.svg', 'image/svg+xml', '<svg xmlns="http://www.w3.org/2000/svg" width="400" height="280"><rect x="20" y="20" width="360" height="240" fill="none" stroke="black"/></svg>');
   assert.equal(await dialog.getByLabel('Name').inputValue(), 'Oak Street 5');
-  await dialog.getByRole('button', { name: 'Make it' }).click();
+  await dialog.getByRole('button', { name: 'Create home' }).click();
   const panel = page.getByRole('tabpanel', { name: 'Image' });
   await panel.getByText('Oak Street 5.svg').waitFor();
-  await panel.getByText('Click two points of the image whose distance you know').waitFor();
-  assert.equal(await panel.getByRole('button', { name: 'Set its scale by two points' }).getAttribute('aria-pressed'), 'true');
+  await panel.getByText('Click two points with a known distance').waitFor();
+  assert.equal(await panel.getByRole('button', { name: 'Set scale with two points' }).getAttribute('aria-pressed'), 'true');
   const width = () => panel.getByLabel('Width of the image').inputValue();
   const before = Number.parseFloat(await width());
   const plan = page.getByRole('application');
   const box = await plan.boundingBox();
   for (const share of [0.4, 0.6]) await page.mouse.click(box.x + share * box.width, box.y + 0.5 * box.height);
-  const apart = Number.parseFloat((await panel.getByText(/They are .* apart now/).innerText()).match(/[\d.]+/)[0]);
+  const apart = Number.parseFloat((await panel.getByText(/^Now .* Real distance/).innerText()).match(/[\d.]+/)[0]);
   // Typed at once, as a wall's length.
   await page.keyboard.type('7');
   await page.keyboard.press('Enter');
@@ -106,7 +106,7 @@ test('a home is begun from an image: it lies under the plan, is scaled by two po
   await page.getByRole('tab', { name: 'Image' }).click();
   await panel.getByText('Oak Street 5.svg').waitFor();
   assert.equal(Number.parseFloat(await width()), after);
-  assert.equal(await panel.getByRole('button', { name: 'Set its scale by two points' }).getAttribute('aria-pressed'), 'false');
+  assert.equal(await panel.getByRole('button', { name: 'Set scale with two points' }).getAttribute('aria-pressed'), 'false');
   await looked(page, 'image', pictures);
   await page.getByRole('link', { name: 'All homes' }).click();
 });
@@ -128,9 +128,9 @@ test('a home is copied, renamed, deleted, and put back by Undo', { timeout: 240_
   await card('margaret’s').waitFor();
   await page.getByRole('button', { name: 'Delete margaret’s' }).click();
   await page.getByText('Deleted homes (1)').click();
-  await page.getByRole('button', { name: 'Put back' }).waitFor();
+  await page.getByRole('button', { name: 'Restore' }).waitFor();
   await looked(page, 'library', pictures);
-  await page.getByRole('button', { name: 'Put back' }).click();
+  await page.getByRole('button', { name: 'Restore' }).click();
   await card('margaret’s').waitFor();
 });
 
@@ -159,12 +159,12 @@ test('the files of a home that is open are deleted on disk: what was drawn is wr
   await page.keyboard.press('ArrowLeft');
   await page.getByText('home.json is not saved.').waitFor();
   rmSync(at('studio', 'home.json'));
-  await page.getByText(/was removed from disk/).waitFor();
+  await page.getByText(/was deleted from disk/).waitFor();
   // What is asked leaves the tools beside it as they are.
   assert.ok((await page.getByRole('button', { name: 'Snap', exact: true }).boundingBox()).height < 50);
-  await page.getByRole('button', { name: 'Keep mine' }).click();
+  await page.getByRole('button', { name: 'Keep my version' }).click();
   await page.keyboard.press('Control+s');
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   assert.ok(existsSync(at('studio', 'home.json')));
   served.wrong.length = 0;
 });

@@ -14,7 +14,7 @@ before(async () => {
   served = await serve(SCENARIO);
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/life`);
-  editor = page.getByRole('textbox', { name: /^The routine of margaret/ });
+  editor = page.getByRole('textbox', { name: /^Routine of margaret/ });
   await page.getByText('Every sentence is understood.').waitFor();
 });
 after(() => served.close());
@@ -45,7 +45,7 @@ test('a mistake is underlined, in the words of the program, and mended by comple
   assert.deepEqual(await page.locator('.cm-lintRange-error').allInnerTexts(), ['wtches television']);
   assert.equal(onDisk(), before, 'nothing is written before it is saved');
   await page.keyboard.press('Control+s');
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   const said = check();
   const [what, hint] = await problems.locator('.words').first().evaluate((words) => [words.firstChild.textContent, words.lastElementChild.textContent]);
   assert.ok(what.length > 10 && hint.length > 10, 'a problem has words');
@@ -59,7 +59,7 @@ test('a mistake is underlined, in the words of the program, and mended by comple
   await page.getByText('Every sentence is understood.').waitFor();
   await page.getByText('margaret.routine is not saved.').waitFor();
   await page.getByRole('button', { name: 'Save', exact: true }).click();
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   assert.equal(onDisk(), `${before}\nShe watches television at about 20:00 for 1 hour.`);
   assert.doesNotMatch(check(), /not|problem/i);
 });
@@ -84,7 +84,7 @@ test('what is begun is completed while it is written', { timeout: 240_000 }, asy
   await page.keyboard.type(' in the aft');
   await complete(page, /^in the afternoon/);
   await page.keyboard.type('.');
-  await page.getByRole('region', { name: 'How it was understood' }).getByText('reads (living room)').waitFor();
+  await page.getByRole('region', { name: 'Interpretation' }).getByText('reads (living room)').waitFor();
   assert.match(await editor.innerText(), /Often she reads in the living room in the afternoon\.$/);
   await page.getByText('Every sentence is understood.').waitFor();
 });
@@ -93,13 +93,13 @@ test('the days are drawn, and are others without the condition', { timeout: 240_
   const { page } = served;
   await page.getByRole('button', { name: 'Show its days' }).click();
   await page.getByText('3 – 30 May 2009').waitFor();
-  await page.getByText('living them').waitFor({ state: 'hidden' });
+  await page.getByText('simulating').waitFor({ state: 'hidden' });
   const [before, picture] = [await days(), await drawn()];
   assert.equal(before.length, 28);
   await page.getByLabel('depression', { exact: true }).check();
-  await page.getByLabel('side by side').uncheck();
+  await page.getByLabel('Side by side').uncheck();
   await page.getByRole('heading', { name: 'Without depression' }).waitFor();
-  const motion = (all) => all.reduce((sum, day) => sum + Number(/(\d+) motion firings/.exec(day)[1]), 0);
+  const motion = (all) => all.reduce((sum, day) => sum + Number(/(\d+) motion events/.exec(day)[1]), 0);
   assert.ok(motion(await days()) > motion(before) * 1.1, 'who is not depressed moves more');
   assert.notEqual(await drawn(), picture);
   await list().focus();
@@ -109,7 +109,7 @@ test('the days are drawn, and are others without the condition', { timeout: 240_
 
 test('all of it is lived as it was drawn, and can be played back', { timeout: 300_000 }, async () => {
   const { page } = served;
-  await page.getByRole('button', { name: 'Live all of it' }).click();
+  await page.getByRole('button', { name: 'Run all days' }).click();
   await page.getByRole('progressbar').waitFor();
   const link = page.getByRole('link', { name: /^Play back/ });
   await link.waitFor({ timeout: 240_000 });

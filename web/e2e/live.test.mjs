@@ -35,7 +35,7 @@ function stored(run) {
 
 test('the keys drive her to the kitchen, and what sensors said is in SQLite', { timeout: 240_000 }, async () => {
   const { page } = served;
-  await page.getByLabel('Who walks').selectOption({ label: 'margaret, by my keys' });
+  await page.getByLabel('Keyboard controls').selectOption({ label: 'margaret' });
   await page.getByRole('button', { name: 'New run' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await page.getByRole('application').focus();
@@ -45,7 +45,7 @@ test('the keys drive her to the kitchen, and what sensors said is in SQLite', { 
   await page.getByRole('cell', { name: 'kitchen', exact: true }).waitFor();
   await wait(2500);
   await page.getByRole('button', { name: 'Stop' }).click();
-  await page.getByText('rows are in').first().waitFor();
+  await page.getByText(/Stored .* rows in/).first().waitFor();
   const rows = (await shown(page)).reverse();
   assert.ok(rows.length > 5, `${rows.length} rows are shown`);
   assert.deepEqual(served.runs(), ['tigerplace-1']);
@@ -59,8 +59,8 @@ test('the recording is lived again, to the same firings', { timeout: 240_000 }, 
   const { page } = served;
   const before = await shown(page);
   await page.getByRole('button', { name: 'Replay' }).click();
-  await page.getByRole('button', { name: 'As fast as it goes' }).click();
-  await page.getByText('The same as the recording').first().waitFor();
+  await page.getByRole('button', { name: 'As fast as possible' }).click();
+  await page.getByText('The replay matches the recording').first().waitFor();
   await page.locator(`tr[aria-rowindex="${before.length + 1}"]`).waitFor();
   assert.deepEqual(await shown(page), before);
   assert.match(served.homebody('replay', 'runs/tigerplace-1/recording.json', '--out', 'csv:again.csv'), /the same as the recording/);
@@ -69,7 +69,7 @@ test('the recording is lived again, to the same firings', { timeout: 240_000 }, 
 test('the log is downloaded as it is stored', { timeout: 240_000 }, async () => {
   const { page } = served;
   await page.getByText(/^Recording: |^Stored: |tigerplace-1/).first().click();
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Log', exact: true }).click()]);
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Export log' }).click()]);
   const bytes = readFileSync(await download.path());
   assert.deepEqual(bytes, readFileSync(join(served.folder, 'runs/tigerplace-1/log.db')));
 });

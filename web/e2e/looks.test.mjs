@@ -35,14 +35,14 @@ const DONE = {
   async found(page) {
     await page.getByText('Find in the whole run').click();
     await page.getByRole('button', { name: 'Find', exact: true }).click();
-    await page.getByRole('region', { name: 'What was found' }).waitFor();
+    await page.getByRole('region', { name: 'Search results' }).waitFor();
     await page.getByLabel('Rooms').check();
-    await page.getByText('Keep', { exact: true }).click();
+    await page.getByText('Export', { exact: true }).click();
   },
   async twins(page) {
-    await page.getByLabel('Beside it').selectOption('tigerplace-depression-2');
-    await page.getByRole('region', { name: 'What differs on this day' }).getByRole('columnheader', { name: 'Only first' }).waitFor();
-    await page.getByLabel('Time spent, as heat').check();
+    await page.getByLabel('Compare with').selectOption('tigerplace-depression-2');
+    await page.getByRole('region', { name: 'Differences on this day' }).getByRole('columnheader', { name: 'Only first' }).waitFor();
+    await page.getByLabel('Heat map').check();
   },
 };
 

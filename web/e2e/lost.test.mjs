@@ -11,7 +11,7 @@ let served;
 before(async () => (served = await serve('studio')));
 after(() => served.close());
 
-const lost = (page) => page.getByText('connection lost, trying again');
+const lost = (page) => page.getByText('connection lost, reconnecting');
 const connected = (page) => page.getByText('connected', { exact: true });
 
 test('a line that is cut is told, and found again while the run goes on', { timeout: 240_000 }, async () => {
@@ -35,7 +35,7 @@ test('a line that is cut is told, and found again while the run goes on', { time
   await line.close();
   await lost(page).waitFor();
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
-  await page.getByText('There is no connection to the server, so nothing was done.').waitFor();
+  await page.getByText('Not connected to the server. Nothing was changed.').waitFor();
   // Text is a little behind the drawing.
   await wait(500);
   const before = await now();
@@ -52,7 +52,7 @@ test('a line that is cut is told, and found again while the run goes on', { time
 test('what was written outlives a server that is started again', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/life`);
-  const editor = page.getByRole('textbox', { name: /^The routine of walter/ });
+  const editor = page.getByRole('textbox', { name: /^Routine of walter/ });
   await page.getByText('Every sentence is understood.').waitFor();
   await editor.click();
   await page.keyboard.press('Control+End');
@@ -62,13 +62,13 @@ test('what was written outlives a server that is started again', { timeout: 240_
   await lost(page).waitFor();
   const next = await again();
   // Each start has a token of its own.
-  await page.getByLabel('Token, or the whole address').waitFor();
-  await page.getByLabel('Token, or the whole address').fill(next);
+  await page.getByLabel('Address or access token').waitFor();
+  await page.getByLabel('Address or access token').fill(next);
   await page.getByRole('button', { name: 'Connect' }).click();
   await connected(page).waitFor();
   await page.getByText('walter.routine is not saved.').waitFor();
   await page.getByRole('button', { name: 'Save', exact: true }).click();
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   assert.match(readFileSync(join(served.folder, 'studio/walter.routine'), 'utf8'), /He reads at about 20:00 for 1 hour\.$/);
   // The browser says itself that nobody answered, and that the first token is not that of the second.
   const expected = /ERR_CONNECTION_REFUSED|WebSocket connection|401 \(Unauthorized\)/;

@@ -205,11 +205,11 @@ for (let round = 0; round < 60; round += 1) {
 }
 say('scrubbed to a day that was not looked at', scrubs);
 
-// What is looked for over the year, from the page and back, each of them several times.
+// Searches over the year, from the page and back, each of them several times.
 const FINDS = {
   'in the bathroom between 0 and 6': { what: 'room', name: 'bathroom', between_min: [0, 360], least_s: 0 },
   'stove motion on for 30 minutes': { what: 'on', name: 'stove motion', between_min: null, least_s: 1800 },
-  'nothing stirs for 3 hours by day': { what: 'still', name: null, between_min: [480, 1200], least_s: 10_800 },
+  'no movement for 3 hours by day': { what: 'still', name: null, between_min: [480, 1200], least_s: 10_800 },
   'falls': { what: 'fall', name: null, between_min: null, least_s: 0 },
   'lost messages': { what: 'lost', name: null, between_min: null, least_s: 0 },
 };
@@ -231,17 +231,17 @@ for (const [words, query] of Object.entries(FINDS)) {
 }
 
 // The time line of a year, zoomed by the wheel from all of it to an hour and back.
-const line = year.page.getByRole('group', { name: /^Time line/ });
+const line = year.page.getByRole('group', { name: /^Timeline/ });
 await line.focus();
 await year.page.keyboard.press('a');
-await year.page.getByText('365 d in sight').waitFor();
+await year.page.getByText('365 d shown').waitFor();
 await wait(2000);
 await zoomed(year.page, `zooming the lanes of a year`);
 await year.close();
 
 /** Frame to frame while the wheel zooms in and out. */
 async function zoomed(page, what) {
-  const box = await page.getByRole('group', { name: /^Time line/ }).boundingBox();
+  const box = await page.getByRole('group', { name: /^Timeline/ }).boundingBox();
   await page.mouse.move(box.x + box.width * 0.6, box.y + 70);
   await page.evaluate(() => Object.assign(window.watched, { scripts: [], gaps: [] }));
   for (let turn = 0; turn < 160; turn += 1) {
@@ -259,7 +259,7 @@ await wide.page.setViewportSize({ width: 1280, height: 900 });
 wide.homebody('run', 'tigerplace', '--for', '365d', '--quiet');
 await wide.page.goto(`${new URL(wide.address).origin}/#/playback/tigerplace-1`);
 await wide.page.getByText(/^Day 1 of/).waitFor({ timeout: 300_000 });
-await wide.page.getByRole('group', { name: /^Time line/ }).focus();
+await wide.page.getByRole('group', { name: /^Timeline/ }).focus();
 await wide.page.keyboard.press('a');
 await wait(8000);
 await zoomed(wide.page, 'the same of 100 sensors');

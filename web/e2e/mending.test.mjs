@@ -28,13 +28,13 @@ const go = async (view) => served.page.goto(`${served.address.split('#')[0]}#/${
 
 test('a scenario with problems opens, says them, and is mended by one click', { timeout: 240_000 }, async () => {
   const { page } = served;
-  await page.getByText('8 things are wrong with the scenario').waitFor();
+  await page.getByText('the scenario has 8 problems').waitFor();
   // Where each is mended is known once the files have come.
-  await page.getByRole('link', { name: 'Mend it in Log' }).nth(7).waitFor();
-  assert.equal(await page.getByRole('link', { name: 'Mend it in Log' }).count(), 8);
-  await page.getByRole('button', { name: 'Remove the 8 ids of sensors that are gone' }).click();
-  await page.getByText('What was wrong is mended.').waitFor();
-  await page.getByRole('button', { name: 'Save, and begin a run' }).click();
+  await page.getByRole('link', { name: 'Fix in Log' }).nth(7).waitFor();
+  assert.equal(await page.getByRole('link', { name: 'Fix in Log' }).count(), 8);
+  await page.getByRole('button', { name: 'Remove the 8 ids of deleted sensors' }).click();
+  await page.getByText('All problems are fixed.').waitFor();
+  await page.getByRole('button', { name: 'Save and start new run' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   assert.equal(Object.keys(JSON.parse(onDisk('logger.json')).ids).length, 10);
   assert.deepEqual(JSON.parse(served.homebody('check', SCENARIO, '--json')).problems, []);
@@ -51,18 +51,18 @@ test('a chair that is called otherwise is so in the routine, and one step back e
   await page.keyboard.press('Enter');
   await page.getByText('2 files are not saved.').waitFor();
   await page.getByRole('button', { name: 'Undo' }).click();
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   await page.getByRole('button', { name: 'Redo' }).click();
   await page.getByText('2 files are not saved.').waitFor();
   await page.getByRole('button', { name: 'Save', exact: true }).click();
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   assert.match(onDisk('margaret.routine'), /naps in the recliner/);
   assert.deepEqual(JSON.parse(served.homebody('check', SCENARIO, '--json')).problems, []);
   // The run goes by what the files were.
   await go('live');
-  await page.getByText('have been saved since this run began').waitFor();
-  await page.getByRole('button', { name: 'Begin anew' }).click();
-  await page.getByText('have been saved since this run began').waitFor({ state: 'detached' });
+  await page.getByText('have been saved since this run started').waitFor();
+  await page.getByRole('button', { name: 'New run' }).first().click();
+  await page.getByText('have been saved since this run started').waitFor({ state: 'detached' });
 });
 
 test('what was understood stands beside its sentence, however wide the window is', { timeout: 240_000 }, async () => {
@@ -73,7 +73,7 @@ test('what was understood stands beside its sentence, however wide the window is
     await page.setViewportSize({ width, height: 1080 });
     const look = () => page.evaluate(() => {
       const lines = [...document.querySelector('.editor .editor').shadowRoot.querySelectorAll('.cm-line')];
-      const rows = [...document.querySelectorAll('[aria-label="How it was understood"] li')];
+      const rows = [...document.querySelectorAll('[aria-label="Interpretation"] li')];
       const wrong = [];
       const before = new Map();
       for (const row of rows) {
@@ -100,8 +100,8 @@ test('what was understood stands beside its sentence, however wide the window is
 test('whoever is driven walks at once after a button, goes out of the open door and comes back', { timeout: 240_000 }, async () => {
   const { page } = served;
   await go('live');
-  await page.getByRole('button', { name: 'As fast as it goes' }).click();
-  await page.getByLabel('Who walks').selectOption({ label: 'margaret, by my keys' });
+  await page.getByRole('button', { name: 'As fast as possible' }).click();
+  await page.getByLabel('Keyboard controls').selectOption({ label: 'margaret' });
   await page.getByRole('button', { name: 'New run' }).click();
   await page.locator('output.speed').getByText('1×').waitFor();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
@@ -123,14 +123,14 @@ test('whoever is driven walks at once after a button, goes out of the open door 
   await page.getByRole('row', { name: /margaret.*hall/ }).waitFor();
   await page.keyboard.up('KeyW');
   await page.getByRole('button', { name: 'Stop' }).click();
-  await page.getByText('rows are in').first().waitFor();
+  await page.getByText(/Stored .* rows in/).first().waitFor();
 });
 
 test('a run is named, deleted, and fetched back; the address knows the time', { timeout: 240_000 }, async () => {
   const { page } = served;
   const run = served.runs().at(-1);
   await go(`playback/${run}`);
-  await page.getByText('Name, note, how it was made').click();
+  await page.getByText('Name, note and details').click();
   await page.getByLabel('Name', { exact: true }).fill('out and back');
   await page.keyboard.press('Tab');
   await page.getByLabel('Run', { exact: true }).getByText('out and back').waitFor({ state: 'attached' });
@@ -165,15 +165,15 @@ test('a resident is called otherwise in one step, which can be undone, and lives
       await page.getByRole('button', { name: 'Rename', exact: true }).click();
     };
     await rename('margaret', '  ');
-    await page.getByRole('alert').getByText('A name has a letter at least.').waitFor();
+    await page.getByRole('alert').getByText('Enter a name.').waitFor();
     await page.getByRole('button', { name: 'Cancel' }).click();
     await rename('margaret', 'joan');
-    await page.getByText(/now called joan, in margaret\.json, margaret\.routine/).waitFor();
+    await page.getByText(/Renamed to joan, in margaret\.json, margaret\.routine/).waitFor();
     await page.getByRole('button', { name: 'Undo' }).last().click();
     await page.getByRole('button', { name: 'Rename margaret' }).waitFor();
-    await page.getByText('All is saved').first().waitFor();
+    await page.getByText('All changes saved').first().waitFor();
     await rename('margaret', 'joan');
-    await page.getByText(/now called joan/).waitFor();
+    await page.getByText(/Renamed to joan/).waitFor();
     await page.getByRole('button', { name: 'Save', exact: true }).first().click();
     await page.getByRole('button', { name: 'Rename joan' }).waitFor();
     await page.waitForFunction(() => [...document.querySelectorAll('.who option')].some((option) => option.value === 'joan'));
@@ -199,20 +199,20 @@ test('what has one answer is done by a button in one step, and what a home lacks
     await page.goto(`${address.split('#')[0]}#/plan`);
     await page.setViewportSize({ width: 1280, height: 800 });
     await page.getByRole('tab', { name: /^Problems/ }).click();
-    await page.getByRole('button', { name: 'Write “front door”' }).click();
-    await page.getByRole('button', { name: 'Write “front door”' }).waitFor({ state: 'detached' });
-    await page.getByRole('button', { name: 'Put “fridge”' }).click();
-    await page.getByText('Nothing is wrong.').waitFor();
+    await page.getByRole('button', { name: 'Change to “front door”' }).click();
+    await page.getByRole('button', { name: 'Change to “front door”' }).waitFor({ state: 'detached' });
+    await page.getByRole('button', { name: 'Add “fridge”' }).click();
+    await page.getByText('No problems.').waitFor();
     // Each is one step.
     await page.getByRole('button', { name: 'Undo', exact: true }).click();
-    await page.getByRole('button', { name: 'Put “fridge”' }).waitFor();
+    await page.getByRole('button', { name: 'Add “fridge”' }).waitFor();
     await page.getByRole('button', { name: 'Undo', exact: true }).click();
     await page.getByRole('button', { name: /^Show front door contact/ }).click();
     assert.equal(await page.getByRole('tab', { name: 'Element' }).getAttribute('aria-selected'), 'true');
     await page.getByRole('button', { name: 'Redo', exact: true }).click();
     await page.getByRole('button', { name: 'Redo', exact: true }).click();
     await page.getByRole('button', { name: 'Save', exact: true }).click();
-    await page.getByText('All is saved.').waitFor();
+    await page.getByText('All changes saved.').waitFor();
     assert.deepEqual(JSON.parse(served.homebody('check', 'studio', '--json')).problems, []);
     assert.ok(JSON.parse(readFileSync(join(folder, 'studio/home.json'), 'utf8')).furniture.some(({ name }) => name === 'fridge'));
   } finally {
@@ -226,11 +226,11 @@ test('of a home whose folder is gone it is said that it is, and its files are wr
     await served.page.goto(`${served.address.split('#')[0]}#/plan`);
     await served.page.getByRole('application').waitFor();
     rmSync(join(served.folder, 'studio'), { recursive: true });
-    await served.page.getByText('This home is gone').waitFor();
+    await served.page.getByText('The files of this home are no longer').waitFor();
     await served.page.getByRole('link', { name: 'Live' }).click();
-    await served.page.getByRole('alert').getByText('This home is gone').waitFor();
+    await served.page.getByRole('alert').getByText('The files of this home are no longer').waitFor();
     await served.page.getByRole('button', { name: /^Write back \d+ files$/ }).click();
-    await served.page.getByText('This home is gone').waitFor({ state: 'detached' });
+    await served.page.getByText('The files of this home are no longer').waitFor({ state: 'detached' });
     assert.deepEqual(JSON.parse(served.homebody('check', 'studio', '--json')).problems, []);
   } finally {
     await served.close();

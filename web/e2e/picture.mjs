@@ -42,7 +42,7 @@ async function into(page, room, code, aside) {
 }
 
 await picture('live', 'tigerplace', async (page) => {
-  await page.getByLabel('Who walks').selectOption({ index: 1 });
+  await page.getByLabel('Keyboard controls').selectOption({ index: 1 });
   await page.getByRole('button', { name: 'New run' }).click();
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await page.getByRole('application').focus();
@@ -72,11 +72,11 @@ await picture('plan', 'older-adult', async (page) => {
 // Two weeks in which the depression is at its strongest, beside the same weeks without it, and the sentence that says so.
 await picture('life', 'tigerplace-depression', async (page) => {
   await page.getByRole('button', { name: 'Show its days' }).click();
-  await page.getByLabel('How many days').selectOption('14 days');
+  await page.getByLabel('Number of days').selectOption('14 days');
   await page.getByLabel('depression', { exact: true }).check();
   await page.getByRole('heading', { name: 'Without depression' }).waitFor({ timeout: 60_000 });
-  await page.getByText('living them').waitFor({ state: 'hidden', timeout: 60_000 });
-  await page.getByRole('textbox', { name: /^The routine of margaret/ }).click();
+  await page.getByText('simulating').waitFor({ state: 'hidden', timeout: 60_000 });
+  await page.getByRole('textbox', { name: /^Routine of margaret/ }).click();
   await page.keyboard.press('Control+End');
   await page.keyboard.press('ArrowUp');
   await wait(1000);
@@ -88,6 +88,6 @@ await picture('care', 'tigerplace-depression', async (page, served) => {
   await page.setViewportSize({ width: 1280, height: 1465 });
   await page.reload();
   await page.getByRole('heading', { name: 'Day by day' }).waitFor();
-  await page.getByRole('region', { name: 'Calendar' }).getByRole('button', { name: /2 alerts not seen to/ }).last().click();
+  await page.getByRole('region', { name: 'Calendar' }).getByRole('button', { name: /2 alerts open/ }).last().click();
   await wait(500);
 });

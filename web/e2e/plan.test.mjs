@@ -24,8 +24,8 @@ beforeEach(async () => {
   await page.getByRole('link', { name: 'Plan' }).click();
   await page.getByRole('application').waitFor();
   const undo = page.getByRole('button', { name: 'Undo' });
-  while (!(await page.getByText('All is saved.').isVisible()) && (await undo.isEnabled())) await undo.click();
-  await page.getByText('All is saved.').waitFor();
+  while (!(await page.getByText('All changes saved.').isVisible()) && (await undo.isEnabled())) await undo.click();
+  await page.getByText('All changes saved.').waitFor();
 });
 
 /** Selects something by its name in the list, and gives the plan the keys. */
@@ -72,7 +72,7 @@ test('a sensor is moved by keys and another by the mouse: less is unseen, and tw
   await until(async () => (await unseen()) < second, 'the dead zone shrinks as the sensor is dragged');
   assert.equal(onDisk(), begun);
   await page.keyboard.press('Control+s');
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   const saved = onDisk();
   const [old, now] = differing(begun, saved);
   assert.deepEqual([old.length, now.length], [2, 2]);
@@ -88,7 +88,7 @@ test('a sensor is moved by keys and another by the mouse: less is unseen, and tw
   await page.keyboard.press('Control+z');
   await page.getByText('home.json is not saved.').waitFor();
   await page.keyboard.press('Control+s');
-  await page.getByText('All is saved.').waitFor();
+  await page.getByText('All changes saved.').waitFor();
   assert.equal(onDisk(), begun);
 });
 
@@ -121,7 +121,7 @@ for (const [mistake, make] of [
     await page.getByRole('tab', { name: /Problems \d/ }).click();
     await page.getByRole('button', { name: /^Show / }).first().waitFor();
     await page.keyboard.press('Control+s');
-    await page.getByText('All is saved.').waitFor();
+    await page.getByText('All changes saved.').waitFor();
     const problems = checked().problems;
     assert.ok(problems.length > 0);
     for (const { what, hint } of problems) {
@@ -131,9 +131,9 @@ for (const [mistake, make] of [
     await page.getByRole('button', { name: /^Show / }).first().click();
     await page.getByRole('application').focus();
     await page.keyboard.press('Control+z');
-    await page.getByText('Nothing is wrong.').waitFor();
+    await page.getByText('No problems.').waitFor();
     await page.keyboard.press('Control+s');
-    await page.getByText('All is saved.').waitFor();
+    await page.getByText('All changes saved.').waitFor();
     assert.equal(onDisk(), begun);
   });
 }

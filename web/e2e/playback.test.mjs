@@ -46,28 +46,28 @@ test('of two runs that differ by a condition it is shown what one has and the ot
     // Up to the condition's beginning both have lived the same.
     await page.goto(`${address.split('#')[0]}#/playback/tigerplace-depression-1@2009-03-10T12:00:00`);
     await page.getByText('Day 9 of 38').waitFor();
-    await page.getByLabel('Beside it').selectOption('tigerplace-depression-2');
-    const differs = page.getByRole('region', { name: 'What differs on this day' });
-    await differs.getByText('Every firing of one is one of the other within a minute.').waitFor();
+    await page.getByLabel('Compare with').selectOption('tigerplace-depression-2');
+    const differs = page.getByRole('region', { name: 'Differences on this day' });
+    await differs.getByText('Every event has a match in the other run within a minute.').waitFor();
     await page.goto(`${address.split('#')[0]}#/playback/tigerplace-depression-1@2009-04-08T12:00:00`);
     await page.getByText('Day 38 of 38').waitFor();
     await differs.getByRole('rowheader', { name: 'bedroom motion' }).waitFor();
     await differs.getByRole('columnheader', { name: 'Room' }).waitFor();
-    await page.getByLabel('Time spent, as heat').check();
-    await page.getByText('More and less than in the first run that day').waitFor();
+    await page.getByLabel('Heat map').check();
+    await page.getByText('Difference from the first run on this day').waitFor();
     const now = page.getByRole('region', { name: 'At this time' });
     assert.equal(await now.getByRole('rowheader', { name: /^margaret$/ }).count(), 2);
-    await page.getByLabel('as a table').check();
+    await page.getByLabel('Table').check();
     await page.getByRole('region', { name: 'Rows by day' }).getByRole('row', { name: /8 Apr 2009.*[+−]\d+/ }).waitFor();
     // Of all days both runs are counts, and what one has more of than the other.
-    const line = page.getByRole('group', { name: /^Time line/ });
+    const line = page.getByRole('group', { name: /^Timeline/ });
     await line.focus();
     await page.keyboard.press('a');
-    await page.getByText('38 d in sight').waitFor();
+    await page.getByText('38 d shown').waitFor();
     await page.getByText('more above').waitFor();
     // Twins are told apart by what one was lived without, also in what is kept.
     assert.deepEqual(await page.locator('.clock .run').allInnerTexts(), ['first: tigerplace-depression-1', 'second: tigerplace-depression-2 without depression']);
-    await page.getByText('Keep', { exact: true }).click();
+    await page.getByText('Export', { exact: true }).click();
     const [lines] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: '(SVG)' }).click()]);
     assert.match(readFileSync(await lines.path(), 'utf8'), /2 March 2009.*above the line: tigerplace-depression-1<.*below the line: tigerplace-depression-2 without depression</s);
     const lanes = page.getByRole('region', { name: 'Lanes' }).locator('canvas');
@@ -75,7 +75,7 @@ test('of two runs that differ by a condition it is shown what one has and the ot
     await page.mouse.move(box.x + box.width * 0.97, box.y + 7);
     await page.getByText(/about \d+ times here, in the second run \d+$/).waitFor();
     if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/twins.png` });
-    await page.getByText('Keep', { exact: true }).click();
+    await page.getByText('Export', { exact: true }).click();
     const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: '(CSV)' }).click()]);
     const rows = readFileSync(await file.path(), 'utf8').split('\n').map((row) => row.split(','));
     // Up to the condition's beginning both have lived the same; at the end the second has other counts.
@@ -98,7 +98,7 @@ test('what is looked for over the whole run is listed, marked on the time line, 
   await page.getByLabel('Room', { exact: true }).selectOption('bathroom');
   await page.getByRole('button', { name: 'Find', exact: true }).click();
   await page.getByText(/\d+ times/).waitFor();
-  const hits = page.getByRole('region', { name: 'What was found' }).getByRole('button');
+  const hits = page.getByRole('region', { name: 'Search results' }).getByRole('button');
   assert.match(await hits.first().innerText(), /0[0-5]:\d\d:\d\d.*margaret/s);
   const clock = page.locator('time, .clock').first();
   const shows = (holds, what) => until(async () => holds(await clock.innerText()), async () => `${what}, while it shows ${await clock.innerText()}`);
@@ -111,42 +111,42 @@ test('what is looked for over the whole run is listed, marked on the time line, 
   await page.keyboard.press('p');
   await shows((text) => text === first, 'the first time again');
   // What is chosen stays open.
-  await page.getByLabel('What is looked for').selectOption('on');
+  await page.getByLabel('Search for').selectOption('on');
   await page.getByLabel('Sensor', { exact: true }).selectOption('stove motion');
   await page.getByLabel('between').check();
   // No hours at all are told.
-  await page.getByLabel('From which hour').selectOption('0');
-  await page.getByLabel('To which hour').selectOption('0');
+  await page.getByLabel('From hour').selectOption('0');
+  await page.getByLabel('To hour').selectOption('0');
   await page.getByRole('button', { name: 'Find', exact: true }).click();
-  await page.getByRole('alert').getByText('different times of a day').waitFor();
+  await page.getByRole('alert').getByText('The two hours must differ').waitFor();
 });
 
 test('the time line goes from the whole run to seconds, is sorted, and is kept as picture, lines and table', { timeout: 240_000 }, async () => {
   const { page, address } = served;
   await page.goto(`${address.split('#')[0]}#/playback/tigerplace-1@2009-03-10T12:00:00`);
   await page.getByText('Day 9 of 90').waitFor();
-  const line = page.getByRole('group', { name: /^Time line/ });
+  const line = page.getByRole('group', { name: /^Timeline/ });
   await line.focus();
   await page.keyboard.press('a');
-  await page.getByText('90 d in sight').waitFor();
+  await page.getByText('90 d shown').waitFor();
   await page.keyboard.press('0');
-  await page.getByText('1 d in sight').waitFor();
+  await page.getByText('1 d shown').waitFor();
   const box = await line.boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + 60);
   for (let turn = 0; turn < 60; turn += 1) await page.mouse.wheel(0, -240);
-  await page.getByText('1 s in sight').waitFor();
+  await page.getByText('1 s shown').waitFor();
   await page.keyboard.press('0');
   // Two hours are drawn out over the times.
   await page.mouse.move(box.x + box.width / 2, box.y + 8);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 + 80, box.y + 8, { steps: 4 });
   await page.mouse.up();
-  await page.getByText(/^[12] h \d+ min in sight$/).waitFor();
-  await page.getByRole('combobox', { name: 'Lanes' }).selectOption('active');
+  await page.getByText(/^[12] h \d+ min shown$/).waitFor();
+  await page.getByRole('combobox', { name: 'Order of lanes' }).selectOption('active');
   await page.keyboard.press('Escape');
   const kept = {};
   for (const form of ['PNG', 'SVG', 'CSV']) {
-    await page.getByText('Keep', { exact: true }).click();
+    await page.getByText('Export', { exact: true }).click();
     const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: `(${form})` }).click()]);
     kept[form] = readFileSync(await file.path());
   }

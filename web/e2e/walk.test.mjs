@@ -46,14 +46,14 @@ async function open(file) {
   if (!page.url().includes('#/playback')) await page.goto(`${address.split('#')[0]}#/playback`);
   await page.getByRole('button', { name: 'Open a log' }).waitFor();
   await page.getByLabel('A log', { exact: true }).setInputFiles(file);
-  await page.getByRole('button', { name: 'Walk it back' }).click();
+  await page.getByRole('button', { name: 'Locate people' }).click();
 }
 
 test('a log is opened, and she walks in it where she was, with doubt', { timeout: 240_000 }, async () => {
   const { page } = served;
   await open(log);
-  await page.getByText('real.txt, walked back').first().waitFor({ state: 'attached' });
-  await page.getByText('How sure it is').waitFor();
+  await page.getByText('real.txt, people located').first().waitFor({ state: 'attached' });
+  await page.getByText('Certainty:').waitFor();
   await page.getByText('Day 1 of 3').waitFor();
 
   // The truth of the run that the log is of, which the page was not given.
@@ -93,9 +93,9 @@ test('it plays, is gone through from room to room, and the real log’s rows sta
   await until(async () => (await clock.innerText()) !== before, 'another time');
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
   await page.getByRole('row', { name: /motion.*ON/ }).first().waitFor();
-  await page.getByText('Show who was where, as walked back').click();
-  assert.equal(await page.getByText('How sure it is').count(), 0);
-  await page.getByText('Show who was where, as walked back').click();
+  await page.getByText('Show located people').click();
+  assert.equal(await page.getByText('Certainty:').count(), 0);
+  await page.getByText('Show located people').click();
 });
 
 for (const [scheme, width, height] of [['light', 1280, 800], ['dark', 1280, 800], ['light', 390, 844], ['dark', 390, 844]]) {
@@ -108,7 +108,7 @@ for (const [scheme, width, height] of [['light', 1280, 800], ['dark', 1280, 800]
     await page.evaluate(() => window.scrollTo(0, 0));
     await isSound(`${scheme} ${width}`);
     await picture(`walk-${scheme}-${width}`);
-    for (const name of ['What this log holds', 'How real it is']) {
+    for (const name of ['Log summary', 'Realism check']) {
       await page.getByRole('button', { name }).click();
       await page.getByRole('region', { name }).waitFor();
       const dialog = page.getByRole('dialog');
@@ -141,8 +141,8 @@ test('what cannot be opened is said, and a file may be let fall on the page', { 
   await page.dispatchEvent('.playback', 'drop', { dataTransfer: transfer });
   const dialog = page.getByRole('dialog');
   await dialog.getByText('fallen.txt').waitFor();
-  await dialog.getByLabel('Its home is that of').selectOption({ label: 'tigerplace-1 · tigerplace' });
+  await dialog.getByLabel('Floor plan').selectOption({ label: 'tigerplace-1 · tigerplace' });
   await picture('asked');
-  await dialog.getByRole('button', { name: 'Walk it back' }).click();
-  await page.getByText('fallen.txt, walked back').first().waitFor({ state: 'attached' });
+  await dialog.getByRole('button', { name: 'Locate people' }).click();
+  await page.getByText('fallen.txt, people located').first().waitFor({ state: 'attached' });
 });

@@ -31,5 +31,5 @@ function spoken(fired: Map<string, number>): string {
   const others = most.length - named.length;
   if (others > 0) named.push(`${others} other ${others === 1 ? 'sensor' : 'sensors'}`);
   const last = named.pop();
-  return `Fired: ${named.length > 0 ? `${named.join(', ')} and ${last}` : last}.`;
+  return `New events: ${named.length > 0 ? `${named.join(', ')} and ${last}` : last}.`;
 }

@@ -35,7 +35,7 @@ test('without a token it is asked for, and what is none is not sent', () => {
   expect(document.querySelector('nav')).toBeNull();
   form()!.dispatchEvent(new Event('submit', { bubbles: true, cancelable: true }));
   flushSync();
-  expect(document.querySelector('[role="alert"]')!.textContent).toContain('not a token');
+  expect(document.querySelector('[role="alert"]')!.textContent).toContain('not an access token');
 });
 
 test('the server does not know the token: it is asked for again, and why is said', () => {
@@ -46,7 +46,7 @@ test('the server does not know the token: it is asked for again, and why is said
   wires[0]!.onclose!({ code: WRONG_TOKEN });
   flushSync();
   expect(document.querySelector('nav')).toBeNull();
-  expect(document.querySelector('[role="alert"]')!.textContent).toContain('does not know this token');
+  expect(document.querySelector('[role="alert"]')!.textContent).toContain('does not accept this token');
   expect(window.sessionStorage.getItem('homebody-token')).toBeNull();
 });
 
@@ -78,7 +78,7 @@ test('a lost connection is seen, and so is that it is back', () => {
   wires[0]!.onopen!();
   wires[0]!.onclose!({ code: 1006 });
   flushSync();
-  expect(document.querySelector('.status')!.textContent).toContain('connection lost, trying again');
+  expect(document.querySelector('.status')!.textContent).toContain('connection lost, reconnecting');
   [...document.querySelectorAll('button')].find((button) => button.textContent === 'Try now')!.click();
   wires[1]!.onopen!();
   flushSync();
@@ -89,7 +89,7 @@ test('a lost connection is seen, and so is that it is back', () => {
 test('the address says which view is seen, and the line stays open', () => {
   open('#/log', true);
   expect(document.querySelector('[aria-current="page"]')!.textContent).toBe('Log');
-  expect(document.body.textContent).toContain('The first rows');
+  expect(document.body.textContent).toContain('First rows');
   window.location.hash = '#/life';
   window.dispatchEvent(new Event('hashchange'));
   flushSync();

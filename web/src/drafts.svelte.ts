@@ -43,7 +43,7 @@ export class Drafts {
       PAUSE_MS,
       (draft) => this.server.post<CheckView>('/api/check', draft),
       (check, { texts }) => ([this.check, this.checkedTexts] = [check, texts]),
-      (why) => this.note(`The files cannot be checked: ${why}`, true),
+      (why) => this.note(`Cannot check the files: ${why}`, true),
     );
   }
 

@@ -17,17 +17,17 @@ type Edit = { offset: number; length: number; content: string };
 const WIDEST = 100;
 
 const WORDS: Record<string, string> = {
-  InvalidSymbol: 'this is no JSON',
-  InvalidNumberFormat: 'this is no number',
-  PropertyNameExpected: 'the name of a property, in double quotes, is missing',
+  InvalidSymbol: 'this is not valid JSON',
+  InvalidNumberFormat: 'this is not a valid number',
+  PropertyNameExpected: 'a property name in double quotes is missing',
   ValueExpected: 'a value is missing',
   ColonExpected: 'a colon is missing',
   CommaExpected: 'a comma is missing',
   CloseBraceExpected: 'a closing brace is missing',
   CloseBracketExpected: 'a closing bracket is missing',
-  EndOfFileExpected: 'something stands behind the end',
-  InvalidCommentToken: 'JSON has no comments',
-  UnexpectedEndOfString: 'the closing quote of a text is missing',
+  EndOfFileExpected: 'there is text after the end',
+  InvalidCommentToken: 'JSON does not allow comments',
+  UnexpectedEndOfString: 'the closing quote is missing',
 };
 
 /** What a text says; nothing where it is not JSON. */
@@ -50,10 +50,10 @@ export function tree(text: string): Node | Fault {
   try {
     root = parseTree(text, errors, { disallowComments: true });
   } catch {
-    return { what: 'this is nested too deep', offset: 0 };
+    return { what: 'this is nested too deeply', offset: 0 };
   }
   const error = errors[0];
-  if (error !== undefined) return { what: WORDS[printParseErrorCode(error.error)] ?? 'this is no JSON', offset: error.offset };
+  if (error !== undefined) return { what: WORDS[printParseErrorCode(error.error)] ?? 'this is not valid JSON', offset: error.offset };
   return root ?? { what: 'the file is empty', offset: 0 };
 }
 

@@ -99,7 +99,7 @@ export class Live {
   /** What cannot be sent is said so: a click that does nothing would be worse. */
   say(say: Say): boolean {
     const sent = this.socket.say(say);
-    if (!sent && say.say !== 'hold') this.note('There is no connection to the server, so nothing was done.', true);
+    if (!sent && say.say !== 'hold') this.note('Not connected to the server. Nothing was changed.', true);
     return sent;
   }
 
@@ -174,7 +174,7 @@ export class Live {
     if (!wasCut || run === null || run.replay || run.id === null || run.id === next.id || latest === null || latest.state === 'over') return;
     const clock = clockOf(run, latest.now_us);
     const far = Number.isFinite(clock) ? ` at ${date(clock)}, ${time(clock)}` : '';
-    this.note(`The server was ended, and ${run.id} with it${far}. It is kept that far and listed in Playback; “homebody run --resume” with its folder goes on with it. This is another run.`, true);
+    this.note(`The server stopped, and ${run.id} stopped with it${far}. That part is saved and listed in Playback. To resume it, use “homebody run --resume” with its folder. The run shown now is a new one.`, true);
   }
 
   private take(frame: Frame): void {

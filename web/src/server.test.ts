@@ -70,7 +70,7 @@ test('what the server says went wrong is what is shown', async () => {
   await expect(answers('the run is still being lived', 409)).rejects.toThrow('the run is still being lived');
   await expect(answers('', 500)).rejects.toThrow('500');
   const cut = new Server(HEX, () => {}, () => Promise.reject(new TypeError('failed')));
-  await expect(cut.json('/api/x')).rejects.toThrow('cannot be reached');
+  await expect(cut.json('/api/x')).rejects.toThrow('Cannot reach');
 });
 
 test('a file has the name that the server gives it', async () => {

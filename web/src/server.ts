@@ -105,15 +105,15 @@ export class Server {
     try {
       answer = await this.fetch(path.replace(/^\/api(?=\/)/, () => this.api), init);
     } catch {
-      throw new Refused(0, 'The server cannot be reached.');
+      throw new Refused(0, 'Cannot reach the server.');
     }
     if (answer.status === 401) {
       this.onWrongToken();
-      throw new Refused(401, 'The server does not know this token.');
+      throw new Refused(401, 'The server does not accept this access token.');
     }
     if (!answer.ok) {
       const said = (await answer.text()).trim().slice(0, 500);
-      throw new Refused(answer.status, said || `The server answered ${answer.status}.`);
+      throw new Refused(answer.status, said || `The server answered with status ${answer.status}.`);
     }
     return answer;
   }

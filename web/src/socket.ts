@@ -119,7 +119,7 @@ export class Socket {
       if (typeof frame?.now_us !== 'number' || !Array.isArray(frame.bodies)) throw new Error('not a frame');
       this.hears.frame(frame);
     } catch {
-      this.hears.trouble('The server said something that this page cannot read. Is the page of another version? Reload it.');
+      this.hears.trouble('Cannot read a message from the server. The page may be of another version: reload it.');
     }
   }
 

@@ -9,12 +9,12 @@ const plain = new Intl.NumberFormat('en-GB', { maximumFractionDigits: 2 });
 
 /** `10×`, `1,000×`, `as fast as it goes`. */
 export function short(speed: number | null): string {
-  return speed === null ? 'as fast as it goes' : `${plain.format(speed)}×`;
+  return speed === null ? 'as fast as possible' : `${plain.format(speed)}×`;
 }
 
 /** For who hears it instead of seeing it. */
 export function long(speed: number | null): string {
-  if (speed === null) return 'as fast as it goes';
+  if (speed === null) return 'as fast as possible';
   if (speed === 1) return 'real time';
   return `${plain.format(speed)} times real time`;
 }

@@ -1,11 +1,10 @@
-//! How somebody is, for those who care: the last day beside the usual, what has changed, what was worth a visit, and charts.
+//! A report for carers: the last day compared with the usual, changes, alerts and charts.
 //!
-//! All of it is of measures, alerts and summaries, in words without sensors. A day's usual is the mean and the standard deviation of the
-//! days before it that count, as alerts have it.
+//! It comes from measures, alerts and summaries, in words without sensors. The usual value of a day is the mean of the complete
+//! days before it, with their standard deviation, as in alerts.
 
 use crate::alerts::{Alert, Rules, alerts, counts, usual_before};
-use crate::dates::clock_of_hours;
-use crate::measures::{Day, Measures};
+use crate::measures::{Day, Measure, Measures, Unit};
 use crate::summaries::{About, Sentence, summarise};
 use jiff::civil::Date;
 
@@ -55,7 +54,7 @@ pub enum Known {
 pub struct Today {
     /// Its name.
     pub measure: &'static str,
-    /// In words, such as `Slept 7.2 h, as usual`.
+    /// In words, such as `Slept for 7.2 hours, as usual`.
     pub words: String,
     /// More than usual, or less; `None` as usual.
     pub is_more: Option<bool>,
@@ -68,7 +67,7 @@ pub struct Chart {
     pub measure: &'static str,
     /// What it is called.
     pub title: &'static str,
-    /// What its values are in.
+    /// How its values are written.
     pub unit: Unit,
     /// What is less than this apart is the same.
     pub little: f64,
@@ -76,21 +75,6 @@ pub struct Chart {
     pub is_guess: bool,
     /// Its days, in order.
     pub days: Vec<Point>,
-}
-
-/// What values of a chart are in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Unit {
-    /// Hours.
-    Hours,
-    /// A time of day, in hours since midnight.
-    Clock,
-    /// So many times.
-    Times,
-    /// Multiples of what is usual.
-    OfUsual,
-    /// Metres a second.
-    MetresASecond,
 }
 
 /// A day of a chart.
@@ -104,63 +88,28 @@ pub struct Point {
     pub usual: Option<(f64, f64)>,
 }
 
-/// What carers ask about, in the order of a day's account.
-struct Asked {
-    measure: &'static str,
-    title: &'static str,
-    unit: Unit,
-    /// A standard deviation is taken to be so much at least.
-    least_sd: f64,
-    said: &'static str,
-}
-
 /// Sentences are about so many of the last days.
 pub const LAST_DAYS: usize = 14;
 
-/// A day is told as unusual that is so many standard deviations from the mean (ours), and what is less than these apart is
-/// usual all the same (ours).
+/// Standard deviations from the mean at which a day is unusual, and difference below which a day is usual in any case
+/// (our choice).
 const UNUSUAL_SD: f64 = 2.0;
-/// What is less percent apart is the same pace (ours).
-const SAME_PACE_PERCENT: f64 = 5.0;
-const ASKED: [Asked; 11] = [
-    Asked { measure: "time_in_bed", title: "In bed", unit: Unit::Hours, least_sd: 0.5, said: "Was in bed for {}" },
-    Asked { measure: "sleep", title: "Sleep", unit: Unit::Hours, least_sd: 0.5, said: "Slept {}" },
-    Asked { measure: "bedtime", title: "To bed", unit: Unit::Clock, least_sd: 0.4, said: "Went to bed at {}" },
-    Asked { measure: "rising", title: "Up", unit: Unit::Clock, least_sd: 0.4, said: "Got up at {}" },
-    Asked {
-        measure: "bathroom_night",
-        title: "Bathroom by night",
-        unit: Unit::Times,
-        least_sd: 0.7,
-        said: "Bathroom by night: {}",
-    },
-    Asked {
-        measure: "bathroom_day",
-        title: "Bathroom by day",
-        unit: Unit::Times,
-        least_sd: 1.5,
-        said: "Bathroom by day: {}",
-    },
-    Asked { measure: "meals", title: "Meals", unit: Unit::Times, least_sd: 0.6, said: "Meals in the kitchen: {}" },
-    Asked { measure: "time_out", title: "Out of the home", unit: Unit::Hours, least_sd: 0.7, said: "Was out for {}" },
-    Asked { measure: "pace", title: "Walking pace", unit: Unit::OfUsual, least_sd: 0.04, said: "" },
-    Asked {
-        measure: "walking_speed",
-        title: "Walking speed",
-        unit: Unit::MetresASecond,
-        least_sd: 0.03,
-        said: "Walked at {}",
-    },
-    Asked {
-        measure: "company",
-        title: "Visitors",
-        unit: Unit::Hours,
-        least_sd: 0.5,
-        said: "Visitors were there for {}",
-    },
+/// The measures that carers ask about, in the order of a day's account, with the least standard deviation.
+const ASKED: [(&str, f64); 11] = [
+    ("time_in_bed", 0.5),
+    ("sleep", 0.5),
+    ("bedtime", 0.4),
+    ("rising", 0.4),
+    ("bathroom_night", 0.7),
+    ("bathroom_day", 1.5),
+    ("meals", 0.6),
+    ("time_out", 0.7),
+    ("pace", 0.04),
+    ("walking_speed", 0.03),
+    ("company", 0.5),
 ];
 
-/// What is told instead of what, where it is known: sleep is where the bed or the bedroom shows movements, speed where the home is known.
+/// The better of two measures of one thing: sleep needs movements in the bedroom, speed needs a home.
 const INSTEAD: [(&str, &str); 2] = [("sleep", "time_in_bed"), ("walking_speed", "pace")];
 
 /// How somebody is, by the measures of their days; `subject` is what sentences call them.
@@ -169,13 +118,14 @@ pub fn care(measures: &Measures, rules: &Rules, subject: &str) -> Care {
     let mut charts = Vec::new();
     let mut days: Vec<DayTold> = measures.days.iter().map(nothing_told).collect();
     let has = |measure: &str| measures.days.iter().any(|day| day.value(measure).is_some());
-    let has_better = |asked: &&Asked| INSTEAD.iter().any(|(better, of)| asked.measure == *of && has(better));
-    for asked in ASKED.iter().filter(|asked| !has_better(asked)) {
-        let chart = chart(asked, measures);
+    let has_better = |name: &str| INSTEAD.iter().any(|(better, of)| name == *of && has(better));
+    for (name, least_sd) in ASKED {
+        let Some(measure) = Measure::named(name).filter(|_| !has_better(name)) else { continue };
+        let chart = chart(measure, least_sd, measures);
         if !chart.is_guess {
             let values: Vec<Option<f64>> = chart.days.iter().map(|day| day.value).collect();
             for (number, value) in values.iter().enumerate() {
-                let told = value.map(|value| of_day(asked, value, usual_before(&values, number, asked.least_sd)));
+                let told = value.map(|value| of_day(measure, value, usual_before(&values, number, least_sd)));
                 days[number].told.extend(told);
             }
         }
@@ -207,72 +157,24 @@ fn nothing_told(day: &Day) -> DayTold {
     DayTold { date: day.date, known, told: Vec::new() }
 }
 
-fn chart(asked: &Asked, measures: &Measures) -> Chart {
-    let value = |day: &Day| day.value(asked.measure).filter(|_| counts(day));
+fn chart(of: &Measure, little: f64, measures: &Measures) -> Chart {
+    let value = |day: &Day| day.value(of.name).filter(|_| counts(day));
     let values: Vec<Option<f64>> = measures.days.iter().map(value).collect();
     let point = |(number, day): (usize, &Day)| {
         // Nothing that is measured is below 0.
-        let usual = usual_before(&values, number, asked.least_sd).map(|(mean, sd)| ((mean - sd).max(0.0), mean + sd));
+        let usual = usual_before(&values, number, little).map(|(mean, sd)| ((mean - sd).max(0.0), mean + sd));
         Point { date: day.date, value: values[number], usual }
     };
     let days = measures.days.iter().enumerate().map(point).collect();
-    let is_guess = measures.guesses.contains(&asked.measure);
-    Chart { measure: asked.measure, title: asked.title, unit: asked.unit, little: asked.least_sd, is_guess, days }
+    let is_guess = measures.guesses.contains(&of.name);
+    Chart { measure: of.name, title: of.title, unit: of.kind(), little, is_guess, days }
 }
 
 /// A measure of a day in words, beside the usual: mean and standard deviation.
-fn of_day(asked: &Asked, value: f64, usual: Option<(f64, f64)>) -> Today {
-    let told = match (asked.measure, value) {
-        ("time_out", value) if value < 0.05 => "Was not out".to_owned(),
-        // It is beside the whole log, so it says something where there is no usual yet.
-        ("pace", value) => of_pace(value),
-        (_, value) => asked.said.replace("{}", &said(asked.unit, value)),
-    };
-    let Some((mean, sd)) = usual else {
-        return Today { measure: asked.measure, words: told, is_more: None };
-    };
-    let is_more = ((value - mean).abs() > UNUSUAL_SD * sd).then_some(value > mean);
-    if matches!(asked.unit, Unit::OfUsual | Unit::MetresASecond) {
-        let by = (value / mean - 1.0).abs() * 100.0;
-        let words = match is_more {
-            None => "Walked at the usual pace".to_owned(),
-            Some(true) => format!("Walked {by:.0} % faster than usual"),
-            Some(false) => format!("Walked {by:.0} % more slowly than usual"),
-        };
-        return Today { measure: asked.measure, words, is_more };
-    }
-    let beside = match (is_more, asked.unit) {
-        (None, _) => "as usual".to_owned(),
-        (Some(true), Unit::Clock) => format!("later than usual ({})", said(asked.unit, mean)),
-        (Some(false), Unit::Clock) => format!("earlier than usual ({})", said(asked.unit, mean)),
-        (Some(true), _) => format!("more than usual ({})", said(asked.unit, mean)),
-        (Some(false), _) => format!("less than usual ({})", said(asked.unit, mean)),
-    };
-    Today { measure: asked.measure, words: format!("{told}, {beside}"), is_more }
-}
-
-/// The pace of a day beside that of all days, in words.
-fn of_pace(of_usual: f64) -> String {
-    let percent = ((of_usual - 1.0) * 100.0).round();
-    match percent {
-        percent if percent.abs() < SAME_PACE_PERCENT => "Walked as fast as on most days".to_owned(),
-        percent if percent > 0.0 => format!("Walked {percent:.0} % faster than on most days"),
-        percent => format!("Walked {:.0} % more slowly than on most days", -percent),
-    }
-}
-
-/// A value in words.
-fn said(unit: Unit, value: f64) -> String {
-    match unit {
-        Unit::Hours if (value - 1.0).abs() < 0.05 => "1 hour".to_owned(),
-        Unit::Hours => format!("{value:.1} hours"),
-        Unit::Clock => clock_of_hours(value),
-        Unit::Times if value == 1.0 => "once".to_owned(),
-        Unit::Times if value.fract() == 0.0 => format!("{value:.0} times"),
-        Unit::Times => format!("{value:.1} times"),
-        Unit::OfUsual => format!("{:.0} %", value * 100.0),
-        Unit::MetresASecond => format!("{value:.2} m/s"),
-    }
+fn of_day(measure: &'static Measure, value: f64, usual: Option<(f64, f64)>) -> Today {
+    let beside = usual.map(|(mean, sd)| (mean, ((value - mean).abs() > UNUSUAL_SD * sd).then_some(value > mean)));
+    let is_more = beside.and_then(|(_, is_more)| is_more);
+    Today { measure: measure.name, words: measure.day(value, beside), is_more }
 }
 
 #[cfg(test)]
@@ -298,10 +200,10 @@ mod tests {
     fn the_last_day_is_held_against_the_usual() {
         let rules = Rules::read(USUAL).unwrap();
         let same = care(&measures(&[7.0; 20]), &rules, "Ada");
-        assert_eq!(same.days[19].told[0].words, "Slept 7.0 hours, as usual");
+        assert_eq!(same.days[19].told[0].words, "Slept for 7.0 hours, as usual");
         let short = [[7.0; 20].as_slice(), &[4.0]].concat();
         let short = care(&measures(&short), &rules, "Ada");
-        assert_eq!(short.days[20].told[0].words, "Slept 4.0 hours, less than usual (7.0 hours)");
+        assert_eq!(short.days[20].told[0].words, "Slept for 4.0 hours, less than usual (7.0)");
         assert_eq!((short.days[20].told[0].is_more, short.day), (Some(false), Some(date(2024, 1, 21))));
         assert_eq!((short.charts.len(), short.charts[0].days.len()), (1, 21));
         assert_eq!(short.charts[0].days[20].usual, Some((6.5, 7.5)));

@@ -135,7 +135,7 @@ fn span_s(log: &Log) -> f64 {
     times().max().zip(times().min()).map_or(0.0, |(last, first)| seconds(last - first))
 }
 
-/// Shorter logs are taken as they are (ours).
+/// Length below which a log is compared as a whole (our choice).
 const LONG_S: f64 = 2.0 * 86_400.0;
 
 /// From the date of a log's first row to that of its last, both counted.

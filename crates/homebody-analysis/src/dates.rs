@@ -14,7 +14,7 @@ use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
-/// Analyses that keep figures of each day cover at most ten years.
+/// Largest number of days of an analysis that stores figures of each day: ten years.
 pub const MOST_DAYS: usize = 3_660;
 
 /// Midnight at the beginning of a date, in microseconds since 1970.

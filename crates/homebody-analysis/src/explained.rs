@@ -14,7 +14,8 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// So far away from each other two firings may be that are one (ours): sensors look again every 6 to 8 s at somebody who moves on.
+/// Longest time between two firings that count as one (our choice): sensors look again every 6 to 8 s at a person who
+/// keeps moving.
 pub const NEAR: Micros = 10 * SECOND;
 
 /// How well a log is explained by another.

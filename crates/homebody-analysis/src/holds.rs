@@ -10,10 +10,10 @@ use crate::rows::Row;
 use crate::signs::{Kind, Says};
 use homebody_core::time::{Micros, SECOND};
 
-/// A shorter hold time hides nothing (our choice).
+/// Hold time below which a sensor hides no movement (our choice).
 const SHORTEST: Micros = 10 * SECOND;
 
-/// No hold time is taken to be longer: a sensor that is always on for longer sees movement all the time (our choice).
+/// Longest hold time: a sensor that is always on for longer sees movement all the time (our choice).
 pub const LONGEST: Micros = 300 * SECOND;
 
 /// A movement between the reports of a sensor.

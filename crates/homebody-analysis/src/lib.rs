@@ -46,6 +46,8 @@ pub mod density;
 /// What a person has been doing, day by day, in figures.
 pub mod measures;
 
+mod wording;
+
 /// What is different from before, and worth a visit.
 pub mod alerts;
 

@@ -18,13 +18,13 @@ use homebody_log::Log;
 use serde::Serialize;
 use std::fmt;
 
-/// Refirings that take longer tell of the person, not of the sensor (ours).
+/// Time after which a refiring depends on the person, not on the sensor (our choice).
 pub const SOON: Micros = 60 * SECOND;
-/// A row that comes again within so long is repeated (ours).
+/// Time within which a repeated row is a duplicate (our choice).
 pub const AT_ONCE: Micros = SECOND;
-/// Fewer samples tell no quantiles (ours).
+/// Smallest number of samples for quantiles (our choice).
 const LEAST_SAMPLES: usize = 30;
-/// ONs whose third quarter is at most so many times their first are pulses (ours).
+/// Largest ratio of the third to the first quartile of ON durations that are pulses (our choice).
 const PULSE: f64 = 1.3;
 
 /// The 5th, the 25th, the 50th, the 75th and the 95th percentile, in seconds.

@@ -13,10 +13,10 @@ use homebody_core::time::{Micros, SECOND, seconds};
 use homebody_log::Log;
 use std::collections::BTreeMap;
 
-/// Nobody walks from one sensor to the next for longer without being seen (ours).
+/// Longest walk from one sensor to the next without a firing (our choice).
 pub const SOON: Micros = 15 * SECOND;
 
-/// Nothing is said for so long where somebody is out, asleep, or sits still (ours).
+/// Shortest silence of a person who is out, asleep or still (our choice).
 pub const SILENCE: Micros = 30 * 60 * SECOND;
 
 /// What a log tells of its sensors and of the ways between them.

@@ -15,7 +15,7 @@ use homebody_log::{Event, Life, Log};
 use jiff::tz::TimeZone;
 use std::ops::Range;
 
-/// There are no more windows (ours): those of a minute for twenty years.
+/// Largest number of windows (our choice): those of a minute for twenty years.
 pub const MOST: i64 = 10_000_000;
 
 /// Windows of a log.

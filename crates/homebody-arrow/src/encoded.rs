@@ -36,10 +36,10 @@ pub(crate) enum Format {
     Arrow,
 }
 
-/// Rows of a group in Parquet, which are read and kept in memory together (ours).
+/// Rows of a row group in Parquet, which are read and held in memory together (our choice).
 const ROWS_OF_GROUP: usize = 1 << 17;
 
-/// Rows that are encoded together, whatever the batches: so the same rows give the same bytes (ours).
+/// Rows that are encoded together, whatever the batches, so that the same rows give the same bytes (our choice).
 const ROWS_AT_ONCE: [usize; 2] = [1 << 13, 1 << 16];
 
 /// What rows of a table are made into.

@@ -84,7 +84,7 @@ fn cells(sensor: &SensorInfo) -> [Value; 5] {
     sensor_cells(sensor).map(|cell| cell.map_or(Value::Null, Into::into))
 }
 
-/// The most sensors that are read from a file.
+/// Largest number of sensors that are read from a file.
 const MOST_SENSORS: usize = 1000;
 
 /// The sensors in the metadata of a log's file; none in files of other programs.

@@ -18,12 +18,12 @@ use tempfile::TempDir;
 use tokio::runtime::{Builder, Runtime};
 use url::Url;
 
-/// How long a store may take for one thing, and how long it is asked again (ours).
+/// Longest time for one request to a store, to connect, and to retry a request (our choice).
 const ANSWERS_WITHIN: Duration = Duration::from_secs(30);
 const CONNECTS_WITHIN: Duration = Duration::from_secs(3);
 const AGAIN_FOR: Duration = Duration::from_secs(4);
 
-/// No data set has more files (ours).
+/// Largest number of files in a data set (our choice).
 const MOST_FILES: usize = 100_000;
 
 /// A prefix in a store: what is below it, by name. Several threads may ask at once.
@@ -204,7 +204,7 @@ fn is_on_this_machine(endpoint: &str) -> bool {
     host.is_some_and(|host| is_this_machine(host.trim_matches(['[', ']'])))
 }
 
-/// No more of what a store says is told, in characters (ours).
+/// Largest number of characters of a store's answer in a message (our choice).
 const LONGEST_TOLD: usize = 300;
 
 /// What a store has below a URL, brought into a folder of ours that goes when it is dropped.

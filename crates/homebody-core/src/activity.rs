@@ -112,9 +112,9 @@ const fn around(median_min: f64, sigma: f64) -> Option<UsualLength> {
 // variation of 0.4-0.8. All are ours.
 activities! {
     GETTING_UP "getting_up": "Getting up: sitting on the edge of the bed", Care, Care, around(2.0, 0.4), [Bed];
-    USING_BATHROOM "using_bathroom": "On the toilet, and washing hands after it",
+    USING_BATHROOM "using_bathroom": "Using the toilet, and washing hands after it",
         Care, Care, around(5.0, 0.6), [Toilet, Washbasin];
-    SHOWERING "showering": "A shower or a bath, and drying after it",
+    SHOWERING "showering": "Taking a shower or a bath, and drying after it",
         Care, Care, around(12.0, 0.35), [Shower, Washbasin];
     WASHING "washing": "Washing oneself, brushing teeth", Care, Care, around(6.0, 0.4), [Washbasin];
     DRESSING "dressing": "Getting dressed", Care, Care, around(8.0, 0.4), [Wardrobe];
@@ -133,10 +133,10 @@ activities! {
     WATCHING_TELEVISION "watching_television": "Watching television",
         Leisure, Television, around(75.0, 0.5), [Armchair];
     READING "reading": "Reading", Leisure, Reading, around(35.0, 0.5), [Armchair];
-    TELEPHONING "telephoning": "On the telephone", Leisure, Company, around(14.0, 0.7), [Telephone];
-    NAPPING "napping": "A nap by day, in bed or on a seat", Sleep, Sleep, around(40.0, 0.5), [Bed, Armchair];
+    TELEPHONING "telephoning": "Telephoning", Leisure, Company, around(14.0, 0.7), [Telephone];
+    NAPPING "napping": "Napping by day, in bed or on a seat", Sleep, Sleep, around(40.0, 0.5), [Bed, Armchair];
     LAUNDRY "laundry": "Washing and drying clothes", Housework, Household, around(12.0, 0.4), [WashingMachine, Dryer];
-    HOUSEWORK "housework": "A round through the home: cleaning, dusting, tidying",
+    HOUSEWORK "housework": "Going round the home: cleaning, dusting, tidying",
         Housework, Household, around(35.0, 0.5), [];
     TIDYING "tidying": "A small errand: putting things where they belong, looking for something",
         Housework, Household, None, [];
@@ -146,41 +146,41 @@ activities! {
         Housework, Household, None, [];
     AIRING "airing": "A small errand: a window opened for air, a look out of it",
         Housework, Household, None, [];
-    FETCHING_MAIL "fetching_mail": "The mail, from the mailbox or from outside the door",
+    FETCHING_MAIL "fetching_mail": "Fetching the mail, from the mailbox or from outside the door",
         Housework, Household, None, [];
     FRESHENING_UP "freshening_up": "A small errand to the washbasin: hands, face, hair", Care, Care, None, [];
     LEAVING_HOME "leaving_home": "Putting on a coat and going to the door", Out, Out, None, [Coats, FrontDoor];
     AWAY "away": "Out of the home", Out, Out, around(110.0, 0.5), [Coats, FrontDoor];
-    COMING_HOME "coming_home": "Coming home, and whatever that takes", Out, Out, around(2.0, 0.3), [];
-    VISIT "visit": "Somebody who does not live there is there: the host lets them in and talks to them",
+    COMING_HOME "coming_home": "Coming home and settling in", Out, Out, around(2.0, 0.3), [];
+    VISIT "visit": "With a visitor: the host lets them in and talks to them",
         Other, Company, around(90.0, 0.4), [FrontDoor, Armchair, GuestSeat];
-    VISITING "visiting": "Being that guest, from the door to the seat and back",
+    VISITING "visiting": "Visiting, from the door to the seat and back",
         Other, Other, None, [FrontDoor, GuestSeat];
     GOING_TO_BED "going_to_bed": "Lying down at night, and falling asleep", Sleep, Sleep, around(5.0, 0.4), [Bed];
-    SLEEPING "sleeping": "Asleep at night; of a pet, at any time", Sleep, Sleep, None, [Bed];
+    SLEEPING "sleeping": "Asleep at night; for a pet, at any time", Sleep, Sleep, None, [Bed];
     LYING_AWAKE "lying_awake": "Awake in bed at night", Other, Sleep, around(25.0, 0.5), [Bed];
     DRINKING "drinking": "Making a drink and having it", Food, Eating, around(4.0, 0.5), [Stove, Sink, DiningSeat];
-    HAVING_A_SNACK "having_a_snack": "Something from the refrigerator, eaten at the table",
+    HAVING_A_SNACK "having_a_snack": "Eating a snack from the refrigerator at the table",
         Food, Eating, around(7.0, 0.5), [Fridge, DiningSeat];
-    EXERCISING "exercising": "Exercises", Other, Other, around(16.0, 0.4), [Armchair];
-    USING_COMPUTER "using_computer": "At the computer", Leisure, Computer, around(30.0, 0.5), [Desk];
+    EXERCISING "exercising": "Exercising", Other, Other, around(16.0, 0.4), [Armchair];
+    USING_COMPUTER "using_computer": "Using the computer", Leisure, Computer, around(30.0, 0.5), [Desk];
     RELAXING "relaxing": "Sitting and doing nothing in particular", Leisure, Relaxing, around(25.0, 0.5), [Armchair];
-    PRAYING "praying": "Praying, a devotion, meditation", Leisure, Other, around(15.0, 0.5), [Armchair];
-    DOING_PUZZLES "doing_puzzles": "Puzzles, games, cards", Leisure, Other, around(40.0, 0.5), [DiningSeat, Armchair];
+    PRAYING "praying": "Praying or meditating", Leisure, Other, around(15.0, 0.5), [Armchair];
+    DOING_PUZZLES "doing_puzzles": "Doing puzzles, games or cards", Leisure, Other, around(40.0, 0.5), [DiningSeat, Armchair];
     HANDICRAFT "handicraft": "Handicraft: knitting, sewing, drawing, mending", Leisure, Other, around(45.0, 0.5), [Armchair];
-    WRITING "writing": "Letters, a diary, bills", Leisure, Other, around(30.0, 0.5), [Desk, DiningSeat];
+    WRITING "writing": "Writing letters, a diary or bills", Leisure, Other, around(30.0, 0.5), [Desk, DiningSeat];
     LISTENING "listening": "Listening to the radio or to music", Leisure, Other, around(45.0, 0.5), [Armchair];
     MAKING_MUSIC "making_music": "Playing an instrument, singing", Leisure, Other, around(30.0, 0.5), [Armchair];
     LOOKING_OUT "looking_out": "Looking out of the window", Leisure, Relaxing, around(20.0, 0.6), [Armchair];
     CARING_FOR_PET "caring_for_pet": "Feeding, brushing and playing with a pet", Other, Household, around(8.0, 0.5), [FoodBowl, Sink];
-    CARING_FOR_PLANTS "caring_for_plants": "Plants in the home: watering, repotting",
+    CARING_FOR_PLANTS "caring_for_plants": "Watering and repotting plants in the home",
         Housework, Household, around(8.0, 0.5), [Sink];
     BAKING "baking": "Baking bread or cakes", Food, Household, around(50.0, 0.4), [Counter, Stove];
-    GARDENING "gardening": "In the garden: weeding, mowing, sitting there", Out, Other, around(45.0, 0.5), [Coats, FrontDoor];
+    GARDENING "gardening": "Being in the garden: weeding, mowing, sitting there", Out, Other, around(45.0, 0.5), [Coats, FrontDoor];
     RESTING_IN_BED "resting_in_bed": "In bed by day, awake", Sleep, Relaxing, around(60.0, 0.5), [Bed];
-    GROOMING "grooming": "Hair, nails, shaving, creams", Care, Care, around(10.0, 0.5), [Washbasin];
-    CHECKING_HEALTH "checking_health": "Blood pressure, blood sugar, weight, oxygen", Medicine, Care, around(5.0, 0.5), [Medicine];
-    BEING_CARED_FOR "being_cared_for": "Dressings, foot care, injections, by a visitor or alone",
+    GROOMING "grooming": "Caring for hair, nails and skin, and shaving", Care, Care, around(10.0, 0.5), [Washbasin];
+    CHECKING_HEALTH "checking_health": "Measuring blood pressure, blood sugar, weight or oxygen", Medicine, Care, around(5.0, 0.5), [Medicine];
+    BEING_CARED_FOR "being_cared_for": "Having dressings, foot care or injections, by a visitor or alone",
         Medicine, Care, around(15.0, 0.5), [Armchair];
     // 20.1 cycles and 43.9 minutes a day of residents who wander (Algase 1997): 2.2 minutes each.
     WANDERING "wandering": "Walking without a goal", Other, Other, around(1.7, 0.7), [];
@@ -188,8 +188,8 @@ activities! {
     LAPPING "lapping": "Walking round and round", Other, Other, around(1.7, 0.7), [];
     FALLEN "fallen": "On the floor after a fall, and getting up from there", Other, Other, around(20.0, 0.8), [];
     STUMBLING "stumbling": "Losing one's footing, and catching oneself", Other, Other, around(0.5, 0.3), [];
-    RESTING "resting": "Of a pet: sitting there and looking", Leisure, Other, None, [];
-    ROAMING "roaming": "Of a pet: short rounds through the home, to the bowl and to its places",
+    RESTING "resting": "A pet sits and looks around", Leisure, Other, None, [];
+    ROAMING "roaming": "A pet makes short rounds through the home, to its bowl and its places",
         Other, Other, None, [FoodBowl];
 }
 

@@ -30,6 +30,7 @@ pub mod activity;
 // What the user wrote, and what is wrong with it.
 pub mod scenario;
 pub mod messages;
+pub mod catalogue;
 pub mod problem;
 pub mod problems;
 
@@ -60,27 +61,3 @@ pub mod models;
 
 // The naive way, as oracle and as baseline.
 pub mod naive;
-
-use messages::Catalogue as _;
-
-/// The messages of this crate, by area.
-pub const MESSAGES: &[&[messages::Entry]] = &[
-    scenario::json::JsonMessage::ENTRIES,
-    scenario::shape::SchemaMessage::ENTRIES,
-    scenario::inside::FileMessage::ENTRIES,
-    scenario::check::messages::NameMessage::ENTRIES,
-    scenario::check::messages::RangeMessage::ENTRIES,
-    scenario::calendar::TimeMessage::ENTRIES,
-    numbers::ParameterMessage::ENTRIES,
-    scenario::check::home::messages::HomeMessage::ENTRIES,
-    sensors::messages::SensorMessage::ENTRIES,
-    scenario::check::resident::ResidentMessage::ENTRIES,
-    scenario::check::path::PathMessage::ENTRIES,
-    scenario::check::input::InputMessage::ENTRIES,
-    scenario::check::link::LinkMessage::ENTRIES,
-    scenario::check::logger::LoggerMessage::ENTRIES,
-    scenario::scheme::PlaceMessage::ENTRIES,
-    problems::ProblemsMessage::ENTRIES,
-    drivers::error::DriverFault::ENTRIES,
-    outside::OutsideMessage::ENTRIES,
-];

@@ -1,7 +1,6 @@
 //! The messages of the program, each with a stable code: declared in one place per area by [`messages!`], listed by `homebody explain`,
 //! and written into one snapshot for readers.
 
-pub use crate::MESSAGES as ALL;
 use crate::geometry::Point;
 pub use crate::problem::{Diagnose, Severity};
 pub use serde_json::Value;

@@ -15,8 +15,8 @@ use crate::scenario::nearest::{nearest, some_names, suggestion};
 use crate::time::{DAY, LONGEST, Micros, SECOND, micros};
 
 crate::numbers! {
-    /// How long somebody lies on the floor who falls because somebody outside says so and says no time: as long as the falls of
-    /// routines usually take. Of those over 90 who fell and were found, 30 in 100 had lain for an hour or more (Fleming and
+    /// Time on the floor after a fall that a command from outside causes without a duration, as long as a routine's
+    /// usual falls. Of those over 90 who fell and were found, 30 in 100 had lain for an hour or more (Fleming and
     /// Brayne 2008).
     static LIES_MIN = "outside.lies": 20.0, "min", [0.1, 1440.0];
 }
@@ -26,10 +26,10 @@ pub fn usual_lie(numbers: &Numbers) -> Micros {
     micros(numbers.of(&LIES_MIN) * 60.0)
 }
 
-/// So much is done to a run from outside, at most (ours): a recording has all of it, and stays small.
+/// Largest number of commands from outside in a run (our choice): a recording has all of them, and stays small.
 pub const MOST_DEEDS: usize = 10_000;
 
-/// The longest that somebody lies on the floor (ours).
+/// Longest time that a person lies on the floor (our choice).
 const LONGEST_LIE: Micros = DAY;
 
 /// The least and the most between what a stuck sensor repeats.

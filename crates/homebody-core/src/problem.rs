@@ -78,13 +78,13 @@ fn is_one(width: &u32) -> bool {
     *width == 1
 }
 
-/// So many problems of a file are told (ours): one that is wrong throughout would bury the others.
+/// Largest number of problems of a file in a report (our choice): a file with errors throughout would hide the others.
 pub const MOST_PER_FILE: usize = 100;
 
 /// The words between a text and its hint.
 const BEFORE_HINT: &str = "\n  hint: ";
 
-/// A message is cut to this length, in bytes (ours): what it quotes may be longer.
+/// Largest length of a message, in bytes (our choice). A longer one, such as one with a long quotation, is cut.
 const LONGEST_MESSAGE_BYTES: usize = 600;
 
 impl Diagnostic {

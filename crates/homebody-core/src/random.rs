@@ -175,10 +175,11 @@ impl Marks {
 /// 2^-53: the distance of the numbers just below 1.
 const UNIT_STEP: f64 = 1.0 / (1u64 << 53) as f64;
 
-/// Of a try, more than 19 in 20 are accepted, so that the last is never reached (ours).
+/// Largest number of tries for a gamma variate (our choice): more than 19 in 20 tries are accepted, so the last is
+/// never reached.
 const GAMMA_TRIES: u32 = 32;
 
-/// Above this mean a Poisson distribution is normal to within a skewness of 1/16 (ours).
+/// Mean above which a Poisson distribution is computed as a normal one, to within a skewness of 1/16 (our choice).
 const POISSON_BY_INVERSION: f64 = 256.0;
 
 /// A range of spans.

@@ -49,58 +49,58 @@ const SITTING: Option<Posture> = Some(Posture::Sitting);
 const STANDING: Option<Posture> = Some(Posture::Standing);
 
 roles! {
-    /// Where somebody sleeps.
+    /// A place to sleep.
     Bed ["bed", "double bed", "single bed"] or [Sofa, Armchair], LYING;
     /// The toilet.
     Toilet ["toilet", "wc", "lavatory", "loo", "bathroom"] or [], SITTING;
-    /// Where somebody washes.
+    /// A place to wash.
     Washbasin ["washbasin", "basin", "bathroom sink", "bathroom"] or [Toilet], STANDING;
-    /// Where somebody takes a shower or a bath.
+    /// A place to take a shower or a bath.
     Shower ["shower", "bathtub", "bath", "bath tub", "bathroom"] or [Washbasin], STANDING;
-    /// Where somebody dresses.
+    /// A place to dress, with clothes.
     Wardrobe ["wardrobe", "closet", "dresser", "chest of drawers", "bedside", "bedroom"] or [Bed], STANDING;
-    /// Where food is kept cold.
+    /// Cold storage of food.
     Fridge ["fridge", "refrigerator", "freezer", "kitchen"] or [], STANDING;
-    /// Where food is cooked.
+    /// A place to cook.
     Stove ["stove", "cooker", "oven", "hob", "kettle", "kitchen"] or [], STANDING;
-    /// Where food is warmed beside the stove.
+    /// A place to warm food other than the stove.
     FoodWarmer ["microwave", "microwave oven", "toaster", "toaster oven", "air fryer"] or [Stove, Counter], STANDING;
-    /// Where food is cut and mixed.
+    /// A surface to prepare food on.
     Counter ["counter", "kitchen counter", "worktop", "kitchen table", "kitchen"] or [Stove], STANDING;
-    /// Where dishes are done.
+    /// A place to wash dishes.
     Sink ["sink", "kitchen sink", "kitchen"] or [Counter, Stove], STANDING;
-    /// Where pots and plates are kept.
+    /// Storage of pots and plates.
     Drawers ["drawers", "drawer", "cupboard", "kitchen drawers", "cabinet", "kitchen"] or [Counter], STANDING;
-    /// Where medicine is kept.
+    /// Storage of medicine.
     Medicine ["medicine cabinet", "medicine", "pill box"] or [Counter, Washbasin], STANDING;
-    /// Where somebody sits at meals.
+    /// A seat for meals.
     DiningSeat ["dining chair", "kitchen chair", "chair", "dining table", "kitchen table", "dining room"] or [Armchair], SITTING;
-    /// Where somebody sits to read, watch television and rest.
+    /// A seat to read, watch television and rest in.
     Armchair ["armchair", "recliner", "easy chair", "rocking chair", "living room"] or [Sofa, DiningSeat], SITTING;
-    /// A seat for several.
+    /// A seat for several people.
     Sofa ["sofa", "couch", "settee"] or [Armchair, DiningSeat], SITTING;
-    /// Where a visitor sits.
+    /// A seat for a visitor.
     GuestSeat ["guest chair", "second armchair", "sofa", "couch", "settee"] or [DiningSeat, Armchair], SITTING;
     /// The television set.
     Television ["tv", "television", "tv bench", "tv set", "tv stand"] or [], STANDING;
-    /// Where somebody talks on the telephone.
+    /// A place to telephone.
     Telephone ["telephone", "phone"] or [Sofa, Armchair, DiningSeat], None;
-    /// Where somebody uses a computer.
+    /// A place to use a computer.
     Desk ["desk chair", "computer chair", "desk", "computer", "study"] or [DiningSeat, Armchair], SITTING;
-    /// Where clothes are washed.
+    /// A machine that washes clothes.
     WashingMachine ["washing machine", "washer", "laundry", "laundry closet"] or [Washbasin], STANDING;
-    /// Where clothes are dried.
+    /// A machine or a line that dries clothes.
     Dryer ["dryer", "tumble dryer", "clothes line"] or [WashingMachine, Washbasin], STANDING;
-    /// Where coats hang.
+    /// Storage of coats.
     Coats ["coats", "coat rack", "coat cupboard", "coat hooks"] or [FrontDoor], STANDING;
-    /// Where books are kept.
+    /// Storage of books.
     Bookcase ["bookcase", "bookshelf", "shelf"] or [Armchair], STANDING;
     /// The way out: a door or a place, not a piece of furniture.
     #[serde(skip)]
     FrontDoor ["front door", "entrance", "apartment door", "door", "entrance door", "hall"] or [], STANDING;
-    /// Where a pet eats.
+    /// A place for a pet to eat.
     FoodBowl ["food bowl", "bowl"] or [Fridge, Sink], STANDING;
-    /// Where a pet sleeps.
+    /// A place for a pet to sleep.
     Basket ["basket", "cat bed", "dog bed"] or [Sofa, Armchair, Bed], None;
 }
 

@@ -67,8 +67,8 @@ impl BitOr for SensorSet {
     }
 }
 
-/// How many sensors a home may have, with the places that sensors are moved to (ours): bits for them are kept free in the
-/// keys of timers.
+/// Largest number of sensors of a home, with the positions that sensors are moved to (our choice): the keys of timers
+/// have bits for them.
 pub const MAX_SENSORS: usize = 1024;
 
 /// One bit for each sensor of a block: sensor `n` is bit `n % BLOCK` of block `n / BLOCK`.

@@ -6,7 +6,7 @@
 
 use crate::time::Micros;
 
-/// So many copies at most (ours): with the ones thinned out, going back costs at most an eighth of the way.
+/// Largest number of copies (our choice): with thinning, going back costs at most an eighth of the way.
 pub const MOST: usize = 16;
 
 /// Copies of a state at instants of a run, evenly spread over what has been lived.

@@ -125,10 +125,10 @@ const BEFORE: &str = "is was are has been now state status zone sensor door wind
 const NOT: &str = "no not non kein keine keinen nicht pas aucun aucune sans ne nessun nessuna senza sin ningun ninguna sem nenhum nenhuma \
     nao geen niet ingen inget ikke ej ei brak nie bez zadny zadna нет не 无 無 未 没有";
 
-/// States have no more letters.
+/// Largest number of letters of a state.
 const LONGEST: usize = 40;
 
-/// States have no more words.
+/// Largest number of words of a state.
 const MOST_WORDS: usize = 5;
 
 /// The meaning of a value.

@@ -9,7 +9,7 @@ pub const SECOND: Micros = 1_000_000;
 /// A day of 24 hours.
 pub const DAY: Micros = 24 * 60 * 60 * SECOND;
 
-/// No run is longer: a hundred years.
+/// Longest run: a hundred years.
 pub const LONGEST: Micros = 36_525 * DAY;
 
 /// An instant that does not come.

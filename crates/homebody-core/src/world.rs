@@ -69,7 +69,7 @@ pub struct World {
 }
 
 crate::numbers! {
-    /// Bodies of a smaller radius are too light to be felt in beds and on mats: that of a cat is 0.1 m.
+    /// Radius below which a body is too light for bed sensors and mats: that of a cat is 0.1 m.
     static LIGHT_M = "body.light": 0.15, "m", [0.0, 0.3];
 }
 

@@ -15,24 +15,29 @@ use homebody_core::scenario::path::Posture;
 const HEAD: &str = "\
 # Activities and roles
 
-What the truth calls activities, and which furniture they use. This page is made from the tables in
-`crates/homebody-core/src/activity.rs` and `crates/homebody-core/src/role.rs`.
+This page lists the labels of activities in the truth, and the roles of the furniture that activities use.
+
+It is made from the tables in `crates/homebody-core/src/activity.rs` and `crates/homebody-core/src/role.rs`.
 
 ## Activities
 
-The column `name` of the truth's activities has one of these labels, or a name of the scenario's own. A label stays what it is: logs
-have it. Its kind gives it its colour in pictures and on the page; the use of time is how hours of a day are added up. The usual
-length is the median, in minutes, where a routine says nothing; what has none lasts as long as something else does.
+The column `name` of the truth's table `activity` has one of these labels, or a name that the scenario gives. Labels do not change,
+because logs contain them.
+
+- The *kind* sets the colour in pictures and on the page.
+- The *use of time* is the category of the activity in the sum of a day's hours.
+- The *usual length* is the median in minutes, for a routine that gives no length. An activity without one takes its length from
+  something else, such as the next activity.
 
 ";
 
 const OWN: &str = "
-What a routine or a path names itself, such as `knits`, is told by that name. Turning something on or off because of a rule is
+An activity that a routine or a path names, such as `knits`, has that name as its label. A use of a thing by a rule has a label such as
 ";
 
 const KINDS: &str = "
-A name that is not in the table, such as `Personal_Hygiene` of a real log, is of the first kind that has a word with which one of the
-name's words begins:
+A name outside the table, such as `Personal_Hygiene` in a real log, is of the first kind below with a matching word. A word matches if
+a word of the name begins with it.
 
 | kind | words |
 |---|---|
@@ -41,25 +46,27 @@ name's words begins:
 const PIECES: &str = "
 ## Roles of furniture
 
-An activity is done at the piece of furniture, or place, that fills a role. Which roles a piece fills, its name says: a `couch` is a
-`sofa` and a `guest_seat`. Where it does not, or not the right one, `home.json` says the `role`; the piece then fills that one and
-no other, whatever its name is:
+An activity takes place at the piece of furniture, or the place, that has a certain role. The name of a piece gives it its roles: a
+`couch` is a `sofa` and a `guest_seat`. To give a piece another role, set `role` in `home.json`. The piece then has that role only,
+whatever its name:
 
 ```json
 { \"name\": \"table\", \"at\": [1, 2], \"size_m\": [2, 0.9], \"height_m\": 0.5, \"enterable\": true, \"role\": \"bed\" }
 ```
 
-What is called after a resident, such as `Ruth's bed`, is theirs and nobody else's, also where it says its role. What is nobody's is
-used by all who have none of their own. Of several, what says the role comes before what is only called so, and of names the first
-in the table comes first. What nobody can get to is passed over. Where nothing fills a role, what fills one of those under
-*instead* will do.
+- A piece named after a resident, such as `Ruth's bed`, belongs to that resident alone, even if it has a `role`. All residents without
+  a piece of their own share the others.
+- Of several pieces, one with a `role` comes before one that has the role by its name. Among names, the order of the table holds.
+- A piece that no resident can reach is not used.
+- If no piece has the role, a piece with a role in the column *instead* is used.
 
-| `role` | what it is for | names that imply it | instead | in it, if it is enterable, one |
+| `role` | purpose | names that imply it | instead | posture in an enterable piece |
 |---|---|---|---|---|
 ";
 
 const TAIL: &str = "
-A piece with a role in which one lies has to be enterable. A dash: as its name says. Who uses what is not enterable stands beside it.
+A piece with a role that residents lie in has to be enterable. A dash stands for the posture that the piece's name implies. A resident
+stands next to a piece that is not enterable.
 ";
 
 /// In backquotes, with commas between.
@@ -83,9 +90,9 @@ fn role(row: &RoleRow) -> String {
     let key = row.role.key().map_or("none".to_owned(), |key| format!("`{key}`"));
     let instead = list(row.instead.iter().map(|&role| called(role)));
     let posture = row.posture.map_or("-".to_owned(), |posture| match posture {
-        Posture::Standing => "stands".to_owned(),
-        Posture::Sitting => "sits".to_owned(),
-        Posture::Lying => "lies".to_owned(),
+        Posture::Standing => "standing".to_owned(),
+        Posture::Sitting => "sitting".to_owned(),
+        Posture::Lying => "lying".to_owned(),
         other => unreachable!("no furniture is for {}", other.name()),
     });
     format!("| {key} | {} | {} | {instead} | {posture} |\n", row.about, list(row.names))
@@ -94,7 +101,7 @@ fn role(row: &RoleRow) -> String {
 /// The whole page.
 fn document() -> String {
     let mut text = HEAD.to_owned();
-    text += "| label | what is done | kind | use of time | usual length | roles |\n|---|---|---|---|---|---|\n";
+    text += "| label | activity | kind | use of time | usual length | roles |\n|---|---|---|---|---|---|\n";
     text.extend(ACTIVITIES.iter().map(activity));
     text += OWN;
     text += &format!("`{}` or `{}`, with the name of the thing.\n", turning("stove", true), turning("stove", false));

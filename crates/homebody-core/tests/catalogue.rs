@@ -12,14 +12,17 @@ use std::fmt::Write;
 const HEAD: &str = "\
 # Devices
 
-Motion sensors whose timing is known, made from `crates/homebody-core/src/scenario/device.rs` and `preset.rs` beside it. `preset` in
-`home.json` names one; it brings its timing and what it notices along. Mounting height, field and reach stand in `home.json` with each sensor:
-in the page's *Plan*, under *Parts*, a device is picked with all of its numbers, and `homebody place --device` suggests places for it.
-`homebody devices` prints the table, `homebody devices NAME` one device with its sources.
+This page lists the motion sensors with known timing that `preset` in `home.json` can name.
 
-Makers publish little. Where nobody does, a number is that of the sensor which Godsey & Skubic measured in 2009, or one of ours.
+A preset sets a sensor's timing and which movements it notices. Height, field and reach are keys of each sensor in `home.json`. To set
+all of a device's values at once, pick it on the page under *Plan*, *Parts*. `homebody suggest-sensors --device` suggests positions for
+a device, and `homebody devices NAME` prints one with its sources.
 
-| `preset` | device | network | height, m | field, ° | reach, m | first message after, s | next after, s |
+Manufacturers publish few of these values. An unpublished value is that of the sensor measured by Godsey & Skubic in 2009, or our choice.
+
+This page is made from `crates/homebody-core/src/scenario/device.rs` and `preset.rs`.
+
+| `preset` | device | network | height, m | field, ° | reach, m | first event after, s | next event after, s |
 |---|---|---|---|---|---|---|---|
 ";
 

@@ -32,9 +32,9 @@ const PAGES: [Page; 3] = [
         head: SCENARIO,
         files: &[
             ("`scenario.json`", FileKind::Scenario),
-            ("A resident's file", FileKind::Resident),
-            ("A path", FileKind::Path),
-            ("Live input", FileKind::Input),
+            ("Resident", FileKind::Resident),
+            ("Path", FileKind::Path),
+            ("Input file", FileKind::Input),
         ],
         tail: String::new,
     },
@@ -43,13 +43,16 @@ const PAGES: [Page; 3] = [
 const HOME: &str = "\
 # `home.json`
 
-The building and what hangs on its walls. This page is made from the types in `crates/homebody-core/src/scenario/home.rs` and
-`crates/homebody-core/src/sensors/`; `schemas/home.schema.json` says the same to editors. What is wrong beyond it, such as a door in
-no wall, `homebody check` says, with the line and a hint. What each kind of sensor says, and when, is in `docs/reference/sensors.md`; what
-furniture is for, in `docs/reference/activities.md`.
+This page lists every key of `home.json`, the file that describes a home: its rooms, walls, doors, furniture and sensors.
 
-Lengths are metres. A point is `[x, y]`: `x` grows to the east, `y` to the north. Angles are degrees, counter-clockwise; a direction
-of 0 is east, 90 is north. Upper and lower case and surrounding blanks tell no two names apart.
+- Lengths are in metres. A point is `[x, y]`: `x` grows to the east, `y` to the north.
+- Angles are in degrees, counter-clockwise. A direction of 0 is east, 90 is north.
+- Names are compared without regard to case and to surrounding spaces.
+
+`homebody check` reports errors that the tables cannot express, such as a door outside any wall, with the line and a hint. The events
+of each kind of sensor are in [sensors](sensors.md), the roles of furniture in [activities and roles](activities.md). For editors,
+`schemas/home.schema.json` has the same content as this page. Both are made from the types in
+`crates/homebody-core/src/scenario/home.rs` and `crates/homebody-core/src/sensors/`.
 
 ```json
 {
@@ -69,8 +72,8 @@ of 0 is east, 90 is north. Upper and lower case and surrounding blanks tell no t
 const LOGGER: &str = "\
 # `logger.json`
 
-Where the log goes, and what a real network would call what is in it. A scenario that links no logger has all the defaults. This page
-is made from the types in `crates/homebody-core/src/scenario/logger.rs`; `schemas/logger.schema.json` says the same to editors.
+This page lists every key of `logger.json`, the file that sets where the log goes, its columns, its sensor ids and its times. A scenario
+without the file uses all the defaults.
 
 ```json
 {
@@ -83,24 +86,65 @@ is made from the types in `crates/homebody-core/src/scenario/logger.rs`; `schema
 }
 ```
 
-A row is one message of a sensor; what each kind of sensor says is in `docs/reference/sensors.md`. The rows of a run are numbered from 0, and with
-the run's id that number is the key of the table, so that a row is stored once only. Names of the table and of columns have up to 63
-of `a` to `z`, `0` to `9` and `_`, no digit first. A hold is for motion sensors only: what others say is stored as they say it. The
-truth, whose tables are in `docs/reference/truth.md`, goes elsewhere; of this file it takes the ids and the time format.
+- Each row is one event of a sensor. The events of each kind are in [sensors](sensors.md).
+- Rows of a run are numbered from 0. The run's id and this number are the key of the table, so no row is stored twice.
+- Names of tables and columns have up to 63 characters of `a` to `z`, `0` to `9` and `_`, and do not begin with a digit.
+- Only firings of motion sensors are held. The log has the events of other sensors unchanged.
+- The [truth](truth.md) has its own destination. It uses the sensor ids and the time format of this file.
+
+For editors, `schemas/logger.schema.json` has the same content as this page. Both are made from the types in
+`crates/homebody-core/src/scenario/logger.rs`.
 ";
 
 const SCENARIO: &str = "\
 # `scenario.json`, residents and paths
 
-What to run, who lives there, and what moves them where no routine does. This page is made from the types in
-`crates/homebody-core/src/scenario/`; the files in `schemas/` say the same to editors. The other files of a scenario are in
-`docs/reference/home.md`, `docs/reference/logger.md`, `docs/reference/link.md` and `docs/reference/routine-language.md`. A file is named relative to the scenario's folder,
-with `/` between folders; nothing outside it is read.
+This page lists the files of a scenario, the example scenarios, and every key of `scenario.json`, of residents, of paths and of input
+files.
+
+A scenario is a folder. Its files name each other relative to the folder, with `/` between folders; Homebody reads nothing outside it.
+For editors, the files in `schemas/` have the same content as this page. Both are made from the types in
+`crates/homebody-core/src/scenario/`.
+
+## Files
+
+Only `scenario.json` has a fixed name. The other names below are those of the examples.
+
+| file | content | reference |
+|---|---|---|
+| `scenario.json` | links to the files below; start, days, time zone and seed of a run; parameters of the models | this page |
+| `home.json` | rooms, walls, doors, furniture and its roles, sensors | [home](home.md) |
+| `logger.json` | destination of the log; its table, columns, sensor ids, messages and time format | [logger](logger.md) |
+| `link.json` | network between the sensors and the logger: delay, loss, faults and their times | [link](link.md) |
+| `margaret.json` | a resident: body, pace and driver | [resident](#resident) |
+| `margaret.routine` | a driver: the resident's days, in sentences | [routine language](routine-language.md) |
+| `clara.rhai` | a driver: a script, for behaviour that sentences cannot describe | [scripts](scripts.md) |
+| `walk.path.json` | a driver: walks, waits, postures, activities and repeats | [path](#path) |
+| `keys.json` | a driver: keys held over time | [input file](#input-file) |
+
+## Example scenarios
+
+| folder in `scenarios/` | content |
+|---|---|
+| `tigerplace` | ninety ordinary days of a woman of 82 in a one-bedroom apartment, with the sensors of TigerPlace |
+| `tigerplace-depression` | the same home for 120 days, with a depression from the sixth week on |
+| `tigerplace-decline` | the same home for two years: cognitive decline, a urinary tract infection, frailty with falls, and a recovery |
+| `older-adult` | an ordinary life in a one-bedroom apartment with twenty motion sensors, wired like a CASAS home |
+| `couple-with-cat` | four weeks of a couple, their cat and visitors; only the truth knows which of them a motion sensor saw |
+| `house-two-floors` | three months of a woman who grows frail, with stairs, an X10 network, a fading battery and an outage |
+| `studio` | two weeks of a man in one room who is out for hours, logged like a CASAS home |
+| `sphere-house` | the house of the SPHERE challenge, whose real sensors were recorded, and a walk through its rooms |
+| `cameras` | a week of a woman of 86 in one room who falls now and then, with three cameras that keep silhouettes only |
+| `postures` | one room and three cameras; a resident stands, walks, bends, kneels, sits, lies, falls and crawls |
+| `by-hand` | two rooms whose visitor is driven by held keys from a file, turns on a lamp and sits down |
+| `dark-hall` | an evening by a script: a lamp is lit whenever the resident crosses the dark hall |
+| `door-bell` | an afternoon by two scripts: a neighbour rings, and the resident opens the door and reads on |
+| `robot` | a robot by a script: three layers of control, after Brooks (1986) |
 ";
 
 /// The places that a log can go to.
 fn places() -> String {
-    let mut text = "\n## Where to\n\n| `to` | what it is |\n|---|---|\n".to_owned();
+    let mut text = "\n## Destinations\n\n| `to` | description |\n|---|---|\n".to_owned();
     text.extend(Scheme::of_scenarios().map(|row| format!("| `{}:{}` | {} |\n", row.name, row.at, row.what)));
     text
 }
@@ -271,7 +315,7 @@ fn section(definition: &Value, all: &Value) -> String {
         }
         return text + &parts.join("\n");
     }
-    text += "| value | what it is |\n|---|---|\n";
+    text += "| value | description |\n|---|---|\n";
     for variant in variants {
         let value = match (choice(variant), variant["const"].as_str()) {
             (Some((key, inner)), _) => format!("`{{ \"{key}\": ... }}`: {}", kind_of(key, inner, all)),
@@ -291,7 +335,7 @@ fn choice(variant: &Value) -> Option<(&str, &Value)> {
 
 /// The table of an object's keys.
 fn keys(object: &Value, all: &Value) -> String {
-    let mut text = "| key | what it is | type | unit | range | default |\n|---|---|---|---|---|---|\n".to_owned();
+    let mut text = "| key | description | type | unit | range | default |\n|---|---|---|---|---|---|\n".to_owned();
     let properties = object["properties"].as_object().into_iter().flatten();
     text.extend(properties.filter(|(key, _)| *key != "kind").map(|(key, value)| row(key, value, object, all)));
     text
@@ -303,7 +347,7 @@ fn row(key: &str, value: &Value, object: &Value, all: &Value) -> String {
     let default = match &value["default"] {
         _ if is_required => "required".to_owned(),
         Value::Null => "none".to_owned(),
-        Value::Object(keys) if !keys.is_empty() => "those of its keys".to_owned(),
+        Value::Object(keys) if !keys.is_empty() => "see its keys".to_owned(),
         default => format!("`{}`", plain(default)),
     };
     let cells = [format!("`{key}`"), said(value), kind_of(key, value, all), unit.to_owned(), range(value), default];

@@ -60,7 +60,7 @@ pub struct Line {
     pub between: Option<f64>,
     /// Nothing where it cannot be said.
     pub inside: Option<bool>,
-    /// Why ours may lie outside.
+    /// Reason why our value may lie outside.
     pub guess: &'static str,
 }
 

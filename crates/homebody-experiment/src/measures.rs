@@ -256,9 +256,9 @@ struct Walking {
     last: (Micros, Micros, f64),
 }
 
-/// A shorter walk is a step or two (ours).
+/// Length below which a walk is a step or two (our choice).
 const LEAST_WALK_M: f64 = 2.0;
-/// Who stands for longer walks anew (ours).
+/// Stop after which a new walk begins (our choice).
 const STOPS: Micros = SECOND;
 
 impl Walking {

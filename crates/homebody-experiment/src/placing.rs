@@ -27,19 +27,19 @@ use serde::Serialize;
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A sensor on a wall hangs so far from the corner along each wall, and so high (ours).
+/// Distance of a wall sensor from the corner along each wall, and its height (our choice).
 const FROM_CORNER_M: f64 = 0.15;
 const HEIGHT_M: f64 = 2.1;
-/// A sensor on the ceiling sees so far around what it looks at (ours).
+/// Distance around its target that a ceiling sensor sees (our choice).
 const AROUND_M: f64 = 0.35;
-/// The floor is looked at in steps of so many metres, as long as layouts are tried (ours).
+/// Step in metres of the search of the floor while layouts are tried (our choice).
 const STEP_M: f64 = 0.1;
 
-/// Less is nothing that a sensor adds (ours).
+/// Gain below which a sensor adds nothing (our choice).
 const ADDS: f64 = 1e-6;
 /// Pairs are made of this many sensors, those that add most, as there are too many pairs of all.
 const PAIRED: usize = 8;
-/// This many sensors are exchanged at most.
+/// Largest number of sensors that are exchanged.
 const MOST_SWAPS: usize = 3;
 
 /// What somebody wants to see.

@@ -12,13 +12,14 @@ use homebody_core::time::{Micros, SECOND};
 use serde::Serialize;
 use std::fmt;
 
-/// Nearer than this, two are on one spot (ours): who squeezes past somebody in a narrow place does not come as near.
+/// Distance within which two people are at one place (our choice). A person who squeezes past another keeps further
+/// away.
 pub const ONE_SPOT_M: f64 = 0.2;
 
-/// At so many instants of a part of two movements it is looked how near they are (ours).
+/// Number of instants of a part of two movements at which their distance is measured (our choice).
 const LOOKS: i64 = 5;
 
-/// Who sits down to a meal while the last is put on the table does not eat it uncooked (ours).
+/// Time before the last dish is served within which a person may sit down to a meal (our choice).
 const SERVING: Micros = 60 * SECOND;
 
 /// What cannot be, of one life or household.

@@ -31,7 +31,7 @@ use serde::Serialize;
 use std::ops::Range;
 use windows::{Window, ons, windows};
 
-/// A class counts that has so many windows in each half (ours).
+/// Smallest number of windows in each half of a class that counts (our choice).
 const LEAST_WINDOWS: usize = 5;
 /// A forest has so many trees.
 const TREES: usize = 200;

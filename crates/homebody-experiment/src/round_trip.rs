@@ -22,10 +22,10 @@ use std::fmt::Write;
 /// So many days are lived, of which the last are summarised; what changes does so with the first of these.
 pub const DAYS: u32 = 56;
 const LAST: usize = 28;
-/// What a routine says of a day is drawn so often (ours).
+/// Number of draws of a routine's statement about a day (our choice).
 const DRAWS: usize = 50;
 const HOUR: f64 = 3600.0;
-/// A visit to the bathroom takes somebody out of bed for so many hours (ours: the median of the activity).
+/// Hours out of bed for a visit to the bathroom (our choice): the median of the activity.
 const VISIT_H: f64 = 0.1;
 
 /// A sentence of a summary beside what the routine says.

@@ -50,9 +50,9 @@ pub struct Case {
     pub visitors_invented: Option<f64>,
 }
 
-/// Who asks as time goes on asks so often (ours).
+/// Interval between questions about the present state (our choice).
 const ASKED: Micros = 30 * SECOND;
-/// A shorter stay in a room is a way through it (ours).
+/// Stay below which a person only passes through a room (our choice).
 const VISIT: Micros = 10 * SECOND;
 
 /// Lives a home for some days and walks its log back.

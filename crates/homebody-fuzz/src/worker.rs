@@ -10,7 +10,7 @@ use std::io::Write;
 use std::time::Duration;
 use std::{io, process, thread};
 
-/// A case that takes so much memory is ended at once, so that the machine lives (ours).
+/// Memory above which a case is ended at once, to protect the machine (our choice).
 const MOST_BYTES: usize = 1 << 30;
 
 /// The cases of a worker: from the first on, every so many, up to the last.

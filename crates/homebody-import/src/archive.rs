@@ -12,19 +12,20 @@ const ENTRY: &str = "Home.xml";
 /// The dump of Java objects, which old versions wrote alone.
 const JAVA_ENTRY: &str = "Home";
 
-/// Larger files are mostly models and textures, and hardly of one home (ours).
+/// Largest size of a plan's file (our choice): larger ones contain mostly models and textures.
 pub const MOST_BYTES: u64 = 64 << 20;
 
-/// A large house takes about one (ours).
+/// Largest size of the unpacked XML (our choice): a large house takes about one MiB.
 const MOST_XML_BYTES: u64 = 32 << 20;
 
-/// Every model and texture is an entry, some of them several (ours).
+/// Largest number of entries (our choice): each model and texture is one or more.
 const MOST_ENTRIES: u64 = 20_000;
 
-/// Text of plans shrinks to a tenth, that of many equal walls to a fiftieth; what shrinks more was made to (ours).
+/// Largest compression ratio (our choice): text of plans shrinks to a tenth, that of many equal walls to a fiftieth. A
+/// higher ratio is an attack.
 const MOST_SHRUNK: u64 = 200;
 
-/// Where shrinking begins to matter (ours).
+/// Size above which the compression ratio is checked (our choice).
 const SMALL_BYTES: u64 = 1 << 20;
 
 /// What the list of an archive's entries has before each of them.
@@ -66,7 +67,7 @@ const SAVE_AGAIN: &str = "a plan of one home is smaller: open it in Sweet Home 3
 
 /// Whether the bytes are the text of a plan, without an archive around it.
 fn is_unpacked(bytes: &[u8]) -> bool {
-    /// The root element begins within this many bytes (our choice).
+    /// Number of bytes within which the root element begins (our choice).
     const HEAD: usize = 4_096;
     let head = String::from_utf8_lossy(&bytes[..bytes.len().min(HEAD)]).into_owned();
     let head = head.trim_start_matches('\u{feff}').trim_start();

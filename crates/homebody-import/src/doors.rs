@@ -20,27 +20,28 @@ pub struct Door {
     pub leads_home: usize,
 }
 
-/// What a home has at most.
+/// Largest number of doors of a home.
 const MOST_DOORS: usize = 1_000;
 
-/// The check refuses doors narrower than 5 cm; nobody walks through those narrower than this (ours).
+/// Width below which no person walks through a door (our choice). The check refuses doors narrower than 5 cm.
 const LEAST_WIDTH_M: f64 = 0.1;
 
-/// The cosine of the angle between a door and its wall, up to which it stands in it (ours): 45 degrees.
+/// Smallest cosine of the angle between a door and a wall that it is in (our choice): 45 degrees.
 const IN_WALL_COSINE: f64 = 0.707;
 
-/// A door that moves further is worth a remark (ours).
+/// Shortest move of a door that is reported (our choice).
 const MOVED_M: f64 = 0.05;
 
-/// The sine of the angle up to which walls run beside each other (ours), and how far apart or into each other things are
-/// that are not one (ours): a door within a centimetre of two walls is in both already.
+/// Sine of the largest angle between parallel walls, and distance or overlap of separate things (our choice): a door
+/// within a centimetre of two walls is already in both.
 const BESIDE_SINE: f64 = 0.05;
 const BESIDE_M: f64 = 0.02;
 
-/// The walls beside its own that a door goes through (ours): houses have two faces, and some a layer between.
+/// Walls next to its own that a door may pass through (our choice): houses have two faces, and some a layer between.
 const MOST_BESIDE: usize = 2;
 
-/// How far behind the face of a wall it is looked for a room, in steps (ours): rooms drawn by hand end before walls do.
+/// Distances behind the face of a wall at which a room is searched for (our choice): rooms drawn by hand end before
+/// walls do.
 const BEHIND_M: [f64; 5] = [0.05, 0.15, 0.25, 0.35, 0.45];
 
 /// The doors among the openings, without windows.
@@ -57,10 +58,10 @@ pub fn only(openings: Vec<Piece>, remarks: &mut Vec<String>) -> Result<Vec<Piece
     Ok(doors)
 }
 
-/// How far beside a door the walls end between which it is drawn (ours).
+/// Largest distance from a door to the ends of the walls that it is drawn between (our choice).
 const BESIDE_GAP_M: f64 = 0.35;
 
-/// The share of a door that must be along a wall to be in it (ours), else it is looked for a gap.
+/// Smallest share along a wall of a door in that wall (our choice). For another door, a gap is searched.
 const IN_WALL_SHARE: f64 = 0.5;
 
 /// Walls for the doors that are drawn in gaps between walls: from the one end to the other.
@@ -183,7 +184,7 @@ fn beside_others(
     (mut from, mut to): (Point, Point),
     remarks: &mut Vec<String>,
 ) -> (Point, Point) {
-    /// Frames are so wide at most (ours).
+    /// Largest width of a frame (our choice).
     const MOST_M: f64 = 0.2;
     for other in placed {
         let along = (to - from).normalize_or_zero();

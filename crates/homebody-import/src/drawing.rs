@@ -8,7 +8,7 @@ use homebody_core::names::words;
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
 
-/// Numbers beyond this, in centimetres or radians, are none of a home (ours): ten kilometres.
+/// Largest number in a plan, in centimetres or radians (our choice): ten kilometres.
 const GREATEST: f64 = 1e6;
 
 /// Everything in a plan that a home may be made of, on all levels.

@@ -11,24 +11,24 @@ use homebody_core::geometry::{self, Point, overlap};
 use homebody_core::problem::counted;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Ends nearer than this are one (ours): walls that were meant to meet.
+/// Distance below which ends of walls are one (our choice): the walls were meant to meet.
 const JOINED_M: f64 = 0.15;
 
-/// Smaller spaces are shafts (ours).
+/// Area below which a space is a shaft (our choice).
 const LEAST_AREA_M2: f64 = 0.5;
 
-/// Plans with more walls, or more pieces of them, are none of a home (ours).
+/// Largest number of walls, and of pieces of walls, in the plan of a home (our choice).
 const MOST_WALLS: usize = 2_000;
 const MOST_PIECES: usize = 10_000;
 
-/// The share of a space that rooms may have of one that has no room (ours).
+/// Largest share of a space that rooms may cover if it has no room of its own (our choice).
 const COVERED_SHARE: f64 = 0.2;
 
-/// A space larger than any room with spaces in it that somebody could live in is the ground around a house (ours).
+/// Smallest area of the ground around a house, and of a space in it that is large enough for a home (our choice).
 const GROUND_M2: f64 = 150.0;
 const HOUSE_M2: f64 = 15.0;
 
-/// A floor that walls part into more is none of a home (ours).
+/// Largest number of spaces on a floor of a home (our choice).
 const MOST_SPACES: usize = 400;
 
 /// The enclosed spaces in which there is no room.
@@ -55,11 +55,11 @@ pub fn without_room(walls: &[Wall], rooms: &[Room]) -> Vec<Vec<Point>> {
 /// The rooms without those that are drawn around several spaces that walls enclose, each of which is a room instead; the largest
 /// keeps the name.
 pub fn parted(rooms: Vec<drawing::Room>, walls: &[Wall], remarks: &mut Vec<String>) -> Vec<drawing::Room> {
-    /// Smaller spaces are closets (ours).
+    /// Area below which a space is a closet (our choice).
     const LEAST_M2: f64 = 2.0;
-    /// A space belongs to the room that has so much of it (ours).
+    /// Smallest share within a room of a space that belongs to that room (our choice).
     const WITHIN_SHARE: f64 = 0.9;
-    /// So much of the room is in such spaces (ours).
+    /// Share of the room that these spaces cover (our choice).
     const OF_ROOM_SHARE: f64 = 0.5;
     // Larger plans are refused elsewhere.
     let corners: usize = rooms.iter().map(|room| room.corners.len()).sum();

@@ -9,27 +9,27 @@ use homebody_core::home::plan::FLAT_M;
 use homebody_core::languages::{RoomUse, room_use};
 use homebody_core::role::Role;
 
-/// How wide the way through the wall is, and the flight of stairs between its walls' middle lines (ours).
+/// Width of the way through the wall, and of the flight of stairs between the centre lines of its walls (our choice).
 pub const DOOR_M: f64 = 0.9;
 pub const FLIGHT_M: f64 = 1.0;
 
-/// Floors with more walls are none of a home, and not unfolded (ours): each is looked along.
+/// Largest number of walls of a floor that is unfolded (our choice): each wall is searched.
 const MOST_WALLS: usize = 400;
 
-/// So many places are tried on each floor, the nearest to the stairs first (ours), and in one wall, so far apart that there is
-/// room for another flight of stairs.
+/// Distance between places in one wall, with room for another flight of stairs, and largest numbers of places tried on
+/// a floor and in a wall, the nearest to the stairs first (our choice).
 const MOST_EXITS: usize = 16;
 const MOST_IN_WALL: usize = 3;
 const APART_M: f64 = FLIGHT_M + 0.2;
 
-/// How much farther a place may be for a room that is better than the next best (ours).
+/// Additional distance that a place in a better room may have (our choice).
 const WORSE_M: f64 = 4.0;
 
-/// How far apart places along a wall are tried, and how many of a long one (ours).
+/// Step between the places tried along a wall, and largest number of steps along one wall (our choice).
 const STEP_M: f64 = 0.2;
 const MOST_STEPS: f64 = 100.0;
 
-/// How deep before the wall nothing may stand (ours): somebody turns there.
+/// Depth before the wall that has to be free (our choice): a person turns there.
 const FREE_M: f64 = 0.75;
 
 /// A place for a door in an outer wall.

@@ -24,12 +24,12 @@ pub struct Furniture {
     pub role: Option<Role>,
 }
 
-/// What a home has at most.
+/// Largest number of pieces of furniture of a home.
 const MOST_PIECES: usize = 1_000;
 
 /// What a home takes for widths, depths and heights.
 const SIZE_M: [f64; 2] = [0.001, 1_000.0];
-/// The greatest height of a piece.
+/// Greatest height of a piece.
 const MOST_HEIGHT_M: f64 = 10.0;
 
 /// The pieces that stand in rooms.

@@ -3,10 +3,10 @@
 use crate::drawing::Piece;
 use homebody_core::vocabulary::{FRONT_WORDS, WINDOW_WORDS, has_any};
 
-/// Higher sills are those of windows (ours): thresholds and steps are lower.
+/// Smallest height of a window's sill (our choice): thresholds and steps are lower.
 const SILL_M: f64 = 0.3;
 
-/// The sill that people step over, and how far up an opening goes that they walk through (ours).
+/// Height of a sill that people step over, and of the top of an opening that they walk through (our choice).
 const STEP_M: f64 = 0.15;
 const HEADROOM_M: f64 = 1.8;
 
@@ -20,7 +20,7 @@ const FIXED: &str = "fixed fixe fisso fissa fest festes fijo fija fixo hung pane
 const STAIRS: &str = "stair stairs staircase stairway treppe -treppe escalier scala scale escalera escada trap trappa \
     schody schodiště лестница 楼梯 階段";
 
-/// Furniture whose underside is above this stands in nobody's way (ours): lamps on ceilings, cupboards up high.
+/// Height of the underside above which furniture blocks no one (our choice): lamps on ceilings, high cupboards.
 const OVERHEAD_M: f64 = 1.5;
 
 /// Whether an opening is a window that nobody walks through.
@@ -50,7 +50,7 @@ pub fn is_overhead(piece: &Piece) -> bool {
 
 /// Whether a piece is a flight of stairs.
 pub fn is_stairs(piece: &Piece) -> bool {
-    /// Lower ones are steps (ours).
+    /// Rise below which stairs are steps (our choice).
     const LEAST_RISE_M: f64 = 1.5;
     piece.height_m >= LEAST_RISE_M && (piece.is_cut_out || has(piece, STAIRS))
 }

@@ -4,16 +4,16 @@ use crate::drawing::{Drawing, Level, LevelId};
 use crate::error::NotImported;
 use crate::names;
 
-/// So many levels are named in a sentence (ours).
+/// Largest number of levels in a sentence (our choice).
 const MOST_NAMED: usize = 12;
 
-/// Further levels are not looked at unless they are asked for (ours): no house has as many.
+/// Largest number of levels that are read, unless a further one is requested (our choice): no house has as many.
 const MOST_COUNTED: usize = 100;
 
-/// Of more levels with something on them, those with the most walls are looked at (ours).
+/// Largest number of levels with content (our choice). Of more, those with the most walls are used.
 const MOST_STOREYS: usize = 8;
 
-/// A lower level is a ceiling, a roof or the thickness of a floor (our choice).
+/// Height below which a level is a ceiling, a roof or the thickness of a floor (our choice).
 const LEAST_HEIGHT_M: f64 = 1.2;
 
 /// The levels of a plan that may be imported, from below.

@@ -6,16 +6,16 @@
 use crate::error::NotImported;
 use roxmltree::{Document, ParsingOptions};
 
-/// Tags, comments and the like; a large house has some ten thousand (ours).
+/// Largest number of tags, comments and the like (our choice): a large house has some ten thousand.
 const MOST_NODES: usize = 1_000_000;
 
-/// All attributes together (ours).
+/// Largest number of all attributes together (our choice).
 const MOST_ATTRIBUTES: usize = 4_000_000;
 
-/// Those of one tag; pieces of furniture have some fifty (ours).
+/// Largest number of attributes of one tag (our choice): pieces of furniture have some fifty.
 const MOST_ATTRIBUTES_OF_ONE: usize = 256;
 
-/// Groups within groups; plans have a handful (ours).
+/// Largest depth of groups within groups (our choice): plans have a handful.
 const GREATEST_DEPTH: usize = 100;
 
 /// Parses the text.

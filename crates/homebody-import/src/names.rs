@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A home's names have at most 100 characters; the rest is for a number.
+/// Largest number of characters of a name before its number: a home's names have at most 100.
 const LONGEST: usize = 90;
 
 /// The names of one kind of things.

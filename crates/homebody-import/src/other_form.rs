@@ -2,7 +2,7 @@
 
 use crate::error::NotImported;
 
-/// The bytes at the beginning that decide (our choice).
+/// Number of bytes at the beginning that decide the form (our choice).
 const LOOKED_AT: usize = 64 << 10;
 
 /// The command for a picture in one of the forms that the command reads.

@@ -6,21 +6,21 @@ use crate::outline::Room;
 use crate::walls::Wall;
 use homebody_core::geometry::{self, Point};
 
-/// The share of an outline that neither a wall nor another room is along, from which on a room lies in the open (ours): of a
+/// Smallest share of the outline of a room in the open that has no wall or other room along it (our choice): for a
 /// terrace in the corner of a house it is half.
 const OPEN_SHARE: f64 = 0.4;
 
-/// How far apart an outline is looked along, and how many places of it (ours).
+/// Step between the points checked along an outline, and largest number of points (our choice).
 const STEP_M: f64 = 0.25;
 const MOST_STEPS: f64 = 100.0;
 
-/// How far off walls and rooms may be that are along it (ours).
+/// Largest distance of walls and rooms that are along an outline (our choice).
 const ALONG_M: f64 = 0.3;
 
-/// How far before a door the room is looked for that it leads to, in steps (ours): beyond a thick wall, and a step.
+/// Distances before a door at which its room is searched (our choice): beyond a thick wall and a step.
 const BEFORE_M: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.55, 0.7];
 
-/// Floors with more walls are none of a home, and not looked at (ours): each place is held against all.
+/// Largest number of walls of a floor that is checked (our choice): each point is compared with all.
 const MOST_WALLS: usize = 400;
 
 /// How surely somebody comes home by a door, and by a front door.

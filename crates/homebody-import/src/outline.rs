@@ -17,14 +17,14 @@ impl Room {
     }
 }
 
-/// Corners nearer than this to each other, or to the line of their neighbours, are none (ours): what is written is
-/// rounded to millimetres.
+/// Distance from each other, or from the line of their neighbours, below which corners are dropped (our choice): files
+/// round to millimetres.
 pub const SAME_M: f64 = 0.0015;
 
-/// An outline with more holes is that of no room (ours).
+/// Largest number of holes in the outline of a room (our choice).
 const MOST_HOLES: usize = 20;
 
-/// Smaller rooms are slips of the mouse (ours).
+/// Area below which a room is a slip of the mouse (our choice).
 const LEAST_AREA_M2: f64 = 0.05;
 
 /// The outline without corners that are none; nothing is left of one that encloses nothing.
@@ -97,7 +97,7 @@ pub fn filled(mut outline: Vec<Point>) -> (Vec<Point>, usize) {
 
 /// Two sides that go the same way there and back.
 fn bridge(outline: &[Point]) -> Option<(usize, usize)> {
-    /// Shorter ones are spikes (ours).
+    /// Length below which a side is a spike (our choice).
     const LEAST_M: f64 = 0.02;
     let sides: Vec<(Point, Point)> = geometry::sides(outline).collect();
     let is_bridge = |(a, b): (Point, Point), (c, d): (Point, Point)| {

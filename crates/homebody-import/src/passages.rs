@@ -6,16 +6,18 @@ use crate::outline::Room;
 use crate::walls::Wall;
 use homebody_core::geometry::{self, Point};
 
-/// How wide such a gap is (ours): narrower ones are mistakes, and through wider ones nobody would draw two rooms.
+/// Smallest and largest width of such a gap (our choice): a narrower one is an error, and no one draws two rooms with a
+/// wider one.
 const WIDE_M: [f64; 2] = [0.5, 4.0];
 
-/// How far beside the line of a wall another may end that goes on with it, and how far off a wall's face it may end (ours).
+/// Largest distance from the line of a wall at which another wall continues it, and from a wall's face at which it ends
+/// (our choice).
 const ASIDE_M: f64 = 0.1;
 
-/// How far from the middle of a gap rooms begin at most (ours): half of a thick wall, drawn carelessly.
+/// Largest distance of rooms from the middle of a gap (our choice): half of a thick wall, drawn carelessly.
 const BEYOND_M: f64 = 0.4;
 
-/// Floors with more walls are not gone through (ours): each end is held against all.
+/// Largest number of walls of a floor that is checked (our choice): each end is compared with all.
 const MOST_WALLS: usize = 400;
 
 /// A gap: a wall for it, and where in that wall people go through.
@@ -82,20 +84,21 @@ fn is_between(passage: &Passage, rooms: &[drawing::Room]) -> bool {
     at(middle).is_none() && matches!((side(1.0), side(-1.0)), (Some(one), Some(other)) if one != other)
 }
 
-/// How far apart rooms are that were meant to meet (ours): what is less is none.
+/// Smallest and largest distance between rooms that were meant to meet (our choice).
 const SEAM_M: [f64; 2] = [0.0015, 0.3];
 
-/// The sine of the angle up to which sides of rooms run along each other (ours).
+/// Sine of the largest angle between parallel sides of rooms (our choice).
 const ALONG_SINE: f64 = 0.05;
 
-/// How far apart it is looked whether a wall is in a seam, and how many steps of one side (ours).
+/// Step of the search for a wall in a seam, and largest number of steps along one side (our choice).
 const STEP_M: f64 = 0.1;
 const MOST_STEPS: f64 = 300.0;
 
-/// Rooms with more corners are not held against others (ours): each side is held against all of theirs.
+/// Largest number of corners of a room that is compared with others (our choice): each side is compared with all of
+/// theirs.
 const MOST_CORNERS: usize = 100;
 
-/// A home has no more seams (ours).
+/// Largest number of seams of a home (our choice).
 const MOST_SEAMS: usize = 100;
 
 /// The seams between rooms that nearly meet where no wall is: people go through as if they met.
@@ -158,7 +161,7 @@ fn seam((a, b): (Point, Point), (c, d): (Point, Point), walls: &[Wall], rooms: &
 
 /// Walls in gaps as thick as rooms are apart there, so that whoever goes through their doors is in a room or in the door.
 pub fn thick_enough(walls: &mut [Wall], rooms: &[Room]) {
-    /// Where rooms are farther, nobody meant them to meet at the door (ours).
+    /// Largest distance of rooms that were meant to meet at a door (our choice).
     const MOST_M: f64 = 0.4;
     for wall in walls {
         let middle = (wall.from + wall.to) / 2.0;

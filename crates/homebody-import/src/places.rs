@@ -18,11 +18,11 @@ const CALLED: [(Role, &str, RoomUse); 3] = [
 /// What is in a kitchen, besides a fridge.
 const IN_KITCHENS: [Role; 2] = [Role::Stove, Role::Sink];
 
-/// How far apart places are tried in a room, and how far from walls and furniture they are at least (ours).
+/// Step between the places tried in a room, and smallest distance from walls and furniture (our choice).
 const STEP_M: f64 = 0.1;
 const CLEAR_M: f64 = 0.3;
 
-/// Larger rooms are halls, of which as many places are tried (ours).
+/// Largest number of places tried in a room (our choice). A larger room is a hall.
 const MOST_TRIED: f64 = 10_000.0;
 
 /// The places, by name, of what no piece of furniture and no room is under a name that roles know.

@@ -11,23 +11,23 @@ use std::collections::BTreeSet;
 /// The radius of a body that looks for ways: a resident has it by default.
 const BODY_M: f64 = 0.22;
 
-/// Homes with more are not looked at: each round looks for ways through the whole home.
+/// Largest numbers of walls, pieces and rooms of a home that is checked: each round searches the whole home for ways.
 const MOST_WALLS: usize = 400;
 const MOST_PIECES: usize = 400;
 const MOST_ROOMS: usize = 100;
 
-/// The most unreachable pieces that are tried.
+/// Largest number of unreachable pieces that are tried.
 const MOST_UNREACHED: usize = 40;
 
-/// So many places are tried for each piece, and so many pieces one by one where they are in each other's way.
+/// Number of places tried for each piece, and number of pieces tried one by one if they block each other.
 const MOST_TRIED: usize = 12;
 const MOST_ALONE: usize = 24;
 
 /// The steps of a move, and the longest move: people pull a chair out by its own depth.
 const STEP_M: f64 = 0.05;
-/// The longest move of a seat.
+/// Longest move of a seat.
 const MOST_SEAT_M: f64 = 1.0;
-/// The longest move of another piece.
+/// Longest move of another piece.
 const MOST_OTHER_M: f64 = 0.5;
 
 /// How far from the edge of a table a chair stands that is pulled out.

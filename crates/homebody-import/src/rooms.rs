@@ -12,25 +12,26 @@ use crate::walls::Wall;
 use homebody_core::geometry::{self, Point};
 use homebody_core::problem::counted;
 
-/// A floor with more is none of a home (ours).
+/// Largest number of rooms on a floor of a home (our choice).
 pub const MOST_ROOMS: usize = 200;
 
-/// The corners of all rooms; those of a large house are some hundreds (ours). All rooms are held against each other.
+/// Largest number of corners of all rooms (our choice): a large house has some hundreds. All rooms are compared with
+/// each other.
 pub const MOST_CORNERS: usize = 2_000;
 
-/// Shorter sides are steps in doorways and niches (ours).
+/// Length below which a side is a step in a doorway or a niche (our choice).
 const LEAST_SIDE_M: f64 = 0.2;
 
-/// How far a side may be off the face of its wall (ours): rooms drawn by hand are that careless.
+/// Largest distance of a side from the face of its wall (our choice): rooms drawn by hand are that inexact.
 const OFF_FACE_M: f64 = 0.2;
 
-/// The sine of the angle up to which a side runs along a wall (ours): 3 degrees.
+/// Sine of the largest angle between a side and a wall that it runs along (our choice): 3 degrees.
 const ALONG_SINE: f64 = 0.05;
 
-/// The share of a side that must be along the wall (ours).
+/// Smallest share of a side along the wall (our choice).
 const ALONG_SHARE: f64 = 0.4;
 
-/// A corner that goes further is a mistake (ours): in sharp angles of walls the lines meet far away.
+/// Largest distance that a corner is moved (our choice): in sharp angles, the lines of walls meet far away.
 const FARTHEST_M: f64 = 0.6;
 
 /// The rooms of a plan, in its order.
@@ -100,7 +101,7 @@ pub fn name_by_label(room: &mut drawing::Room, labels: &[Label]) {
 
 /// Walls along the rooms in a plan that has doors but no walls: of the rooms that a door is at.
 pub fn outlines(rooms: &[drawing::Room], doors: &[Piece]) -> Vec<drawing::Wall> {
-    /// How thick they are, and how far from them a door may be (ours).
+    /// Thickness of these walls, and largest distance of a door from them (our choice).
     const THICKNESS_M: f64 = 0.1;
     const AT_DOOR_M: f64 = 0.3;
     let mut walls: Vec<drawing::Wall> = Vec::new();

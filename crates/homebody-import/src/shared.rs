@@ -3,16 +3,16 @@
 use crate::outline::{Room, is_sound, tidy};
 use homebody_core::geometry::{self, Point, overlap};
 
-/// What two rooms may share: half of what the check lets pass.
+/// Largest area that two rooms may share: half of the limit of the check.
 const MOST_SHARED_M2: f64 = 0.005;
 
-/// A room of which others cover so much is drawn around them (ours), such as one around a whole home.
+/// Smallest covered share of a room that is drawn around others, such as one around a whole home (our choice).
 const AROUND_SHARE: f64 = 0.5;
 
-/// A room that would lose more is left out as a whole (ours).
+/// Share of its area above which a room is left out instead of cut (our choice).
 const MOST_LOST_SHARE: f64 = 0.25;
 
-/// The sides that are tried for cutting; rooms that overlap by accident share one (ours).
+/// Largest number of sides that are tried for cutting (our choice): rooms that overlap by accident share one.
 const MOST_TRIED: usize = 8;
 
 /// The rooms, in their order, none of which overlaps another.

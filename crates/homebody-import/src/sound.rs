@@ -7,11 +7,11 @@ use homebody_core::scenario::home::HomeFile;
 use homebody_core::scenario::load::Scenario;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is left out may bring up something else, and a hundred problems are told at once; this often a home is looked
-/// at (ours).
+/// Number of times that a home is checked (our choice): removing a part may reveal another problem, and one check
+/// reports a hundred.
 const ROUNDS: usize = 30;
 
-/// So many problems are told in their own words (ours).
+/// Largest number of problems that are reported in their own words (our choice).
 const MOST_TOLD: usize = 10;
 
 /// The smallest scenario in which a home can be checked.

@@ -9,20 +9,21 @@ use crate::outline::Room;
 use crate::walls::Wall;
 use homebody_core::geometry::{self, Point, overlap};
 
-/// A passage that is so much longer than its stairs is none (ours): too much of a life would be climbing.
+/// Largest difference of length between a passage and its stairs (our choice): otherwise residents spend too much time
+/// climbing.
 const MOST_LONGER_M: f64 = 8.0;
 
-/// Floors are so far apart at least (ours), so that no sensor of one is taken for one of the other.
+/// Smallest distance between floors, so that no sensor of one sees the other (our choice).
 const APART_M: f64 = 1.5;
 
-/// Stairs that rise less than this share of what lies between two levels lead to none (ours).
+/// Smallest rise of stairs as a share of the distance between two levels that they connect (our choice).
 const LEAST_RISE: f64 = 0.6;
 
-/// Levels nearer to each other are two drawings of one level (our choice), without stairs between them.
+/// Distance below which two levels are drawings of one level (our choice), without stairs between them.
 const LEAST_APART_M: f64 = 0.5;
 
-/// How much longer a passage may be for a floor that is not turned, is turned by a half, by a quarter, by anything else (ours):
-/// plans are read the easier the less of them is turned.
+/// Additional length of a passage allowed for a floor that is not turned, or is turned by a half, by a quarter, or by
+/// another angle (our choice): a plan with few turns is easier to read.
 const TURNED_M: [f64; 4] = [0.0, 2.0, 3.0, 6.0];
 
 /// How thick a passage's walls are.

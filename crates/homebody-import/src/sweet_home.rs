@@ -24,7 +24,7 @@ pub struct Imported {
 /// Where the schema of what is made is looked for: in a folder beside it.
 pub const SCHEMA: &str = "./schemas/home.schema.json";
 
-/// Nobody reads more (ours).
+/// Largest number of remarks (our choice).
 const MOST_REMARKS: usize = 40;
 
 /// Makes a home of this name of the bytes of a `.sh3d` file.

@@ -20,19 +20,20 @@ const LEAST_LENGTH_M: f64 = 0.003;
 /// The range that a home has for the thickness of walls.
 const THICKNESS_M: [f64; 2] = [0.001, 2.0];
 
-/// How far a chord may be off its arc (ours): less than the plaster.
+/// Largest distance of a chord from its arc (our choice): less than the plaster.
 const CHORD_OFF_M: f64 = 0.01;
 
-/// The chords of one wall, however large its circle is (ours).
+/// Largest number of chords of one wall (our choice).
 const MOST_CHORDS: f64 = 64.0;
 
-/// Flatter arcs are straight, and fuller ones are circles, whose ends no plan can tell apart (ours).
+/// Angles between which an arc is drawn as one (our choice): flatter arcs are straight, and fuller ones are circles
+/// without distinct ends.
 const ARC_RAD: [f64; 2] = [1e-3, TAU - 1e-3];
 
-/// How far beside a wall the middle of a door may be that is in it, beyond half the wall's thickness (ours).
+/// Largest distance of the middle of a door from its wall, beyond half the wall's thickness (our choice).
 pub const DOOR_OFF_M: f64 = 0.3;
 
-/// What a home has at most.
+/// Largest number of walls of a home.
 const MOST_WALLS: usize = 5_000;
 
 /// The walls as straight ones, in their order.
@@ -66,13 +67,14 @@ pub fn straight(walls: &[drawing::Wall], doors: &[Piece], remarks: &mut Vec<Stri
     Ok(straight)
 }
 
-/// How far beyond the face of a wall another may end that was meant to meet it (ours).
+/// Largest distance beyond the face of a wall at which another one was meant to meet it (our choice).
 pub const OFF_FACE_M: f64 = 0.06;
 
-/// The sine of the angle from which on walls meet rather than run beside each other (ours): 15 degrees.
+/// Sine of the smallest angle between walls that meet rather than run in parallel (our choice): 15 degrees.
 const MEET_SINE: f64 = 0.26;
 
-/// Of more walls, none are joined (ours): each end is held against all, and plans of homes have some tens.
+/// Largest number of walls that are joined (our choice): each end is compared with all, and plans of homes have some
+/// tens.
 const MOST_JOINED: usize = 1_000;
 
 /// The walls with those that end at the face of another, or inside of it, drawn on to its middle line: that is where rooms meet.

@@ -23,7 +23,8 @@ const SHORTEST_S: f64 = 0.125;
 /// How many spans there are: the longest is of 9 hours.
 const SPANS: usize = 37;
 
-/// How long somebody is in a state, in seconds, and how often they leave one for another (ours). Who walks may stop anywhere.
+/// Durations of a state in seconds, and intervals after which a person leaves it for another (our choice). A walking
+/// person may stop anywhere.
 const STOPS_EVERY_S: f64 = 12.0;
 const STANDS_S: f64 = 15.0;
 const COMES_TO_EVERY_S: f64 = 8.0;
@@ -31,7 +32,7 @@ const BUSY_S: f64 = 100.0;
 const RESTS_AFTER_S: f64 = 150.0;
 const RESTS_S: f64 = 1_800.0;
 const STIRS_AFTER_S: f64 = 1_200.0;
-/// How often a second somebody leaves without being seen (ours): what a mistake costs at the most.
+/// Rate, per second, at which a person leaves unseen (our choice): the cost of an error is bounded.
 const LEAVES_UNSEEN: f64 = 1e-6;
 
 impl Flow {

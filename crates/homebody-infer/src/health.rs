@@ -55,29 +55,31 @@ pub struct Finding {
     pub ailment: Ailment,
 }
 
-/// A sensor notices nothing where this part or less is noticed of what it notices else; and one that does not has lost this part
-/// (ours).
+/// Share of its usual detections below which a sensor detects nothing, and share that a faulty sensor has lost (our
+/// choice).
 const NOTHING: f64 = 0.12;
 const LOST: f64 = 0.7;
-/// So much must have been there to notice (ours): on a day that says something, and in all.
+/// Smallest number of expected detections, on a day and in all, of evidence that counts (our choice).
 const LEAST: f64 = 8.0;
 const MISSED: f64 = 15.0;
-/// It is held against so many other days at least. They differ by this part of their mean at the least, and it must be so many
-/// standard errors less (ours).
+/// Smallest number of other days for comparison, smallest variation of their mean, and standard errors of the
+/// difference (our choice).
 const OTHER_DAYS: f64 = 3.0;
 const VARIES: f64 = 0.1;
 const SURE: f64 = 6.0;
-/// It fades for so many days (ours).
+/// Number of days over which a sensor fades (our choice).
 const FADES: usize = 2;
-/// So many sensors are left out at a time: one in this many (ours).
+/// Number of groups of sensors (our choice). One group at a time is left out.
 const PARTS: usize = 4;
-/// It is noisy from so many firings a day on for which there is no reason, and where they are this share of what it says or more (ours).
+/// Smallest number of unexplained firings a day of a noisy sensor, and their smallest share of all (our choice).
 const NOISE: f64 = 6.0;
 const NOISE_SHARE: f64 = 0.15;
-/// It looks elsewhere where this share of its unexplained firings comes while people are within so many metres of one place (ours).
+/// Share of the unexplained firings with people within this distance of one place if a sensor looks elsewhere (our
+/// choice).
 const TOGETHER: f64 = 0.6;
 const TOGETHER_M: f64 = 2.0;
-/// A clock is off that is off on so many days by so many seconds, and by that many at most from what it would be by the others (ours).
+/// Smallest number of days, and of seconds, of a clock's error, and largest difference of the error between those days
+/// (our choice).
 const CLOCK_DAYS: usize = 4;
 const CLOCK_S: f64 = 15.0;
 

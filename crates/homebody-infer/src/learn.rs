@@ -19,27 +19,30 @@ use homebody_walk::Mesh;
 use homebody_walk::places::Places;
 use std::sync::Arc;
 
-/// For so long the body goes about (ours): each patch of floor is walked over some hundred times.
+/// Time that the body walks about (our choice): it crosses each patch of floor some hundred times.
 const LENGTH: Micros = 20 * DAY;
-/// Who stays and does not stir for so long is motionless (ours): gaps between stirs have a tail that no one rate gives.
+/// Time without movement after which a person who stays is motionless (our choice): gaps between stirs have a tail that
+/// no single rate produces.
 const MOTIONLESS: Micros = 90 * SECOND;
 /// Where it walks is looked at so often.
 const LOOK: Micros = SECOND / 5;
-/// For so long one is out, and so much time lies between visits, in seconds (ours).
+/// Time away, and time between visits, in seconds (our choice).
 const OUT_S: f64 = 5_400.0;
 const BETWEEN_VISITS_S: f64 = 100_000.0;
-/// Whatever is said may have come of nothing, so often a second (ours): once in ten days of each sensor.
+/// Rate, per second, of events without a cause (our choice): once in ten days for each sensor.
 const OF_NOTHING: f64 = 1e-6;
-/// So many seconds of a mean rate are added to what was counted, so that what was never seen is not impossible (ours).
+/// Seconds of a mean rate that are added to the counts, so that an unobserved event is not impossible (our choice).
 const BEFOREHAND_S: f64 = 20.0;
-/// The part of a patch's rates that it has from those around it (ours).
+/// Share of a patch's rates that comes from the patches around it (our choice).
 const SMEAR: f64 = 0.15;
-/// What feels somebody who is not there any more says so this often a second, as long as nothing was counted (ours).
+/// Rate per second at which a sensor stops sensing a person who has left, and seconds of it that are added to the
+/// counts (our choice).
 const GONE: f64 = 0.5;
 const GONE_BEFOREHAND_S: f64 = 4.0;
 
-/// The part of a silence that counts (ours): a sensor that missed somebody misses them again, so that a second of silence
-/// tells less than the one before. Chosen on lives of the seeds 1 to 10, and on the first two recordings of SPHERE.
+/// Share of a silence that counts (our choice): a sensor that missed a person misses them again, so that each second of
+/// silence says less than the one before. Chosen on runs with the seeds 1 to 10, and on the first two recordings of
+/// SPHERE.
 pub(crate) const SILENCE: f64 = 0.5;
 
 /// What is known of a home's sensors: how often each speaks in each state, and how states follow each other.
@@ -336,7 +339,7 @@ fn enter_all(
 
 /// Whether each sensor says OFF, and for how long it is blind after a message.
 fn timing(messages: &[Message], feels: &[bool]) -> Vec<Timing> {
-    /// The shortest gaps may be chance or a fault: of so many in a hundred no account is taken (ours).
+    /// Share of the shortest gaps that is left out, because they may be chance or a fault (our choice).
     const SHORTEST: f64 = 0.02;
     let mut timing: Vec<Timing> = feels.iter().map(|&feels| Timing { feels, ..Timing::default() }).collect();
     let mut gaps: Vec<Vec<Micros>> = vec![Vec::new(); feels.len()];

@@ -10,13 +10,13 @@ use crate::said::Said;
 use crate::steps::{Heard, Steps, Unusual};
 use crate::turns::{Between, Odd, Turns, turned_over};
 
-/// Whatever is said may have come of nothing, in whatever state (ours).
+/// Rate of events without a cause, in any state (our choice).
 const OF_NOTHING: f32 = 3e-6;
-/// A state counts no more once its chance is this small beside the best (ours). Of one body alone what is thought is then off by
-/// 0.005 at most in the flat of the tests; with ten times as much it is off by 0.1.
+/// Smallest ratio of a state's probability to the best one's (our choice). For one body, the result is then off by at
+/// most 0.005 in the flat of the tests; with ten times this ratio, by 0.1.
 const HOPELESS: f32 = 1e-5;
-/// So many states count at once of somebody who may be visiting, of the one who lives there then, and of each of two who live
-/// there (ours).
+/// Numbers of states that are tracked (our choice): of a possible visitor, of a resident with a visitor, and of each of
+/// two residents.
 const OF_GUESTS: usize = 16;
 const OF_HOSTS: usize = 48;
 const OF_TWO: usize = 48;

@@ -21,12 +21,12 @@ use std::sync::Arc;
 /// What the truth calls resting at a place, as opposed to doing something there.
 pub(crate) const RESTS: &str = "rests";
 
-/// How often it goes out, and how often it stands somewhere on the floor (ours).
+/// Probabilities that the body goes out, and that it stands somewhere on the floor (our choice).
 const OUT: f64 = 0.1;
 const FLOOR: f64 = 0.3;
-/// How often what can be used at a place is used (ours).
+/// Probability that a thing at a place is used (our choice).
 const USES: f64 = 0.6;
-/// The medians of the lengths of what it does, in seconds, and the spread of their logarithms (ours).
+/// Medians of the durations of its activities, in seconds, and standard deviations of their logarithms (our choice).
 const OUT_S: [f64; 2] = [900.0, 1.0];
 const STANDS_S: [f64; 2] = [20.0, 1.2];
 const BUSY_S: [f64; 2] = [90.0, 1.2];

@@ -12,7 +12,7 @@ use crate::steps::{Heard, Steps};
 use crate::visits::Visits;
 use homebody_core::time::Micros;
 
-/// So many steps are smoothed at once, with so many of what comes next (ours).
+/// Number of steps that are smoothed together, and number of later steps that are used for them (our choice).
 const BLOCK: usize = 4_096;
 const AHEAD: usize = 768;
 

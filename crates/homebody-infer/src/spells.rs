@@ -30,15 +30,15 @@ pub enum Ill {
     Dead,
 }
 
-/// A stuck sensor repeats itself so often at even spaces, which differ by so little, and are not shorter than those of sensors
-/// that look at somebody who moves on (ours).
+/// Repetitions of a stuck sensor at even intervals, largest difference of these intervals, and shortest interval, which
+/// is that of a sensor with a moving person in view (our choice).
 const REPEATS: usize = 8;
 const EVEN: Micros = SECOND / 2;
 const LEAST_SPACE: Micros = 20 * SECOND;
-/// A silence is looked at from this length on (ours): people sleep, and go out for a day.
+/// Shortest silence that is examined (our choice): people sleep, and go out for a day.
 const SILENCE: Micros = 18 * 3_600 * SECOND;
-/// A sensor is missed that is heard on most days, this part of them at least, and that would have been heard in so many hours of a
-/// silence, while the others were heard at this part of what they usually say (ours).
+/// Smallest values of a missed sensor (our choice): share of days with events, expected hours of events in a silence,
+/// and relative activity of the other sensors.
 const DAILY: f64 = 0.8;
 const MISSED_H: f64 = 9.0;
 const OTHERS: f64 = 0.4;

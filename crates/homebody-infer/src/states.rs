@@ -68,15 +68,15 @@ struct Grid {
     patches: usize,
 }
 
-/// The side of a cell of the floor in metres (ours).
+/// Side of a cell of the floor in metres (our choice).
 const CELL_M: f64 = 0.25;
-/// The least side of a patch of floor in metres (ours): one walks over it in about a second.
+/// Smallest side of a patch of floor in metres (our choice): a person crosses it in about a second.
 const PATCH_M: f64 = 0.75;
-/// Homes have about so many patches at most (ours): what inference costs grows with them.
+/// Largest number of patches of a home, approximately (our choice): the cost of inference grows with it.
 const MOST_PATCHES: f64 = 110.0;
-/// Patches of fewer cells belong to their neighbours (ours).
+/// Number of cells below which a patch joins its neighbours (our choice).
 const LEAST_CELLS: usize = 3;
-/// Places nearer than this to each other are one (ours).
+/// Distance below which places are one (our choice).
 const SAME_M: f64 = 0.35;
 
 impl States {

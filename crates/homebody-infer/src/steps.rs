@@ -5,9 +5,10 @@ use crate::said::{Last, Message, Said, Timing};
 use crate::spells::Spell;
 use homebody_core::time::{Micros, micros, seconds};
 
-/// In shorter spans than this, in seconds, nobody gets anywhere (ours).
+/// Duration in seconds below which a person does not move (our choice).
 const SHORTEST_S: f64 = 0.02;
-/// Spans are split into parts that are short at both ends (ours, in seconds): one may have gone elsewhere meanwhile.
+/// Length in seconds of the first and the last part of a span (our choice): in between, the person may have gone
+/// elsewhere.
 const FIRST_PART_S: f64 = 2.0;
 
 /// A span in which nothing is said, and what is said at its end.

@@ -33,19 +33,19 @@ enum Place {
     Pass(Point),
 }
 
-/// Who stands for less than this is on the way (ours).
+/// Time below which a standing person is still on the way (our choice).
 const STOP: Micros = 3 * SECOND;
-/// Who was seen to move moves for so long (ours), at the time at which a sensor said so.
+/// Duration of an observed movement, at the time of the sensor's event (our choice).
 const STIR: Micros = SECOND;
 /// A shorter movement is none.
 const LEAST_STIR: Micros = SECOND / 20;
-/// How far what moves moves (ours): enough for a sensor that looks there.
+/// Distance that the moving part of the body covers (our choice): enough for a sensor that looks there.
 const STIR_M: f64 = 0.4;
-/// Nearer than this is here (ours).
+/// Distance below which a person is already at the place (our choice).
 const HERE_M: f64 = 0.05;
-/// Nobody is made to walk faster (ours).
+/// Highest speed of a walk (our choice).
 const FASTEST_MPS: f64 = 1.5;
-/// A stay is shortened to this for a walk that has no time of its own (ours).
+/// Shortest remaining stay, when a stay is shortened to make time for a walk (our choice).
 const SHORTEST: Micros = SECOND / 2;
 
 impl Place {

@@ -5,10 +5,10 @@ use crate::learn::{SILENCE, Senses};
 use crate::said::Said;
 use crate::steps::Unusual;
 
-/// An exponent that makes no difference (ours).
+/// Exponent below which a factor makes no difference (our choice).
 const NOTHING: f32 = 1e-3;
-/// A turn that is rarer than this part of the most frequent one from its state is none (ours). So little of what is thought is
-/// lost in a step: this part of it for each state that counts.
+/// Ratio to the most frequent turn from the same state below which a turn is dropped (our choice). Each step loses no
+/// more than this share for each state that counts.
 const RARE: f32 = 1e-6;
 
 /// How one body gets from state to state in a span. It is set for each step anew, and keeps its memory.

@@ -8,15 +8,15 @@ use crate::learn::Senses;
 use crate::pair::Pair;
 use crate::steps::Steps;
 
-/// A guest is told of where the log is so much more likely with one, as a logarithm (ours); and so many steps after they have
-/// left it is clear whether it is.
+/// Smallest logarithm of the likelihood ratio for a visitor in the result, and steps after a visit until the decision
+/// (our choice).
 const ENOUGH: f64 = 15.0;
 const SETTLES: usize = 20;
-/// Whether a guest is there is asked where one person alone would hardly make what is said, as a logarithm, and from so many
-/// steps before (ours).
+/// Logarithm of the likelihood for one person alone below which a visitor is considered, and number of earlier steps
+/// that are considered, too (our choice).
 const SURPRISE: f64 = -8.0;
 const BEFORE: usize = 96;
-/// Who is out with this chance is (ours).
+/// Probability above which a person is out (our choice).
 const SURELY: f32 = 0.9;
 
 /// What is thought of the one who lives there and a guest, in the stretches in which one may be there.

@@ -5,18 +5,17 @@ use crate::smooth::Instant;
 use homebody_core::geometry::Point;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 
-/// A message is unexplained where its sensor would say so less often than this, in messages a second (ours): whom it sees makes it
-/// speak some times a minute.
+/// Rate, in messages a second, below which a message is unexplained (our choice): a sensor with a person in view sends
+/// some a minute.
 const UNEXPLAINED: f32 = 1e-3;
-/// How far the clock of a sensor is off is looked for in such steps, and up to so many (ours): an hour.
+/// Step of the search for a clock's error, and largest number of steps (our choice): an hour.
 const LAG: Micros = 5 * SECOND;
 const MOST_LAGS: i64 = 720;
-/// Whether it is off is asked of so many messages a day (ours).
+/// Messages a day that a clock's error is estimated from (our choice).
 const FOR_LAG: usize = 20;
-/// A sensor that would speak this often, in messages a second, sees somebody (ours).
+/// Smallest rate of a sensor with a person in view, in messages a second (our choice).
 const SEES: f32 = 0.03;
-/// A clock is off by the time at which the sensor would have seen somebody most often, where that is so many standard deviations
-/// more often than at any time (ours).
+/// Smallest margin of the best error of a clock over an arbitrary one, in standard deviations (our choice).
 const SURE: f64 = 4.0;
 
 /// One day of a sensor.

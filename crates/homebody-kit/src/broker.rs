@@ -24,7 +24,7 @@ mod built {
     use homebody_mqtt::{Address, Kind, MqttSink, Order, Reply, TakesOrders, clean, policy};
     use std::sync::mpsc::{Receiver, sync_channel};
 
-    /// So many orders wait to be done (ours).
+    /// Largest number of waiting commands (our choice).
     const MOST_WAITING: usize = 1000;
 
     pub fn tidy_up(url: &Url, only_look: bool) -> Result<Tidied, Error> {

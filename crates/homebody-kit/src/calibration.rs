@@ -78,23 +78,23 @@ pub struct Rates {
     pub in_bed: f64,
 }
 
-/// So often the fitted scenario is lived and changed (ours): after two changes its rates differ from one life to another by more than
+/// Number of rounds of simulation and fitting (our choice): after two changes, the rates differ more between runs than
 /// from the log's.
 const ROUNDS: usize = 3;
-/// So many days are lived each time (ours).
+/// Days that are simulated in each round (our choice).
 const DAYS: u32 = 28;
-/// How many times as much movement, and turning in bed, there is at least and at most (ours).
+/// Smallest and largest factors on the amount of movement, and on turning in bed (our choice).
 const MOVEMENT: Range<f64> = 0.1..4.0;
 const TURNING: Range<f64> = 0.05..10.0;
-/// Nearer to 1 nothing is said (ours): lives differ by more.
+/// Difference from 1 below which a factor is omitted (our choice): runs differ by more.
 const ABOUT_AS_USUAL: f64 = 0.05;
 /// The number of how lively days are.
 const DAY_SPREAD: &str = "life.day_spread";
-/// The largest value that it can be set to.
+/// Largest value of the parameter.
 const MOST_DAY_SPREAD: f64 = 2.0;
-/// From fewer days nobody can say how much days differ (ours).
+/// Number of days below which the difference between days is unknown (our choice).
 const LEAST_DAYS: i64 = 5;
-/// Fewer nights tell a rhythm only roughly (ours).
+/// Number of nights below which a rhythm is only approximate (our choice).
 const FEW_NIGHTS: usize = 5;
 /// The routine's file.
 const ROUTINE: &str = "fitted.routine";

@@ -34,11 +34,11 @@ use std::time::{Duration, Instant};
 /// What errors call a cohort.
 pub(crate) const COHORT: &str = "cohort";
 
-/// A cohort that lives more days than this, all members together, is large (ours): in databases each of them takes about a megabyte.
-/// Of its truths only what is brief is kept, unless more is asked for.
+/// Days of all members together above which a cohort is large (our choice): a database needs about a megabyte a day. By
+/// default, only the brief tables of its truths are written.
 pub const LARGE_DAYS: Micros = 10_000;
 
-/// Threads for each processor (ours).
+/// Threads for each processor (our choice).
 const THREADS_EACH: usize = 4;
 
 /// What a cohort is to be; made by [`OpenScenario::cohort`] or [`OpenScenario::cohort_of`]. What is not asked for is as the

@@ -16,7 +16,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// So much of a file is read at once (ours).
+/// Bytes of a file that are read together (our choice).
 const PART_BYTES: usize = 1 << 16;
 
 /// Who is to live: so many of whom nothing else is known, or those of a list.

@@ -33,7 +33,7 @@ homebody_core::messages! {
             name: String,
             /// The known names.
             known: Vec<String>,
-        } error "no-template" ("there is no template {name:?}")
+        } error "no-template" ("no template is called {name:?}")
             hint ("the templates are {}", known.join(", "));
         /// The command creates a folder, and something with this name exists.
         Exists {
@@ -51,7 +51,7 @@ homebody_core::messages! {
         NoRecording {
             /// The path.
             path: PathBuf,
-        } error "no-recording" ("there is no recording at {}", path.display())
+        } error "no-recording" ("no recording found at {}", path.display())
             hint ("name the recording.json of a run, or the run's folder");
         /// The run or cohort was killed in its first moment, before its recording was written.
         NotBegun {

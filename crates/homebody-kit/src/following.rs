@@ -9,7 +9,7 @@ use homebody_log::Log;
 use serde::Serialize;
 use std::fmt;
 
-/// Between two rows it is asked so often where everybody is, in the time of the log (ours): silence tells, too.
+/// Interval, in the time of the log, of the positions between two rows (our choice): silence is evidence, too.
 const ASKED: Micros = 30 * SECOND;
 
 /// What is known of a home before its log is read: how its sensors answer to who may be there.
@@ -62,10 +62,10 @@ enum Doubt {
     Unsure,
 }
 
-/// A chance is sure from here on, and likely from there (ours).
+/// Smallest probability of a position that is sure, and of one that is likely (our choice).
 const SURE: f64 = 0.9;
 const LIKELY: f64 = 0.6;
-/// Who was told of with a word is told of with another once the chance is beyond its limit by this much (ours).
+/// Margin beyond its limit that a probability has to pass before the word for it changes (our choice).
 const BEYOND: f64 = 0.05;
 
 impl Learnt {

@@ -17,7 +17,7 @@ use homebody_log::Activity;
 use std::borrow::Cow;
 
 /// The remark on rooms that are guessed, as measures guess them.
-const GUESSED: &str = "Rooms are a guess by the names of sensors; guessed_rooms of homebody measure --json lists them";
+const GUESSED: &str = "Rooms are guessed from sensor names; homebody measures --json lists them in guessed_rooms";
 
 /// Looks through a log. Instants are those of the wall, in microseconds since 1970.
 ///

@@ -10,13 +10,13 @@ use homebody_core::scenario::source::Source;
 use homebody_core::sensors::form::Moment;
 use homebody_routine::household::Household;
 
-/// The floor is looked at in steps of so many metres (ours).
+/// Step in metres of the search of the floor (our choice).
 const STEP_M: f64 = 0.1;
 
-/// Homes with more floor are not looked at: it would take too long (ours).
+/// Area of floor above which a home is not searched (our choice): it would take too long.
 const LARGEST_M2: f64 = 2_000.0;
 
-/// Who sees less of the floor sees nothing (ours).
+/// Area of floor below which a sensor sees nothing (our choice).
 const LEAST_M2: f64 = 0.05;
 
 /// A remark for each sensor that will say nothing in these lives.

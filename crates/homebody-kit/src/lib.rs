@@ -24,6 +24,7 @@
 #![warn(missing_docs)]
 
 mod error;
+pub mod catalogue;
 
 mod source;
 mod scenario;
@@ -80,12 +81,6 @@ mod falls;
 pub mod walked;
 
 mod calibration;
-
-/// The messages of this crate, by area.
-pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
-    <Error as homebody_core::messages::Catalogue>::ENTRIES,
-    <find::Unfindable as homebody_core::messages::Catalogue>::ENTRIES,
-];
 
 pub use broker::{Tidied, tidy_up};
 pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};

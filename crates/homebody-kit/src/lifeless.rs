@@ -14,7 +14,7 @@ use homebody_walk::Mesh;
 use homebody_walk::places::Places;
 use serde_json::json;
 
-/// Homes with more walls are not looked through for closed rooms: it would take too long.
+/// Number of walls above which a home is not searched for closed rooms: it would take too long.
 const MOST_WALLS: usize = 1_000;
 
 /// A routine to begin with.
@@ -72,7 +72,9 @@ fn no_sensors(home: &HomeFile, plan: &Plan) -> String {
         json!({ "kind": "ceiling_motion", "name": name, "area": area })
     });
     let example = sensor.map(|sensor| format!(", such as {sensor}")).unwrap_or_default();
-    format!("add some to \"sensors\"{example}; homebody place proposes where, and the page's Plan has them to drag")
+    format!(
+        "add some to \"sensors\"{example}; homebody suggest-sensors proposes where, and the page's Plan has them to drag"
+    )
 }
 
 /// Whether a resident follows a path on which they never walk.

@@ -269,7 +269,7 @@ impl LogWithRun {
         let residents = self.residents();
         if residents.len() > 1 {
             measures.remarks.push(format!(
-                "It is of all who live there, {}: sensors do not tell who it was; --resident NAME tells of one where there is a truth",
+                "The sensors cannot tell residents apart; this covers everybody together: {}; pass --resident NAME for one of them by the ground truth",
                 residents.join(", ")
             ));
         }
@@ -289,7 +289,7 @@ impl LogWithRun {
         match self.residents()[..] {
             [] => "the resident".to_owned(),
             [one] => capitalised(one),
-            _ => "somebody".to_owned(),
+            _ => "a resident".to_owned(),
         }
     }
 

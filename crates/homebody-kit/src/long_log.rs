@@ -9,10 +9,10 @@ use jiff::tz::TimeZone;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A log with more rows is not kept in memory: so many take 32 MB.
+/// Largest number of rows of a log that is held in memory: they take 32 MB.
 pub const MOST_ROWS: usize = 2_000_000;
 
-/// So many rows wait at most for earlier ones.
+/// Largest number of rows that wait for earlier ones.
 const MOST_WAITING: usize = 1 << 17;
 
 /// No clock is set back by more.

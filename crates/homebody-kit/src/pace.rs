@@ -205,10 +205,10 @@ impl Pace {
 /// How often a paced run is advanced.
 const FRAME: Duration = Duration::from_millis(16);
 
-/// A run on the world's clock that is behind by more than this hurries (ours).
+/// Lag behind the world's clock at which a run hurries (our choice).
 const BEHIND: Micros = SECOND;
 
-/// So much is done to a run between two looks at the clock (ours): what more is asked for waits.
+/// Number of commands to a run between two checks of the clock (our choice). The others wait.
 const AT_ONCE: usize = 100;
 
 /// Keeps a run at its pace: waits, and does what is said meanwhile.

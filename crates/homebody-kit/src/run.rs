@@ -215,7 +215,7 @@ impl RunSetup {
     }
 }
 
-/// A batch goes over no more of a run, however little happens.
+/// Longest part of a run in a batch, with however few events.
 const LONGEST_BATCH: Micros = 3600 * SECOND;
 
 /// A run that is being lived.

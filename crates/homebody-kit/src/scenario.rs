@@ -244,7 +244,7 @@ fn days(length: Micros) -> i32 {
 
 /// What a routine says beside what is lived, in one remark.
 fn not_lived(routine: &Routine) -> Option<Problem> {
-    /// So many are quoted (ours).
+    /// Largest number of names that are quoted (our choice).
     const QUOTED: usize = 3;
     let first = routine.remarks.first()?;
     let quotes: Vec<String> = routine.remarks.iter().take(QUOTED).map(|remark| format!("{:?}", remark.text)).collect();

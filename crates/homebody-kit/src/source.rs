@@ -183,7 +183,7 @@ pub const TRUST: &str = "if the scenario is your own, or you know who made it, t
 /// What helps where a text is none.
 const UTF_8: &str = "save it as UTF-8";
 
-/// Among so many names of files the one that was meant is looked for (ours).
+/// Largest number of file names that are searched for a similar one (our choice).
 const MOST_NAMES: usize = 1000;
 
 /// The files of a scenario's folder, which may be anybody's: plain ones in there, each of at most

@@ -6,13 +6,14 @@ use homebody_core::run::Run;
 use homebody_core::time::{Micros, SECOND};
 use std::time::{Duration, Instant};
 
-/// The first stretch, before it is known how much happens (ours).
+/// First stretch of a run, before the number of its events is known (our choice).
 const FIRST: Micros = SECOND / 100;
 
-/// A stretch that brings more firings and facts than this is followed by a shorter one (ours): they take some megabytes.
+/// Number of firings and facts after which the next stretch is shorter (our choice): they take some megabytes.
 const MANY_EVENTS: usize = 20_000;
 
-/// A stretch ends once it has so many firings and facts (ours), whatever drivers decide: they take some tens of megabytes.
+/// Number of firings and facts after which a stretch ends, whatever drivers decide (our choice): they take some tens of
+/// megabytes.
 const MOST_EVENTS: usize = 200_000;
 
 /// Lives a run stretch by stretch: the more happens, the shorter they are. It changes nothing of what is lived.

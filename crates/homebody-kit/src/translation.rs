@@ -91,13 +91,13 @@ pub enum Place {
     Room(usize),
 }
 
-/// A chance that has changed by less is not told anew (ours).
+/// Change of a probability below which it is not reported again (our choice).
 pub const LEAST_CHANGE: f32 = 0.05;
 
 /// What is added to the name of a scenario.
 const WALKED_BACK: &str = ", walked back";
 
-/// A scenario's name has no more characters, by its schema.
+/// Largest number of characters of a scenario's name, by its schema.
 const LONGEST_NAME: usize = 100;
 
 /// What the one is called who is not one of the residents.
@@ -359,7 +359,7 @@ impl Wall<'_> {
     /// The instant, since the start, of a row that comes after those before. Where the clock goes back, the hour that comes
     /// twice is the second where time would run backward in the first.
     fn instant(&mut self, at: Micros) -> Micros {
-        /// Rows that are this late are no sign of another hour (ours).
+        /// Largest delay of a row that does not indicate another hour (our choice).
         const LATE: Micros = DAY / 48;
         let since = at - self.midnight;
         let (day, time) = (i32::try_from(since.div_euclid(DAY)).unwrap_or(i32::MAX), since.rem_euclid(DAY));

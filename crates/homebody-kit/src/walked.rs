@@ -35,10 +35,10 @@ pub const REPORT: &str = "report.json";
 /// What being out is called in the table of rooms.
 const OUT: &str = "out";
 
-/// No more rows of the table of rooms are read (ours): those of some years.
+/// Largest number of rows that are read of the table of rooms (our choice): those of some years.
 const MOST_DOUBTS: usize = 10_000_000;
 
-/// Walking back takes so much of the time, and living the path again the rest (ours).
+/// Share of the time that locating takes (our choice). Simulating the path takes the rest.
 const WALKING: f64 = 0.7;
 
 /// What came of walking a log back.
@@ -221,7 +221,7 @@ fn unexplained_uses(explained: &Explained, scenario: &Scenario) -> Option<String
     })
 }
 
-/// No more sensors are named in a sentence.
+/// Largest number of sensors in a sentence.
 const MOST_NAMED: usize = 5;
 
 /// The part of a log that is lived again, by the home's own names of its sensors.

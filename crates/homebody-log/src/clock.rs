@@ -15,7 +15,7 @@ const SECOND: i64 = 1_000_000;
 const MINUTE: i64 = 60 * SECOND;
 const DAY: i64 = 24 * 60 * MINUTE;
 
-/// The length of the longest text, `2009-03-02T07:12:03.250000-06:00`: no year has more than four digits.
+/// Length of the longest text, `2009-03-02T07:12:03.250000-06:00`: a year has at most four digits.
 const LONGEST: usize = 32;
 
 /// The clock on the wall, as text.

@@ -134,7 +134,7 @@ homebody_core::messages! {
         NotYet {
             /// The destination.
             place: String,
-        } error "not-yet" ("{place} has more rows than this run has reached: it stays as it was")
+        } error "not-yet" ("{place} has more rows than this run has reached, so nothing was changed")
             hint ("resume the run again, and let it run longer");
         /// SQL names match `^[a-z_][a-z0-9_]{0,62}$` and are not words of SQLite.
         Name {
@@ -152,7 +152,7 @@ homebody_core::messages! {
             name: String,
         } error "duplicate-name" ("the {what} {name:?} is used twice")
             hint ("give each its own name");
-        /// Two sensors would have the same identifier, and their rows could not be told apart.
+        /// Two sensors would have the same identifier, so their rows could not be distinguished.
         SameSensor {
             /// The first sensor's name in the home.
             first: String,

@@ -18,6 +18,7 @@ pub mod url;
 pub mod limits;
 pub mod skipped;
 pub mod error;
+pub mod catalogue;
 
 pub mod fresh;
 pub mod plain;
@@ -74,9 +75,6 @@ pub mod anonymise;
 pub mod label;
 
 pub mod records;
-
-/// The messages of this crate, by area.
-pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[<LogError as homebody_core::messages::Catalogue>::ENTRIES];
 
 pub use anonymise::{Anonymised, Anonymising, anonymise};
 pub use cancel::Cancel;

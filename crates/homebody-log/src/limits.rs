@@ -1,36 +1,37 @@
 //! Limits on what is read. Anybody may have written a file, and what is in it must not fill the memory.
 
-/// No file of a scenario is larger, in bytes (ours). A list of profiles is one, too.
+/// Largest size of a scenario's file, or of a list of profiles, in bytes (our choice).
 pub const LARGEST_OF_SCENARIO_BYTES: u64 = 8 << 20;
 
-/// No recording is larger, in bytes (ours): it holds all files of a scenario.
+/// Largest size of a recording, in bytes (our choice): it contains all files of a scenario.
 pub const LARGEST_RECORDING_BYTES: u64 = 64 << 20;
 
-/// No list of a cohort's members is larger, in bytes (ours): a hundred thousand of them take half a kilobyte each, and their table.
+/// Largest size of a list of a cohort's members, in bytes (our choice): a hundred thousand members take half a kilobyte
+/// each, and their table.
 pub const LARGEST_LIST_BYTES: u64 = 256 << 20;
 
-/// No row of a log or a truth has more bytes (ours): a mebibyte.
+/// Largest number of bytes of a row of a log or a truth (our choice): a mebibyte.
 pub const LONGEST_ROW_BYTES: usize = 1 << 20;
 
-/// No row has more cells (ours).
+/// Largest number of cells of a row (our choice).
 pub const MOST_CELLS: usize = 1000;
 
-/// No row of comma-separated values goes on over more lines (ours).
+/// Largest number of lines of one row of comma-separated values (our choice).
 pub const MOST_LINES_OF_ROW: usize = 100;
 
-/// No more activities of a log are kept (ours): that is a hundred a day for a life.
+/// Largest number of activities of a log (our choice): a hundred a day for a lifetime.
 pub const MOST_ACTIVITIES: usize = 3_000_000;
 
-/// No more rows wait to be put into the order of time (ours): they take 48 MB.
+/// Largest number of rows that wait to be put into the order of time (our choice): they take 48 MB.
 pub const MOST_WAITING: usize = 1 << 20;
 
-/// No sensor's id has more characters, which is the most that Home Assistant takes.
+/// Largest number of characters of a sensor's id, the most that Home Assistant accepts.
 pub const LONGEST_ID: usize = 255;
 
-/// Nothing that a sensor says has more characters (ours).
+/// Largest number of characters of a sensor's value (our choice).
 pub const LONGEST_VALUE: usize = 4096;
 
-/// How many characters of a text an error quotes (ours).
+/// Number of characters of a text that an error quotes (our choice).
 const LONGEST_QUOTED: usize = 40;
 
 /// The beginning of a text, in quotes.

@@ -23,7 +23,7 @@ pub(crate) enum Packing {
 const GZIP: &[u8] = b"\x1f\x8b";
 const ZSTD: &[u8] = b"\x28\xb5\x2f\xfd";
 
-/// How hard it is tried (ours): level 6 of gzip and 3 of Zstandard are what their own programs take.
+/// Level of compression (our choice): 6 of gzip and 3 of Zstandard are the defaults of their own programs.
 const GZIP_LEVEL: u32 = 6;
 #[cfg(feature = "zstd")]
 const ZSTD_LEVEL: i32 = 3;
@@ -31,8 +31,8 @@ const ZSTD_LEVEL: i32 = 3;
 /// Lines are packed so many bytes at a time, whatever the batches: so the same lines give the same bytes.
 const AT_ONCE_BYTES: usize = 1 << 16;
 
-/// What a packed text may take while it is unpacked, as a power of two (ours): 8 MB, the most that the format's own document
-/// asks a reader for.
+/// Largest window of a packed text, as a power of two (our choice): 8 MB, the most that the format's specification asks
+/// a reader for.
 #[cfg(feature = "zstd")]
 const LARGEST_WINDOW_LOG: u32 = 23;
 

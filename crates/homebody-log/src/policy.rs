@@ -47,7 +47,7 @@ impl Default for Policy {
     }
 }
 
-/// The longest wait between two tries.
+/// Longest wait between two attempts.
 const LONGEST_WAIT: Duration = Duration::from_secs(60);
 
 impl Policy {

@@ -28,10 +28,10 @@ pub(crate) struct Remembered {
 
 pub use homebody_core::scenario::inside::CONFIRMED as NOTES;
 
-/// The most rows of a run; a century of a thousand a second takes a third of them.
+/// Largest number of rows of a run. A century with a thousand a second takes a third of them.
 const MOST_ROWS: u64 = 10_000_000_000_000;
 
-/// No note is longer (ours).
+/// Largest size of a note (our choice).
 const LONGEST_NOTE_BYTES: u64 = 1 << 20;
 
 /// What a destination has confirmed of a run.

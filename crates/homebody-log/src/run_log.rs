@@ -28,11 +28,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Rows of log and truth after which both make sure of them (ours). That takes a database three waits for the disk, so not too
-/// often.
+/// Rows of log and truth after which both are made durable (our choice). This costs a database three waits for the
+/// disk, so it is not done more often.
 const SETTLE_ROWS: u64 = 200_000;
 
-/// How long rows may be unsure (ours), while the run is told again and again that time passes.
+/// Longest time until rows are durable, as long as the run reports the time (our choice).
 const SETTLE_AFTER: Duration = Duration::from_secs(1);
 
 /// The open places of a run that is being lived.

@@ -18,7 +18,7 @@ const ENDING: &str = "sensors.csv";
 /// The columns of the file.
 const COLUMNS: [&str; 8] = ["id", "name", "kind", "room", "x_m", "y_m", "unit", "zone"];
 
-/// The largest table of sensors; a thousand sensors take a tenth of a mebibyte.
+/// Largest size of a table of sensors. A thousand sensors take a tenth of a mebibyte.
 pub(crate) const LARGEST_TABLE_BYTES: u64 = 4 << 20;
 
 /// The path of the table of one log: `week.sensors.csv` of `week.csv` and of `week.csv.gz`.

@@ -23,10 +23,10 @@ use rusqlite::{Connection, OptionalExtension, params};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// Rows that are inserted in one go (ours): some seconds of a camera.
+/// Rows that are inserted together (our choice): some seconds of a camera.
 const BATCH: usize = 256;
 
-/// Rows after which the database makes sure of them (ours).
+/// Rows after which the database makes them durable (our choice).
 const SETTLE_ROWS: usize = 20_000;
 
 const CAMERA: &str = "CREATE TABLE camera (camera TEXT PRIMARY KEY, name TEXT NOT NULL, columns INTEGER NOT NULL, \

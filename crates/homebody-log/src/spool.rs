@@ -31,7 +31,7 @@ pub enum WhenDown {
     Spool(PathBuf, u64),
 }
 
-/// How long between two tries to reach a destination that is away, at the beginning and at most (ours).
+/// First and longest wait between two attempts to reach an unavailable destination (our choice).
 const FIRST_WAIT: Duration = Duration::from_millis(100);
 const LONGEST_WAIT: Duration = Duration::from_secs(5);
 
@@ -41,7 +41,7 @@ pub(crate) const BATCHES_WAITING: usize = 256;
 /// How soon a destination that has not answered is asked again whether it has.
 const ANSWER_LOOK: Duration = Duration::from_millis(250);
 
-/// How long a destination is waited for at the end of a run (ours): a restart of a server takes less.
+/// Time to wait for a destination at the end of a run (our choice): a restart of a server takes less.
 const END_WAITS: Duration = Duration::from_secs(60);
 
 /// A place as a file's name.

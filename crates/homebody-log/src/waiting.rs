@@ -6,7 +6,7 @@ use crate::meter::Meter;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// How often whoever waits looks whether that is to end (ours).
+/// Interval at which a waiting thread checks whether to stop (our choice).
 const LOOK: Duration = Duration::from_millis(50);
 
 /// How a destination that is away is waited for.

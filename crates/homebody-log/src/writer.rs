@@ -20,7 +20,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-/// Rows of one batch. This and the numbers below are ours.
+/// Rows of one batch (our choice, as the values below).
 pub(crate) const BATCH: usize = 4096;
 
 /// How long rows wait for a batch to fill. Whoever watches a live run sees them a little later.

@@ -13,32 +13,42 @@ use homebody_log::truth::tables;
 const HEAD: &str = "\
 # The truth
 
-What was so in a run, beside what its sensors said: where everybody was, what they did, and why each sensor fired. It is in
-`truth.db`, an SQLite database in the run's folder, or where `--truth` says; `--truth csv:truth.csv` is a file for each table, such as
-`truth.cause.csv`. No log ever holds any of it. This page is made from the tables in `crates/homebody-log/src/truth/tables.rs`.
+This page lists the tables of the ground truth: each resident's position and activities, and the cause of each firing.
 
-In SQLite each table has the column `run_id` before its own, which is that of the log's rows, and a table `run` has a row for the
-run: its `run_id`, the `home` of a cohort's member, the `scenario`, the `seed`, when it `started_at` and `ended_at`, and the `version`
-of the program. Instants are written as the log has them, by `time` in `logger.json`; sensors have the ids of the log. Empty is
-`NULL`.
+A run writes its truth to `truth.db`, an SQLite database in the run's folder. Pass `--truth` to choose another destination:
+`--truth csv:truth.csv` writes a file for each table, such as `truth.cause.csv`. The log contains none of it. This page is made from the
+tables in `crates/homebody-log/src/truth/tables.rs`.
 
-How much there is depends on the scenario. Movement, rooms and causes are always told. Activities come of a routine or of a
-path, acts of a routine or of held keys, needs and conditions of a routine alone. `off` has rows only where the log's messages are `on_off` or
-`occupancy`; `lost`, and the causes `duplicate` and `false`, only where the scenario has a link file (`docs/reference/link.md`), or a sensor has failed from
-outside. `outside` has rows only where somebody has given orders while the run was lived (`docs/how-to/mqtt-and-home-assistant.md`); an act of theirs has no resident.
-Of a large cohort, `cause`, `off`, `movement` and `lost` are left out unless they are asked for (`docs/how-to/simulate-a-cohort.md`).
+- In SQLite, each table begins with the column `run_id`, the same id as in the log's rows.
+- The table `run` has one row: its `run_id`, the `home` of a cohort's member, the `scenario`, the `seed`, the times `started_at` and
+  `ended_at`, and the `version` of the program.
+- Instants have the format of the log, set by `time` in `logger.json`. Sensors have the ids of the log. An empty value is `NULL`.
 
-## Log and truth together
+The rows depend on the scenario:
 
-`cause` has a row for each firing that reached the logger. Its `row` is the `seq` of the log's row that tells of it:
+| table | rows |
+|---|---|
+| `movement`, `room`, `cause`, `resident`, `home` | in every run |
+| `activity` | from a routine or a path |
+| `act` | from a routine, from held keys, or from outside; an act from outside has no resident |
+| `need`, `condition` | from a routine |
+| `off` | if the log's messages are `on_off` or `occupancy` |
+| `lost`, and the causes `duplicate` and `false` | if the scenario has a [link file](link.md), or if a sensor fails from outside |
+| `outside` | if [commands](../how-to/mqtt-and-home-assistant.md) change the home during the run |
 
-- With `fire_only` each firing is a row of its own, and each row of the log has its cause.
-- With `on_off` and `occupancy` several firings may share a row, the ON that they prolonged. A row that says that a hold is over has
-  no cause: `off` says which firing was the last that was held.
-- Of what a link lost, the log has no row: it is in `lost` alone.
+A large cohort leaves out `cause`, `off`, `movement` and `lost`, unless you [ask for them](../how-to/simulate-a-cohort.md).
 
-`homebody label` does the join for a whole log. In SQL, with the names that `scenarios/tigerplace/logger.json` gives the log's table and
-columns, this is the first morning: who made which sensor speak, and what they were doing when that began to be noticed.
+## Join the log and the truth
+
+`cause` has a row for each firing that reached the logger. Its `row` is the `seq` of the log's row with the firing:
+
+- With `fire_only`, each firing has its own row, and each row of the log has a cause.
+- With `on_off` and `occupancy`, several firings may share one row, the ON that they prolonged. A row that ends a hold has no cause:
+  `off` names the last firing of the hold.
+- A message that the link lost has no row in the log. It is in `lost` only.
+
+`homebody label` joins a whole log. In SQL, with the table and column names of `scenarios/tigerplace/logger.json`, this query returns the
+first morning: the resident behind each event, and their activity when the cause was first detected.
 
 ```sql
 ATTACH 'truth.db' AS truth;
@@ -51,7 +61,7 @@ WHERE event.ts_local < '2009-03-02 12:00'
 ORDER BY event.seq;
 ```
 
-In a log with ON and OFF, such as that of `scenarios/studio/` in SQLite, this is whose movement each OFF followed:
+In a log with ON and OFF, such as that of `scenarios/studio/` in SQLite, this query returns the resident whose movement each OFF followed:
 
 ```sql
 ATTACH 'truth.db' AS truth;
@@ -62,7 +72,7 @@ JOIN truth.cause ON cause.run_id = off.run_id AND cause.firing = off.firing
 ORDER BY firing.seq;
 ```
 
-The truth alone says how somebody's hours were spent, and in which rooms:
+The truth alone gives a resident's hours by activity, and by room:
 
 ```sql
 SELECT name, count(*) AS times, round(sum(julianday(end_at) - julianday(begin_at)) * 24, 1) AS hours
@@ -95,7 +105,10 @@ fn document(tables: &[Table]) -> String {
 fn section(table: &Table) -> String {
     let Table { name, about, columns, .. } = table;
     let rows: String = columns.iter().map(|column| row(name, column)).collect();
-    format!("\n## `{name}`\n\n{}.\n\n| column | type | unit | what it is |\n|---|---|---|---|\n{rows}", sentence(about))
+    format!(
+        "\n## `{name}`\n\n{}.\n\n| column | type | unit | description |\n|---|---|---|---|\n{rows}",
+        sentence(about)
+    )
 }
 
 fn row(table: &str, column: &Column) -> String {

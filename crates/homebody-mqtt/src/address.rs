@@ -16,11 +16,11 @@ pub(crate) const PASSWORD: &str = "HOMEBODY_MQTT_PASSWORD";
 /// Where topics are if nothing else is said.
 const USUAL_PREFIX: &str = "homebody";
 
-/// How long Home Assistant waits until a motion sensor that only says ON is clear again (ours): longer than the 6 to 8 s after which
-/// such a sensor says it again.
+/// Seconds that Home Assistant waits until a motion sensor that only sends ON is clear again (our choice): longer than
+/// the 6 to 8 s after which such a sensor repeats it.
 const OFF_DELAY_S: u32 = 10;
 
-/// A prefix has no more levels and no longer ones (ours).
+/// Largest number of levels of a prefix, and largest length of a level (our choice).
 const MOST_LEVELS: usize = 8;
 const LONGEST_LEVEL: usize = 64;
 

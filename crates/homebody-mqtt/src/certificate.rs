@@ -16,7 +16,7 @@ use std::net::{TcpStream, ToSocketAddrs};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
-/// How long a broker may take for it (ours).
+/// Time that a broker may take for it (our choice).
 const WITHIN: Duration = Duration::from_secs(4);
 
 /// When the certificate of who listens there ends.

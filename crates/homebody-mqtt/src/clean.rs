@@ -12,10 +12,10 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 use tokio::time::{Instant, timeout_at};
 
-/// A broker sends what it keeps as soon as it is asked; so long without any more of it, that was all (ours).
+/// Silence after which a broker has sent all its retained messages (our choice): it sends them on request.
 const QUIET: Duration = Duration::from_millis(700);
 
-/// No broker takes longer to say what it keeps, or to forget it (ours).
+/// Longest time that a broker takes to send its retained messages, or to delete them (our choice).
 const LONGEST: Duration = Duration::from_secs(60);
 
 /// What was found.

@@ -16,23 +16,23 @@ use std::sync::Arc;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use tokio::runtime::Builder;
 
-/// How long a broker may take to let us in (ours); a run that begins hears of it within 5 s.
+/// Time that a broker may take to accept a connection (our choice). A run that begins reports a failure within 5 s.
 const CONNECT_WITHIN: Duration = Duration::from_secs(4);
 
 /// After how long without a word each side asks whether the other is there, as ESPHome does.
 const KEEP_ALIVE_S: u16 = 15;
 
-/// How long to wait before the first time again, and before any other (ours).
+/// Wait before the first repetition, and longest wait before a later one (our choice).
 const FIRST_WAIT: Duration = Duration::from_millis(50);
 const LONGEST_WAIT: Duration = Duration::from_secs(5);
 
-/// Nobody may send us more at once (ours).
+/// Largest size of an incoming message (our choice).
 const LONGEST_INCOMING_BYTES: u32 = 64 * 1024;
 
-/// So many topics are remembered (ours); a fleet has a hundred thousand of them.
+/// Number of topics that are remembered (our choice). A fleet has a hundred thousand.
 const MOST_TOPICS: usize = 4096;
 
-/// So many messages wait inside of the client (ours).
+/// Messages that wait inside the client (our choice).
 const IN_CLIENT: usize = 64;
 
 /// What a connection needs.

@@ -14,13 +14,13 @@ use rumqttc::{AsyncClient, Event, EventLoop, Packet, PubAckReason, PublishOption
 use std::time::Duration;
 use tokio::time::{Instant, timeout_at};
 
-/// How long what was said may take to come back (ours).
+/// Time within which a sent message has to return (our choice).
 const COMES_BACK: Duration = Duration::from_secs(3);
 
-/// A certificate that ends sooner is warned of (ours).
+/// Days of remaining validity below which a certificate causes a warning (our choice).
 const SOON_DAYS: i64 = 30;
 
-/// So many topics are named (ours).
+/// Largest number of topics that are named (our choice).
 const MOST_NAMED: usize = 5;
 
 /// Looks at a broker.

@@ -12,19 +12,19 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 
-/// So many messages are taken and not acknowledged, at most (ours): whoever brings more waits.
+/// Largest number of messages that are sent and not acknowledged (our choice). Further ones wait.
 pub(crate) const MOST_IN_FLIGHT: u16 = 1000;
 
-/// So many messages go to the connection at once (ours).
+/// Messages that are passed to the connection together (our choice).
 const HANDFUL: usize = 64;
 
-/// How long a broker that acknowledges nothing is waited for once the run was stopped (ours).
+/// Time to wait, once the run is stopped, for a broker that acknowledges nothing (our choice).
 const AFTER_STOP: Duration = Duration::from_millis(700);
 
 /// How often it is looked whether a broker is silent.
 const SILENCE_LOOK: Duration = Duration::from_millis(250);
 
-/// So many answers wait to be sent, at most (ours).
+/// Largest number of answers that wait to be sent (our choice).
 const MOST_ASIDES: usize = 1000;
 
 /// What the two threads share.
@@ -315,7 +315,7 @@ impl State {
     }
 }
 
-/// How long what passes by itself is not said to be over (ours): longer than a usual `off-delay`.
+/// Time until a state that ends by itself is reported as over (our choice): longer than a usual `off-delay`.
 const PASSES_WITHIN: Duration = Duration::from_secs(15);
 
 impl Told {

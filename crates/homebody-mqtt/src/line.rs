@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-/// How long a broker may be away before a row that waits for it says so (ours). It is then tried again, as the policy says.
+/// Time without a broker after which a waiting row reports it (our choice). It is then retried, as the policy says.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// A connection that lives.

@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 /// Levels below a home that are not sensors (see `place.rs`). A sensor of such a name has its first letter by its number.
 const TAKEN: [&str; 5] = ["bridge", "command", "run", "running", "status"];
 
-/// Longer ones are cut and end in a digest (ours): of a topic there are 65,535 bytes in all.
+/// Length of a name above which it is cut and ends in a digest (our choice): a topic has at most 65,535 bytes.
 const LONGEST_BYTES: usize = 200;
 
 /// A name as one level of a topic.

@@ -11,7 +11,7 @@ use homebody_log::clock::Clock;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-/// An order is no longer (ours).
+/// Longest command (our choice).
 const LONGEST_BYTES: usize = 4096;
 
 /// What a run is asked for.
@@ -206,7 +206,7 @@ fn understood(payload: &[u8]) -> (Option<Value>, Option<Value>, Result<Order, St
     (id, what, order)
 }
 
-/// A hundred years, in minutes: no run is longer.
+/// Largest number of minutes: a hundred years, the longest run.
 const LONGEST_MIN: f64 = 52_594_920.0;
 
 /// Numbers that can be meant.

@@ -17,7 +17,7 @@ use std::net::{IpAddr, ToSocketAddrs};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-/// How long a broker may be away before the run is given up (ours).
+/// Time without a broker after which the run is given up (our choice).
 const AWAY_FOR: Duration = Duration::from_secs(600);
 
 /// A broker as a destination: required, and waited for ten minutes if it goes away on the way; there at the beginning.

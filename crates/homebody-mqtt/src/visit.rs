@@ -7,7 +7,7 @@ use homebody_log::LogError;
 use rumqttc::{AsyncClient, ClientError, Event, EventLoop, Outgoing};
 use tokio::runtime::Builder;
 
-/// So many requests wait inside of the client (ours).
+/// Requests that wait inside the client (our choice).
 const IN_CLIENT: usize = 10;
 
 /// Visits a broker, under a name that tells visitors from homes. What is kept there may be of any length.

@@ -13,7 +13,7 @@ use super::sheet::Sheet;
 use super::svg::{Anchor, Svg, Type, polyline, rings};
 use homebody_analysis::coverage::{Coverage, Floor, Grid, LEAST_DEAD_ZONE_M2};
 
-/// Rows that a table in the legend shows.
+/// Number of rows of a table in the legend.
 const MOST_ROWS: usize = 20;
 const HATCH: &str = "unseen";
 /// What is written on floor that one, two and more sensors see, and on pieces of what size.

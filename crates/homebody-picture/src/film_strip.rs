@@ -27,7 +27,7 @@ const LINE: f64 = 16.0;
 const BELOW: f64 = 30.0;
 const BODY: f64 = 7.0;
 const CAPTION: Type = Type::new(12.0, INK);
-/// No moment has more lines of people (ours).
+/// Largest number of lines of people in a picture (our choice).
 const MOST_PEOPLE: usize = 6;
 
 /// Draws the moments of a run over its home, as SVG.

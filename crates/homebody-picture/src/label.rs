@@ -45,7 +45,7 @@ struct Beside {
 
 /// Distance between the base lines of a text of several lines, in font sizes.
 const LINE_HEIGHT: f64 = 1.15;
-/// A reader's own font may be wider than ours by so much.
+/// Largest ratio of the width of a reader's own font to that of the program's (our choice).
 const SPARE_WIDTH: f64 = 1.06;
 
 impl Labels {

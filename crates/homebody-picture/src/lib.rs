@@ -68,7 +68,7 @@ pub enum PngError {
     Encoding(String),
 }
 
-/// Pixels on the longer side above which a picture is refused, rather than filling the memory.
+/// Pixels on the longer side above which a picture is refused, to protect the memory.
 const MOST_PIXELS: u32 = 16_384;
 
 /// Draws an SVG as a PNG of this width; the height follows.

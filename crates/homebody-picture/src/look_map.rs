@@ -18,13 +18,13 @@ const LINE: f64 = 10.0;
 const HATCH: &str = "silent";
 const AXIS: Type = Type::new(12.0, MUTED);
 
-/// From so many rows a day on a cell has each of the colours; fewer have the first (ours).
+/// Smallest number of rows a day for each of the colours of a cell (our choice). Fewer have the first.
 const STEPS: [u32; 8] = [1, 3, 10, 30, 100, 300, 1_000, 3_000];
 
-/// So many sensors are drawn, those with the most rows (ours).
+/// Largest number of sensors that are drawn, those with the most rows (our choice).
 const MOST_SENSORS: usize = 400;
 
-/// A name has so many letters at most (ours).
+/// Largest number of letters of a name (our choice).
 const LONGEST_NAME: usize = 30;
 
 /// Draws the map of a log.

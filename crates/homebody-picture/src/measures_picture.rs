@@ -116,7 +116,7 @@ impl Scale {
         let mut values = sorted.to_vec();
         values.dedup();
         let scale = Scale { values, is_by_order: false };
-        // Most of the different values would share the palest two colours (our choice).
+        // Most of the different values would share the palest two colours. This is our choice.
         let pale = scale.values.iter().filter(|&&value| scale.level(value) < 2).count();
         Scale { is_by_order: scale.values.len() > 2 && 2 * pale > scale.values.len(), ..scale }
     }

@@ -19,7 +19,7 @@ use resvg::usvg::{self, FillRule, Group, LineCap, LineJoin, Node, Paint, Path, P
 
 /// A sheet of A4, in points of 1/72 inch: its short and its long side.
 const A4: [f32; 2] = [595.28, 841.89];
-/// Around the picture, in points (ours): 9 mm, which printers can do.
+/// Margin around the picture, in points (our choice): 9 mm, which printers can print.
 const MARGIN: f32 = 25.5;
 
 /// A PDF of this title with a page for each SVG. The same pages are the same bytes.

@@ -15,10 +15,10 @@ use tokio_postgres::{Client, Config, Error, SimpleQueryMessage};
 /// How long a server may take to answer a reader of a log, and a request that grows with the size of a table.
 const ANSWERS_WITHIN: Duration = Duration::from_secs(100);
 
-/// How long a server waits for a lock at most.
+/// Longest time that a server waits for a lock.
 const LONGEST_LOCK: Duration = Duration::from_secs(30);
 
-/// How long a server keeps the transaction of a silent program open, at most.
+/// Longest time that a server keeps the transaction of a silent program open.
 const LONGEST_IDLE: Duration = Duration::from_secs(90);
 
 /// How many packets ask a silent server whether it is there.

@@ -122,7 +122,7 @@ fn about_server(connection: &Connection, server: &Server, checks: &mut Vec<Check
     Ok(())
 }
 
-/// Clocks that are no further apart are alike (ours).
+/// Largest difference of two clocks that agree (our choice).
 const MOST_APART_S: f64 = 30.0;
 
 /// What runs of a schema hold; None where there are none.

@@ -11,7 +11,7 @@ use homebody_log::examine::{Check, Verdict, found_of};
 use homebody_log::table::Table;
 use std::collections::BTreeMap;
 
-/// Where more runs than these are well, one line tells of all of them (ours).
+/// Number of runs without problems above which one line reports them together (our choice).
 const MOST_TOLD_ALONE: usize = 10;
 
 /// What is told of a run.

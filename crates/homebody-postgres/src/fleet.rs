@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// How much goes into one transaction, at most (ours).
+/// Largest number of rows in a transaction (our choice).
 const MOST_AT_ONCE: usize = 20_000;
 
 /// A database that many homes tell.

@@ -12,7 +12,7 @@ pub(crate) struct Found {
     pub ignored: Option<String>,
 }
 
-/// Files of passwords are short (ours): no more is read.
+/// Largest number of bytes that are read from a password file (our choice).
 const LARGEST_BYTES: u64 = 1 << 20;
 
 /// Looks for the password of a server.

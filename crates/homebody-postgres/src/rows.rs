@@ -19,7 +19,7 @@ const HEADER: &[u8] = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0";
 /// What stands behind them.
 const TRAILER: &[u8] = &(-1_i16).to_be_bytes();
 
-/// Bytes that are handed to the connection at once (ours).
+/// Bytes that are passed to the connection together (our choice).
 const CHUNK_BYTES: usize = 1 << 16;
 
 /// How cells become bytes.

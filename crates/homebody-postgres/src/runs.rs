@@ -110,7 +110,7 @@ pub(crate) fn mark(
 
 /// Removes a run of which no row has ever come.
 pub(crate) fn forget(connection: &Connection, schema: &Schema, run: i64) -> Result<(), LogError> {
-    /// Nobody waits longer for what only tidies up (ours).
+    /// Longest wait for a clean-up (our choice).
     const LONGEST: std::time::Duration = std::time::Duration::from_secs(2);
     let sql = format!("DELETE FROM {} WHERE run_id = $1 AND commits = 0", schema.runs());
     connection.wait_for(LONGEST, connection.client.execute(&sql, &[&run])).map(|_| ())

@@ -431,7 +431,7 @@ impl FoundTable {
     }
 }
 
-/// More tables than these are counted and not listed (ours).
+/// Number of tables above which they are counted instead of listed (our choice).
 const MOST_LISTED: usize = 3;
 
 /// The names of tables, or how many there are.

@@ -56,7 +56,7 @@ fn may_write(connection: &Connection, schema: &Schema) -> Result<bool, LogError>
     Ok(connection.wait(connection.client.query_one(sql, &[&table, &schema.name]))?.get(0))
 }
 
-/// The most sensors that are read.
+/// Largest number of sensors that are read.
 const MOST_SENSORS: i64 = 10_000;
 
 /// The sensors of a run, or of all runs; none without such a table, or without the right to read it.

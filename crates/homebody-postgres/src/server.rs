@@ -87,7 +87,8 @@ const PARAMETERS: [&str; 12] = [
 /// Those that are secret, and refused.
 const SECRET: [&str; 2] = ["password", "sslpassword"];
 
-/// How long a server may take to let us in (ours): who waits for a run to begin learns within five seconds that there is none.
+/// Time that a server may take to accept a connection (our choice): a run that begins reports a failure within five
+/// seconds.
 const CONNECT_WITHIN: Duration = Duration::from_secs(4);
 
 /// Where servers usually have their sockets.
@@ -291,7 +292,7 @@ impl Problems {
     }
 }
 
-/// So much is told of what is wrong with a URL, in problems and in characters of each (ours).
+/// Largest number of problems of a URL that are reported, and characters of each (our choice).
 const MOST_TOLD: usize = 20;
 const LONGEST_TOLD: usize = 300;
 

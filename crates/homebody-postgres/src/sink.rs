@@ -23,7 +23,7 @@ use std::time::Instant;
 use tokio_postgres::CopyInSink;
 use tokio_postgres::types::ToSql;
 
-/// Rows and bytes after which a transaction ends, whoever asks for it or not (ours): what memory has to hold.
+/// Rows and bytes after which a transaction ends in any case (our choice): memory has to hold them.
 const MOST_ROWS: u64 = 200_000;
 const MOST_BYTES: usize = 32 << 20;
 

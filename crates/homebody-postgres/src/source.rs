@@ -30,7 +30,7 @@ pub(crate) const ROWS_AT_ONCE: i32 = 8192;
 /// What rows are read in: at one instant of the table, however long who takes them needs.
 pub(crate) const BEGIN: &str = "BEGIN READ ONLY; SET LOCAL idle_in_transaction_session_timeout = 0";
 
-/// So many runs, tables or columns are named in an error (ours).
+/// Largest number of runs, tables or columns in an error (our choice).
 const MOST_NAMED: usize = 20;
 
 fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {

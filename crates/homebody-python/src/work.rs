@@ -6,7 +6,7 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// So often Python is told how far it is, and asked whether to go on (ours).
+/// Interval at which Python receives the progress and is asked whether to continue (our choice).
 const EVERY: Duration = Duration::from_millis(50);
 
 /// What tells Python how far some work is, and ends the work where Python raises.

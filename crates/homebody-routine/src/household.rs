@@ -95,7 +95,7 @@ pub const CONDITIONS: [(&str, &str); 8] = [
 ];
 
 homebody_core::numbers! {
-    /// How fast somebody walks who comes to visit: younger, taking their time.
+    /// Walking speed of a visitor: younger than the residents, and without haste.
     static GUEST_PACE_MPS = "visit.pace": 0.9, "m/s", [0.2, 2.0];
 }
 
@@ -105,7 +105,7 @@ pub fn numbers() -> Vec<Number> {
     own.chain(homebody_walk::numbers()).chain(models::numbers()).collect()
 }
 
-/// No scenario shows more conditions (ours).
+/// Largest number of conditions in a scenario (our choice).
 const MOST_CONDITIONS: usize = 64;
 
 /// What a routine that says nothing of it leaves to be ordinary.

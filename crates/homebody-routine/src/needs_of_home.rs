@@ -118,10 +118,10 @@ fn mesh(plan: &Plan, resident: &ResidentFile, numbers: &Numbers) -> Mesh {
     Mesh::with_numbers(plan, resident.radius_m, numbers)
 }
 
-/// For so many places that nobody can get to it is found out what is in the way (ours): each takes a while.
+/// Number of unreachable places whose obstacle is searched for (our choice): each takes a while.
 const MOST_EXPLAINED: usize = 3;
 
-/// So many pieces of furniture are tried for each (ours).
+/// Number of pieces of furniture that are tried for each (our choice).
 const MOST_PIECES: usize = 12;
 
 /// What everybody needs, what is said where there is none, and what to do then.
@@ -251,7 +251,7 @@ impl Check<'_> {
 
     /// Why no place is named for a piece.
     fn no_room(&self) -> String {
-        /// The most names in one message (our choice).
+        /// Largest number of names in one message (our choice).
         const NAMED: usize = 6;
         let rooms = &self.lacking.rooms;
         let named: Vec<String> = rooms.iter().take(NAMED).map(|room| format!("{room:?}")).collect();

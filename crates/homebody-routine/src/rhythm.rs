@@ -31,19 +31,19 @@ pub struct Noted {
     pub end: Micros,
 }
 
-/// Who sleeps on within so long was not up for the day (ours).
+/// Longest time awake of a person who sleeps again and was not up for the day (our choice).
 const UP_AT_NIGHT: Micros = 90 * 60 * SECOND;
-/// A shorter sleep is a nap (ours).
+/// Length below which a sleep is a nap (our choice).
 const SHORTEST_NIGHT: Micros = 3 * 3600 * SECOND;
-/// What begins within so long of rising, on at least half of the days, is done because of it (ours).
+/// Time after rising within which an activity, on at least half of the days, follows from it (our choice).
 const AFTER_RISING: Micros = 2 * 3600 * SECOND;
-/// What takes at least so long has its time of day (ours).
+/// Shortest activity with a time of day (our choice).
 const LONG: Micros = 10 * 60 * SECOND;
-/// Where the longest tenth lasts more than so many times as long as half do, few last much longer than most (ours).
+/// Ratio of the longest tenth to the median above which few activities last much longer than most (our choice).
 const SKEWED: f64 = 3.0;
-/// What is done on fewer days than this share is not said (ours).
+/// Share of days below which an activity is left out (our choice).
 const RARE: f64 = 0.1;
-/// A clock time is given or taken by no less and no more than so many minutes (ours).
+/// Smallest and largest tolerance of a clock time, in minutes (our choice).
 const GIVE_OR_TAKE_MIN: [f64; 2] = [5.0, 480.0];
 
 /// The sentences of a diary. `noted` is in order; `known` are the activities that it would note: of those that it never does,

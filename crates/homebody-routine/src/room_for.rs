@@ -59,27 +59,28 @@ const NEEDED: [Needed; 8] = [
 /// The rooms for food.
 const KITCHEN: &[RoomUse] = &[RoomUse::Kitchen, RoomUse::LivingRoom];
 
-/// How far apart places are tried, how near a piece is to a wall or to another, and how far from doors it stays (ours).
+/// Step between the places tried, gap to a wall or to another piece, and distance from doors (our choice).
 const STEP_M: f64 = 0.1;
 const BESIDE_M: f64 = 0.02;
 const FROM_DOORS_M: f64 = 0.7;
 
-/// How much room there is to be before the front of a piece (ours).
+/// Room before the front of a piece (our choice).
 const IN_FRONT_M: f64 = 0.6;
 
-/// How far from a wall is as bad as a front that is blocked (ours).
+/// Distance from a wall that is as bad as a blocked front (our choice).
 const BLOCKED_M: f64 = 1.0;
 
-/// A piece whose back is nearer to a wall than this stands at it (ours).
+/// Distance from a wall within which a piece with its back to it is at the wall (our choice).
 const AT_WALL_M: f64 = 0.3;
 
-/// So many places are tried in a room, and walked to at its walls, elsewhere in it, and in all (ours): each walk takes a while.
+/// Largest numbers of places tried in a room, and of places walked to at its walls, elsewhere in it, and in all (our
+/// choice): each walk takes time.
 const MOST_TRIED: f64 = 4_000.0;
 const MOST_WALKED_IN_ROOM: usize = 3;
 const MOST_WALKED: usize = 18;
 const MOST_WALKED_IN_ALL: usize = 60;
 
-/// The most parts of a home that are tried; no way leads from one part to another.
+/// Largest number of parts of a home that are tried. No way leads from one part to another.
 const MOST_PARTS: usize = 4;
 
 /// The roles that everybody needs.

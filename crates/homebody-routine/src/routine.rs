@@ -526,7 +526,7 @@ impl Chance {
     }
 }
 
-/// From when to when the words for parts of a day mean (ours, but that naps have their peaks at 14:30-15:00 and 20:30-21:00).
+/// Hours of the words for parts of a day (our choice, except that naps peak at 14:30-15:00 and 20:30-21:00).
 const MORNING_H: (f64, f64) = (8.0, 11.5);
 const NOON_H: (f64, f64) = (11.5, 13.5);
 const AFTERNOON_H: (f64, f64) = (13.0, 17.5);

@@ -27,32 +27,33 @@ use rhai::Dynamic;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// So many decisions in a row that take no time are a script that never comes to anything (ours).
+/// Number of decisions in a row without duration after which a script is stuck (our choice).
 const MOST_DECISIONS: u32 = 100;
 
-/// What an hour of the run may take of operations (ours): some decisions a second, each of some hundreds. So that no script
-/// takes the time of all others.
+/// Largest number of operations for an hour of the run (our choice): some decisions a second, each of some hundreds. No
+/// script takes the time of all others.
 const MOST_OPERATIONS_AN_HOUR: u64 = 5_000_000;
 
-/// What being asked takes besides what the script does (ours).
+/// Operations that a decision costs in addition to those of the script (our choice).
 const OPERATIONS_OF_ASKING: u64 = 100;
 
-/// So many steps may be waiting (ours).
+/// Largest number of steps that may wait (our choice).
 const MOST_STEPS: usize = 500;
 
 const HOUR: Micros = 3_600 * SECOND;
 
-/// Who walks looks around so often, and who stays so often (ours).
+/// Interval at which a walking person looks around, and at which a staying one does (our choice).
 const LOOKS_WALKING: Micros = SECOND / 2;
 const LOOKS_STAYING: Micros = SECOND;
 
-/// Who finds no way, or has something before their feet, stands there so long (ours): what is tried takes time.
+/// Time that a person who finds no way, or has an obstacle before them, stands still, so that an attempt takes time
+/// (our choice).
 const AT_A_LOSS: Micros = SECOND;
 
-/// The shortest step that is taken at all, in metres (ours).
+/// Shortest step, in metres (our choice).
 const SHORTEST_STEP_M: f64 = 0.02;
 
-/// How long one stands at the open front door (ours), as those do who live by routines.
+/// Time at the open front door, as in routines (our choice).
 const AT_THE_DOOR: Micros = 5 * SECOND;
 
 /// A resident who lives by a script. A copy has the same memory and draws the same numbers.

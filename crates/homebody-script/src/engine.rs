@@ -18,10 +18,10 @@ use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-/// A decision that takes more operations of the language than this runs away (ours): a long one takes some thousands.
+/// Largest number of operations of a decision (our choice): a long one takes some thousands.
 pub const MOST_OPERATIONS: u64 = 50_000;
 
-// Depths and sizes (ours): what people write by hand is far smaller.
+// Largest depths and sizes (our choice): people write far smaller ones by hand.
 const DEEPEST_CALLS: usize = 32;
 const DEEPEST_EXPRESSIONS: usize = 64;
 const LONGEST_TEXT: usize = 10_000;
@@ -197,7 +197,7 @@ fn steps_of_time(engine: &mut Engine) {
         });
 }
 
-/// No activity is called longer, in characters (ours).
+/// Largest number of characters of an activity's name (our choice).
 const LONGEST_LABEL: usize = 100;
 
 /// What a script answered as a step; a list is all of its steps.

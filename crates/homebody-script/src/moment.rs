@@ -18,16 +18,16 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// The streams that a script has drawn from, by name.
 pub type Streams = BTreeMap<String, Stream>;
 
-/// A resident's script has no more streams (ours).
+/// Largest number of streams of a resident's script (our choice).
 const MOST_STREAMS: usize = 1_000;
 
-/// No step lasts longer, in seconds (ours): a hundred years.
+/// Longest step, in seconds (our choice): a hundred years.
 const LONGEST_S: f64 = 100.0 * 365.25 * 86_400.0;
 
-/// A step that lasts takes at least so long (ours): who decides more often gains nothing that a sensor tells.
+/// Shortest duration of a step (our choice): more frequent decisions change nothing that a sensor detects.
 pub const SHORTEST_S: f64 = 0.1;
 
-/// How far a script can look ahead for what is in the way, in metres (ours).
+/// Distance that a script can look ahead for obstacles, in metres (our choice).
 pub const LOOKS_M: f64 = 5.0;
 
 /// The constants of a script, by name.
@@ -256,7 +256,7 @@ pub fn unknown<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>)
 
 /// The same as what is wrong, and a hint.
 pub fn unknown_name<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> (String, String) {
-    /// So many are listed (ours).
+    /// Largest number of names in a list (our choice).
     const LISTED: usize = 12;
     let known: Vec<&str> = known.collect();
     let hint = match nearest(name, known.iter().copied()) {

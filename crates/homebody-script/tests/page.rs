@@ -1,4 +1,4 @@
-//! The page about scripts says what there is: its tables are made from the vocabulary.
+//! The tables of the page about scripts come from the vocabulary.
 
 use homebody_script::vocabulary::{CHANCE, QUESTIONS, SEEN, STEPS, Word};
 use homebody_script::{Names, Program, standard_functions};
@@ -13,7 +13,7 @@ fn path() -> PathBuf {
 }
 
 fn table(text: &mut String, heading: &str, before: &str, words: &[Word]) {
-    let _ = write!(text, "### {heading}\n\n| word | what it does |\n|---|---|\n");
+    let _ = write!(text, "### {heading}\n\n| word | effect |\n|---|---|\n");
     for word in words {
         let wants: Vec<&str> = word.wants.iter().map(|(name, _)| *name).collect();
         let _ = writeln!(text, "| `{before}{}({})` | {} |", word.name, wants.join(", "), word.about);
@@ -24,17 +24,17 @@ fn table(text: &mut String, heading: &str, before: &str, words: &[Word]) {
 fn tables() -> String {
     let mut text = String::from("\n");
     table(&mut text, "Steps", "", &STEPS);
-    text += "### What is around\n\n| property | what it is |\n|---|---|\n";
+    text += "### Surroundings\n\n| property | value |\n|---|---|\n";
     for (name, about) in SEEN {
         let _ = writeln!(text, "| `around.{name}` | {about} |");
     }
     text.push('\n');
-    table(&mut text, "What can be asked", "around.", &QUESTIONS);
+    table(&mut text, "Questions", "around.", &QUESTIONS);
     table(&mut text, "Chance and numbers", "", &CHANCE);
     let functions: Vec<String> = standard_functions().iter().map(|name| format!("`{name}`")).collect();
     let _ = write!(
         text,
-        "### What Rhai brings\n\nThese functions of the language are there: {}.\n\n",
+        "### Functions of Rhai\n\nScripts can also use these functions of the language: {}.\n\n",
         functions.join(", ")
     );
     text

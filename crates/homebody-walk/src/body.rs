@@ -29,14 +29,14 @@ pub struct Body {
 pub const THERE_M: f64 = 0.01;
 
 homebody_core::numbers! {
-    /// Who walks slower than this is frail in rising and sitting, wholly so at half of it: 0.4-0.8 m/s is limited community
-    /// walking.
+    /// Walking speed below which a person is frail in rising and sitting, fully so at half of it: 0.4-0.8 m/s is
+    /// limited community walking.
     static FRAIL_MPS = "body.frail": 0.6, "m/s", [0.05, 2.0];
-    /// The median time that sitting up takes somebody who lies.
+    /// Median time that sitting up takes a person who lies.
     static SITTING_UP_S = "body.sitting_up": 8.0, "s", [0.5, 120.0];
-    /// The standard deviation of the logarithm of that time.
+    /// Standard deviation of the logarithm of the time that sitting up takes.
     static SITTING_UP_SPREAD = "body.sitting_up_spread": 0.3, "1", [0.0, 2.0];
-    /// How far the trunk moves as one sits up.
+    /// Distance that the trunk moves in sitting up.
     static SITTING_UP_AMPLITUDE_M = "body.sitting_up_amplitude": 0.4, "m", [0.0, 1.0];
 }
 

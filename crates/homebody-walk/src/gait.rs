@@ -24,50 +24,53 @@ use homebody_core::time::{Micros, micros};
 use std::f64::consts::PI;
 
 homebody_core::numbers! {
-    /// The spread of speeds at home, as the standard deviation of their logarithms: sqrt(ln(1 + (0.15 / 0.65)^2)), for a mean of
-    /// 0.65 m/s and a standard deviation of 0.15 (Kaye et al. 2012).
+    /// Standard deviation of the logarithm of speeds at home: sqrt(ln(1 + (0.15 / 0.65)^2)), for a mean of 0.65 m/s and
+    /// a standard deviation of 0.15 (Kaye et al. 2012).
     static SPREAD = "gait.spread": 0.227_8, "1", [0.0, 0.6];
-    /// Nobody walks slower (after Kaye et al. 2012).
+    /// Lowest walking speed of any person (after Kaye et al. 2012).
     static SLOWEST_MPS = "gait.slowest": 0.2, "m/s", [0.02, 0.6];
-    /// Nobody whose pace is 0.65 m/s walks faster at home; other paces in proportion (after Kaye et al. 2012).
+    /// Highest walking speed at home of a person with a pace of 0.65 m/s; in proportion for other paces (after Kaye et
+    /// al. 2012).
     static FASTEST_MPS = "gait.fastest": 1.2, "m/s", [0.7, 3.0];
-    /// The factor on speeds in the morning (the direction is that of Kaye et al. 2012).
+    /// Factor on speeds in the morning (direction after Kaye et al. 2012).
     static MORNING = "gait.morning": 1.05, "1", [0.5, 1.5];
-    /// The factor on speeds in the evening and at night (the direction is that of Kaye et al. 2012).
+    /// Factor on speeds in the evening and at night (direction after Kaye et al. 2012).
     static EVENING = "gait.evening": 0.95, "1", [0.5, 1.5];
-    /// What frailty takes of the speed at most: from 0.65 m/s to household ambulation, 0.4 m/s and less, with the spread.
+    /// Largest share of the speed that frailty removes: from 0.65 m/s to household ambulation, 0.4 m/s and less, with
+    /// the spread.
     static FRAIL_SLOWER = "gait.frail_slower": 0.35, "1", [0.0, 0.9];
-    /// How much frailty adds to the spread at most (Kaye et al. 2012: more variable with a walking aid).
+    /// Largest share that frailty adds to the spread of speeds (Kaye et al. 2012: more variable with a walking aid).
     static FRAIL_SPREAD = "gait.frail_spread": 0.5, "1", [0.0, 3.0];
-    /// How fast the usual speed is reached, without frailty: within two steps (a social force with tau = 0.5 s gives the same).
+    /// Acceleration to the usual speed without frailty: within two steps (a social force with tau = 0.5 s gives the
+    /// same).
     static ACCELERATION_MPS2 = "gait.acceleration": 1.0, "m/s2", [0.1, 5.0];
-    /// How fast somebody frail reaches the usual speed.
+    /// Acceleration to the usual speed of a frail person.
     static FRAIL_ACCELERATION_MPS2 = "gait.frail_acceleration": 0.5, "m/s2", [0.1, 5.0];
-    /// How long a turn by 180 degrees on the spot takes, without frailty.
+    /// Duration of a turn by 180 degrees on the spot, without frailty.
     static HALF_TURN_S = "gait.half_turn": 2.0, "s", [0.2, 20.0];
-    /// How long a turn by 180 degrees on the spot takes somebody frail.
+    /// Duration of a turn by 180 degrees on the spot of a frail person.
     static FRAIL_HALF_TURN_S = "gait.frail_half_turn": 3.0, "s", [0.2, 20.0];
-    /// How long getting up and sitting down take at least, from 65 years on.
+    /// Shortest duration of getting up and of sitting down, from 65 years on.
     static TRANSFER_LEAST_S = "gait.transfer_least": 2.0, "s", [0.2, 20.0];
-    /// How long getting up and sitting down take at most, from 65 years on.
+    /// Longest duration of getting up and of sitting down, from 65 years on.
     static TRANSFER_MOST_S = "gait.transfer_most": 3.0, "s", [0.2, 20.0];
-    /// How long getting up and sitting down take somebody frail, at least.
+    /// Shortest duration of getting up and of sitting down of a frail person.
     static FRAIL_TRANSFER_LEAST_S = "gait.frail_transfer_least": 3.0, "s", [0.2, 60.0];
-    /// How long getting up and sitting down take somebody frail, at most.
+    /// Longest duration of getting up and of sitting down of a frail person.
     static FRAIL_TRANSFER_MOST_S = "gait.frail_transfer_most": 5.0, "s", [0.2, 60.0];
-    /// How far the trunk moves forward when it rises or is let down.
+    /// Distance that the trunk moves forward in getting up and sitting down.
     static TRANSFER_AMPLITUDE_M = "gait.transfer_amplitude": 0.4, "m", [0.0, 1.0];
-    /// How far shoulders and arms move when a body turns on the spot.
+    /// Distance that shoulders and arms move in a turn on the spot.
     static TURN_AMPLITUDE_M = "gait.turn_amplitude": 0.3, "m", [0.0, 1.0];
-    /// Turns sharper than this are made on the spot.
+    /// Angle above which a turn is made on the spot.
     static SHARP_TURN_DEG = "gait.sharp_turn": 60.0, "°", [10.0, 180.0];
 }
 
 /// The pace whose greatest speed [`FASTEST_MPS`] is: the mean of Kaye et al. (2012).
 const USUAL_PACE_MPS: f64 = 0.65;
 
-/// Legs shorter than this have no direction of their own to turn to, and speed changes this near to a corner happen at it
-/// (ours).
+/// Length below which a leg has no direction to turn to, and distance from a corner within which changes of speed
+/// happen at it (our choice).
 const SHORT_M: f64 = 0.05;
 
 /// How somebody walks, this time.

@@ -46,7 +46,7 @@ const fn manner(
     Manner { name, gap_s, sigma, more, soon_s, bout_s, amplitude_m }
 }
 
-/// The standard deviation of the logarithm of the gaps in a cluster (ours).
+/// Standard deviation of the logarithm of the gaps in a cluster (our choice).
 const SOON_SPREAD: f64 = 0.6;
 
 /// The table that the numbers of these are of.
@@ -127,16 +127,40 @@ impl Manner {
         let of = |manner: &Manner| {
             let name = manner.name;
             let number = |column: &str, value, unit, range, what: &str| {
-                let what = format!("{what} of a body whose manner of staying is `{name}`.");
+                let what = format!("{what}, for the manner of staying `{name}`.");
                 Number::of_table([TABLE, name, column], value, unit, range, what, file!())
             };
             [
-                number("gap", manner.gap_s, "s", [0.5, 21_600.0], "The median gap between two clusters of movements"),
-                number("spread", manner.sigma, "1", [0.0, 5.0], "The standard deviation of the logarithm of the gaps"),
-                number("more", manner.more, "1", [0.0, 0.99], "The chance that another movement follows soon"),
-                number("soon", manner.soon_s, "s", [0.5, 600.0], "The median gap between the movements of a cluster"),
-                number("bout", manner.bout_s, "s", [0.5, 30.0], "The median length of a movement"),
-                number("amplitude", manner.amplitude_m, "m", [0.0, 1.0], "How far moves what moves"),
+                number(
+                    "gap",
+                    manner.gap_s,
+                    "s",
+                    [0.5, 21_600.0],
+                    "Median gap, in seconds, between two clusters of movements",
+                ),
+                number(
+                    "spread",
+                    manner.sigma,
+                    "1",
+                    [0.0, 5.0],
+                    "Standard deviation of the logarithm of the gaps between clusters",
+                ),
+                number("more", manner.more, "1", [0.0, 0.99], "Probability that another movement follows soon"),
+                number(
+                    "soon",
+                    manner.soon_s,
+                    "s",
+                    [0.5, 600.0],
+                    "Median gap, in seconds, between the movements of a cluster",
+                ),
+                number("bout", manner.bout_s, "s", [0.5, 30.0], "Median duration, in seconds, of a movement"),
+                number(
+                    "amplitude",
+                    manner.amplitude_m,
+                    "m",
+                    [0.0, 1.0],
+                    "Distance, in metres, that the moving part of the body covers",
+                ),
             ]
         };
         Manner::ALL.iter().flat_map(of).collect()

@@ -26,19 +26,19 @@ use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 
 homebody_core::numbers! {
-    /// Enterable things up to this height are walked over: rugs, mats, shower trays.
+    /// Greatest height of enterable things that bodies walk over: rugs, mats, shower trays.
     static RUG_M = "mesh.rug": 0.05, "m", [0.0, 0.3];
-    /// The part of its radius that a body takes that turns sideways a little.
+    /// Share of its radius that a body takes when it turns sideways a little.
     static SIDEWAYS_A_LITTLE = "mesh.sideways_a_little": 0.75, "1", [0.5, 1.0];
-    /// The part of its radius that a body takes that turns sideways: the shoulders are twice as wide as the chest is deep.
+    /// Share of its radius that a body takes when it turns sideways: shoulders are twice as wide as the chest is deep.
     static SIDEWAYS = "mesh.sideways": 0.5, "1", [0.2, 0.5];
-    /// How long the step into a seat may be: to the middle of a wide bed.
+    /// Longest step into a seat: to the middle of a wide bed.
     static INTO_SEAT_M = "mesh.into_seat": 1.5, "m", [0.2, 5.0];
-    /// How long the step to another place may be that is too near to things.
+    /// Longest step to another place that is too near to things.
     static TO_PLACE_M = "mesh.to_place": 0.5, "m", [0.0, 3.0];
 }
 
-/// How often a random point is drawn before the room's own point is taken (ours).
+/// Number of tries for a random point before the room's own point is used (our choice).
 const TRIES: u32 = 32;
 
 /// The floor of a home for a body of one radius. All points are metres in the plane of the home.
@@ -381,7 +381,7 @@ fn corner_of([before, first, second, after]: [Point; 4]) -> Option<Point> {
     (turn != 0.0 && further >= 0.0 && earlier <= 0.0 && is_near).then_some(corner)
 }
 
-/// Corners this near to each other's meeting point become one (ours).
+/// Distance from the meeting point of corners within which they become one (our choice).
 const ONE_CORNER_M: f64 = 0.25;
 
 /// The distance between a straight line and a convex area.

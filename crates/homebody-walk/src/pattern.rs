@@ -13,7 +13,7 @@ pub enum Pattern {
     Pacing,
 }
 
-/// A return after more places than this is no lap (ours).
+/// Number of places after which a return is not a lap (our choice).
 pub(super) const LAP_PLACES: usize = 6;
 
 /// The pattern of a sequence of places or rooms.

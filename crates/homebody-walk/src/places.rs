@@ -392,7 +392,7 @@ impl Places {
 /// Marks the spots that there is a way to. What has places around it is reached by the first of them that there is a way to, and a
 /// room in whose middle something stands beside that.
 fn find_ways(plan: &Plan, spots: &mut [Spot], sides: Vec<(usize, Vec<Point>)>, is_reachable: impl Fn(Point) -> bool) {
-    /// So many places of such a room are tried (ours): each costs a search for a way.
+    /// Number of places of such a room that are tried (our choice): each costs a search for a way.
     const MOST_TRIED: usize = 20;
     spots.iter_mut().for_each(|spot| spot.is_reachable = is_reachable(spot.at));
     let around_middle = |(index, spot): (usize, &Spot)| {

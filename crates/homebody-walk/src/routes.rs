@@ -5,7 +5,7 @@ use homebody_core::geometry::Point;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// So many ways are remembered (ours): a home of 60 places has 3,540, of which a life walks few.
+/// Number of ways that are remembered (our choice): a home of 60 places has 3,540, and a person walks few of them.
 const MOST: usize = 4096;
 
 /// A mesh that remembers the ways it was asked for. What it answers does not depend on what it remembers.

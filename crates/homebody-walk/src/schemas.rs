@@ -79,52 +79,52 @@ pub enum Wandering {
 }
 
 homebody_core::numbers! {
-    /// How long a step lasts.
+    /// Duration of a step.
     static STEP_S = "wandering.step": 0.5, "s", [0.1, 2.0];
-    /// The gain of the schema that leads to the goal (the form is that of Arkin 1989).
+    /// Gain of the schema that leads to the goal (form after Arkin 1989).
     static GOAL_GAIN = "wandering.goal_gain": 1.0, "1", [0.1, 10.0];
-    /// The gain of the schema that avoids obstacles (the form is that of Arkin 1989).
+    /// Gain of the schema that avoids obstacles (form after Arkin 1989).
     static AVOID_GAIN = "wandering.avoid_gain": 1.5, "1", [0.0, 10.0];
-    /// The gain of the noise in laps and in pacing, at least (the form is that of Arkin 1989).
+    /// Smallest gain of the noise in laps and in pacing (form after Arkin 1989).
     static NOISE_LEAST = "wandering.noise_least": 0.1, "1", [0.0, 5.0];
-    /// The gain of the noise in laps and in pacing, at most.
+    /// Largest gain of the noise in laps and in pacing.
     static NOISE_MOST = "wandering.noise_most": 0.3, "1", [0.0, 5.0];
-    /// The gain of the noise in random wandering, at least.
+    /// Smallest gain of the noise in random wandering.
     static RANDOM_NOISE_LEAST = "wandering.random_noise_least": 0.6, "1", [0.0, 5.0];
-    /// The gain of the noise in random wandering, at most.
+    /// Largest gain of the noise in random wandering.
     static RANDOM_NOISE_MOST = "wandering.random_noise_most": 1.0, "1", [0.0, 5.0];
-    /// Obstacles further than this do not push.
+    /// Distance beyond which obstacles do not push.
     static AVOID_FROM_M = "wandering.avoid_from": 0.6, "m", [0.4, 3.0];
-    /// Obstacles nearer than this push as much as any.
+    /// Distance within which obstacles push with full strength.
     static AVOID_MOST_M = "wandering.avoid_most": 0.25, "m", [0.0, 0.35];
-    /// The noise keeps its direction for so many steps at least.
+    /// Number of steps at least until the noise changes its direction.
     static NOISE_STEPS_LEAST = "wandering.noise_steps_least": 1.0, "1", [1.0, 50.0];
-    /// The noise keeps its direction for fewer steps than this.
+    /// Number of steps, exclusive, at most until the noise changes its direction.
     static NOISE_STEPS_MOST = "wandering.noise_steps_most": 5.0, "1", [1.0, 50.0];
-    /// A goal is reached by a body that is this near to it.
+    /// Distance from a goal at which a body has reached it.
     static REACHED_M = "wandering.reached": 0.35, "m", [0.05, 1.0];
-    /// A leg may take so many times what the planned way takes before it follows that way.
+    /// Duration of a leg, as a multiple of the planned way's, after which the leg follows the planned way.
     static PATIENCE = "wandering.patience": 3.0, "1", [1.0, 20.0];
-    /// Places to wander between are this far from each other, if such are found.
+    /// Distance between the places of a wandering, if the home has such places.
     static APART_M = "wandering.apart": 1.5, "m", [0.1, 10.0];
-    /// Places to wander between are this far from things, if such are found.
+    /// Distance between the places of a wandering and things, if the home has such places.
     static ROOM_AROUND_M = "wandering.room_around": 0.5, "m", [0.0, 3.0];
-    /// Who fears open floor is drawn to walls that are nearer than this; beyond it, as much as at it.
+    /// Distance at which a wall's pull on a person who fears open floor reaches its full strength.
     static OPEN_FROM_M = "wandering.open_from": 2.0, "m", [0.6, 6.0];
-    /// As near as this to a wall nobody fears open floor.
+    /// Distance from a wall within which no person fears open floor.
     static OPEN_LEAST_M = "wandering.open_least": 0.45, "m", [0.2, 2.0];
-    /// Other people further than this do not push.
+    /// Distance beyond which other people do not push.
     static PEOPLE_FROM_M = "wandering.people_from": 1.5, "m", [0.3, 6.0];
-    /// The median of how long a wanderer stands still, whose logarithm spreads by 0.6.
+    /// Median time that a wanderer stands still. The standard deviation of its logarithm is 0.6.
     static PAUSE_S = "wandering.pause": 4.0, "s", [0.5, 120.0];
-    /// How far somebody who does not know where to go moves on the spot.
+    /// Amplitude of the movements on the spot of a person who does not know where to go.
     static LOST_AMPLITUDE_M = "wandering.lost_amplitude": 0.3, "m", [0.0, 1.0];
 }
 
-/// A step is steered so often (ours).
+/// Number of times that a step is steered (our choice).
 const STEERINGS: u32 = 5;
 
-/// So many points are tried as places to wander between (ours).
+/// Number of points that are tried as places to wander between (our choice).
 const TRIES: usize = 24;
 
 /// Wanders for about `lasting` microseconds: until they are over and the body is in a free place, which is at most one leg more.

@@ -7,7 +7,7 @@ use homebody_core::scenario::path::Posture;
 
 /// A point in a room half a metre or so from a door in its wall; farther where that is thick.
 pub fn just_inside(plan: &Plan, door: Point) -> Point {
-    /// How far from it places are tried, in metres (ours).
+    /// Distances from it at which places are tried, in metres (our choice).
     const FROM_DOOR_M: [f64; 4] = [0.5, 0.75, 1.0, 1.25];
     let around =
         |from_door_m: f64| (0..16).map(move |part| door + geometry::direction(f64::from(part) * 22.5) * from_door_m);
@@ -24,9 +24,9 @@ pub fn just_inside(plan: &Plan, door: Point) -> Point {
 
 /// Where somebody can stand in a room in whose middle something stands, such as a kitchen island: the nearest to the middle first.
 pub fn around_in_room(plan: &Plan, room: usize, middle: Point) -> Vec<Point> {
-    /// A side of the room is parted so (ours).
+    /// Number of parts of a side of the room (our choice).
     const STEPS: u32 = 20;
-    /// How much room a body has, in metres (ours).
+    /// Room that a body needs, in metres (our choice).
     const BODY_M: f64 = 0.25;
     let (least, most) = geometry::bounds(plan.rooms[room].outline.iter().copied());
     let steps = (1..STEPS).flat_map(|x| (1..STEPS).map(move |y| Point::new(f64::from(x), f64::from(y))));
@@ -40,7 +40,7 @@ pub fn around_in_room(plan: &Plan, room: usize, middle: Point) -> Vec<Point> {
 /// Where somebody can stand at a piece of furniture: before the middles of its sides where there is room, the nearest to its
 /// middle first.
 pub fn beside(plan: &Plan, outline: &[Point]) -> Vec<Point> {
-    /// From its edge, in metres: a body and a hand's breadth (ours).
+    /// Distance from its edge, in metres (our choice): a body and a hand's breadth.
     const OFF_M: f64 = 0.32;
     let middle = geometry::inner_point(outline);
     let side = |(a, b): (Point, Point)| {
@@ -57,7 +57,7 @@ pub fn beside(plan: &Plan, outline: &[Point]) -> Vec<Point> {
 /// Where somebody can stand who reaches over: off the middle of a side, and farther from it, with no room to spare. In small
 /// bathrooms there is nothing better.
 fn reaching(plan: &Plan, outline: &[Point]) -> Vec<Point> {
-    /// How far from the edge, and how much room for a body, in metres (ours): an arm's length at most.
+    /// Distances from the edge, and room for a body, in metres (our choice): an arm's length at most.
     const OFF_M: [f64; 3] = [0.32, 0.45, 0.6];
     const BODY_M: f64 = 0.23;
     /// Where along the side, as a share of its length.
@@ -73,7 +73,7 @@ fn reaching(plan: &Plan, outline: &[Point]) -> Vec<Point> {
 
 /// Where people lie side by side in a bed, or sit in a row on a sofa; none where there is room for one.
 pub fn sides_of(outline: &[Point], posture: Posture) -> Vec<Point> {
-    /// A bed that is narrower is for one; what somebody who sits takes of a sofa (ours).
+    /// Width below which a bed is for one person, and width that a sitting person takes on a sofa (our choice).
     const BED_M: f64 = 1.1;
     const SEAT_M: f64 = 0.6;
     let Some((a, b)) = geometry::sides(outline).max_by(|(a, b), (c, d)| a.distance(*b).total_cmp(&c.distance(*d)))

@@ -65,7 +65,7 @@ pub fn told_length(headers: &HeaderMap) -> Option<u64> {
     headers.get(header::CONTENT_LENGTH)?.to_str().ok()?.parse().ok()
 }
 
-/// The most plans at once: each is in memory until it is read.
+/// Largest number of plans at once: each is in memory until it is read.
 const MOST_PLANS: usize = 2;
 
 /// The places for plans; a later plan waits for one.
@@ -100,7 +100,9 @@ pub async fn received(
     let mut file = tokio::fs::File::create(into).await.map_err(failed)?;
     let (mut parts, mut length) = (body.into_data_stream(), 0);
     while let Some(part) = parts.next().await {
-        let Ok(part) = part else { return Err((StatusCode::BAD_REQUEST, "Not all of the log has come.".into())) };
+        let Ok(part) = part else {
+            return Err((StatusCode::BAD_REQUEST, "The log arrived incomplete. Send it again.".into()));
+        };
         length += part.len() as u64;
         if length > most {
             return Err(too_large());

@@ -11,7 +11,7 @@ use std::time::Duration;
 use tokio::net::TcpListener;
 use tower_service::Service;
 
-/// The head of a request comes within this time, or the connection is closed (ours). Between two requests it is as long.
+/// Time for the head of a request before the connection is closed, and time between two requests (our choice).
 const LONGEST_HEAD: Duration = Duration::from_secs(10);
 
 /// How long to wait where the system has no more room for connections.

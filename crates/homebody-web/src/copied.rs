@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::Path;
 
-/// So many files are copied, and so many bytes (ours).
+/// Largest number of files that are copied, and of their bytes (our choice).
 const MOST_FILES: usize = 2000;
 const MOST_BYTES: u64 = 256 << 20;
 
-/// Folders lie in folders so deep at most (ours).
+/// Largest depth of nested folders (our choice).
 const DEEPEST: usize = 8;
 
 /// Copies all but hidden things and those that are called so in the outermost folder. `to` is not there yet, and is left half made
@@ -26,7 +26,7 @@ impl Done {
     fn copy(&mut self, from: &Path, to: &Path, but: &[&str], depth: usize) -> Result<(), String> {
         let failed = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());
         if depth > DEEPEST {
-            return Err(format!("{}: folders lie in folders more than {DEEPEST} deep", from.display()));
+            return Err(format!("{}: folders are nested more than {DEEPEST} deep", from.display()));
         }
         fs::create_dir(to).map_err(|error| failed(to, error))?;
         for entry in fs::read_dir(from).map_err(|error| failed(from, error))? {
@@ -41,14 +41,14 @@ impl Done {
                 continue;
             }
             if !found.is_file() {
-                let hint = "copy the folder yourself, where that is what you want";
-                return Err(format!("{} is a link or a device, and is not copied: {hint}.", path.display()));
+                let hint = "copy the folder yourself if you want it";
+                return Err(format!("{} is a link or a device, which Homebody does not copy: {hint}.", path.display()));
             }
             self.files += 1;
             self.bytes += found.len();
             if self.files > MOST_FILES || self.bytes > MOST_BYTES {
                 let megabytes = MOST_BYTES >> 20;
-                return Err(format!("{} holds more than {MOST_FILES} files or {megabytes} MB.", from.display()));
+                return Err(format!("{} has more than {MOST_FILES} files or {megabytes} MB.", from.display()));
             }
             fs::copy(&path, to.join(name)).map_err(|error| failed(&path, error))?;
         }

@@ -51,7 +51,7 @@ pub fn hour(calendar: &Calendar, at: Micros) -> usize {
     usize::try_from(calendar.local(at).hour()).unwrap_or(0)
 }
 
-/// So often is looked at the sun (ours); between two looks its rising and setting are put in proportion.
+/// Interval of the computed positions of the sun (our choice). Sunrise and sunset are interpolated between them.
 const STEP: Micros = 600 * SECOND;
 
 /// From when to when the sun is down, in order, over a run of this length, by the sine of its height.

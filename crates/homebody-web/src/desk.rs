@@ -85,10 +85,10 @@ impl Desk {
             self.writing.take(&self.shelf.scenario.join(&self.shelf.entry)).map_err(|error| error.to_string())?;
         let names: BTreeSet<&str> = save.files.iter().map(|file| file.name.as_str()).collect();
         if names.len() < save.files.len() {
-            return Err("a file is named twice".into());
+            return Err("the request names a file twice".into());
         }
         let is_made = self.make_folder(&names)?;
-        let unknown = |name: &str| readable(format!("{name:?} is no name for a file of this scenario"));
+        let unknown = |name: &str| readable(format!("{name:?} is not a valid file name in this scenario"));
         let place = |file: &SaveFile| self.shelf.place_of(&file.name).ok_or_else(|| unknown(&file.name));
         let places = save.files.iter().map(place).collect::<Result<Vec<_>, _>>().inspect_err(|_| {
             if is_made {
@@ -103,7 +103,7 @@ impl Desk {
         if !changed.is_empty() {
             return Ok(SavedView { saved: BTreeMap::new(), changed });
         }
-        let failed = |name: &str, error: String| format!("{name:?} cannot be written: {error}");
+        let failed = |name: &str, error: String| format!("cannot write {name:?}: {error}");
         let mut fresh = Vec::new();
         for (file, place) in save.files.iter().zip(&places) {
             fresh.push(written(place, &file.text).map_err(|error| failed(&file.name, error))?);
@@ -127,8 +127,9 @@ impl Desk {
         if folder.exists() || !names.contains(self.shelf.entry.as_str()) {
             return Ok(false);
         }
-        let failed =
-            |error: std::io::Error| format!("the scenario's folder is gone, and cannot be made again: {error}");
+        let failed = |error: std::io::Error| {
+            format!("the folder of the scenario was deleted, and Homebody cannot create it again: {error}")
+        };
         std::fs::create_dir(folder).map_err(failed)?;
         Ok(true)
     }

@@ -8,7 +8,7 @@ use homebody_core::scenario::load::Scenario;
 
 /// Makes a resident one who is moved by keys; returns also the name of the file that holds them.
 pub fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(ScenarioEdit, String), String> {
-    let resident = scenario.residents.get(driven).ok_or("there is no such resident")?;
+    let resident = scenario.residents.get(driven).ok_or("there is no resident with this number")?;
     let name = format!("{}.keys.json", scenario.file.residents[driven].trim_end_matches(".json"));
     let at = standing_place(scenario.home.plan(), resident.file.radius_m);
     let keys = InputFile { schema: None, keys: input.to_vec() };
@@ -17,7 +17,7 @@ pub fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(
 
 /// Where somebody stands who is about to be driven: a place with a name and room around it, else any free place.
 fn standing_place(plan: &Plan, radius_m: f64) -> Point {
-    /// Beside the body, so that it can leave the place (ours).
+    /// Room next to the body, so that it can leave the place (our choice).
     const ROOM_M: f64 = 0.1;
     let (least, most) = plan.bounds();
     let named = plan.places.iter().map(|(_, at)| *at);

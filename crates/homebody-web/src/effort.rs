@@ -7,14 +7,15 @@ use homebody_core::time::{DAY, Micros};
 use homebody_kit::{Cancel, Stretch};
 use std::time::{Duration, Instant};
 
-/// So long is lived at once without a look at what else there is to do (ours).
+/// Time of simulation without a check for other work (our choice).
 pub const AT_ONCE: Duration = Duration::from_millis(20);
 
-/// So long is lived for one answer, and so much longer for each day of it (ours): many times what a home takes.
+/// Time of simulation for one answer, and additional time for each of its days (our choice): many times what a home
+/// takes.
 const LONGEST_ANSWER: Duration = Duration::from_secs(5);
 const LONGEST_ANSWER_A_DAY: Duration = Duration::from_millis(100);
 
-/// So many things are told in one answer (ours).
+/// Largest number of items in an answer (our choice).
 const MOST_TOLD: usize = 200_000;
 
 /// How much is lived for one answer.
@@ -38,11 +39,11 @@ impl Effort<'_> {
         let days = u32::try_from(self.lived / DAY).unwrap_or(u32::MAX);
         let longest = LONGEST_ANSWER + LONGEST_ANSWER_A_DAY.saturating_mul(days);
         if self.cancel.is_cancelled() {
-            Err("Nobody waits for the rest.".into())
+            Err("The request was cancelled.".into())
         } else if told > MOST_TOLD {
-            Err(format!("More than {MOST_TOLD} things are not told at once."))
+            Err(format!("The answer is limited to {MOST_TOLD} entries."))
         } else if self.begun.elapsed() > longest {
-            Err(format!("To come so far has taken {} seconds: too much happens.", longest.as_secs()))
+            Err(format!("The simulation stopped here after {} seconds, because too much happens.", longest.as_secs()))
         } else {
             Ok(())
         }

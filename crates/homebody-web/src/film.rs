@@ -21,7 +21,7 @@ use std::path::PathBuf;
 use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
-/// So many instants are in an answer (ours): a minute of five pictures a second.
+/// Largest number of instants in an answer (our choice): a minute of five pictures a second.
 const MOST_MOMENTS: usize = 300;
 
 /// The rules by which falls are looked for.

@@ -9,7 +9,7 @@ use std::ops::Range;
 
 const HOUR: Micros = 3600 * SECOND;
 
-/// So many firings of a day are kept one by one (ours).
+/// Number of firings of a day that are stored one by one (our choice).
 const MOST_TODAY: usize = 100_000;
 
 /// How often motion sensors have fired, by day and hour, and all firings of the last day.

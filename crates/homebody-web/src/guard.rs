@@ -35,7 +35,7 @@ pub const HOMES: &str = "/api/homes/";
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; \
     connect-src 'self'; font-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// How long a wrong token waits for its answer (ours).
+/// Delay of the answer to a wrong token (our choice).
 const DELAY: Duration = Duration::from_millis(100);
 
 /// What a server lets through.
@@ -168,9 +168,9 @@ pub async fn watch(
     // The socket's token comes in its first message.
     let is_open = !path.starts_with("/api/") || is_socket(path);
     let mut response = if !guard.is_for_us(headers, request.uri()) {
-        (StatusCode::FORBIDDEN, "This server has another name.").into_response()
+        (StatusCode::FORBIDDEN, "This server does not answer under this host name.").into_response()
     } else if !guard.is_from_us(headers) {
-        (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response()
+        (StatusCode::FORBIDDEN, "This server answers requests from its own page only.").into_response()
     } else if !is_open && !has_token() {
         guard.delay(visit.from()).await;
         (StatusCode::UNAUTHORIZED, "The token is missing or wrong.").into_response()

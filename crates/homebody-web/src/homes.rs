@@ -23,7 +23,7 @@ use std::sync::Arc;
 use tokio::sync::{Mutex, Semaphore};
 use tower_service::Service;
 
-/// So many homes are open at once (ours): each has a thread, and a run at its start.
+/// Largest number of open homes (our choice): each has a thread, and a run at its start.
 const MOST_OPEN: usize = 16;
 
 /// All homes of a library. A clone is the same.
@@ -89,8 +89,9 @@ impl Homes {
         let shelf = found(move || library.home(&sought)).await?.map_err(refused)?;
         if open.len() >= MOST_OPEN {
             let idle = open.iter().position(|opened| !opened.house.is_busy());
-            let why =
-                format!("{MOST_OPEN} homes are open already, and each is looked at or lives: close the page of one.");
+            let why = format!(
+                "{MOST_OPEN} homes are already open, each with a page or a running simulation. Close the page of one."
+            );
             let idle = open.remove(idle.ok_or((StatusCode::SERVICE_UNAVAILABLE, why))?);
             found(move || idle.house.close()).await?;
         }
@@ -166,7 +167,10 @@ async fn made_of_log(
     body: Body,
 ) -> Result<MadeView, Refused> {
     let too_large = || {
-        let what = format!("A log has at most {} MB here; homebody new --from-log takes any.", LARGEST_LOG_BYTES >> 20);
+        let what = format!(
+            "The page takes logs of at most {} MB. For a larger log, use homebody new --from-log.",
+            LARGEST_LOG_BYTES >> 20
+        );
         (StatusCode::PAYLOAD_TOO_LARGE, what)
     };
     if told_length(headers).is_some_and(|length| length > LARGEST_LOG_BYTES) {

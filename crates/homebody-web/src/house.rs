@@ -33,7 +33,7 @@ use std::sync::Arc;
 use tokio::io::{AsyncRead, AsyncReadExt};
 use tokio::sync::{Semaphore, watch};
 
-/// What a page may send by HTTP (ours).
+/// Largest size of a page's HTTP request (our choice).
 pub const LARGEST_BODY_BYTES: usize = 8 << 20;
 
 /// What answers are made from.
@@ -168,7 +168,7 @@ async fn underlay(State(house): State<House>) -> Response {
 
 /// The picture below the plan.
 async fn picture(State(house): State<House>) -> Response {
-    download(move || house.shelf.picture(&house.desk.underlay()?.picture), "There is no picture below the plan.").await
+    download(move || house.shelf.picture(&house.desk.underlay()?.picture), "There is no image under the plan.").await
 }
 
 async fn versions(State(house): State<House>) -> Response {
@@ -320,7 +320,7 @@ async fn call(State(house): State<House>, Path(run): Path<String>, Json(about): 
 
 async fn put_aside(State(house): State<House>, Path(run): Path<String>) -> Response {
     if house.stage.recorded().as_ref() == Some(&run) {
-        return (StatusCode::CONFLICT, "This run is being lived: stop it first.").into_response();
+        return (StatusCode::CONFLICT, "This run is running. Stop it first.").into_response();
     }
     json(found(move || keeping::put_aside(&house.shelf, &run)).await.and_then(|aside| aside.map_err(refused)))
 }
@@ -409,7 +409,10 @@ async fn begun(
     body: Body,
 ) -> Result<Option<WalkingView>, Refused> {
     let too_large = || {
-        let what = format!("A log has at most {} MB here; homebody translate takes any.", LARGEST_LOG_BYTES >> 20);
+        let what = format!(
+            "The page takes logs of at most {} MB. For a larger log, use homebody locate.",
+            LARGEST_LOG_BYTES >> 20
+        );
         (StatusCode::PAYLOAD_TOO_LARGE, what)
     };
     let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string());
@@ -417,7 +420,9 @@ async fn begun(
         return Err(too_large());
     }
     let coming = walks.begin(&log, home).map_err(|why| match why {
-        Unwalked::Busy(log) => (StatusCode::CONFLICT, format!("{log} is being walked back: wait for it, or stop it.")),
+        Unwalked::Busy(log) => {
+            (StatusCode::CONFLICT, format!("Homebody is locating people in {log}. Wait for it, or stop it."))
+        }
         Unwalked::NoPlace(error) => failed(error),
     })?;
     let whole = received(body, &coming.file(), (LARGEST_LOG_BYTES, too_large), || coming.is_cancelled()).await?;
@@ -435,7 +440,7 @@ async fn file_of_run(State(house): State<House>, Path((run, what)): Path<(String
         "recording" => house.shelf.file_of_run(&run, RECORDING),
         _ => None,
     };
-    download(find, "There is no such file of such a run.").await
+    download(find, "This run does not have this file.").await
 }
 
 /// A file, as a download.

@@ -14,7 +14,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// Input is written no more often than this (ours); it is on disk within a second.
+/// Shortest interval between writes of input (our choice). It is on disk within a second.
 const EVERY: Duration = Duration::from_millis(400);
 
 /// Writes a recording anew whenever its input has grown.

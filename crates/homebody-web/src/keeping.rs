@@ -12,10 +12,10 @@ use homebody_log::fresh::FreshFile;
 use homebody_log::plain;
 use std::path::{Path, PathBuf};
 
-/// How many letters there are at most (ours).
+/// Largest numbers of letters of a title, and of a note (our choice).
 const LONGEST_TITLE: usize = 100;
 const LONGEST_NOTE: usize = 2000;
-/// No such file is larger: a letter has four bytes at most, and six as JSON escapes it.
+/// Largest size of such a file: a letter has at most four bytes, and six as JSON escapes it.
 const LARGEST_BYTES: u64 = 32 << 10;
 
 fn unknown(run: &str) -> Refusal {
@@ -25,7 +25,8 @@ fn unknown(run: &str) -> Refusal {
 /// Where that is kept; a link may lead to what its author was never to see.
 fn place(shelf: &Shelf, run: &str) -> Result<PathBuf, Refusal> {
     let folder = shelf.run(run).ok_or_else(|| unknown(run))?;
-    plain::within(&folder, Path::new(ABOUT)).ok_or_else(|| damaged(format!("{ABOUT} leads out of the run's folder.")))
+    plain::within(&folder, Path::new(ABOUT))
+        .ok_or_else(|| damaged(format!("{ABOUT} links to a place outside the folder of the run.")))
 }
 
 /// What a run is called; nothing where nobody has said, or where that cannot be read.
@@ -39,13 +40,14 @@ pub fn about(shelf: &Shelf, run: &str) -> RunAbout {
 pub fn call(shelf: &Shelf, run: &str, about: RunAbout) -> Result<RunAbout, Refusal> {
     let letters = |text: &str| text.chars().count();
     if letters(&about.title) > LONGEST_TITLE || letters(&about.note) > LONGEST_NOTE {
-        let what = format!("A run's name has {LONGEST_TITLE} letters at most, and a note about it {LONGEST_NOTE}.");
+        let what =
+            format!("The name of a run has at most {LONGEST_TITLE} characters, and its note at most {LONGEST_NOTE}.");
         return Err(Refusal::Damaged(what));
     }
     let place = place(shelf, run)?;
     let text = serde_json::to_string_pretty(&about).map_err(damaged)? + "\n";
     let written = FreshFile::write_whole(&place, text.as_bytes(), true);
-    written.map_err(|error| damaged(format!("{ABOUT} cannot be written: {error}")))?;
+    written.map_err(|error| damaged(format!("Cannot write {ABOUT}: {error}")))?;
     Ok(about)
 }
 
@@ -55,15 +57,15 @@ pub fn put_aside(shelf: &Shelf, run: &str) -> Result<PutAside, Refusal> {
         shelf.run(run).map(|_| run.strip_suffix(RELIVED).and_then(|folder| folder.strip_suffix('/')).unwrap_or(run));
     let name = name.ok_or_else(|| unknown(run))?;
     let key = aside::put(&shelf.runs, name);
-    key.map(|key| PutAside { key }).map_err(|error| damaged(format!("{name} cannot be put aside: {error}")))
+    key.map(|key| PutAside { key }).map_err(|error| damaged(format!("Cannot delete {name}: {error}")))
 }
 
 /// Fetches back what was put aside under a key, and says which run it is.
 pub fn fetch_back(shelf: &Shelf, key: &str) -> Result<String, Refusal> {
     aside::fetch_back(&shelf.runs, key).map_err(|why| match why {
-        Unmoved::Unknown => Refusal::Unknown(format!("Nothing is put aside as {key:?}.")),
-        Unmoved::Taken(name) => damaged(format!("There is another run called {name} now.")),
-        Unmoved::Failed(error) => damaged(format!("{key} cannot be fetched back: {error}")),
+        Unmoved::Unknown => Refusal::Unknown(format!("There is no deleted run {key:?}.")),
+        Unmoved::Taken(name) => damaged(format!("Another run now has the name {name}.")),
+        Unmoved::Failed(error) => damaged(format!("Cannot restore {key}: {error}")),
     })
 }
 

@@ -6,7 +6,7 @@ use std::fs;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-/// No such file is larger (ours): it is one address.
+/// Largest size of such a file (our choice): it is one address.
 const LARGEST_BYTES: u64 = 1000;
 
 /// What the file keeps.

@@ -44,9 +44,8 @@ pub mod library;
 pub mod walks;
 mod told;
 
-/// Alerts in everyday words, and what somebody notes about them.
+/// Notes about alerts and days.
 mod notes;
-mod plainly;
 
 /// Who may ask what, and who answers.
 mod visit;

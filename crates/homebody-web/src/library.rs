@@ -35,23 +35,24 @@ const ENTRY: &str = "scenario.json";
 /// The file at which servers of one library take turns; no listing shows it.
 const NAMING: &str = ".homebody";
 
-/// So many homes are shown, those that were changed last (ours).
+/// Largest number of homes that are shown, those that were changed last (our choice).
 const MOST_HOMES: usize = 1000;
 
-/// So many runs of a home are told on the first page (ours).
+/// Largest number of a home's runs on the first page (our choice).
 const MOST_RUNS: usize = 3;
 
-/// A home's name has no more letters, and no more bytes (ours): most systems take 255, and what is put aside has some more.
+/// Largest numbers of letters and bytes of a home's name (our choice): most systems take 255 bytes, and names of
+/// set-aside files have some more.
 const MOST_LETTERS: usize = 100;
 const MOST_NAME_BYTES: usize = 200;
 
-/// No larger home is drawn on the first page (ours).
+/// Largest home that is drawn on the first page (our choice).
 const LARGEST_DRAWN_BYTES: usize = 1 << 20;
 
-/// So many pictures of runs are kept (ours): each is some kilobytes.
+/// Largest number of stored pictures of runs (our choice): each is some kilobytes.
 const MOST_PICTURES: usize = 2000;
 
-/// So many days are told apart in the picture of a run (ours).
+/// Largest number of days that the picture of a run tells apart (our choice).
 const MOST_COLUMNS: usize = 60;
 
 /// A folder of homes. A clone is the same one.
@@ -105,7 +106,7 @@ impl Library {
     pub fn has_own_runs(&self, name: &str) -> Result<(), Refusal> {
         match fs::symlink_metadata(self.shelf(name).runs).is_ok_and(|found| found.is_symlink()) {
             true => Err(damaged(format!(
-                "The folder {RUNS} of {} is a link: runs are written into no folder but the home's own. Remove the link.",
+                "The folder {RUNS} of {} is a link. Homebody writes runs only into the folder of the home. Remove the link.",
                 shown(name)
             ))),
             false => Ok(()),
@@ -201,7 +202,7 @@ impl Library {
         lack: Vec<String>,
     ) -> Result<MadeView, Refusal> {
         self.make(name, |folder| begun::write(folder, texts))?;
-        remarks.extend(lack.iter().map(|lack| format!("Nobody can live an ordinary life here yet: {lack}")));
+        remarks.extend(lack.iter().map(|lack| format!("The home is not ready for a resident yet: {lack}")));
         Ok(MadeView { name: name.to_owned(), remarks })
     }
 
@@ -233,7 +234,7 @@ impl Library {
     pub fn put_aside(&self, name: &str) -> Result<String, Refusal> {
         let _naming = self.naming()?;
         self.home(name)?;
-        let failed = |error: io::Error| damaged(format!("{name} cannot be put aside: {error}"));
+        let failed = |error: io::Error| damaged(format!("Cannot delete {name}: {error}"));
         aside::put(&self.folder, name).map_err(failed)
     }
 
@@ -241,9 +242,9 @@ impl Library {
     pub fn fetch_back(&self, key: &str) -> Result<String, Refusal> {
         let _naming = self.naming()?;
         aside::fetch_back(&self.folder, key).map_err(|why| match why {
-            Unmoved::Unknown => Refusal::Unknown(format!("Nothing is put aside as {}.", shown(key))),
-            Unmoved::Taken(name) => damaged(format!("There is another home called {name} now: rename that one first.")),
-            Unmoved::Failed(error) => damaged(format!("{} cannot be fetched back: {error}", shown(key))),
+            Unmoved::Unknown => Refusal::Unknown(format!("There is no deleted home {}.", shown(key))),
+            Unmoved::Taken(name) => damaged(format!("Another home now has the name {name}. Rename that one first.")),
+            Unmoved::Failed(error) => damaged(format!("Cannot restore {}: {error}", shown(key))),
         })
     }
 
@@ -253,7 +254,7 @@ impl Library {
             return Err(damaged(why));
         }
         match fs::symlink_metadata(self.folder.join(name)) {
-            Ok(_) => Err(damaged(format!("There is something called {name} here already: choose another name."))),
+            Ok(_) => Err(damaged(format!("The name {name} is already in use here. Choose another name."))),
             Err(_) => Ok(()),
         }
     }
@@ -308,11 +309,11 @@ impl Library {
     /// Why no home can be put into it, if that is so. A file without a name leaves no trace.
     fn trouble(&self) -> Option<String> {
         let error = tempfile::tempfile_in(&self.folder).err()?;
-        Some(format!("Nothing can be changed here: {error}. Homes can be looked at; their runs cannot be stored."))
+        Some(format!("Cannot write to this folder: {error}. You can view homes, but not change them or store runs."))
     }
 
     fn unwritten(&self, error: &io::Error) -> Refusal {
-        damaged(format!("Nothing can be written into {}: {error}", self.folder.display()))
+        damaged(format!("Cannot write to {}: {error}", self.folder.display()))
     }
 
     fn naming(&self) -> Result<Turn<'_>, Refusal> {
@@ -321,7 +322,7 @@ impl Library {
 }
 
 fn unknown(name: &str) -> Refusal {
-    Refusal::Unknown(format!("There is no home called {} here.", shown(name)))
+    Refusal::Unknown(format!("There is no home named {} here.", shown(name)))
 }
 
 /// As much of a name as is read.
@@ -339,24 +340,24 @@ fn is_inside(name: &str) -> bool {
 fn wrong_name(name: &str) -> Option<String> {
     let mut wrong = Vec::new();
     if name.trim().is_empty() {
-        wrong.push("it has no letters".to_owned());
+        wrong.push("it is empty".to_owned());
     }
     if name.chars().count() > MOST_LETTERS || name.len() > MOST_NAME_BYTES {
-        wrong.push(format!("it is longer than {MOST_LETTERS} letters"));
+        wrong.push(format!("it is longer than {MOST_LETTERS} characters"));
     }
     if name.starts_with('.') {
-        wrong.push("it begins with a dot".into());
+        wrong.push("it starts with a dot".into());
     }
     if name != name.trim() || name.ends_with('.') {
-        wrong.push("it begins or ends with a space, or ends with a dot".into());
+        wrong.push("it starts or ends with a space, or ends with a dot".into());
     }
     if name.chars().any(|c| is_unseen(c) || "/\\:*?\"<>|".contains(c)) {
-        wrong.push("it has one of / \\ : * ? \" < > | in it, or a character that nobody sees".into());
+        wrong.push("it contains one of / \\ : * ? \" < > | or an invisible character".into());
     }
     if name == RUNS {
-        wrong.push("runs that were made from here are in a folder of that name".into());
+        wrong.push("the folder of that name is reserved for runs".into());
     }
-    (!wrong.is_empty()).then(|| format!("No home can be called {:?}: {}.", shown(name), wrong.join("; ")))
+    (!wrong.is_empty()).then(|| format!("{:?} is not a valid name for a home: {}.", shown(name), wrong.join("; ")))
 }
 
 fn is_folder(path: &Path) -> bool {
@@ -386,7 +387,7 @@ fn without_options(said: &str) -> String {
     let is_option = |line: &str| line.trim_start().starts_with("hint: ") && line.contains(" --");
     let lines = said.lines().map(|line| {
         if is_option(line) {
-            "  hint: begin an empty home, draw its rooms, and put up sensors of these names"
+            "  hint: start an empty home, draw its rooms, and place sensors with these names"
         } else {
             line
         }

@@ -14,11 +14,11 @@ use homebody_log::plain;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
-/// A note has so many letters, a rule's name as well (ours).
+/// Largest number of letters of a note, and of a rule's name (our choice).
 const LONGEST_NOTE: usize = 500;
-/// There are so many notes of a run at most (ours).
+/// Largest number of notes of a run (our choice).
 const MOST_NOTES: usize = 5000;
-/// The file is so large at most: no note has more bytes than letters times four, and a name (ours).
+/// Largest size of the file of notes (our choice): a note has at most four bytes a letter, and a name.
 const LARGEST_BYTES: u64 = 16 << 20;
 
 /// The notes of a shelf's runs. A clone is the same.
@@ -58,10 +58,10 @@ impl Notes {
         let refused = |why: &str| Unnoted::Refused(Refusal::Damaged(why.to_owned()));
         let letters = |text: &str| text.chars().count();
         if !is_date(&note.day) {
-            return Err(refused("A note is of a day, such as 2009-03-02."));
+            return Err(refused("A note needs a day, such as 2009-03-02."));
         }
         if letters(&note.note) > LONGEST_NOTE || letters(&note.rule) > LONGEST_NOTE {
-            return Err(refused("A note has 500 letters at most."));
+            return Err(refused("A note has at most 500 characters."));
         }
         let place = self.place(run).map_err(Unnoted::Refused)?;
         let _turn = self.writing.take(&place).map_err(|error| Unnoted::Refused(damaged(error)))?;
@@ -69,14 +69,14 @@ impl Notes {
         let is_there = |other: &NoteView| other.day == note.day && other.rule == note.rule;
         let there = notes.iter().find(|other| is_there(other)).cloned();
         if there != before && there.as_ref() != Some(&note) {
-            return Err(Unnoted::Changed("Somebody else has noted something there meanwhile.".into()));
+            return Err(Unnoted::Changed("This note was changed in another window.".into()));
         }
         notes.retain(|other| !is_there(other));
         if note.seen || !note.note.is_empty() {
             notes.push(note);
         }
         if notes.len() > MOST_NOTES {
-            return Err(refused("There are too many notes about this run."));
+            return Err(refused("This run has too many notes."));
         }
         notes.sort_by(|a, b| (&a.day, &a.rule).cmp(&(&b.day, &b.rule)));
         write(&place, &notes).map_err(Unnoted::Refused)?;
@@ -89,7 +89,7 @@ impl Notes {
         let folder = folder.ok_or_else(|| Refusal::Unknown(format!("There is no run {run:?}.")))?;
         // A link may lead to what its author was never to see.
         plain::within(&folder, Path::new(NOTES))
-            .ok_or_else(|| damaged(format!("{NOTES} leads out of the run's folder.")))
+            .ok_or_else(|| damaged(format!("{NOTES} links to a place outside the folder of the run.")))
     }
 }
 
@@ -104,7 +104,7 @@ fn read(place: &Path) -> Result<Vec<NoteView>, Refusal> {
     if !place.exists() {
         return Ok(Vec::new());
     }
-    let wrong = |error: &dyn std::fmt::Display| damaged(format!("{NOTES} cannot be read: {error}"));
+    let wrong = |error: &dyn std::fmt::Display| damaged(format!("Cannot read {NOTES}: {error}"));
     let text = plain::read_text(place, LARGEST_BYTES).map_err(|error| wrong(&error))?;
     let file: NotesFile = serde_json::from_str(&text).map_err(|error| wrong(&error))?;
     Ok(file.notes)
@@ -113,7 +113,7 @@ fn read(place: &Path) -> Result<Vec<NoteView>, Refusal> {
 fn write(place: &Path, notes: &[NoteView]) -> Result<(), Refusal> {
     let text = serde_json::to_string_pretty(&NotesFile { notes: notes.to_vec() }).map_err(damaged)? + "\n";
     let written = FreshFile::write_whole(place, text.as_bytes(), true);
-    written.map_err(|error| damaged(format!("{NOTES} cannot be written: {error}")))
+    written.map_err(|error| damaged(format!("Cannot write {NOTES}: {error}")))
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@ pub async fn file(uri: Uri) -> Response {
         path => path.trim_start_matches('/'),
     };
     let Some(file) = PAGE.get_file(name) else {
-        return (StatusCode::NOT_FOUND, "There is no such page.").into_response();
+        return (StatusCode::NOT_FOUND, "This page does not exist.").into_response();
     };
     // The names of what is built say what is in it; the beginning says which of them there are.
     let cache = if name.starts_with("assets/") { "public, max-age=31536000, immutable" } else { "no-cache" };

@@ -39,28 +39,29 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::{Duration, Instant, SystemTime};
 
-/// So many runs stay open: two side by side, and the one looked at before (ours).
+/// Number of runs that stay open (our choice): two next to each other, and the previous one.
 const MOST_OPEN: usize = 3;
 
-/// So much is remembered of runs for their list (ours): some hundred bytes each.
+/// Number of items that are remembered for the list of runs (our choice): some hundred bytes each.
 const MOST_LISTED: usize = 20_000;
 
-/// So long is waited for the log of a run that is opened (ours): most are read by then, and what is wrong with them is said at once.
+/// Time to wait for the log of a run that is opened (our choice): most are read by then, and their problems are
+/// reported at once.
 const OPENS_WITHIN: Duration = Duration::from_millis(800);
 
-/// So many spans of activities are told of a whole run; of a year they would be tens of thousands (ours).
+/// Largest number of spans of activities of a whole run (our choice). A year would have tens of thousands.
 const MOST_SPANS: usize = 6000;
 
-/// The same activity again after no longer than this is one (ours).
+/// Gap within which the same activity counts as one (our choice).
 const PAUSE: Micros = 60 * SECOND;
 
 const HOUR: Micros = 3600 * SECOND;
 
-/// An answer about a day is on its way after no longer than this and an hour's reading (ours); what it had no time for is asked for
-/// next.
+/// Time after which an answer about a day is sent, in addition to an hour's reading (our choice). The page requests the
+/// rest next.
 const PIECE: Duration = Duration::from_millis(150);
 
-/// So many movements are in an answer, and an hour's more (ours).
+/// Largest number of movements in an answer, in addition to an hour's (our choice).
 const MOST_MOVEMENTS: usize = 20_000;
 
 /// What a run's truth is called in its folder.
@@ -300,7 +301,7 @@ impl Playback {
                 Some(reading)
             }
             (None, None) => {
-                view.remarks.push("There is no log in its folder.".into());
+                view.remarks.push("The folder of this run has no log.".into());
                 None
             }
         };

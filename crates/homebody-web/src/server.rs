@@ -26,7 +26,7 @@ use tower_http::timeout::RequestBodyTimeoutLayer;
 
 pub use crate::guard::SOCKET;
 
-/// So many pages may look at once (ours).
+/// Largest number of connected pages (our choice).
 const MOST_PAGES: usize = 32;
 
 /// What pages are of.
@@ -76,13 +76,14 @@ pub struct Address<'a> {
 
 /// Where free ports are looked for first.
 pub const FIRST_PORT: u16 = 8642;
-/// How long is waited at the end for answers that are on their way (ours).
+/// Time to wait at the end for answers on their way (our choice).
 const FAREWELL: Duration = Duration::from_millis(500);
-/// How long the file stands that leads a browser to the page, if none comes (ours).
+/// Lifetime of the file that leads a browser to the page (our choice).
 const DOORWAY: Duration = Duration::from_secs(60);
-/// How many bytes of an answer the system keeps for who does not read them (ours): else it would be megabytes for each.
+/// Bytes of an answer that the system buffers for a page that does not read them (our choice). The default is megabytes
+/// for each page.
 const MOST_SENT_AHEAD_BYTES: u32 = 256 << 10;
-/// How many may have come and not been let in yet (ours).
+/// Largest number of connections that wait to be accepted (our choice).
 const MOST_WAITING: u32 = 1024;
 /// How many ports are tried.
 const PORTS: u16 = 20;
@@ -150,7 +151,7 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
     served
 }
 
-/// What is no longer is sent as it is, in bytes (ours): packing would save no packet.
+/// Largest size in bytes of data that is sent uncompressed (our choice): compression would save no packet.
 const LONGEST_PLAIN_BYTES: u64 = 1024;
 
 /// Whether an answer gets shorter when it is packed: text of any kind and MessagePack do; files of runs and pictures are taken as

@@ -151,7 +151,7 @@ const CONDITIONS: &str = "conditions";
 /// How the names of pictures end that the page shows.
 const PICTURES: [&str; 4] = [".png", ".jpg", ".jpeg", ".svg"];
 
-/// No file's name is longer (ours).
+/// Largest number of characters of a file's name (our choice).
 const LONGEST_NAME: usize = 100;
 
 /// Whether it is one of the files that people write.

@@ -15,16 +15,16 @@ use std::time::Duration;
 use tokio::sync::{Semaphore, watch};
 use tokio::time::{Instant, interval, sleep_until, timeout};
 
-/// A message of a page is no longer than this (ours).
+/// Largest size of a page's message (our choice).
 const LONGEST_MESSAGE_BYTES: usize = 64 << 10;
 
 /// No page sees more pictures than sixty a second.
 const FRAME: Duration = Duration::from_micros(16_000);
 
-/// How many rows come with a picture at most: as many as a table shows (ours).
+/// Largest number of rows with a picture (our choice): as many as a table shows.
 const MOST_ROWS: usize = 500;
 
-/// Who does not say the token by then is sent away (ours).
+/// Time within which a page has to send the token (our choice).
 const LONGEST_HELLO: Duration = Duration::from_secs(10);
 
 /// What a socket is closed with whose token is wrong.
@@ -36,7 +36,7 @@ const TOO_MANY: u16 = 1013;
 /// What a socket is closed with whose home is not there, or not any more.
 const NO_HOME: u16 = 4404;
 
-/// A page that has not read what was sent to it for so long is gone (ours).
+/// Time without reading after which a page is disconnected (our choice).
 const LONGEST_UNREAD: Duration = Duration::from_secs(900);
 
 /// Takes a socket of our own page, which is shown what there is once it has said the token.
@@ -48,7 +48,7 @@ pub fn upgraded<F: Future<Output = ()> + Send>(
     show: impl FnOnce(WebSocket, Visit) -> F + Send + 'static,
 ) -> Response {
     if !guard.is_socket_from_us(headers) {
-        return (StatusCode::FORBIDDEN, "Only its own page may ask this server.").into_response();
+        return (StatusCode::FORBIDDEN, "This server answers requests from its own page only.").into_response();
     }
     let upgrade = upgrade.max_message_size(LONGEST_MESSAGE_BYTES).max_frame_size(LONGEST_MESSAGE_BYTES);
     upgrade.on_upgrade(async move |socket| {
@@ -83,12 +83,12 @@ pub async fn serve(socket: WebSocket, visit: Visit, pages: &Semaphore, stage: &S
 
 /// Tells a page that there is no such home, or not any more.
 pub async fn close_without_home(socket: WebSocket) {
-    close(socket, NO_HOME, "there is no such home").await;
+    close(socket, NO_HOME, "this home does not exist").await;
 }
 
 /// Tells a page that it may try again later.
 pub async fn close_for_now(socket: WebSocket) {
-    close(socket, TOO_MANY, "too much is looked at already").await;
+    close(socket, TOO_MANY, "too many pages are open").await;
 }
 
 /// The socket again once its page has said the token; else it is closed.
@@ -140,8 +140,7 @@ impl Drop for Held {
 
 /// The answer to a page that says more than the run can do.
 fn busy() -> Tell {
-    let text =
-        "The run has not done yet what it was told before, and has not heard the rest: say it again a little later.";
+    let text = "The run is still busy with earlier commands and dropped this one. Try again a little later.";
     Tell::Note { text: text.into(), bad: true }
 }
 

@@ -27,16 +27,16 @@ use wishes::{Heard, Next, Speakers, Wish, wishes};
 /// How often the run is advanced, and looked at.
 const FRAME: Duration = Duration::from_micros(16_667);
 
-/// How long wishes are done before the next picture.
+/// Time for commands before the next picture.
 const LONGEST_TURN: Duration = Duration::from_millis(100);
 
 /// How often a paused run looks after its log.
 const IDLE: Duration = Duration::from_millis(250);
 
-/// How many of the latest rows a page may still ask for (ours).
+/// Number of the latest rows that a page may request (our choice).
 const MOST_ROWS: usize = 2000;
 
-/// How many of the latest notes (ours).
+/// Number of the latest notes (our choice).
 const MOST_NOTES: usize = 20;
 
 /// The run that everybody looks at. A clone is another view of the same.
@@ -219,7 +219,7 @@ fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
 /// What is made, or why not in words, also where making it panics.
 fn caught<T>(make: impl FnOnce() -> Result<T, Unbegun>) -> Result<T, Unbegun> {
     let broken = |broken: Box<dyn Any + Send>| {
-        Unbegun::Why(format!("That cannot be begun, by a mistake of the program: {}.", said(&*broken)))
+        Unbegun::Why(format!("Cannot start the run because of an error in Homebody: {}.", said(&*broken)))
     };
     catch_unwind(AssertUnwindSafe(make)).unwrap_or_else(|why| Err(broken(why)))
 }
@@ -227,7 +227,7 @@ fn caught<T>(make: impl FnOnce() -> Result<T, Unbegun>) -> Result<T, Unbegun> {
 /// The message of a panic.
 fn said(broken: &(dyn Any + Send)) -> String {
     let text = broken.downcast_ref::<&str>().copied().or_else(|| broken.downcast_ref::<String>().map(String::as_str));
-    text.unwrap_or("it does not say where").trim_end_matches('.').to_owned()
+    text.unwrap_or("no details").trim_end_matches('.').to_owned()
 }
 
 /// Who decides when the run is advanced, and how far.
@@ -315,7 +315,7 @@ impl Director {
     fn obey(&mut self, say: Say) {
         match say {
             Say::Start { seed: Some(seed), .. } if seed >= 1 << 53 => {
-                self.note("a seed is below 2 to the power of 53".into(), true);
+                self.note("A seed must be below 2 to the power of 53.".into(), true);
             }
             Say::Start { driven, without, seed } => {
                 let is_driven = driven.is_some();
@@ -350,11 +350,11 @@ impl Director {
             Say::Step { seconds } if seconds.is_finite() && (0.0..=86_400.0).contains(&seconds) => {
                 self.pace.jump(now, now + micros(seconds), true);
             }
-            Say::Step { .. } => self.note("a step is at most a day long".into(), true),
+            Say::Step { .. } => self.note("A step is at most a day long.".into(), true),
             Say::Speed { times: None } => self.pace.set_speed(now, Speed::Max),
             Say::Speed { times: Some(times) } => match Speed::times(times) {
                 Some(speed) => self.pace.set_speed(now, speed),
-                None => self.note("a speed is from 0.1 to 1000 times".into(), true),
+                None => self.note("The speed must be between 0.1 and 1000.".into(), true),
             },
             Say::Jump { to_us } => {
                 let to = to_us.clamp(0, act.length());
@@ -384,7 +384,7 @@ impl Director {
                 }
                 if let Some(name) = ends {
                     let text = format!(
-                        "Going back ended {name}, which is kept as far as it came; from here on another run is recorded."
+                        "Going back stopped {name}, which stays in Playback. From here on, Homebody records a new run."
                     );
                     self.note(text, false);
                 }
@@ -446,11 +446,11 @@ impl Director {
         let kept = catch_unwind(AssertUnwindSafe(|| self.act.as_mut().map_or(Ok(None), StagedRun::give_up)));
         let kept = kept.unwrap_or_else(|broken| Err(said(&*broken)));
         let kept = match kept {
-            Ok(Some(stored)) => format!("What it had come to is kept: {stored}"),
-            Ok(None) => String::from("It had no files of its own to complete."),
-            Err(why) => format!("What it had stored is kept as it was; it could not be completed: {why}"),
+            Ok(Some(stored)) => format!("Its data up to here is saved: {stored}"),
+            Ok(None) => String::from("It had no files to complete."),
+            Err(why) => format!("Its stored data is kept, but incomplete: {why}"),
         };
-        let text = format!("The run broke, by a mistake of the program: {why}. {kept} Another run can be begun.");
+        let text = format!("The run stopped because of an error in Homebody: {why}. {kept} You can start a new run.");
         self.is_broken = true;
         self.pace.pause(self.now());
         let mut board = locked(&self.board);

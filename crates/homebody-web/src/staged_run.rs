@@ -68,8 +68,8 @@ impl Unbegun {
             Unbegun::Why(why) => Tell::Unbegun { why: why.clone(), problems: Vec::new() },
             Unbegun::Problems(problems) => {
                 let why = match problems.len() {
-                    1 => "No run can be begun: something is wrong with the scenario.".to_owned(),
-                    count => format!("No run can be begun: {count} things are wrong with the scenario."),
+                    1 => "Cannot start a run: the scenario has a problem.".to_owned(),
+                    count => format!("Cannot start a run: the scenario has {count} problems."),
                 };
                 Tell::Unbegun { why, problems: desk::problems(problems) }
             }
@@ -126,13 +126,13 @@ struct Moment {
     activities: Vec<Option<String>>,
 }
 
-/// How far apart moments are kept at first (ours): to live them takes some milliseconds.
+/// Initial distance between saved moments (our choice): a simulation between them takes some milliseconds.
 const MOMENTS: Micros = 4 * DAY;
 
-/// So much is lived at once, at most (ours).
+/// Longest stretch that is simulated at once (our choice).
 const LONGEST_STRETCH: Micros = 60 * SECOND;
 
-/// So much before where one goes back to is lived, too, for the rows that are shown (ours).
+/// Time before the chosen moment that is simulated, too, for the rows that are shown (our choice).
 const SHOWN_BEFORE: Micros = 6 * 3600 * SECOND;
 
 struct Written {
@@ -220,7 +220,7 @@ impl StagedRun {
     pub fn again(recording: Recording) -> Result<StagedRun, Unbegun> {
         if !recording.lives_again() {
             let moved = recording.own_drivers.join(", ");
-            return Err(format!("It cannot be lived again: a driver of another program has moved {moved}.").into());
+            return Err(format!("Cannot replay this run: a driver of another program moved {moved}.").into());
         }
         let (scenario, household) = Household::recorded(&recording)?;
         let run = recording.run(&scenario, &household);
@@ -476,7 +476,7 @@ impl StagedRun {
             let is_same = self.digest.firings() == self.recording.firings && self.digest.hex() == self.recording.sha256;
             return match (is_whole, is_same) {
                 (false, _) => Ok(None),
-                (true, true) => Ok(Some("The same as the recording, firing by firing.".into())),
+                (true, true) => Ok(Some("The replay matches the recording, event by event.".into())),
                 (true, false) => Err("The replay differs from the recording.".into()),
             };
         }
@@ -504,7 +504,7 @@ impl StagedRun {
         let (stored, recording) = end(log, now, recording, furthest).map_err(|error| error.to_string())?;
         self.recording = recording;
         let folder = self.folder().map(|folder| folder.display().to_string());
-        Ok(Some(format!("{} rows are in {}.", stored.rows, folder.unwrap_or_default())))
+        Ok(Some(format!("Stored {} rows in {}.", stored.rows, folder.unwrap_or_default())))
     }
 
     /// What the run looks like now; rows are apart.

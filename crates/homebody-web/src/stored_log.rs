@@ -11,7 +11,7 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
 
-/// So many rows of a log are kept (ours): 1.6 GB on disk, forty years of a home's.
+/// Largest number of rows of a log that are stored (our choice): 1.6 GB on disk, forty years of a home's.
 pub const MOST_ROWS: u64 = 100_000_000;
 
 /// Why there is no answer, in a sentence.
@@ -114,7 +114,7 @@ impl StoredRows {
     pub fn flush(&mut self, log: &mut Log, most: u64) -> Result<(), LogError> {
         self.file.flush().map_err(unwritten)?;
         if log.rows > self.count && self.count >= most {
-            log.remarks.push(format!("The log has {} rows, of which the first {most} are shown.", log.rows));
+            log.remarks.push(format!("The log has {} rows. Only the first {most} are shown.", log.rows));
         }
         Ok(())
     }
@@ -177,7 +177,7 @@ pub fn told_of(log: &Log) -> Vec<String> {
     let mut remarks = log.remarks.clone();
     if let Some(first) = log.problems.first() {
         let why = shortened(&first.why);
-        remarks.push(format!("{} lines of the log were skipped; line {}: {why}", log.skipped, first.line));
+        remarks.push(format!("Skipped {} lines of the log; line {}: {why}", log.skipped, first.line));
     }
     remarks
 }
@@ -209,7 +209,7 @@ mod tests {
         let rows: String = (10..30).map(|s| format!("{} 09:00:{s},hall motion,ON\n", &start[..10])).collect();
         fs::write(&file, format!("time,sensor,value\n{rows}")).unwrap();
         let url: Url = format!("csv:{}", file.display()).parse().unwrap();
-        for (most, remarks) in [(20, vec![]), (7, vec!["The log has 20 rows, of which the first 7 are shown."])] {
+        for (most, remarks) in [(20, vec![]), (7, vec!["The log has 20 rows. Only the first 7 are shown."])] {
             let days = crate::dates::all(&scenario.calendar, 86_400 * SECOND);
             let count = days.len();
             let mut all =

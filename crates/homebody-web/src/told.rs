@@ -17,7 +17,8 @@ use homebody_log::places::TRUTH;
 use homebody_picture::{density_map, look_page, realism_page};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// So many rows of a log are judged (ours): some years of a home's. They are in memory meanwhile.
+/// Largest number of rows of a log that are analysed (our choice): some years of a home's. They are in memory
+/// meanwhile.
 const MOST_ROWS: usize = 5_000_000;
 
 /// The logs of a shelf's runs. A clone is the same.
@@ -36,7 +37,7 @@ struct ToldCare {
     care: CareView,
 }
 
-/// So many are kept (ours).
+/// Largest number of results that are stored (our choice).
 const MOST_TOLD: usize = 4;
 
 /// Which log of a run.
@@ -84,14 +85,16 @@ impl Logs {
         let mut read = LogWithRun::alone(named, zone, MOST_ROWS).map_err(|error| self.wrong(&error))?;
         if read.log.rows > MOST_ROWS as u64 {
             let rows = read.log.rows;
-            return Err(Refusal::Damaged(format!("{run} has {rows} rows; the page takes {MOST_ROWS} at most.")));
+            return Err(Refusal::Damaged(format!(
+                "{run} is too long for this page: it has {rows} rows, and the limit is {MOST_ROWS}."
+            )));
         }
         scenario.iter().for_each(|scenario| _ = read.place_in(scenario));
         let measures = read.measures().map_err(|why| Refusal::Damaged(shortened(&why.to_string())))?;
         let rules = Rules::read(USUAL).map_err(|problems| Refusal::Damaged(shortened(&problems.join("; "))))?;
         let subject = read.subject();
         let person = if read.residents().len() > 1 { "the residents" } else { &subject };
-        let care = CareView::of(&care(&measures, &rules, &subject), &rules, (run, person), self.walks(run));
+        let care = CareView::of(&care(&measures, &rules, &subject), (run, person), self.walks(run));
         told.retain(|known| known.care.name != run);
         told.truncate(MOST_TOLD - 1);
         told.insert(0, ToldCare { files, care: care.clone() });
@@ -139,7 +142,9 @@ impl Logs {
         let rows = named.survey().map_err(|error| self.wrong(&error))?.rows;
         if rows > MOST_ROWS as u64 {
             let name = &named.name;
-            return Err(Refusal::Damaged(format!("{name} has {rows} rows; the page compares {MOST_ROWS} at most.")));
+            return Err(Refusal::Damaged(format!(
+                "{name} is too long to compare here: it has {rows} rows, and the limit is {MOST_ROWS}."
+            )));
         }
         let zone = scenario.file.time_zone.as_str();
         let mut read = LogWithRun::of(named, Some(zone)).map_err(|error| self.wrong(&error))?;
@@ -160,7 +165,7 @@ impl Logs {
             Some(walked) => given(walked)?,
             None => {
                 let mut found = NamedLog::find(&folder.to_string_lossy()).map_err(|error| self.wrong(&error))?;
-                found.name = if walked.is_some() { "what was lived again" } else { run }.to_owned();
+                found.name = if walked.is_some() { "the run simulated from it" } else { run }.to_owned();
                 found
             }
         };

@@ -19,16 +19,16 @@ use tokio::net::TcpStream;
 use tokio::sync::watch;
 use tokio::time::{Instant, Sleep, sleep, timeout_at};
 
-/// So many strangers are connected at once (ours).
+/// Largest number of connections without a token (our choice).
 pub const MOST_STRANGERS: usize = 256;
 
-/// So many connections of those who have shown the token (ours). Who comes beyond them stays a stranger.
+/// Largest number of connections with a token (our choice). Those beyond it count as connections without one.
 const MOST_KNOWN: usize = 256;
 
-/// A stranger goes after so long (ours).
+/// Time after which a connection without a token is closed (our choice).
 const LONGEST_VISIT: Duration = Duration::from_secs(30);
 
-/// Who takes nothing of an answer for so long is gone (ours).
+/// Time without reading an answer after which a connection is closed (our choice).
 pub const LONGEST_UNTAKEN: Duration = Duration::from_secs(60);
 
 /// The places of all who are connected. A clone has the same places.

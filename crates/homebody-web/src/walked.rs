@@ -11,7 +11,7 @@ use homebody_log::source::Clock;
 use homebody_log::{RunClock, plain};
 use std::path::{Path, PathBuf};
 
-/// A shorter stay in a room is none that anybody goes to (ours).
+/// Stay below which a room is not a destination (our choice).
 const LEAST_STAY: Micros = 10 * SECOND;
 
 /// The folder of a log that was walked back.

@@ -20,16 +20,16 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
-/// No larger log is opened in the page, in bytes (ours).
+/// Largest log that the page opens, in bytes (our choice).
 pub const LARGEST_LOG_BYTES: u64 = 64 << 20;
 
-/// No log with more rows (ours): they take a minute or two.
+/// Largest number of rows of such a log (our choice): they take a minute or two.
 const MOST_ROWS: usize = 1_000_000;
 
-/// None of more days (ours).
+/// Largest number of days of such a log (our choice).
 const MOST_DAYS: i64 = 1100;
 
-/// How long is waited at the end for a log that is being walked back (ours).
+/// Time to wait at the end for a log that is being located (our choice).
 const LONGEST_FAREWELL: Duration = Duration::from_secs(2);
 
 /// What a log is called whose file has no name that can be kept.
@@ -178,7 +178,7 @@ impl Coming {
         thread::spawn(move || {
             let hidden = folder.path().to_owned();
             let walk = || walks.make(&hidden, &log, &home, &cancel);
-            let broken = || Error::Translation("it cannot be walked back, by a mistake of the program".into());
+            let broken = || Error::Translation("cannot locate people because of an error in Homebody".into());
             let ended = catch_unwind(AssertUnwindSafe(walk)).unwrap_or_else(|_| Err(broken()));
             // First all is tidy, then it is told.
             drop(folder);
@@ -194,7 +194,7 @@ impl Drop for Coming {
             drop(folder);
             let why = match self.cancel.is_cancelled() {
                 true => Error::Cancelled,
-                false => Error::Translation("not all of the log has come".into()),
+                false => Error::Translation("the log arrived incomplete".into()),
             };
             self.walks.end(Err(why), &hidden);
         }
@@ -256,11 +256,11 @@ impl Walks {
 }
 
 fn small_enough(read: &LogWithRun) -> Result<(), Error> {
-    const HINT: &str = "hint: open a part of it, or use homebody translate, which has no such limit";
+    const HINT: &str = "hint: open a part of the log, or use homebody locate, which has no limit";
     let rows = read.log.events.len();
     if rows > MOST_ROWS {
         return Err(Error::Translation(
-            format!("the log has {rows} rows; the page takes {MOST_ROWS} at most\n  {HINT}").into(),
+            format!("the log has {rows} rows; the limit of the page is {MOST_ROWS}\n  {HINT}").into(),
         ));
     }
     let times = || read.log.events.iter().map(|event| event.at);
@@ -268,7 +268,7 @@ fn small_enough(read: &LogWithRun) -> Result<(), Error> {
     if span > MOST_DAYS * DAY {
         let days = counted((span / DAY) as usize, "day", "days");
         return Err(Error::Translation(
-            format!("the log goes over {days}; the page takes {MOST_DAYS} at most\n  {HINT}").into(),
+            format!("the log covers {days}; the limit of the page is {MOST_DAYS}\n  {HINT}").into(),
         ));
     }
     Ok(())

@@ -9,9 +9,9 @@ use homebody_log::LogError;
 use std::fmt::Display;
 use std::path::Path;
 
-/// What the exit codes of every command say.
+/// The exit codes of every command.
 pub const EXIT_CODES: &str =
-    "Exit codes: 0 done, 1 a file could not be read or written, 2 what was asked or written is wrong";
+    "Exit codes: 0 success, 1 a file could not be read or written, 2 an argument or a file is invalid";
 
 /// Why a command ended early.
 pub enum Failure {

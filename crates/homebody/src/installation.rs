@@ -11,13 +11,13 @@ use std::env;
 use std::io::{IsTerminal, stderr, stdout};
 use std::path::Path;
 
-/// A clock that says an earlier year was never set (ours): this program is from then.
+/// A clock with an earlier year was never set (our choice): this program is from this year.
 const FIRST_YEAR: i16 = 2026;
 
-/// One that says a later year is wrong (ours).
+/// A clock with a later year is wrong (our choice).
 const LAST_YEAR: i16 = 2100;
 
-/// Less room on the disk is warned of (ours): a year of a home takes some 150 MB.
+/// Doctor warns of less free space (our choice): a year of a home takes about 150 MB.
 const LEAST_BYTES: u64 = 1 << 30;
 
 /// All that there is to say; runs go into `folder`.
@@ -49,7 +49,7 @@ fn features() -> Check {
         false => Check::warning(
             "features",
             format!("built without {}", absent.join(", ")),
-            format!("where they are wanted: cargo install --path crates/homebody --features {}", absent.join(",")),
+            format!("to add them: cargo install --path crates/homebody --features {}", absent.join(",")),
         ),
     }
 }
@@ -59,7 +59,7 @@ fn page() -> Check {
         true => Check::ok("page", "homebody serve has its page"),
         false => Check::warning(
             "page",
-            "homebody serve has no page, for it could not be built; all else works",
+            "homebody serve has no page, because the build could not make it; everything else works",
             "install Node.js 20.19 or newer with npm, touch web/package.json, and build again",
         ),
     }
@@ -67,7 +67,7 @@ fn page() -> Check {
 
 fn database() -> Check {
     match sqlite_version() {
-        Ok(version) => Check::ok("database", format!("SQLite {version} keeps and gives back rows")),
+        Ok(version) => Check::ok("database", format!("SQLite {version} writes and reads rows")),
         Err(error) => Check::of_error("database", &error),
     }
 }
@@ -75,21 +75,17 @@ fn database() -> Check {
 fn zones() -> Check {
     let is_known = ["America/Chicago", "Europe/Berlin", "Asia/Kolkata"].iter().all(|zone| Calendar::zone(zone).is_ok());
     match is_known {
-        true => Check::ok("time zones", "they are built in"),
-        false => Check::wrong("time zones", "this build knows none", "build it with its time zones"),
+        true => Check::ok("time zones", "built in"),
+        false => Check::wrong("time zones", "this build has no time zones", "build it with its time zones"),
     }
 }
 
 fn clock(now: Timestamp) -> Check {
     let at = now.to_zoned(TimeZone::UTC);
-    let says = format!("it says {} in UTC", at.strftime("%Y-%m-%d %H:%M:%S"));
+    let says = format!("{} in UTC", at.strftime("%Y-%m-%d %H:%M:%S"));
     match at.year() {
         FIRST_YEAR..LAST_YEAR => Check::ok("clock", says),
-        _ => Check::wrong(
-            "clock",
-            says,
-            "set it, best by the network: a home on the world's clock would live at another time",
-        ),
+        _ => Check::wrong("clock", says, "set the clock, best by the network: a home in real time depends on it"),
     }
 }
 
@@ -102,11 +98,11 @@ fn room(folder: &Path) -> Vec<Check> {
     let told = there.display();
     let mut checks = Vec::new();
     checks.push(match access(there, AccessFlags::W_OK | AccessFlags::X_OK) {
-        Ok(()) => Check::ok("folder", format!("{told} may be written")),
+        Ok(()) => Check::ok("folder", format!("{told} is writable")),
         Err(why) => Check::wrong(
             "folder",
-            format!("{told} may not be written: {}", why.desc()),
-            "go to a folder of yours, or name another: --out",
+            format!("{told} is not writable: {}", why.desc()),
+            "change to a folder of yours, or name another with --out",
         ),
     });
     if let Ok(found) = statvfs(there) {
@@ -117,13 +113,13 @@ fn room(folder: &Path) -> Vec<Check> {
             found.files_available() as u64,
             found.files() as u64,
         );
-        let says = format!("{:.1} GB are free in {told}", free as f64 / 1e9);
+        let says = format!("{:.1} GB free in {told}", free as f64 / 1e9);
         checks.push(match free {
             _ if all > 0 && files == 0 => {
-                Check::wrong("room", format!("no more files can be made in {told}"), "remove some")
+                Check::wrong("room", format!("{told} can hold no more files"), "remove some files")
             }
             LEAST_BYTES.. => Check::ok("room", says),
-            _ => Check::warning("room", says, "a year of a home takes some 150 MB: make room"),
+            _ => Check::warning("room", says, "free some space: a year of a home takes about 150 MB"),
         });
     }
     checks
@@ -139,13 +135,11 @@ fn terminal() -> Check {
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"].iter().find_map(|name| says(name)).unwrap_or_default();
     let is_utf8 = locale.to_lowercase().replace('-', "").contains("utf8");
     match (stdout().is_terminal() || stderr().is_terminal(), is_utf8 || cfg!(not(unix))) {
-        (false, _) => Check::ok("terminal", "there is none: progress is not drawn"),
-        (true, true) => Check::ok("terminal", "it is one, in UTF-8"),
-        (true, false) => Check::warning(
-            "terminal",
-            "its texts may not be in UTF-8, so that names such as Öz look odd",
-            "export LANG=C.UTF-8",
-        ),
+        (false, _) => Check::ok("terminal", "none; progress is not drawn"),
+        (true, true) => Check::ok("terminal", "UTF-8"),
+        (true, false) => {
+            Check::warning("terminal", "not UTF-8: names such as Öz may look wrong", "export LANG=C.UTF-8")
+        }
     }
 }
 

@@ -44,7 +44,7 @@ pub fn span(text: &str) -> Result<Micros, String> {
     };
     let span = micros(number * unit);
     let is_span = span > 0 && span <= LONGEST;
-    is_span.then_some(span).ok_or_else(|| "it must be longer than 0 and at most 100 years".into())
+    is_span.then_some(span).ok_or_else(|| "a duration is longer than 0 and at most 100 years".into())
 }
 
 /// A number and a unit that is known.

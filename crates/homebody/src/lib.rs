@@ -1,68 +1,105 @@
-//! The command `homebody`: a table of contents. Each command is a file in `commands`. The program is `main.rs`; whoever has it inside of
-//! another program, as Python has, calls [`run`].
+//! The command `homebody`: a table of contents. Each command is a file in `commands`. `main.rs` is the program; the Python package
+//! calls [`run`].
 
 mod commands;
 mod failure;
 mod installation;
 mod length;
 pub mod messages;
+mod old_names;
 mod pace;
 mod print;
 mod progress;
 mod signals;
 mod start;
+mod suggestions;
 mod prometheus;
 mod watched;
 
+pub use commands::groups::GROUPS as COMMAND_GROUPS;
+
 use clap::error::{ContextKind, ContextValue};
-use clap::{CommandFactory, Parser};
-use commands::Command;
+use clap::{CommandFactory, FromArgMatches, Parser};
+use commands::{Command, groups};
 use failure::{EXIT_CODES, Failure};
 use homebody_core::problem::{Diagnostic, counted};
 use homebody_core::scenario::scheme::without_password;
 use homebody_kit::{TRUST, VERSION};
-use print::{Told, tell, tell_as};
+use print::{LogFormat, tell, tell_as};
 use std::ffi::OsString;
 
-/// Simulates homes wired with sensors and the people who live in them.
+/// Simulate homes with sensors and their older residents.
 #[derive(Parser)]
-#[command(version = VERSION, arg_required_else_help = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES},\n{SIGNALS}"))]
+#[command(
+    version = VERSION,
+    arg_required_else_help = true,
+    after_help = "homebody help COMMAND explains a command, with examples.",
+    after_long_help = format!("{EXAMPLES}\n\n{EXIT_CODES},\n{SIGNALS}")
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
-    /// How what is said besides is told on standard error
-    #[arg(long = "log", global = true, value_enum, default_value_t, value_name = "FORM")]
-    told: Told,
+    /// How to write progress, notes and errors to standard error
+    #[arg(long, global = true, value_enum, default_value_t, value_name = "FORM")]
+    log_format: LogFormat,
 }
 
 const EXAMPLES: &str = "\
 Examples:
-  homebody new my-home --template tigerplace   start from an apartment that works
-  homebody check my-home                       everything that is wrong with it, at once
-  homebody run my-home                         live it, into SQLite
-  homebody coverage my-home --png map.png      see what the sensors see";
+  homebody new my-home --template tigerplace   make a scenario from a template
+  homebody check my-home                       list all its problems at once
+  homebody run my-home                         simulate it; write log and ground truth
+  homebody coverage my-home --png map.png      draw what the sensors see
+  homebody help run                            explain a command";
 
 const SIGNALS: &str =
-    "129, 130 or 143 a run was ended early by SIGHUP, SIGINT or SIGTERM, and what was lived is stored.";
+    "129, 130 or 143 SIGHUP, SIGINT or SIGTERM ended a run early; what was simulated until then is stored.";
 
-/// Does what the words of a command line ask for, of which the first is the program's name. Returns the exit code; nothing else may
-/// have begun a thread before.
+/// The whole command line: commands in groups, and old names as aliases.
+pub fn command() -> clap::Command {
+    let whole = old_names::with_aliases(Arguments::command());
+    let template = groups::template(&whole);
+    whole.help_template(template)
+}
+
+fn parse<'a>(words: impl IntoIterator<Item = &'a OsString>) -> Result<Arguments, clap::Error> {
+    let mut matches = command().try_get_matches_from(words)?;
+    Arguments::from_arg_matches_mut(&mut matches).map_err(|error| error.format(&mut command()))
+}
+
+/// Runs the command of a command line, whose first word is the program's name. Returns the exit code. No thread may run before.
 pub fn run(words: Vec<OsString>) -> u8 {
     signals::outlive_full_files();
     homebody_kit::elsewhere::install_all();
-    let arguments = match Arguments::try_parse_from(&words) {
+    let words = without_help_of_help(words);
+    let notes = old_names::notes(&command(), &words);
+    let arguments = match parse(&words) {
         Ok(arguments) => arguments,
-        Err(error) => return refuse(&with_meant(error, &words), &words),
+        Err(error) => {
+            notes.iter().for_each(tell);
+            return refuse(&with_meant(error, &words), &words);
+        }
     };
-    tell_as(arguments.told);
-    match arguments.command.run(Arguments::command) {
+    tell_as(arguments.log_format);
+    notes.iter().for_each(tell);
+    match arguments.command.run(command) {
         Ok(()) => 0,
         Err(failure) => report(&failure),
     }
 }
 
-/// The error, with a tip that works: where clap proposes an argument that is refused, too, that one's tips stand in its place.
-fn with_meant(mut error: clap::Error, words: &[OsString]) -> clap::Error {
+/// `help --help` and `help run --help` are `help` and `help run`: clap knows no help of its command `help`.
+fn without_help_of_help(mut words: Vec<OsString>) -> Vec<OsString> {
+    if words.get(1).is_some_and(|word| word == "help") {
+        words.retain(|word| word != "--help" && word != "-h");
+    }
+    words
+}
+
+/// The error with a tip that works. If clap proposes an argument that is refused, too, the tips of that one replace it.
+fn with_meant(error: clap::Error, words: &[OsString]) -> clap::Error {
+    let first = words.iter().skip(1).map(|word| word.to_string_lossy()).find(|word| !word.starts_with('-'));
+    let mut error = suggestions::with_command(error, &command(), &first.unwrap_or_default());
     let text = |value: Option<&ContextValue>| match value {
         Some(ContextValue::String(text)) => Some(text.clone()),
         _ => None,
@@ -74,7 +111,7 @@ fn with_meant(mut error: clap::Error, words: &[OsString]) -> clap::Error {
         Some(value) if value.starts_with('=') => OsString::from(format!("{meant}{value}")),
         _ => word.clone(),
     };
-    let Err(other) = Arguments::try_parse_from(words.iter().map(replaced)) else { return error };
+    let Err(other) = parse(&words.iter().map(replaced).collect::<Vec<_>>()) else { return error };
     let is_refused = text(other.get(ContextKind::InvalidArg)).is_some_and(|arg| arg.starts_with(&meant));
     if let Some(tips) = other.get(ContextKind::Suggested).filter(|_| is_refused) {
         error.remove(ContextKind::SuggestedArg);
@@ -83,7 +120,7 @@ fn with_meant(mut error: clap::Error, words: &[OsString]) -> clap::Error {
     error
 }
 
-/// Tells what is wrong with the words of the command. They are quoted, but for the passwords that somebody wrote into them.
+/// Prints the problem with a command line and returns the exit code. The message quotes its words without passwords.
 fn refuse(error: &clap::Error, words: &[OsString]) -> u8 {
     let value = |word: String| match word.strip_prefix("--").and_then(|word| word.split_once('=')) {
         Some((_, value)) => value.to_owned(),
@@ -100,7 +137,7 @@ fn refuse(error: &clap::Error, words: &[OsString]) -> u8 {
     2
 }
 
-/// Tells people on standard error, and scripts by the exit code.
+/// Prints a failure to standard error and returns the exit code.
 fn report(failure: &Failure) -> u8 {
     match failure {
         Failure::Problems(problems) => {

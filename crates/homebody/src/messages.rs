@@ -5,13 +5,30 @@ use homebody_core::messages::{Catalogue, Entry};
 /// The messages of all crates, by area.
 pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
     [
-        homebody_core::messages::ALL,
-        homebody_log::MESSAGES,
-        homebody_kit::MESSAGES,
-        &[crate::commands::explain::ExplainMessage::ENTRIES],
+        homebody_core::catalogue::MESSAGES,
+        homebody_log::catalogue::MESSAGES,
+        homebody_kit::catalogue::MESSAGES,
+        &[ExplainMessage::ENTRIES],
     ]
     .into_iter()
     .flatten()
     .copied()
     .flatten()
+}
+
+homebody_core::messages! {
+    /// Errors of `homebody explain`.
+    pub enum ExplainMessage in "explain" {
+        /// Messages have codes such as `log::exists`. No message has the code that was asked for.
+        UnknownCode {
+            /// The code asked for.
+            code: String,
+            /// The most similar code.
+            nearest: Option<String>,
+        } error "unknown-code" ("no message has the code {code:?}")
+            advice (Some(match nearest {
+                Some(nearest) => format!("did you mean {nearest}?"),
+                None => "homebody explain lists all codes".into(),
+            }));
+    }
 }

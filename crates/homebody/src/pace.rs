@@ -1,4 +1,4 @@
-//! How fast a run is asked to go, and who may change that by lines on standard input.
+//! The speed of a run, and commands on standard input that change it.
 
 use crate::failure::Failure;
 use crate::print::tell;
@@ -9,24 +9,25 @@ use std::sync::mpsc::{Receiver, sync_channel};
 use std::thread;
 
 /// The help of `--control`: as a doc comment, its brackets would be a link.
-const CONTROL: &str = "Take commands by lines on standard input: pause, resume, step [SECONDS], speed X, stop. \
-    Each waits until a step before it is done; when the lines end, the run goes on";
+const CONTROL: &str = "Read commands from standard input, one a line: pause, resume, step [SECONDS], speed X, stop. \
+    A command waits for the end of a step before it; the run continues after the last line";
 
-/// No command has a longer line (ours).
+/// Longest line of a command (our choice).
 const LONGEST_COMMAND_BYTES: usize = 200;
 
-/// So many commands wait to be done; who sends more waits, too (ours).
+/// Most commands in the queue (our choice); a sender of more waits.
 const MOST_WAITING: usize = 1000;
 
 /// How fast a run goes, and who may change that.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Speed")]
 pub struct Asked {
-    /// Seconds of the run in a second: 0.1 to 1000, or max. It changes no byte of the log
-    #[arg(long, default_value = "max")]
+    /// Simulated seconds per second: 0.1 to 1000, or max; it does not change the log
+    #[arg(long, value_name = "FACTOR", default_value = "max")]
     speed: Speed,
     #[arg(long, help = CONTROL)]
     control: bool,
-    /// Begin paused, and wait for commands
+    /// Start paused, and wait for commands
     #[arg(long, requires = "control")]
     paused: bool,
 }
@@ -71,7 +72,7 @@ fn next_line(input: &mut impl BufRead) -> io::Result<Option<Result<String, Strin
     }
     if line.len() > LONGEST_COMMAND_BYTES && !line.ends_with(b"\n") {
         input.skip_until(b'\n')?;
-        return Ok(Some(Err(format!("no command is longer than {LONGEST_COMMAND_BYTES} bytes"))));
+        return Ok(Some(Err(format!("a command has {LONGEST_COMMAND_BYTES} bytes at most"))));
     }
     Ok(Some(Ok(String::from_utf8_lossy(&line).trim_end().to_owned())))
 }
@@ -88,7 +89,7 @@ mod tests {
         while let Some(line) = next_line(&mut input).unwrap() {
             said.push(line);
         }
-        let too_long = Err("no command is longer than 200 bytes".to_owned());
+        let too_long = Err("a command has 200 bytes at most".to_owned());
         assert_eq!(said, [too_long, Ok("stop".into()), Ok("\u{fffd}".into()), Ok("last".into())]);
         let longest = "x".repeat(LONGEST_COMMAND_BYTES) + "\nstop";
         let mut input = longest.as_bytes();

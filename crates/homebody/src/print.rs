@@ -28,6 +28,24 @@ fn escaped_json(text: &str) -> Cow<'_, str> {
     escaped(text, |c| c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect())
 }
 
+/// A number with a comma before each three digits.
+pub fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A count with commas and its noun, such as `498,309 rows`.
+pub fn counted(number: u64, one: &str, many: &str) -> String {
+    format!("{} {}", grouped(number), if number == 1 { one } else { many })
+}
+
 /// Prints on standard output; a reader that has gone away is no error.
 pub fn print_text(text: &str) -> Result<(), Failure> {
     use std::io::{ErrorKind, Write};
@@ -64,26 +82,26 @@ pub fn tell_with(text: impl std::fmt::Display, name: &str, figures: &impl serde:
     let _ = writeln!(std::io::stderr().lock(), "{object}");
 }
 
-/// How people, or programs that collect logs, are told something.
+/// The form of progress, notes and errors on standard error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Told {
-    /// As lines of text.
+pub enum LogFormat {
+    /// Lines of text.
     #[default]
     Text,
-    /// As a JSON object a line, with time, level and message.
+    /// One JSON object a line, with time, level and message.
     Json,
 }
 
 static IN_JSON: AtomicBool = AtomicBool::new(false);
 
-/// From now on everything is told like this.
-pub fn tell_as(told: Told) {
-    IN_JSON.store(told == Told::Json, Ordering::Relaxed);
+/// Sets the form of all later messages.
+pub fn tell_as(form: LogFormat) {
+    IN_JSON.store(form == LogFormat::Json, Ordering::Relaxed);
 }
 
 /// What is told as an object.
 fn as_json(text: &str, now: Timestamp) -> serde_json::Value {
-    let levels = [("error: ", "error"), ("warning: ", "warning")];
+    let levels = [("error: ", "error"), ("warning: ", "warning"), ("note: ", "info")];
     let named = levels.iter().find_map(|(begins, level)| Some((text.strip_prefix(begins)?, *level)));
     let (message, level) = named.unwrap_or((text, "info"));
     serde_json::json!({ "time": now.to_string(), "level": level, "message": message })

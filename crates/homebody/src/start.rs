@@ -31,7 +31,7 @@ impl FromStr for Start {
         let at = if text.len() > 10 { text.parse::<DateTime>() } else { date };
         match at {
             Ok(at) if is_plain => Ok(Start::At(at)),
-            _ => Err("it is no date and time\n  hint: write now, today, 2026-11-01 or 2026-11-01T08:00".into()),
+            _ => Err("not a date and time\n  hint: write now, today, 2026-11-01 or 2026-11-01T08:00".into()),
         }
     }
 }

@@ -15,9 +15,8 @@ use std::sync::PoisonError;
 /// Where numbers are asked for.
 #[derive(clap::Args)]
 pub struct Watched {
-    /// Serve the run's numbers in the text format of Prometheus at this port of 127.0.0.1, or at IP:PORT: rows, how far behind, retries,
-    /// what is put aside
-    #[arg(long, value_name = "PORT", value_parser = address)]
+    /// Serve metrics for Prometheus at this port of 127.0.0.1, or at IP:PORT: rows, lag, retries, spooled bytes
+    #[arg(long, value_name = "PORT", help_heading = "Output", value_parser = address)]
     metrics: Option<SocketAddr>,
 }
 
@@ -51,10 +50,10 @@ impl Watched {
     fn serve(&self, look: impl Fn() -> String + Clone + Send + Sync + 'static) -> Result<(), Failure> {
         let Some(address) = self.metrics else { return Ok(()) };
         if !address.ip().is_loopback() {
-            tell(format_args!("warning: who can reach {address} can read the run's numbers"));
+            tell(format_args!("warning: anyone who reaches {address} can read the run's metrics"));
         }
         let bound = serve_metrics(address, look)?;
-        tell(format_args!("numbers    http://{bound}/metrics"));
+        tell(format_args!("metrics    http://{bound}/metrics"));
         Ok(())
     }
 }
@@ -63,11 +62,11 @@ impl Watched {
 type Family = (&'static str, &'static str, &'static str, fn(&Reading) -> u64);
 
 const OF_DESTINATIONS: [Family; 5] = [
-    ("homebody_rows_total", "counter", "Rows that a destination has taken, or that were put aside for it.", |r| r.rows),
+    ("homebody_rows_total", "counter", "Rows that a destination has accepted, or that are spooled for it.", |r| r.rows),
     ("homebody_rows_durable_total", "counter", "Rows that a destination has confirmed.", |r| r.durable),
-    ("homebody_retries_total", "counter", "How often a call to a destination was made again.", |r| r.retries),
-    ("homebody_spool_bytes", "gauge", "Bytes of rows that are put aside for a destination.", |r| r.spooled_bytes),
-    ("homebody_destination_up", "gauge", "Whether a destination is there.", |r| u64::from(!r.is_away)),
+    ("homebody_retries_total", "counter", "Repeated calls to a destination.", |r| r.retries),
+    ("homebody_spool_bytes", "gauge", "Bytes of rows that are spooled for a destination.", |r| r.spooled_bytes),
+    ("homebody_destination_up", "gauge", "1 if a destination is reachable, else 0.", |r| u64::from(!r.is_away)),
 ];
 
 /// The numbers as text.
@@ -75,10 +74,10 @@ fn text(scenario: &str, seen: &Seen, now: Timestamp) -> String {
     let behind = seen.now.map(|at| (now.as_microsecond() - at.as_microsecond()) as f64 / SECOND as f64);
     let lived = seen.lived as f64 / SECOND as f64;
     let mut numbers = Numbers::of(scenario);
-    let help = "How much of the run has been lived.";
+    let help = "Simulated time of the run.";
     numbers.add("homebody_simulated_seconds_total", "counter", help, [(String::new(), lived)]);
     if let Some(behind) = behind {
-        let help = "How far the run is behind the world's clock; below 0 it is ahead.";
+        let help = "Lag of the run behind real time; negative if it is ahead.";
         numbers.add("homebody_lag_seconds", "gauge", help, [(String::new(), behind)]);
     }
     for (name, kind, help, value) in OF_DESTINATIONS {

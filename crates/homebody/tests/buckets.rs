@@ -98,19 +98,19 @@ fn a_run_goes_into_a_bucket_and_comes_back() {
     assert_eq!(store.files("lives/"), 4, "a file for each date: three days from 08:00 on");
     folder.run("run flat --for 3d --quiet --out parquet:lives").ok();
     let said = |of: &str| {
-        store.run(&folder, &format!("convert {of} --to csv:read.csv --force")).ok();
+        store.run(&folder, &format!("convert {of} --out csv:read.csv --force")).ok();
         folder.sha256("read.csv")
     };
     assert_eq!(said("parquet:s3://bucket/lives"), said("parquet:lives"));
     store.run(&folder, "doctor parquet:s3://bucket/lives").ok();
-    store.run(&folder, "look parquet:s3://bucket/lives").ok();
-    store.run(&folder, "label parquet:s3://bucket/lives truth.db --to csv:labelled.csv").ok();
+    store.run(&folder, "inspect parquet:s3://bucket/lives").ok();
+    store.run(&folder, "label parquet:s3://bucket/lives truth.db --out csv:labelled.csv").ok();
     // What is there is refused, and replaced where that is said.
     store.run(&folder, &run.replace("truth.db", "other.db")).fails(1, "--force");
     store.run(&folder, &format!("{run} --force")).ok();
     assert_eq!(said("parquet:s3://bucket/lives"), said("parquet:lives"));
     // What is not there is told, be it a run, a bucket or a store.
-    store.run(&folder, "look parquet:s3://bucket/nowhere").fails(1, "parquet:s3://bucket/nowhere");
+    store.run(&folder, "inspect parquet:s3://bucket/nowhere").fails(1, "parquet:s3://bucket/nowhere");
     store
         .run(&folder, &run.replace("bucket", "no-such-bucket").replace("truth.db", "none.db"))
         .fails(1, "no such bucket");
@@ -128,8 +128,7 @@ fn a_killed_run_is_gone_on_with_in_a_bucket() {
     let Some(store) = Store::start() else { return };
     let folder = flat();
     std::fs::create_dir(folder.path("died")).unwrap();
-    let words =
-        "run flat --for 20d --quiet --out parquet:s3://bucket/died --record died/recording.json --truth died/truth.db";
+    let words = "run flat --for 20d --quiet --out parquet:s3://bucket/died --recording died/recording.json --truth died/truth.db";
     let mut child = store.command(&folder, words).spawn().unwrap();
     let begun = Instant::now();
     while store.files("died/") < 2 {
@@ -143,7 +142,7 @@ fn a_killed_run_is_gone_on_with_in_a_bucket() {
     store.run(&folder, "run --resume died --quiet --out parquet:s3://bucket/died").ok();
     assert_eq!(store.files("died/"), 21, "a file for each date");
     store.run(&folder, "replay died/recording.json --out csv:again.csv").ok();
-    store.run(&folder, "convert parquet:s3://bucket/died --to csv:read.csv").ok();
+    store.run(&folder, "convert parquet:s3://bucket/died --out csv:read.csv").ok();
     let rows = |name: &str| folder.read(name).lines().count();
     assert_eq!(rows("read.csv"), rows("again.csv"));
 }
@@ -159,7 +158,7 @@ fn a_cohort_goes_into_a_bucket_as_into_a_folder_and_goes_on_there() {
     let Some(store) = Store::start() else { return };
     let folder = Folder::new();
     folder.copy_scenario("studio");
-    let run = "run studio --residents 6 --for 2d --quiet --out parquet:";
+    let run = "run studio --members 6 --for 2d --quiet --out parquet:";
     folder.run(&format!("{run}cohort")).ok();
     let here = held(&folder, "cohort/");
     store.run(&folder, &format!("{run}s3://bucket/whole")).ok();

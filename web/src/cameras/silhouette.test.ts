@@ -16,7 +16,7 @@ test('long runs have several bytes, and what is beyond the picture is left out',
 });
 
 test('what a camera shows is said in a word', () => {
-  expect([null, { awake: false, packed: [] }, { awake: true, packed: [] }, { awake: true, packed: [3, 2] }].map(wordOf)).toEqual(['not loaded', 'asleep', 'sees nobody', 'sees somebody']);
+  expect([null, { awake: false, packed: [] }, { awake: true, packed: [] }, { awake: true, packed: [3, 2] }].map(wordOf)).toEqual(['not loaded', 'asleep', 'no person in view', 'person in view']);
   expect(isSame({ awake: true, packed: [3, 2] }, { awake: true, packed: new Uint8Array([3, 2]) })).toBe(true);
   expect(isSame({ awake: true, packed: [3, 2] }, { awake: true, packed: [3, 3] })).toBe(false);
   expect(isSame({ awake: true, packed: [] }, null)).toBe(false);

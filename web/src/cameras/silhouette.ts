@@ -33,8 +33,8 @@ export type Look = { awake: boolean; packed: ArrayLike<number> };
 /** The same in a word. */
 export function wordOf(look: Look | null): string {
   if (look === null) return 'not loaded';
-  if (look.packed.length > 0) return 'sees somebody';
-  return look.awake ? 'sees nobody' : 'asleep';
+  if (look.packed.length > 0) return 'person in view';
+  return look.awake ? 'no person in view' : 'asleep';
 }
 
 /** Red, green and blue: these do not change with the page's theme, as a film's do not. */

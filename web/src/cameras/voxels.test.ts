@@ -10,5 +10,5 @@ test('the state that holds most is said', () => {
   const person = { upright: 0.2, in_between: 0.1, on_the_ground: 0.9 } as PersonView;
   expect(stateOf(person)).toBe('on the ground');
   expect(stateOf({ ...person, upright: 1 })).toBe('upright');
-  expect(stateOf({ ...person, upright: 0, in_between: 0, on_the_ground: 0 })).toBe('not clear');
+  expect(stateOf({ ...person, upright: 0, in_between: 0, on_the_ground: 0 })).toBe('unclear');
 });

@@ -94,5 +94,5 @@ function drawHeights(pen: Pen, space: Space, palette: Palette): void {
 export function stateOf({ upright, in_between, on_the_ground }: PersonView): string {
   const states = [['upright', upright], ['in between', in_between], ['on the ground', on_the_ground]] as const;
   const best = states.reduce((a, b) => (b[1] > a[1] ? b : a));
-  return best[1] > 0 ? best[0] : 'not clear';
+  return best[1] > 0 ? best[0] : 'unclear';
 }

@@ -102,7 +102,7 @@ export function datesOf(days: DateView[], width: number): { x: number; label: st
 /** `Mon, 2 March 2009, 07 to 08 h: 112 firings`. */
 export function words(density: Density, day: number, hour: number): string {
   const count = countAt(density, day, hour);
-  const said = count === null ? 'no data' : count === 0 ? 'no firing' : count === 1 ? '1 firing' : `${count.toLocaleString('en-GB')} firings`;
+  const said = count === null ? 'no data' : count === 0 ? 'no firings' : count === 1 ? '1 firing' : `${count.toLocaleString('en-GB')} firings`;
   return `${date(read(`${density.days[day]?.date} 00:00:00`))}, ${twoDigits(hour)} to ${twoDigits(hour + 1)} h: ${said}`;
 }
 

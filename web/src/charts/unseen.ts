@@ -46,10 +46,10 @@ const counted = (count: number) => count.toLocaleString('en-GB');
 export function unseenWords(bands: readonly Row[], lanes: readonly Row[], sight: Sight): string | null {
   const parts = lanes.flatMap(({ unseen }) => unseenIn(unseen, sight));
   const missing = parts.reduce((sum, part) => sum + part.missing, 0);
-  if (missing === 0) return bands.some(({ unseen }) => unseenIn(unseen, sight).length > 0) ? 'Hatched: what people did was not seen' : null;
+  if (missing === 0) return bands.some(({ unseen }) => unseenIn(unseen, sight).length > 0) ? 'Hatched: activities not loaded' : null;
   // Instants are whole: the next one is that after the last in sight.
   const shown = lanes.reduce((sum, { fired = [] }) => sum + firstFrom(fired, Math.floor(sight.to_us) + 1) - firstFrom(fired, sight.from_us), 0);
   const isWhole = parts.every(({ from_us, to_us }) => from_us >= sight.from_us && to_us <= sight.to_us);
-  const how = isWhole ? `${counted(shown)} of ${counted(shown + missing)} firings are shown` : `${counted(shown)} firings are shown, up to ${counted(missing)} are not`;
-  return `${how}. Hatched: not seen`;
+  const how = isWhole ? `${counted(shown)} of ${counted(shown + missing)} events are loaded` : `${counted(shown)} events are loaded, up to ${counted(missing)} are not`;
+  return `${how}. Hatched: not loaded`;
 }

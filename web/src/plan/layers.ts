@@ -10,11 +10,11 @@ export type Layers = {
 };
 
 export const LAYERS: { id: keyof Layers; title: string }[] = [
-  { id: 'beams', title: 'Beams of sensors' },
-  { id: 'areas', title: 'Areas of sensors' },
-  { id: 'cameras', title: 'What cameras see of the floor' },
-  { id: 'sensorNames', title: 'Names of sensors' },
-  { id: 'furnitureNames', title: 'Names of furniture' },
+  { id: 'beams', title: 'Sensor beams' },
+  { id: 'areas', title: 'Sensor areas' },
+  { id: 'cameras', title: 'Floor seen by cameras' },
+  { id: 'sensorNames', title: 'Sensor names' },
+  { id: 'furnitureNames', title: 'Furniture names' },
   { id: 'trails', title: 'Trails' },
 ];
 

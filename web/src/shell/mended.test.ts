@@ -10,16 +10,16 @@ test('what is wrong leads to where it is mended', () => {
   expect(at(problem('home.json', 12))).toEqual({ word: 'Plan', href: '#/plan/line%2012' });
   expect(at(problem('home.json', 0))!.href).toBe('#/plan');
   expect(at(problem('logger.json', 5))!.href).toBe('#/log');
-  expect(at(problem('ann.routine', 5))).toEqual({ word: 'Life of ann / b', href: '#/life/ann%20%2F%20b' });
+  expect(at(problem('ann.routine', 5))).toEqual({ word: 'Life: ann / b', href: '#/life/ann%20%2F%20b' });
   // A life that does not go with the home is mended where the home is.
   const homeless = { ...problem('ann.routine', 0), what: 'Ann cannot get from "bed" to "sofa"' };
   expect(at(homeless)!.word).toBe('Plan');
-  expect(at({ ...homeless, line: 3 })!.word).toBe('Life of ann / b');
+  expect(at({ ...homeless, line: 3 })!.word).toBe('Life: ann / b');
   // Of a routine that cannot be read there is no text.
-  expect(at(homeless, { text: () => undefined })!.word).toBe('Life of ann / b');
+  expect(at(homeless, { text: () => undefined })!.word).toBe('Life: ann / b');
   // What stands for more problems than are told is of its sentences, whatever it says.
   const problems = (count: number) => ({ problems: [...Array.from({ length: count }, (_, line) => problem('ann.routine', line + 1)), homeless], warnings: [] });
-  expect([99, 100].map((count) => at(homeless, { check: problems(count) })!.word)).toEqual(['Plan', 'Life of ann / b']);
+  expect([99, 100].map((count) => at(homeless, { check: problems(count) })!.word)).toEqual(['Plan', 'Life: ann / b']);
   expect(at(problem('scenario.json', 1))).toBeNull();
   expect(at(problem('home.json', 1), { files: null })).toBeNull();
 });
@@ -30,7 +30,7 @@ const mend = (of: Partial<ProblemView>) => mendOf({ ...problem('home.json', 1), 
 
 test('a name that is nearly one is written as it was meant, in files of JSON and in sentences', () => {
   const value = mend({ line: 6, column: 32, hint: 'did you mean "door \\"1\\""?' })!;
-  expect(value.what).toBe('Write “door "1"”');
+  expect(value.what).toBe('Change to “door "1"”');
   expect(value.texts()).toEqual({ 'home.json': home.replace('dor', 'door') });
   expect(mend({ line: 6, column: 45, hint: 'did you mean "name"?' })!.texts()).toEqual({ 'home.json': home.replace('"nam"', '"name"') });
   const said = mend({ file: 'ann.routine', line: 2, column: 7, width: 17, hint: 'did you mean "watches television"?' })!;
@@ -45,10 +45,10 @@ test('a name that is nearly one is written as it was meant, in files of JSON and
 test('what the home lacks is put where the hint says that there is room', () => {
   const bed = '{"name": "bed", "at": [0.55, 1.05], "size_m": [0.9, 2.0], "height_m": 0.5, "enterable": true}';
   const lacks = mend({ file: 'ann.routine', line: 0, hint: `give it a bed; there is room in "room": add to "furniture" ${bed}` })!;
-  expect([lacks.what, lacks.rest]).toEqual(['Put “bed” into “room”', 'give it a bed']);
+  expect([lacks.what, lacks.rest]).toEqual(['Add “bed” to “room”', 'give it a bed']);
   expect(JSON.parse(lacks.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1] }, JSON.parse(bed)]);
   const enterable = mend({ hint: 'write "enterable": true for "table"' })!;
-  expect(enterable.what).toBe('Let people be in “table”');
+  expect(enterable.what).toBe('Let residents use “table”');
   expect(JSON.parse(enterable.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1], enterable: true }]);
   expect(mend({ hint: 'add to "furniture" what it lacks' })).toBeNull();
 });

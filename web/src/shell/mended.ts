@@ -40,19 +40,19 @@ export function mendOf(problem: ProblemView, texts: Texts): Mend | null {
     const place = now === undefined ? null : placeOf(problem, now);
     if (now === undefined || place === null) return null;
     const written = now[place.from] === '"' ? JSON.stringify(meant) : meant;
-    return { what: `Write ${quoted(meant)}`, rest: hint, texts: () => ({ [problem.file]: now.slice(0, place.from) + written + now.slice(place.to) }) };
+    return { what: `Change to ${quoted(meant)}`, rest: hint, texts: () => ({ [problem.file]: now.slice(0, place.from) + written + now.slice(place.to) }) };
   }
   const ofHome = home === null ? undefined : texts.text(home);
   if (home === null || ofHome === undefined) return null;
   const named = read(ENTERABLE.exec(hint)?.[1]);
   if (typeof named === 'string') {
-    return { what: `Let people be in ${quoted(named)}`, rest: hint, texts: () => ({ [home]: enterable(ofHome, named) }) };
+    return { what: `Let residents use ${quoted(named)}`, rest: hint, texts: () => ({ [home]: enterable(ofHome, named) }) };
   }
   const found = PIECE.exec(hint);
   const [room, piece] = [read(found?.[1]), read(found?.[2])];
   if (found === null || !isObject(piece)) return null;
-  const into = typeof room === 'string' ? ` into ${quoted(room)}` : '';
-  return { what: `Put ${quoted(String(piece.name))}${into}`, rest: hint.slice(0, found.index), texts: () => ({ [home]: insert(ofHome, 'furniture', piece) }) };
+  const into = typeof room === 'string' ? ` to ${quoted(room)}` : '';
+  return { what: `Add ${quoted(String(piece.name))}${into}`, rest: hint.slice(0, found.index), texts: () => ({ [home]: insert(ofHome, 'furniture', piece) }) };
 }
 
 function read(json: string | undefined): unknown {
@@ -87,5 +87,5 @@ export function wayTo({ file, line }: ProblemView, texts: Texts): Way | null {
   if (file === files.home) return { word: 'Plan', href: line > 0 ? hashOf('plan', `line ${line}`) : '#/plan' };
   if (file === files.logger) return { word: 'Log', href: '#/log' };
   const lives = files.lives.find(({ routine }) => routine === file);
-  return lives === undefined ? null : { word: `Life of ${lives.name.slice(0, 40)}`, href: hashOf('life', lives.name) };
+  return lives === undefined ? null : { word: `Life: ${lives.name.slice(0, 40)}`, href: hashOf('life', lives.name) };
 }

@@ -33,7 +33,7 @@ export function madeUpLogger(home: HomeView): { texts: Record<string, string>; a
       kinds: [['sqlite:', 'a database file, with a table as the network has it'], ['csv:', 'comma-separated values with a header line'], ['casas:', 'the text of the CASAS homes']],
       cut: null,
     }),
-    '/api/connect': () => ({ works: true, said: 'Each run writes its own, in a new folder in runs, which can be written.' }),
+    '/api/connect': () => ({ works: true, said: 'Each run writes its own into a new folder in runs. Homebody can write there.' }),
     '/api/growth': () => ({ days, hours, today, left_out: 0 }),
   };
   return { texts, answers };

@@ -47,7 +47,7 @@ export function drawCaption(
   if (second === null) return line(name(first), null);
   line(`above the line: ${name(first)}`, palette.seen);
   line(`below the line: ${name(second)}`, palette.beam);
-  line(`In these colours is what each ${isCounts ? 'has more of' : 'has alone, and its curve of numbers'}; of two bands the upper one is of the run above the line.`, null);
+  line(`The colours show ${isCounts ? 'where one run has more' : 'events that only one run has, and curves of values'}. Of two bands, the upper one is the run above the line.`, null);
 }
 
 function name(run: string): string {

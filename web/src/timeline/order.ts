@@ -3,7 +3,7 @@
 import type { Sight } from '../charts/axis';
 import { type Lane, countIn } from '../charts/lanes';
 
-export const ORDERS = { home: 'as in the home', place: 'by room', active: 'the busiest first', name: 'by name' } as const;
+export const ORDERS = { home: 'Plan order', place: 'By room', active: 'Busiest first', name: 'By name' } as const;
 
 export type Order = keyof typeof ORDERS;
 

@@ -129,11 +129,11 @@ test('a kept picture says from when to when it is and of which runs, and which c
   };
   const span = 'Tue, 3 March 2009, 00:00:00 to Wed, 4 March 2009, 00:00:00';
   expect(caption(null)).toEqual({ words: [span, 'flat-1'], colours: [] });
-  expect(caption(null, false, '2 of 5 firings are shown').words).toEqual([span, '2 of 5 firings are shown', 'flat-1']);
+  expect(caption(null, false, '2 of 5 events are loaded').words).toEqual([span, '2 of 5 events are loaded', 'flat-1']);
   const two = caption('flat-2 without depression');
   expect(two.words.slice(0, 3)).toEqual([span, 'above the line: flat-1', 'below the line: flat-2 without depression']);
   expect(two.colours).toEqual([light.seen, light.beam]);
-  expect([two.words[3], caption('x', true).words[3]].map((words) => /what each (.*?);/.exec(words!)![1])).toEqual(['has alone, and its curve of numbers', 'has more of']);
+  expect([two.words[3], caption('x', true).words[3]].map((words) => /colours show (.*?)\./.exec(words!)![1])).toEqual(['events that only one run has, and curves of values', 'where one run has more']);
   // Where names of twins differ is at their ends.
   expect(caption(`${'x'.repeat(900)} without depression`).words[2]).toMatch(/^below the line: x{39}…x+ without depression$/);
 });
@@ -157,9 +157,9 @@ test('what was not seen is hatched, said in words, and a row of the table', () =
   const unseen = [{ from_us: 10, to_us: 40, missing: 983 }];
   const [bands, lanes] = [[{ name: 'Ada', who: 0, names: ['sleep'], spans: [], unseen: [{ from_us: 10, to_us: 50, missing: 0 }] }], [lane('x', [45, 50], { unseen }), lane('y', [5])]];
   const sight = { from_us: 0, to_us: 100 };
-  expect(unseenWords(bands, lanes, sight)).toBe('3 of 986 firings are shown. Hatched: not seen');
-  expect(unseenWords(bands, lanes, { from_us: 20, to_us: 100 })).toBe('2 firings are shown, up to 983 are not. Hatched: not seen');
-  expect(unseenWords(bands, lanes, { from_us: 42, to_us: 100 })).toBe('Hatched: what people did was not seen');
+  expect(unseenWords(bands, lanes, sight)).toBe('3 of 986 events are loaded. Hatched: not loaded');
+  expect(unseenWords(bands, lanes, { from_us: 20, to_us: 100 })).toBe('2 events are loaded, up to 983 are not. Hatched: not loaded');
+  expect(unseenWords(bands, lanes, { from_us: 42, to_us: 100 })).toBe('Hatched: activities not loaded');
   expect(unseenWords(bands, lanes, { from_us: 60, to_us: 100 })).toBeNull();
   // A lane of which nothing was seen is not silent.
   expect(ordered([lane('z', [], { unseen }), lane('y', [])], 'home', true, sight)).toEqual([0]);

@@ -9,6 +9,7 @@
 mod rule;
 
 use crate::measures::{Day, Measure, Measures, Silent};
+use crate::wording::{joined, listed};
 use homebody_core::problem::counted;
 use jiff::civil::Date;
 use serde::Serialize;
@@ -19,7 +20,7 @@ pub use rule::{Method, Rule, Rules, Several, USUAL, When};
 /// The rule of alerts about sensors that are silent.
 pub const SENSOR: &str = "sensor";
 
-/// Away for so many hours, a day does not count (ours).
+/// Smallest number of hours away at which a day does not count (our choice).
 const AWAY_H: f64 = 16.0;
 /// The alerts of a log.
 #[derive(Clone, Debug, Serialize)]
@@ -55,8 +56,23 @@ pub struct Alert {
     pub sd: Option<f64>,
     /// The days that show it.
     pub shown_by: Vec<Date>,
-    /// The same in words.
+    /// The same in words, without a full stop.
     pub words: String,
+    /// The words without values.
+    #[serde(skip)]
+    pub headline: String,
+    /// The values of the words; empty if these have none.
+    #[serde(skip)]
+    pub numbers: String,
+}
+
+impl Alert {
+    /// An alert of a day that is not about one measure.
+    fn of_day(date: Date, rule: &str, measures: Vec<&'static str>, shown_by: Vec<Date>, words: String) -> Alert {
+        let (is_more, value, usual, sd) = (None, None, None, None);
+        let (headline, numbers) = (words.clone(), String::new());
+        Alert { date, rule: rule.to_owned(), measures, is_more, value, usual, sd, shown_by, words, headline, numbers }
+    }
 }
 
 /// The usual of a measure on a day.
@@ -64,8 +80,6 @@ pub struct Alert {
 struct Usual {
     mean: f64,
     sd: f64,
-    /// Of how many days it is.
-    days: usize,
 }
 
 /// All alerts of the measures of a log.
@@ -85,16 +99,10 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
     if let Some(several) = rules.several {
         alerts.extend(at_once(several, rules, measures, &counts));
     }
-    alerts.extend(Silent::told(&measures.silent).into_iter().map(|(silent, words)| Alert {
-        date: silent.told,
-        rule: SENSOR.into(),
-        measures: Vec::new(),
-        is_more: None,
-        value: None,
-        usual: None,
-        sd: None,
-        shown_by: vec![silent.since],
-        words,
+    let silent = Silent::told(&measures.silent).into_iter();
+    alerts.extend(silent.map(|(silent, words)| {
+        let words = format!("{words}; check its battery");
+        Alert::of_day(silent.told, SENSOR, Vec::new(), vec![silent.since], words)
     }));
     alerts.sort_by(|a, b| (a.date, &a.rule).cmp(&(b.date, &b.rule)));
     let mut remarks = measures.remarks.clone();
@@ -102,8 +110,8 @@ pub fn alerts(measures: &Measures, rules: &Rules) -> Alerts {
     let least = rules.rules.iter().map(|rule| rule.min_days).min().unwrap_or(0);
     if days_that_count <= least {
         remarks.push(format!(
-            "{} count, too few to know what is usual: {} are needed",
-            counted(days_that_count, "day", "days"),
+            "Only {} so far; at least {} are needed to know what is usual",
+            counted(days_that_count, "complete day", "complete days"),
             least + 1
         ));
     }
@@ -134,7 +142,7 @@ fn of_before(values: &[Option<f64>], day: usize, (baseline, least): (usize, usiz
     let mean = before.clone().sum::<f64>() / days as f64;
     let variance = before.map(|value| (value - mean) * (value - mean)).sum::<f64>() / (days as f64 - 1.0);
     let sd = variance.sqrt().max(least_sd);
-    (sd > 0.0).then_some(Usual { mean, sd, days })
+    (sd > 0.0).then_some(Usual { mean, sd })
 }
 
 /// By how many standard deviations a value differs in a direction that counts; 0 where it does not.
@@ -176,7 +184,7 @@ fn by_deviation(rule: &Rule, measure: &'static Measure, values: &[Option<f64>], 
 
 /// After so many days of alarm in a row a control chart begins anew (published for times of transfer out of bed).
 const ANEW_AFTER: usize = 3;
-/// What was told is not told again for so many days (ours).
+/// Days until the same alert is reported again (our choice).
 const TOLD_AGAIN: usize = 7;
 
 /// A chart that has begun.
@@ -308,41 +316,19 @@ fn usual_of(rule: &Rule, before: &[Option<f64>]) -> Option<Usual> {
 
 fn alert(rule: &Rule, measure: &'static Measure, (value, usual): (f64, Usual), shown: &[usize], days: &[Day]) -> Alert {
     let shown_by: Vec<Date> = shown.iter().map(|&day| days[day].date).collect();
-    let date = shown_by.last().copied().unwrap_or_default();
-    let (is_more, title) = (value > usual.mean, measure.title);
-    let much = match (measure.is_clock(), is_more) {
-        (true, true) => "later",
-        (true, false) => "earlier",
-        (false, true) => "more",
-        (false, false) => "less",
-    };
-    let told = |value: f64| measure.told(value, if rule.method == Method::Deviation { 1 } else { 2 });
-    let (value_told, mean_told) = (told(value), told(usual.mean));
-    let words = match rule.method {
-        Method::Deviation => format!(
-            "{title}: {value_told} on {date}, {much} than the usual {mean_told} (give or take {:.1}{}) of {} before",
-            usual.sd,
-            if measure.is_clock() { " h" } else { "" },
-            counted(usual.days, "day", "days")
-        ),
-        Method::Cusum => format!(
-            "{title}: {value_told} on average since {}, {much} than the {mean_told} of before",
-            shown_by.first().copied().unwrap_or_default()
-        ),
-        Method::Ewma => format!(
-            "{title}: the average of the last days has come to {value_told} on {date}, {much} than the {mean_told} of before"
-        ),
-    };
+    let (headline, numbers) = measure.alert(rule.method, (value, usual.mean), &shown_by);
     Alert {
-        date,
+        date: shown_by.last().copied().unwrap_or_default(),
         rule: rule.name.clone(),
         measures: vec![measure.name],
-        is_more: Some(is_more),
+        is_more: Some(value > usual.mean),
         value: Some(value),
         usual: Some(usual.mean),
         sd: Some(usual.sd),
         shown_by,
-        words,
+        words: joined(headline.clone(), &numbers),
+        headline,
+        numbers,
     }
 }
 
@@ -369,18 +355,10 @@ fn at_once(several: Several, rules: &Rules, measures: &Measures, counts: &[bool]
         }
         let is_so = differ.len() >= several.at_least;
         if is_so && !was_so {
-            let titles: Vec<&str> = differ.iter().map(|measure| measure.title).collect();
-            alerts.push(Alert {
-                date: of_day.date,
-                rule: "several".into(),
-                measures: differ.iter().map(|measure| measure.name).collect(),
-                is_more: None,
-                value: None,
-                usual: None,
-                sd: None,
-                shown_by: vec![of_day.date],
-                words: format!("Several things differ on {}: {}", of_day.date, titles.join(", ")),
-            });
+            let nouns: Vec<String> = differ.iter().map(|measure| measure.noun()).collect();
+            let words = format!("Several things were unusual at once: {}", listed(&nouns));
+            let measures = differ.iter().map(|measure| measure.name).collect();
+            alerts.push(Alert::of_day(of_day.date, "several", measures, vec![of_day.date], words));
         }
         was_so = is_so;
     }
@@ -391,14 +369,14 @@ impl fmt::Display for Alerts {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         writeln!(
             f,
-            "{}: {}, of which {} count; {}",
+            "{}: {}, {} of them complete and at home; {}",
             self.name,
             counted(self.days, "day", "days"),
             self.days_that_count,
             counted(self.alerts.len(), "alert", "alerts")
         )?;
         for alert in &self.alerts {
-            writeln!(f, "\n{}  {}\n  {}", alert.date, alert.rule, alert.words)?;
+            writeln!(f, "\n{}  {}\n  {}.", alert.date, alert.rule, alert.words)?;
         }
         for (number, remark) in self.remarks.iter().enumerate() {
             if number == 0 {

@@ -13,13 +13,13 @@ use homebody_core::geometry::Point;
 use homebody_core::home::outlook::outlook;
 use homebody_core::home::plan::Plan;
 
-/// The side of a cell, in metres (ours).
+/// Side of a cell, in metres (our choice).
 pub const STEP_M: f64 = 0.1;
 
-/// Floor that is further off is not looked at, in metres (ours).
+/// Distance from a camera beyond which the floor is left out, in metres (our choice).
 pub const FAR_M: f64 = 12.0;
 
-/// A point this much nearer than what hides it is seen, as a share of the way (ours).
+/// Tolerance, as a share of the way, of the comparison of a point with the thing that hides it (our choice).
 const SPARE: f64 = 1e-3;
 
 /// Left, lower, right and upper edge, in metres.

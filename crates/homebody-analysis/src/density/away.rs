@@ -31,7 +31,8 @@ const BOUT: Micros = 120 * SECOND;
 pub const SEATED: Micros = 300 * SECOND;
 /// A bout of fewer firings is stray, if they are of motion sensors alone.
 const LEAST_FIRINGS: usize = 3;
-/// With more stray firings than these, and than one for each such time, somebody is at home. A small share of the usual is stray all the same.
+/// Number of stray firings, beyond one for each such time, above which a person is at home. A small share of the usual
+/// firings is stray in any case.
 const MOST_STRAY: usize = 2;
 const STRAY_EVERY: Micros = 3600 * SECOND;
 const QUIET: f64 = 0.2;

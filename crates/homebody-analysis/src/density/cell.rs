@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
-/// At home for less than this in an hour, it is away; Wang & Skubic give no number, this is ours.
+/// Time at home in an hour below which the hour counts as away (our choice: Wang & Skubic give none).
 pub const LEAST_AT_HOME_H: f64 = 1.0 / 6.0;
 
-/// Of an hour with less data than this nothing is known (our choice): a few firings in some minutes would make it the darkest of all.
+/// Time with data below which an hour is unknown (our choice): a few firings in some minutes would make it the darkest
+/// of all.
 pub const LEAST_RECORDED_H: f64 = 1.0 / 4.0;
 
 /// What some cells come to.

@@ -57,7 +57,7 @@ impl Entrance {
     }
 }
 
-/// How words begin that speak of a way through the home (our choice).
+/// Beginnings of words for a way through the home (our choice).
 const WAYS: [&str; 2] = ["door", "hall"];
 
 fn speaks(name: &str, of: &[&str]) -> bool {

@@ -7,10 +7,10 @@ use crate::dates::{clock, date_of};
 use homebody_core::problem::counted;
 use homebody_core::time::DAY;
 
-/// So many days are told one by one; of more, weeks are told.
+/// Largest numbers of days, and of absences, that are listed one by one. For more, weeks are listed.
 const MOST_DAYS: usize = 31;
 const MOST_ABSENCES: usize = 40;
-/// So many sensors that are left out are named.
+/// Largest number of omitted sensors that are named.
 const MOST_LEFT_OUT: usize = 12;
 
 impl fmt::Display for Density {

@@ -17,7 +17,7 @@ use homebody_core::time::Micros;
 /// Where somebody rests. Who lies beside a toilet is seen by the same sensor as who sits on it, so it is none of them.
 const RESTING: [Role; 5] = [Role::Bed, Role::Armchair, Role::Sofa, Role::DiningSeat, Role::GuestSeat];
 
-/// What lower pieces are is no seat: rugs, shower trays (ours), in metres.
+/// Height below which a piece is not a seat, in metres (our choice): rugs, shower trays.
 const LOWEST_SEAT_M: f64 = 0.2;
 
 /// What a message of a passive sensor tells.

@@ -28,7 +28,7 @@ pub struct Seen {
     pub silhouette: Silhouette,
 }
 
-/// Parts of a silhouette that have fewer pixels are noise (ours).
+/// Pixels below which a part of a silhouette is noise (our choice).
 const SPECK_PX: usize = 6;
 
 impl Seen {

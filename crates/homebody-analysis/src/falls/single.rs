@@ -19,7 +19,7 @@ use homebody_core::camera::silhouette::{Features, Silhouette};
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::geometry::Point;
 
-/// A body is about this deep, as a share of how wide it is seen (ours).
+/// Depth of a body, as a share of its visible width (our choice).
 const DEEP: f64 = 0.6;
 
 /// How far what is seen lies across what is upright, by the angle between them in the picture, in degrees (ours).
@@ -31,7 +31,7 @@ const ELONGATED: Fuzzy = Fuzzy { low: 1.1, from: 1.4, to: f64::MAX, high: f64::M
 /// How far it would be as short on the floor as a body, in metres (ours).
 const SHORT_M: Fuzzy = Fuzzy { low: 0.0, from: 0.0, to: 1.9, high: 2.4 };
 
-/// Who lies is so high, in metres, and has the middle at half of that (ours).
+/// Height of a lying person, in metres (our choice). The middle is at half of it.
 const LYING_M: f64 = 0.3;
 
 /// What somebody's body is like by one silhouette; None where nobody is seen, or they stand beyond the horizon.

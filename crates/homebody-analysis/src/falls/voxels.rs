@@ -16,17 +16,17 @@ use homebody_core::geometry::Point;
 use homebody_core::home::outlook::outlook;
 use homebody_core::home::plan::Plan;
 
-/// The side of a cube, in metres (ours): Anderson et al. had an inch, which takes eight times as long and tells no more of 160 by
-/// 120 pixels.
+/// Side of a cube, in metres (our choice). Anderson et al. had an inch, which takes eight times as long and shows no
+/// more in 160 by 120 pixels.
 pub const EDGE_M: f64 = 0.05;
 
 /// Nobody is looked for higher up, in metres.
 const TOP_M: f64 = 2.1;
 
-/// Fewer cubes are nobody (ours): a litre.
+/// Smallest number of cubes of a person (our choice): a litre.
 const LEAST: usize = 8;
 
-/// The top of a body is where so much of it is below (ours): single cubes at its head are noise.
+/// Share of a body's cubes below its top (our choice): single cubes at the head are noise.
 const BELOW_TOP: f64 = 0.98;
 
 /// A camera does not see this cube.

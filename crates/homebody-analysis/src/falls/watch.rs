@@ -13,10 +13,10 @@ use serde::Serialize;
 /// A state holds from here on.
 const HOLDS: f64 = 0.5;
 
-/// Somebody is still on the ground if a picture in between says otherwise for no longer than this (ours).
+/// Longest disagreement of pictures about a person on the ground that is ignored (our choice).
 const LAPSE: Micros = SECOND;
 
-/// After so long without a picture nothing is known of what was before (ours).
+/// Time without a picture after which the previous state is unknown (our choice).
 const GAP: Micros = 2 * SECOND;
 
 const STATES: [State; 3] = [State::Upright, State::InBetween, State::OnTheGround];

@@ -5,7 +5,7 @@ use homebody_core::time::{DAY, Micros};
 use jiff::civil::Date;
 use std::collections::BTreeMap;
 
-/// No more counts are kept (ours): a thousand sensors for ten years.
+/// Largest number of stored counts (our choice): a thousand sensors for ten years.
 const MOST_COUNTS: usize = 4_000_000;
 
 /// Counts by sensor and day.

@@ -16,7 +16,7 @@ use jiff::Timestamp;
 use jiff::tz::TimeZone;
 use std::collections::BTreeMap;
 
-/// Nothing is said for so long in a silence (ours).
+/// Shortest silence of a log (our choice).
 const SILENCE: Micros = 12 * 3600 * SECOND;
 
 /// So many silences are listed, and so many gaps.

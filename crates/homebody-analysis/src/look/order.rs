@@ -5,10 +5,10 @@ use homebody_log::Event;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// No clock is set back by more (our choice).
+/// Largest change of a clock that is set back (our choice).
 const SET_BACK: Micros = 3 * 3600 * SECOND;
 
-/// No more rows are put into order (our choice): they take 24 MB.
+/// Largest number of rows that are put into order (our choice): they take 24 MB.
 pub(super) const MOST_WAITING: u64 = 1 << 20;
 
 /// The order of rows.

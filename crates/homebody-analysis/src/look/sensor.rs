@@ -4,18 +4,19 @@ use super::held::{SensorLook, Trouble};
 use crate::signs::{Kind, Says, Taken, Tally};
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 
-/// A dead sensor says nothing for so long before the log ends, and for so many times as long as ever before (ours).
+/// A dead sensor sends nothing for this long before the end of the log, and for this many times its longest silence
+/// (our choice).
 const DEAD: Micros = 2 * DAY;
 const DEAD_TIMES: Micros = 3;
 
-/// A stuck motion sensor is on for so long (ours).
+/// Time on after which a motion sensor is stuck (our choice).
 const STUCK: Micros = 6 * 3600 * SECOND;
 
-/// So many readings of one number are stuck, over so long (ours).
+/// Number of equal readings, and the time that they span, of a stuck sensor (our choice).
 const STUCK_READINGS: u64 = 50;
 const STUCK_FOR: Micros = DAY;
 
-/// What it says is counted by value for so many values (ours).
+/// Largest number of values that are counted for a sensor (our choice).
 const VALUES: usize = 8;
 
 /// The recorder of the log, as far as the log has been taken.

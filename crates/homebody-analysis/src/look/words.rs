@@ -6,10 +6,10 @@ use homebody_core::problem::counted;
 use homebody_log::source::{Clock, ColumnRole, ColumnUse};
 use std::fmt;
 
-/// So many silences, refused lines and unknown sensors are told to people (ours).
+/// Largest number of silences, refused lines and unknown sensors in a report (our choice).
 const TOLD: usize = 10;
 
-/// The most characters of a column's name that are shown: a wider table cannot be printed.
+/// Largest number of characters of a column's name in a table: a wider table cannot be printed.
 const LONGEST_NAME: usize = 80;
 
 impl fmt::Display for Look {

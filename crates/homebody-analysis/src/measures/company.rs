@@ -17,21 +17,22 @@ use crate::rows::Span;
 use homebody_core::time::{DAY, Micros, SECOND};
 use std::collections::{BTreeSet, VecDeque};
 
-/// With fewer days nothing is known of how lively it usually is (ours).
+/// Number of days below which the usual amount of movement is unknown (our choice).
 const LEAST_DAYS: usize = 7;
-/// The usual is by so many days at most, up to the day itself.
+/// Largest number of days, up to the day itself, in the usual amount.
 const MOST_DAYS: usize = 28;
 const HOUR: Micros = 3600 * SECOND;
-/// Messages of the door no farther apart are of one use of it (ours).
+/// Longest time between messages of a door that belong to one use of it (our choice).
 const ONE_USE: Micros = 120 * SECOND;
-/// Whoever uses the door gives signs for so long before and after, also who leaves nobody behind (ours).
+/// Time before and after a use of the door whose firings are those of the person who uses it, even if the home is empty
+/// (our choice).
 const AT_THE_DOOR: Micros = 60 * SECOND;
-/// In an empty home there are fewer signs, whatever stirs there (ours).
+/// Number of firings below which a home counts as empty (our choice).
 const LEAST_SIGNS: usize = 3;
-/// No visit is shorter or longer (ours).
+/// Shortest and longest visit (our choice).
 const SHORTEST: Micros = 10 * 60 * SECOND;
 const LONGEST: Micros = 5 * HOUR;
-/// In a visit there are so many times the usual signs at least (ours).
+/// Smallest ratio of firings during a visit to the usual ones (our choice).
 const LIVELY: f64 = 1.3;
 
 /// When there was company up to `now`; `None` where no door tells it, or there were too few days to tell what is usual. `door` are

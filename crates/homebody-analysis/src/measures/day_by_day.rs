@@ -29,7 +29,7 @@ use std::ops::Range;
 const DAYS_BEFORE: Micros = 2;
 /// Two weeks: so many days are compared, and the first so many whole days give the height of a level of density.
 const WEEKS: usize = 14;
-/// No home has more rows on a day: further rows are passed over, and the day is not known.
+/// Largest number of rows of a home on a day. Further rows are ignored, and the day has no measures.
 const MOST_ROWS: usize = 250_000;
 /// Absences are kept for so long: in an empty home no sensor is silent.
 const ABSENCES_KEPT: Micros = 70 * DAY;

@@ -1,7 +1,7 @@
 //! Measures as HL7 FHIR R4: a bundle of observations, one for each measure of each day.
 //!
 //! Codes are our own, under [`SYSTEM`], as no terminology has most of these measures; units are UCUM's. A day is an
-//! `effectivePeriod` by dates, as a clock on the wall has no zone; times of day are a `valueTime`. What was guessed says so in a note.
+//! `effectivePeriod` by dates, as a clock on the wall has no zone; times of day are a `valueTime`. An estimate has a note.
 
 use super::held::{Day, Measures};
 use super::kinds::Measure;
@@ -54,7 +54,7 @@ impl Measures {
                 json!({ "value": value, "unit": unit, "system": "http://unitsofmeasure.org", "code": code });
         }
         if self.guesses.contains(&measure.name) {
-            observation["note"] = json!([{ "text": "Guessed: no sensor of the home tells of it." }]);
+            observation["note"] = json!([{ "text": "Estimated: no sensor of the home measures it directly." }]);
         }
         observation
     }

@@ -15,30 +15,32 @@ use homebody_core::vocabulary::{WINDOW_WORDS, has_any};
 
 const MINUTE: Micros = 60 * SECOND;
 
-/// Who is in a bedroom and gives no sign for so long is in bed (ours); who is in bed and gives none for so long sleeps.
+/// Time without firings after which a person in a bedroom is in bed, and after which a person in bed sleeps (our
+/// choice).
 const LIES_STILL: Micros = 20 * MINUTE;
 const SLEEPS: Micros = 5 * MINUTE;
-/// Who is out of the bedroom for so long at night lies in bed before and after; who comes to bed is still after so long (ours).
+/// Time out of the bedroom at night that still has a stay in bed before and after it, and time from going to bed to
+/// falling asleep (our choice).
 const UP_AT_NIGHT: Micros = 30 * MINUTE;
 const FALLS_ASLEEP: Micros = 40 * MINUTE;
-/// Who leaves the bedroom so soon after a long silence got up as they left it (ours).
+/// Time after a long silence within which leaving the bedroom counts as getting up (our choice).
 const WAKES: Micros = 30 * MINUTE;
-/// Signs in bed farther apart than this are two bouts (ours).
+/// Time between firings in bed that separates two bouts (our choice).
 const BOUT: Micros = 30 * SECOND;
-/// Who is seen once in a room on the way to another is there for so long at most (ours).
+/// Longest stay in a room with one firing on the way to another (our choice).
 const GLIMPSE: Micros = 5 * SECOND;
-/// It is a glimpse, too, if several signs come within that time and the next one, of another room, no later than this (ours).
+/// Time within which several firings, and the next one of another room, count as one glimpse (our choice).
 const SEEN_PASSING: Micros = 10 * SECOND;
-/// Signs of a shower's own sensor no farther apart belong to one shower, which lasts at least so long (ours).
+/// Longest time between firings of a shower's own sensor in one shower, and shortest shower (our choice).
 const SHOWER_APART: Micros = 3 * MINUTE;
 const SHOWER_LASTS: Micros = 3 * MINUTE;
-/// What is said to go on for longer has ended, and nobody heard of it (ours).
+/// Duration after which an activity with no observed end is over (our choice).
 const SHOWER_LONGEST: Micros = 60 * MINUTE;
-/// Where a shower has no sensor of its own, who stays in the bathroom for so long by day, with a sign every minute, showers (ours):
-/// who sits on the toilet gives fewer.
+/// Time in the bathroom by day, with a firing every minute, that is a shower if the shower has no sensor (our choice).
+/// A person on the toilet causes fewer firings.
 const BATHROOM_LONG: Micros = 10 * MINUTE;
 const BATHROOM_LIVELY: Micros = MINUTE;
-/// Times in the kitchen no farther apart belong to one meal; for a meal somebody is there for so long (ours).
+/// Longest time between stays in the kitchen that belong to one meal, and shortest meal (our choice).
 const MEAL_APART: Micros = 15 * MINUTE;
 const MEAL_LASTS: Micros = 15 * MINUTE;
 /// A shorter gap of the recording ends no stay.

@@ -1,6 +1,7 @@
 //! What measures come to: plain data.
 
 use super::kinds::{MEASURES, Measure};
+use crate::wording::{in_full, listed};
 use homebody_core::problem::counted;
 use jiff::civil::Date;
 use serde::ser::SerializeMap;
@@ -86,8 +87,8 @@ impl fmt::Display for Noted {
         let days = counted(*days, "day", "days");
         write!(
             f,
-            "{measure}: by the log's notes {by_notes:.2} {unit}, by the sensors {by_sensors:.2} {unit}; \
-             a day differs by {apart:.2} on average ({days})"
+            "{measure}: {by_notes:.2} {unit} by the log's notes, {by_sensors:.2} {unit} by the sensors; \
+             the mean difference of a day is {apart:.2} ({days})"
         )
     }
 }
@@ -120,11 +121,12 @@ impl Silent {
         }
         let in_words = |(first, sensors): (&'_ Silent, Vec<&str>)| {
             let (noun, has) = if sensors.len() == 1 { ("sensor", "has") } else { ("sensors", "have") };
-            let said = match first.until {
-                Some(until) => format!("said nothing from {} to {until}", first.since),
-                None => format!("{has} said nothing since {}", first.since),
+            let since = in_full(first.since);
+            let silence = match first.until {
+                Some(until) => format!("sent nothing from {since} to {}", in_full(until)),
+                None => format!("{has} sent nothing since {since}"),
             };
-            format!("The {noun} {} {said}", sensors.join(", "))
+            format!("The {noun} {} {silence}", listed(&sensors))
         };
         told.into_iter().map(|(first, sensors)| (first, in_words((first, sensors)))).collect()
     }
@@ -149,8 +151,8 @@ mod tests {
         assert_eq!(
             told,
             [
-                "The sensors kitchen, bed said nothing from 2024-01-15 to 2024-01-30",
-                "The sensor hall has said nothing since 2024-01-15"
+                "The sensors kitchen and bed sent nothing from 15 January 2024 to 30 January 2024",
+                "The sensor hall has sent nothing since 15 January 2024"
             ]
         );
     }

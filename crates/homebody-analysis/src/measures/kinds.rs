@@ -1,39 +1,74 @@
-//! The measures: what each is, in which unit, by which definition, and how it is taken from a day.
+//! The measures: name, unit, definition and words of each, and the function that takes it from a day.
 
 use super::of_day::OfDay;
 use crate::dates::clock_of_hours;
 use serde::Serialize;
 
-/// The unit of times of day: hours since midnight, in which 24.5 is half past midnight.
-const CLOCK: &str = "h of day";
-
 /// A measure of a day.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Measure {
-    /// What it is called in tables and JSON.
+    /// Its name in tables and JSON.
     pub name: &'static str,
     /// Its unit.
     pub unit: &'static str,
-    /// What it is called in a picture.
+    /// Its name in pictures and, with a small letter, in sentences.
     pub title: &'static str,
     /// How it is taken.
     pub definition: &'static str,
-    /// Where the definition is from.
+    /// The source of the definition.
     pub source: &'static str,
+    /// `night` for a measure of the night that ends on the day, else `day`.
+    #[serde(skip)]
+    pub occasion: &'static str,
+    /// A higher value in words, such as `more sleep`.
+    #[serde(skip)]
+    pub more: &'static str,
+    /// A lower value in words.
+    #[serde(skip)]
+    pub less: &'static str,
+    /// The predicate of a sentence about the resident, with `{}` for the value; empty where values have no sentence.
+    #[serde(skip)]
+    pub did: &'static str,
+    /// The same for the value 0, if it has words of its own.
+    #[serde(skip)]
+    pub did_not: &'static str,
     /// Its value on a day; `None` where it is not known.
     #[serde(skip)]
     pub of: fn(&OfDay) -> Option<f64>,
 }
 
+/// How sentences write the values of a measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Hours.
+    Hours,
+    /// A time of day, in hours since midnight: 24.5 is half past midnight.
+    Clock,
+    /// A count.
+    Times,
+    /// Multiples of the usual value.
+    OfUsual,
+    /// Metres a second.
+    MetresASecond,
+    /// Any other amount: sentences give the difference in per cent.
+    Amount,
+}
+
 macro_rules! measures {
-    ($($name:ident ($unit:literal, $title:literal) $definition:literal, $source:literal;)*) => {
-        /// All measures. Those of a night are of the one that ends on the day; numbers without a source are ours.
+    ($($name:ident ($unit:literal, $title:literal) $definition:literal, $source:literal,
+        $occasion:ident: $more:literal, $less:literal $(; $did:literal $($did_not:literal)?)?;)*) => {
+        /// All measures. Those of a night are of the one that ends on the day; figures without a source are our choice.
         pub static MEASURES: &[Measure] = &[$(Measure {
             name: stringify!($name),
             unit: $unit,
             title: $title,
             definition: $definition,
             source: $source,
+            occasion: stringify!($occasion),
+            more: $more,
+            less: $less,
+            did: concat!($($did)?),
+            did_not: concat!($($($did_not)?)?),
             of: |day| day.$name(),
         }),*];
     };
@@ -41,75 +76,121 @@ macro_rules! measures {
 
 measures! {
     time_in_bed ("h", "Time in bed")
-        "Hours in bed in the night: by the bed's sensor, or else in stays in the bedroom that have a silence of 20 min and more, from coming to bed to leaving it, without the times in other rooms",
-        "Rantz et al. 2015, time in bed; the rule for motion sensors is ours";
-    bedtime ("h of day", "To bed at")
-        "When the night begins, in hours of the day before: 24.5 is half past midnight", "ours";
-    rising ("h of day", "Up at")
-        "When the night ends, in hours of the day", "ours";
+        "Hours in bed in the night: from going to bed to getting up, without the time in other rooms. From the bed's sensor, or else from stays in the bedroom with a silence of 20 min or more",
+        "Rantz et al. 2015, time in bed; the rule for motion sensors is our choice",
+        night: "more time in bed", "less time in bed"; "was in bed {}";
+    bedtime ("h of day", "Bedtime")
+        "Beginning of the night, in hours of the day before: 24.5 is half past midnight",
+        "our definition",
+        night: "a later bedtime", "an earlier bedtime"; "went to bed {}";
+    rising ("h of day", "Getting up")
+        "End of the night, in hours of the day",
+        "our definition",
+        day: "getting up later", "getting up earlier"; "got up {}";
     sleep ("h", "Sleep")
-        "Hours of the time in bed that lie in stretches of 5 min and more without a movement in the bedroom",
-        "actigraphy's scoring of sleep by rest; the 5 min are ours";
-    restlessness ("bouts/h", "Restlessness")
-        "Bouts of movement in bed an hour in bed; movements more than 30 s apart are two bouts",
-        "Rantz et al. 2015, bed restlessness; the bouts are ours";
-    bathroom_night ("visits", "Bathroom by night")
-        "Stays in the bathroom of 20 s and more between going to bed and getting up, with gaps of 60 s at most; whom several sensors see at once is in the room of most of them", "Rantz et al. 2015, bathroom activity";
-    bathroom_day ("visits", "Bathroom by day")
-        "Stays in the bathroom of 20 s and more on the day, but for those of the night, with gaps of 60 s at most", "Rantz et al. 2015, bathroom activity";
+        "Hours of the time in bed in stretches of 5 min or more without movement in the bedroom",
+        "sleep scoring by rest in actigraphy; the 5 min are our choice",
+        night: "more sleep", "less sleep"; "slept {}";
+    restlessness ("bouts/h", "Restlessness in bed")
+        "Bouts of movement in bed per hour in bed; movements more than 30 s apart are two bouts",
+        "Rantz et al. 2015, bed restlessness; the definition of a bout is our choice",
+        night: "more restless in bed", "less restless in bed";
+    bathroom_night ("visits", "Bathroom visits at night")
+        "Stays in the bathroom of 20 s or more between going to bed and getting up; gaps of up to 60 s do not end a stay. If several sensors see a person at once, the room of most of them counts",
+        "Rantz et al. 2015, bathroom activity",
+        night: "more bathroom visits at night", "fewer bathroom visits at night"; "got up for the bathroom {}" "did not get up for the bathroom";
+    bathroom_day ("visits", "Bathroom visits by day")
+        "Stays in the bathroom of 20 s or more on the day, without those of the night; gaps of up to 60 s do not end a stay",
+        "Rantz et al. 2015, bathroom activity",
+        day: "more bathroom visits by day", "fewer bathroom visits by day"; "used the bathroom {} by day" "did not use the bathroom by day";
     showers ("times", "Showers")
-        "Where the shower has a sensor, spans of its movements of 3 min and more; else, as a guess and where a motion sensor sees the bathroom, stays there of 10 min and more by day with a sign every minute",
-        "ours";
-    meals ("times", "Meals")
-        "Times around the kitchen with 15 min and more in it, with gaps of 15 min at most", "ours";
-    time_out ("h", "Out")
-        "Hours of the day with nobody at home, as far as that is known when the day ends", "Wang and Skubic 2008, time away from home";
+        "With a sensor at the shower: spans of its movements of 3 min or more. Otherwise an estimate, if a motion sensor sees the bathroom: stays there by day of 10 min or more with a sign of presence every minute",
+        "our definition",
+        day: "more showers", "fewer showers"; "showered {}" "did not shower";
+    meals ("times", "Kitchen meals")
+        "Periods around the kitchen with 15 min or more in it; gaps of up to 15 min do not end a period",
+        "our definition",
+        day: "more kitchen meals", "fewer kitchen meals"; "had a meal in the kitchen {}" "had no meal in the kitchen";
+    time_out ("h", "Time out of the home")
+        "Hours of the day in which the home is empty, as far as known at the end of the day",
+        "Wang and Skubic 2008, time away from home",
+        day: "more time out of the home", "less time out of the home"; "was out {}" "did not go out";
     outings ("times", "Outings")
-        "How often somebody was out for half an hour, each time on the day on which the half hour was over", "Wang and Skubic 2008, time away from home";
+        "Absences of half an hour or more, counted on the day on which the half hour ended",
+        "Wang and Skubic 2008, time away from home",
+        day: "more outings", "fewer outings"; "went out {}" "did not go out";
     room_changes ("times", "Room changes")
-        "How often somebody went from one room to another on the day", "Petersen et al. 2014, room transitions";
+        "Changes from one room to another on the day",
+        "Petersen et al. 2014, room transitions",
+        day: "moving about more at home", "moving about less at home";
     pace ("of usual", "Walking pace")
-        "The median over the day's ways from sensor to sensor of how fast each was gone, beside the median of the times before, of the first 100 at most",
-        "Hagler et al. 2010, walking speed by sensors in a line; relative times are ours";
-    pace_slow ("of usual", "Slowest walks")
-        "How fast the slowest tenth of the day's ways from sensor to sensor was gone at most, beside the median of the times before, of the first 100 at most", "Hagler et al. 2010, the distribution of walking speeds";
+        "Median of the relative pace over the day's walks between sensors: the usual time of a walk, which is the median of the earlier times (the first 100 at most), divided by its time",
+        "Hagler et al. 2010, walking speed by sensors in a line; relative times are our choice",
+        day: "walking faster", "walking more slowly";
+    pace_slow ("of usual", "Pace of the slowest walks")
+        "Relative pace that the slowest tenth of the day's walks between sensors does not exceed; the usual time of a walk is that of pace",
+        "Hagler et al. 2010, the distribution of walking speeds",
+        day: "a faster pace on the slowest walks", "a slower pace on the slowest walks";
     walking_speed ("m/s", "Walking speed")
-        "The median speed of the day's walks from sensor to sensor, by how far it is between them on the ways of the home; without a home it is not known",
-        "Hagler et al. 2010, walking speed by sensors in a line; ways of a home instead of a line are ours";
-    walking_speed_slow ("m/s", "Slow walks")
-        "The speed that a tenth of the day's walks from sensor to sensor do not reach, by the ways of the home", "Hagler et al. 2010, the distribution of walking speeds";
-    walking_speed_fast ("m/s", "Fast walks")
-        "The speed that a tenth of the day's walks from sensor to sensor exceed, by the ways of the home", "Hagler et al. 2010, the distribution of walking speeds";
-    company ("h", "Company")
-        "Hours of the day with somebody besides the resident, as a guess: from use to use of the front door's contact, of 10 min to 5 h, with somebody at home before and after, and 1.3 times the signs or more between that are usual of the 28 days up to the day",
-        "Petersen et al. 2012, visitors by sensors; the rule is ours";
+        "Median speed of the day's walks between sensors, by the length of the walkable path in the home; not known without a home",
+        "Hagler et al. 2010, walking speed by sensors in a line; paths of a home in place of a line are our choice",
+        day: "walking faster", "walking more slowly"; "walked {}";
+    walking_speed_slow ("m/s", "Speed of slow walks")
+        "10th percentile of the speed of the day's walks between sensors, by the length of the path in the home",
+        "Hagler et al. 2010, the distribution of walking speeds",
+        day: "faster slow walks", "slower slow walks";
+    walking_speed_fast ("m/s", "Speed of fast walks")
+        "90th percentile of the speed of the day's walks between sensors, by the length of the path in the home",
+        "Hagler et al. 2010, the distribution of walking speeds",
+        day: "faster fast walks", "slower fast walks";
+    company ("h", "Time with visitors")
+        "Estimate of the hours of the day with another person besides the resident: between two uses of the front door's contact, 10 min to 5 h apart, with a person at home before and after, and with 1.3 times or more the usual signs of presence of the 28 days up to the day",
+        "Petersen et al. 2012, visitors by sensors; the rule is our choice",
+        day: "more time with visitors", "less time with visitors"; "had visitors {}" "had no visitors";
     visits ("times", "Visitors")
-        "How often somebody besides the resident came on the day, as a guess: see company", "Petersen et al. 2012, visitors by sensors; the rule is ours";
+        "Estimate of the arrivals of other people on the day: see company",
+        "Petersen et al. 2012, visitors by sensors; the rule is our choice",
+        day: "more visitors", "fewer visitors";
     pacing ("times", "Pacing")
-        "Ways back and forth between two rooms, three times and more, with no stay over a minute",
-        "Martino-Saltzman et al. 1991; three times are ours";
+        "Walks back and forth between two rooms, three times or more, without a stay of over a minute",
+        "Martino-Saltzman et al. 1991; the three times are our choice",
+        day: "more pacing to and fro", "less pacing to and fro";
     lapping ("times", "Lapping")
-        "Ways round by three rooms and more, three times and more, with no stay over a minute",
-        "Martino-Saltzman et al. 1991; three times are ours";
-    sedentary ("h", "Sitting")
-        "Hours of the day in stays of 30 min and more in one room, out of the bed of the night",
-        "ours, after the 30-min bouts of sedentary time in actigraphy";
-    density_night ("firings/h", "Density 0-6")
-        "Firings of motion sensors an hour at home, from midnight to 06:00", "Wang and Skubic 2008";
-    density_morning ("firings/h", "Density 6-12")
-        "Firings of motion sensors an hour at home, from 06:00 to noon", "Wang and Skubic 2008";
-    density_afternoon ("firings/h", "Density 12-18")
-        "Firings of motion sensors an hour at home, from noon to 18:00", "Wang and Skubic 2008";
-    density_evening ("firings/h", "Density 18-24")
-        "Firings of motion sensors an hour at home, from 18:00 to midnight", "Wang and Skubic 2008";
-    density_distance ("0-2.24", "Density distance")
-        "How far the density map of the seven days that end with the day is from that of the seven before, in levels as high as the first 14 whole days of the log make them", "Wang and Skubic 2008, dissimilarity of density maps";
-    interdaily_stability ("0-1", "Evenness of days")
-        "The variance of the mean firings by hour of day beside that of all hours, over the seven days that end with the day",
-        "Witting et al. 1990, interdaily stability";
-    intradaily_variability ("ratio", "Fragmentation")
-        "The mean squared difference of firings from hour to hour beside the variance of all hours, over the seven days that end with the day",
-        "Witting et al. 1990, intradaily variability";
+        "Walks round three rooms or more, three times or more, without a stay of over a minute",
+        "Martino-Saltzman et al. 1991; the three times are our choice",
+        day: "more walking in circles", "less walking in circles";
+    sedentary ("h", "Sitting and resting")
+        "Hours of the day in stays of 30 min or more in one room, outside the bed of the night",
+        "our definition, after the 30-min bouts of sedentary time in actigraphy",
+        day: "more sitting and resting by day", "less sitting and resting by day"; "sat or rested {} by day";
+    density_night ("firings/h", "Movement at night")
+        "Firings of motion sensors per hour at home, from midnight to 06:00",
+        "Wang and Skubic 2008",
+        night: "more movement at night", "less movement at night";
+    density_morning ("firings/h", "Movement in the morning")
+        "Firings of motion sensors per hour at home, from 06:00 to noon",
+        "Wang and Skubic 2008",
+        day: "more movement in the morning", "less movement in the morning";
+    density_afternoon ("firings/h", "Movement in the afternoon")
+        "Firings of motion sensors per hour at home, from noon to 18:00",
+        "Wang and Skubic 2008",
+        day: "more movement in the afternoon", "less movement in the afternoon";
+    density_evening ("firings/h", "Movement in the evening")
+        "Firings of motion sensors per hour at home, from 18:00 to midnight",
+        "Wang and Skubic 2008",
+        day: "more movement in the evening", "less movement in the evening";
+    density_distance ("0-2.24", "Change of daily pattern")
+        "Distance between the density map of the seven days that end with the day and that of the seven days before; the first 14 whole days of the log set the height of the levels",
+        "Wang and Skubic 2008, dissimilarity of density maps",
+        day: "more change in the daily pattern", "less change in the daily pattern";
+    interdaily_stability ("0-1", "Regularity of days")
+        "Variance of the mean firings per hour of day, divided by the variance of all hours, over the seven days that end with the day",
+        "Witting et al. 1990, interdaily stability",
+        day: "more regular days", "less regular days";
+    intradaily_variability ("ratio", "Fragmentation of days")
+        "Mean squared difference of firings between consecutive hours, divided by the variance of all hours, over the seven days that end with the day",
+        "Witting et al. 1990, intradaily variability",
+        day: "more fragmented days", "less fragmented days";
 }
 
 impl Measure {
@@ -118,9 +199,21 @@ impl Measure {
         MEASURES.iter().find(|measure| measure.name == name)
     }
 
+    /// How sentences write its values.
+    pub fn kind(&self) -> Unit {
+        match self.unit {
+            "h" => Unit::Hours,
+            "h of day" => Unit::Clock,
+            "visits" | "times" => Unit::Times,
+            "of usual" => Unit::OfUsual,
+            "m/s" => Unit::MetresASecond,
+            _ => Unit::Amount,
+        }
+    }
+
     /// Whether its values are times of day, in hours since midnight.
     pub fn is_clock(&self) -> bool {
-        self.unit == CLOCK
+        self.kind() == Unit::Clock
     }
 
     /// A value with its unit, or as the time of day that it is.

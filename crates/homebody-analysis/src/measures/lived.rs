@@ -11,7 +11,7 @@ use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::Life;
 use std::ops::Range;
 
-/// What is no farther apart is one: walking to the toilet is no second meal (ours).
+/// Longest gap within one activity (our choice): a walk to the toilet does not make a second meal.
 const APART: Micros = 5 * 60 * SECOND;
 
 /// What a truth tells of a resident besides their rooms and what they do.

@@ -37,7 +37,7 @@ use remarks::Remarks;
 pub use crate::rows::Span;
 pub use day_by_day::Measuring;
 pub use held::{Day, Measures, Noted, Silent};
-pub use kinds::{MEASURES, Measure};
+pub use kinds::{MEASURES, Measure, Unit};
 pub use known::Known;
 pub use lived::Beside;
 pub use of_day::OfDay;

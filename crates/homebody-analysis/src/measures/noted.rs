@@ -33,7 +33,7 @@ impl Measures {
         }
         if !self.from_notes.is_empty() {
             self.remarks.push(format!(
-                "By the log's notes alone, until the first value by a sensor: {}",
+                "Taken from the log's notes until a sensor gives a value: {}",
                 self.from_notes.join(", ")
             ));
         }

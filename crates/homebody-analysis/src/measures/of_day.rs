@@ -8,17 +8,17 @@ use crate::rows::Span;
 use crate::signs::without;
 use homebody_core::time::{DAY, Micros, SECOND, seconds};
 
-/// Who is in the bathroom for less passes through it (ours).
+/// Time in the bathroom below which a person only passes through (our choice).
 pub const VISIT: Micros = 20 * SECOND;
-/// Who comes back so soon has not left (ours).
+/// Time within which a person who comes back has not left (our choice).
 const VISITS_APART: Micros = 60 * SECOND;
 /// An outing lasts for so long at least.
 const LEAST_OUTING: Micros = 30 * 60 * SECOND;
 /// Who stays in a room for so long sits there.
 const SITS: Micros = 30 * 60 * SECOND;
-/// A day of which more is unknown has no measures of days, and a night none of nights (ours).
+/// Largest number of unknown hours of a day or a night with measures (our choice).
 pub const UNKNOWN_H: f64 = 1.0;
-/// Fewer ways, or walks of a known length, have no distribution (ours).
+/// Smallest number of ways, and of walks of a known length, for a distribution (our choice).
 const LEAST_WAYS: usize = 10;
 const LEAST_WALKS: usize = 5;
 /// What is told of a week is told of so many days.

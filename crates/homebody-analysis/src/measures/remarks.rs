@@ -5,6 +5,7 @@ use super::known::Known;
 use super::rooms::Purpose;
 use crate::density::Chosen;
 use crate::signs::OwnWords;
+use crate::wording::listed;
 use homebody_core::problem::counted;
 use homebody_log::Log;
 
@@ -22,48 +23,45 @@ impl Remarks {
         let mut told = Remarks { remarks: Vec::new(), guesses: Vec::new() };
         told.remarks.extend_from_slice(OwnWords::of(log).not_understood());
         if !measured.has_motion {
-            told.remark("No sensor in it tells of motion: all that follows is by doors and by what is used");
+            told.remark("The log has no motion sensor; the measures rely on doors and on sensors of use");
         }
         told.rooms(log, known, measured);
         told.outings(measured);
         let timeline = &measured.timeline;
         if timeline.hides_showers {
-            told.remark("The motion sensor in the bathroom stays on for more than a minute after a movement, so nothing is known of showers");
+            told.remark("Showers are unknown: the motion sensor in the bathroom stays on for more than a minute after a movement");
         } else if timeline.showers.is_none() && timeline.rooms.has(Purpose::Bathroom) {
-            told.remark(
-                "No motion sensor is in the bathroom and no sensor at the shower, so nothing is known of showers",
-            );
+            told.remark("Showers are unknown: no motion sensor is in the bathroom, and no sensor at the shower");
         }
         if timeline.is_unwatched {
-            told.remark("Most sensors tell what is used, not who moves, so nothing is known of ways from room to room and of sitting");
+            told.remark("Room changes and sitting are unknown: most sensors report the use of things, not movement");
         }
         if timeline.guesses_nights {
             told.guess(&["time_in_bed", "bedtime", "rising", "bathroom_night"]);
-            told.remark("Nights are a guess by what is used in the bedroom: no motion sensor is there, and none tells of the bed");
+            told.remark("Nights are estimated from the use of things in the bedroom (no motion sensor there, and none in the bed)");
         } else if timeline.in_bed.is_some() && timeline.asleep.is_none() {
-            told.remark("No motion sensor is in the bedroom, so time in bed is known, and sleep is not");
+            told.remark("Time in bed is known, but not sleep: no motion sensor is in the bedroom");
         }
         if timeline.hides_visits {
             told.guess(&["bathroom_day", "bathroom_night"]);
             told.remark(
-                "Visits to the bathroom are a guess: its motion sensor stays on for more than 20 s after a movement, so passing its door may \
-                 count as a visit",
+                "Bathroom visits are estimated: the motion sensor stays on for more than 20 s after a movement, so a walk past the door may count",
             );
         }
         if timeline.hides_stirs {
-            told.remark("A motion sensor in the bedroom stays on for more than 30 s after a movement, so nothing is known of restlessness");
+            told.remark("Restlessness in bed is unknown: a motion sensor in the bedroom stays on for more than 30 s after a movement");
         }
         if timeline.guesses_showers {
             told.guess(&["showers"]);
-            told.remark("Showers are a guess by long stays in the bathroom: no sensor is at the shower");
+            told.remark("Showers are estimated from long stays in the bathroom (no sensor in the shower)");
         }
         if timeline.company.is_some() {
             told.guess(&["company", "visits"]);
-            told.remark("Visitors are a guess by uses of the door with somebody at home before and after, and by how lively it is between them");
+            told.remark("Visitors are estimated from uses of the front door with the home occupied before and after, and from more movement between them than usual");
         }
         if measured.crowded > 0 {
             let days = counted(measured.crowded, "day", "days");
-            told.remark(&format!("Nothing is measured of {days} with more rows than any home has"));
+            told.remark(&format!("No values for {days} with more rows than any home sends"));
         }
         told
     }
@@ -85,40 +83,41 @@ impl Remarks {
         let at_entrance = &measured.entrance.sensors;
         let unplaced = of_sensors.filter(|(sensor, room)| room.is_none() && !at_entrance.contains(sensor)).count();
         if rooms.rooms.is_empty() {
-            self.remark("No sensor's name tells its room, so nothing of rooms, bed, meals and showers is known; --home tells which room each is in");
+            self.remark("Rooms, bed, meals and showers are unknown: no sensor name contains a room; pass --home to name the rooms");
             return;
         }
         if known.rooms.is_empty() {
-            self.remark("Rooms are a guess by the names of sensors, see guessed_rooms of the JSON; --home tells which room each is in");
+            self.remark(
+                "Rooms are guessed from sensor names; pass --home to name them, or see guessed_rooms in the JSON",
+            );
         }
         if unplaced > 0 {
-            let are = if unplaced == 1 { "is" } else { "are" };
-            self.remark(&format!("{unplaced} of {} sensors {are} in no room that is known", log.sensors.len()));
+            self.remark(&format!("The room of {unplaced} of {} sensors is unknown", log.sensors.len()));
         }
         for (purpose, room, lacking) in [
-            (Purpose::Bedroom, "bedroom", "nights"),
-            (Purpose::Bathroom, "bathroom", "visits to it and showers"),
-            (Purpose::Kitchen, "kitchen", "meals"),
+            (Purpose::Bedroom, "bedroom", "Nights"),
+            (Purpose::Bathroom, "bathroom", "Bathroom visits and showers"),
+            (Purpose::Kitchen, "kitchen", "Kitchen meals"),
         ] {
             if !rooms.has(purpose) {
-                self.remark(&format!("No sensor is in a {room}, so nothing is known of {lacking}"));
+                self.remark(&format!("{lacking} are unknown: no sensor is in a {room}"));
             } else if !telling.has(purpose) {
-                self.remark(&format!("No sensor in the {room} detects the resident, so nothing is known of {lacking}"));
+                self.remark(&format!("{lacking} are unknown: no sensor in the {room} detects the resident"));
             }
         }
     }
 
     fn outings(&mut self, measured: &Measured) {
         match measured.entrance.chosen {
-            Chosen::None => self.remark("No sensor is at an entrance, so nothing is known of outings"),
+            Chosen::None => self.remark("Outings are unknown: no sensor is at an entrance"),
             Chosen::Guessed => {
                 self.guess(&["time_out", "outings"]);
-                let sensors = measured.entrance.sensors.join(", ");
-                self.remark(&format!("Outings are a guess: the entrance is taken to be at {sensors}"));
+                let sensors = listed(&measured.entrance.sensors);
+                self.remark(&format!("Outings are estimated, with the entrance taken to be at {sensors}"));
             }
             Chosen::Asked | Chosen::Known if !measured.guesses_absences => {}
             Chosen::Asked | Chosen::Known => {
-                self.remark("Some outings are told by no door that was opened: somebody was at the entrance, and then there was silence");
+                self.remark("Some outings are estimated: movement at the entrance, then no movement at home");
             }
         }
     }

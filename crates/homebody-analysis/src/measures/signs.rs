@@ -8,7 +8,7 @@ use crate::rows::Row;
 use crate::signs::{Kind, Said, Says};
 use homebody_core::time::{Micros, SECOND};
 
-/// Sensors that speak within so long see the same movement (ours).
+/// Time within which sensors see the same movement (our choice).
 const TOGETHER: Micros = 2 * SECOND;
 
 /// A sign of somebody: when, where, and by which sensor.

@@ -12,15 +12,15 @@ use crate::rows::Span;
 use crate::signs::Kind;
 use homebody_core::time::{DAY, Micros};
 
-/// A sensor is silent that says nothing for so long while somebody is at home, and for so many times as long as ever before
-/// (ours), as of `look`.
+/// A silent sensor sends nothing for this long while a person is at home, and for this many times its longest silence,
+/// as in `inspect` (our choice).
 const SILENT: Micros = 2 * DAY;
 const SILENT_TIMES: Micros = 3;
 /// A sensor that reports on most days is doubted after so long, and so many times as long as ever before.
 const DOUBTED: Micros = DAY;
 const DOUBTED_TIMES: Micros = 2;
-/// Only of a sensor of what is used or opened that has spoken on so many days before, and on three of four, silence says anything (ours): a drawer may stay
-/// closed for a week.
+/// Days with events that a sensor of a used or opened thing needs before a silence counts, and their share of all days
+/// (our choice): a drawer may stay closed for a week.
 const LEAST_DAYS: i64 = 4;
 const OF_DAYS: (i64, i64) = (3, 4);
 

@@ -32,10 +32,10 @@ impl fmt::Display for Measures {
         let whole = self.days.iter().filter(|day| day.is_whole).count();
         let (first, last) = match (self.days.first(), self.days.last()) {
             (Some(first), Some(last)) => (first.date, last.date),
-            _ => return writeln!(f, "{}: no day", self.name),
+            _ => return writeln!(f, "{}: no days", self.name),
         };
         let days = counted(self.days.len(), "day", "days");
-        writeln!(f, "{}: {days} from {first} to {last}, {whole} of them whole\n", self.name)?;
+        writeln!(f, "{}: {days} from {first} to {last}, {whole} of them complete\n", self.name)?;
         writeln!(
             f,
             "  {:24}{:10}{:>6}{:>9}{:>9}{:>9}   last days",
@@ -58,7 +58,7 @@ impl fmt::Display for Measures {
             writeln!(f, "   {}", recent.join("  "))?;
         }
         for (_, words) in Silent::told(&self.silent) {
-            writeln!(f, "\n{words}; what needs it has no value meanwhile.")?;
+            writeln!(f, "\n{words}; measures that need it have no value for that time.")?;
         }
         for (number, noted) in self.noted.iter().enumerate() {
             if number == 0 {

@@ -92,10 +92,10 @@ pub struct Timeline {
     pub cells: Option<Vec<[Cell; 24]>>,
 }
 
-/// What is no more apart than this is one night in bed (ours).
+/// Longest gap within one night in bed (our choice).
 const OUT_OF_BED: Micros = 90 * 60 * SECOND;
 
-/// A night shorter than this is a nap (ours).
+/// Duration below which a night is a nap (our choice).
 const LEAST_NIGHT: Micros = 2 * 3600 * SECOND;
 
 impl Timeline {

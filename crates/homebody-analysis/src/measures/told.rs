@@ -35,7 +35,7 @@ const MEASURED: [(&str, Tells); 9] = [
     ("outings", Tells::Leaves),
 ];
 
-/// What is done in the bathroom no farther apart, with nothing else noted in between, is done on one visit (ours).
+/// Longest gap between bathroom activities of one visit, with no other activity between them (our choice).
 const ONE_VISIT: Micros = 10 * 60 * SECOND;
 
 #[derive(Clone, Copy, PartialEq, Eq)]

@@ -15,16 +15,16 @@ const PASSES_WITHIN: Micros = 15 * SECOND;
 /// The usual time of a way is known after so many times, and by so many of the first times at most.
 const PASSES_KNOWN: usize = 20;
 const PASSES_KEPT: usize = 100;
-/// No home has more pairs of sensors with a way between them.
+/// Largest number of pairs of sensors with a way between them.
 const MOST_PAIRS: usize = 20_000;
-/// A sensor that has said nothing for so long speaks as somebody comes into its view (ours).
+/// Silence after which a firing of a sensor means that a person has entered its view (our choice).
 const COMES_AFTER: Micros = 15 * SECOND;
-/// Who goes on is seen again within so long (ours), on one way by so many signs at most.
+/// Time within which a walking person is seen again, and largest number of firings on one way (our choice).
 const GOES_ON: Micros = 8 * SECOND;
 const MOST_SIGNS: usize = 16;
-/// Over less, what a sensor sees at its border tells too little of how far one has gone (ours).
+/// Length of a way below which the position within the sensors' fields makes the distance too uncertain (our choice).
 const LEAST_WALK_M: f64 = 3.0;
-/// Nobody walks at home faster or slower (ours).
+/// Lowest and highest walking speed at home (our choice).
 const SPEEDS_M_S: std::ops::RangeInclusive<f64> = 0.1..=2.0;
 
 /// The pace of ways between sensors in different rooms, relative to their first times.

@@ -4,10 +4,10 @@
 use super::timeline::Stay;
 use homebody_core::time::{Micros, SECOND};
 
-/// Who stays anywhere for longer does not wander (ours).
+/// Stay after which a person does not wander (our choice).
 const PASSING: Micros = 60 * SECOND;
 
-/// So often one comes back to where the way began before it is pacing or lapping (ours).
+/// Smallest number of returns to the start of a way that is pacing or lapping (our choice).
 const ROUNDS: usize = 3;
 
 /// When somebody paces, and when they lap.

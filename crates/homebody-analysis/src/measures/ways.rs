@@ -10,7 +10,7 @@ use homebody_core::ids::SensorId;
 use homebody_core::scenario::home::HomeFile;
 use std::collections::BTreeMap;
 
-/// What sensors see is looked at in cells of so many metres, and ways in steps (ours).
+/// Side of a cell of the sensors' fields, and step along a way, in metres (our choice).
 const CELL_M: f64 = 0.1;
 const STEP_M: f64 = 0.05;
 

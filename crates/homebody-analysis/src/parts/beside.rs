@@ -7,7 +7,8 @@ use homebody_core::scenario::home::HomeFile;
 use serde::Serialize;
 use std::fmt;
 
-/// What is less is no difference, in metres, in degrees and in hundredths of a floor (ours): nobody hangs a sensor more exactly.
+/// Difference below which two positions are equal, in metres, in degrees and in hundredths of a floor (our choice): no
+/// sensor is mounted more exactly.
 const LEAST: f64 = 0.5;
 const LEAST_M: f64 = 0.01;
 

@@ -4,11 +4,11 @@ use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::{Origin, Plan};
 use std::cmp::Ordering;
 
-/// What is no farther from a wall hangs on it, in metres (ours).
+/// Distance from a wall within which a sensor hangs on it, in metres (our choice).
 const ON_WALL_M: f64 = 0.12;
-/// Sides of a room that are shorter are no walls to measure from, in metres (ours).
+/// Length below which a side of a room is not used to measure from, in metres (our choice).
 const SHORTEST_M: f64 = 0.3;
-/// Who looks so much aside still looks straight out, in degrees (ours).
+/// Angle within which a sensor looks straight out, in degrees (our choice).
 const STRAIGHT_DEG: f64 = 3.0;
 
 /// A wall as seen from a point in a room.
@@ -92,7 +92,7 @@ fn two_walls(plan: &Plan, at: Point) -> Vec<Wall> {
 
 /// How far off the face of a wall is; the border of the room where there is no wall near it.
 fn face(plan: &Plan, at: Point, towards: Point, border: f64) -> f64 {
-    /// How far from the border of a room its wall may stand, in metres (ours): walls may be this thick.
+    /// Largest distance of a wall from the border of its room, in metres (our choice): walls may be this thick.
     const NEAR_BORDER_M: f64 = 0.35;
     let far = at + towards * (border + NEAR_BORDER_M);
     let walls = plan.solids.iter().filter(|solid| matches!(solid.origin, Origin::Wall(_) | Origin::Door(_)));

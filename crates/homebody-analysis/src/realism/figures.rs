@@ -9,7 +9,7 @@ use std::ops::Range;
 /// What stands in for what cannot be told, such as the gaps of an hour without firings.
 const UNKNOWN: f64 = -1.0;
 
-/// Of so many sensors, those that fire most, the shares are figures.
+/// Number of sensors, those with the most firings, whose shares are figures.
 const MOST_SENSORS: usize = 24;
 
 /// A silence longer than this ends a burst.

@@ -30,7 +30,7 @@ pub struct Told {
 
 const TREES: usize = 60;
 const TURNS: usize = 5;
-/// Of longer logs so many rows each are enough.
+/// Largest number of rows used from each log.
 const MOST_ROWS: usize = 1_500;
 
 impl Rows {

@@ -159,7 +159,7 @@ pub enum NotComparable {
 const LEAST_DAYS: usize = 4;
 /// The same for hours, of which each day has 24.
 const LEAST_DAYS_OF_HOURS: usize = 2;
-/// So many of the most telling figures are told.
+/// Largest number of figures in the report, those that tell the logs apart best.
 const MOST_SIGNS: usize = 8;
 
 /// Holds log `b` against log `a`, of which every problem is told at once.

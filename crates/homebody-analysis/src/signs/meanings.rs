@@ -10,7 +10,7 @@ use homebody_core::states::{Says, says};
 use homebody_core::time::Micros;
 use homebody_log::{Event, Log, Pair};
 
-/// One text of two is rare if it holds for so many times less (our choice).
+/// Ratio of the times of two texts at which the shorter one is rare (our choice).
 const LESS: Micros = 2;
 
 /// The meanings of the values of a log, each looked up once.
@@ -68,7 +68,7 @@ impl OwnWords {
             let Some(kind) = kind_of_states(log, id).or_else(says_pir) else { continue };
             let Some((on, because)) = which_begins(pair, texts) else {
                 own.not_understood.push(format!(
-                    "{id} says {:?} and {:?}, and neither is known to begin something: it is taken for a reading",
+                    "{id} sends {:?} and {:?}; neither is a known state, so they count as readings",
                     texts[0], texts[1]
                 ));
                 continue;

@@ -291,7 +291,7 @@ fn words_that_tell_nothing_are_named_and_those_of_other_sensors_are_left() {
     let log = in_turn("hall pir", ["zing", "zang"], [20, 30]);
     let own = OwnWords::of(&log);
     assert_eq!((own.is_empty(), own.not_understood().len(), kinds(&log)), (true, 1, vec![Kind::Reading]));
-    assert!(own.not_understood()[0].contains("hall pir says \"zing\" and \"zang\""), "{:?}", own.not_understood());
+    assert!(own.not_understood()[0].contains("hall pir sends \"zing\" and \"zang\""), "{:?}", own.not_understood());
     let other = in_turn("boiler", ["eco", "comfort"], [20, 500]);
     let own = OwnWords::of(&other);
     assert!(own.is_empty() && own.not_understood().is_empty());

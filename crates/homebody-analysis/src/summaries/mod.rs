@@ -1,33 +1,32 @@
-//! Measures of days in words: sentences such as "On most nights of the last two weeks, she went to the bathroom twice or more."
+//! Sentences about the last days, such as "Ada got up for the bathroom at least twice on most nights of the last two weeks."
 //!
-//! Each is a protoform (Yager 1982): on so many of the days, the measure is so. How many and how are fuzzy sets. The truth value is
-//! how well the share of the days on which it is so fits the quantifier, by Zadeh's calculus; a sentence is told that
-//! is true to 0.8 and more. Of all that are true of a measure, that one is told that says most: with a strict
-//! quantifier and a narrow set. Sentences about what has changed come first.
+//! Each is a protoform (Yager 1982): on so many of the days, the measure is so. Both are fuzzy sets. The truth value is how well
+//! the share of the days fits the quantifier, by Zadeh's calculus; a sentence needs 0.8. Of all true sentences about a measure,
+//! the summary has the most specific: a strict quantifier and a narrow set. Changes come first.
 //!
-//! We assume that each measure is about one person. Left out: what is guessed, and sentences about several measures at once.
+//! We assume that each measure is about one person. Left out: estimates, and sentences about several measures at once.
 
 mod distance;
 mod protoform;
 mod sentence;
 mod set;
-mod words;
+mod topics;
 
 use crate::alerts::counts;
 use crate::measures::{Day, Measures};
 use homebody_core::problem::counted;
 use jiff::civil::Date;
 use protoform::{Found, change, level};
-use words::{SPOKEN, Spoken};
+use topics::{Topic, topics};
 
 pub use distance::{between, of_summaries};
 pub use protoform::truth;
 pub use sentence::{About, Sentence, Summary, TRUE_ENOUGH};
 pub use set::Set;
 
-/// With fewer days that count nothing is summarised (ours).
+/// Smallest number of days that count for a summary (our choice).
 const LEAST_DAYS: usize = 5;
-/// What was before is taken from so many days at most, and from so many that count at least (ours).
+/// Largest number of earlier days, and smallest number of them that count (our choice).
 const BEFORE: usize = 56;
 const LEAST_BEFORE: usize = 7;
 
@@ -41,25 +40,24 @@ pub fn summarise(measures: &Measures, about: About) -> Summary {
     let (mut sentences, mut changes) = (Vec::new(), Vec::new());
     let is_compared = before.iter().filter(|day| counts(day)).count() >= LEAST_BEFORE;
     if days_that_count < LEAST_DAYS {
-        let known = counted(days_that_count, "day", "days");
-        remarks.push(format!("{known} that count: too few to summarise, {LEAST_DAYS} are needed"));
+        let known = counted(days_that_count, "complete day", "complete days");
+        remarks.push(format!("Only {known} so far; at least {LEAST_DAYS} are needed for a summary"));
     } else {
         if !is_compared {
-            remarks
-                .push(format!("Fewer than {LEAST_BEFORE} days that count lie before, so nothing is said of changes"));
+            let days = counted(about.last, "day", "days");
+            remarks.push(format!("Changes need at least {LEAST_BEFORE} complete days before the last {days}"));
         }
-        let is_told = |spoken: &&Spoken| !measures.guesses.contains(&spoken.measure);
-        for spoken in SPOKEN.iter().filter(is_told) {
-            let of = |days: &[Day]| known(spoken, days);
+        for topic in topics().filter(|topic| !measures.guesses.contains(&topic.measure.name)) {
+            let of = |days: &[Day]| known(&topic, days);
             let values = of(days);
             if values.len() < LEAST_DAYS {
                 continue;
             }
-            let sentence = |found: Found| found.told(spoken, &values, days.len(), about);
-            sentences.extend(level(spoken, &values).map(sentence));
+            let sentence = |found: Found| found.told(&topic, &values, days.len(), about);
+            sentences.extend(level(&topic, &values).map(sentence));
             let past = of(before);
             if is_compared && past.len() >= LEAST_BEFORE {
-                changes.extend(change(spoken, &values, &past).map(sentence));
+                changes.extend(change(&topic, &values, &past).map(sentence));
             }
         }
     }
@@ -76,8 +74,8 @@ pub fn summarise(measures: &Measures, about: About) -> Summary {
 }
 
 /// The days that count on which a measure is known, with its values.
-fn known(spoken: &Spoken, days: &[Day]) -> Vec<(Date, f64)> {
-    let of = |day: &Day| Some((day.date, day.value(spoken.measure)?));
+fn known(topic: &Topic, days: &[Day]) -> Vec<(Date, f64)> {
+    let of = |day: &Day| Some((day.date, day.value(topic.measure.name)?));
     days.iter().filter(|day| counts(day)).filter_map(of).collect()
 }
 
@@ -86,9 +84,9 @@ fn without_repeats(mut sentences: Vec<Sentence>) -> Vec<Sentence> {
     sentences.sort_by(|a, b| b.says.total_cmp(&a.says));
     let mut told: Vec<&str> = Vec::new();
     sentences.retain(|sentence| {
-        let thing = words::thing(sentence.measure);
-        let is_new = !told.contains(&thing);
-        told.extend(is_new.then_some(thing));
+        let subject = topics::subject(sentence.measure);
+        let is_new = !told.contains(&subject);
+        told.extend(is_new.then_some(subject));
         is_new
     });
     sentences

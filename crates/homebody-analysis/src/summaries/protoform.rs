@@ -2,18 +2,21 @@
 
 use super::sentence::{About, Sentence, TRUE_ENOUGH};
 use super::set::{BORDER, Set};
-use super::words::{Kind, Spoken, expert, plain};
+use super::topics::Topic;
+use crate::measures::Unit;
+use crate::wording::{Earlier, joined};
 use homebody_core::fuzzy::Quantifier;
+use homebody_core::names::capitalised;
 use jiff::civil::Date;
 
-/// Sets of counts go so far.
+/// Largest number in a set of counts.
 const MOST_TIMES: u32 = 8;
-/// One time more is so many times as likely (ours).
+/// Factor on the likelihood for each further count (our choice).
 const ONE_MORE: f64 = 0.6;
 /// Sets of hours are so wide.
 const WIDTHS_H: [f64; 5] = [0.5, 1.0, 1.5, 2.0, 3.0];
 
-/// How much the quantifiers of levels say (ours), from the one that says most.
+/// Strength of the quantifiers of each level, from the strongest on (our choice).
 const STRICT: [(Quantifier, f64); 6] = [
     (Quantifier::Every, 1.0),
     (Quantifier::AlmostAlways, 0.95),
@@ -46,11 +49,12 @@ pub fn truth(quantifier: Quantifier, set: Set, values: impl Iterator<Item = f64>
 }
 
 /// How a measure is, if anything says it.
-pub(super) fn level(spoken: &Spoken, values: &[(Date, f64)]) -> Option<Found> {
+pub(super) fn level(topic: &Topic, values: &[(Date, f64)]) -> Option<Found> {
     let mut best: Option<Found> = None;
-    for set in sets(spoken) {
+    let range = topic.range?;
+    for set in sets(topic.measure.kind(), range) {
         // How narrow it is beside all that the measure can be.
-        let narrow = 1.0 - covers(set, spoken.range);
+        let narrow = 1.0 - covers(set, range);
         for (quantifier, strict) in STRICT {
             let is_not_at_all = set == Set::Exactly(0);
             if is_not_at_all && strict < 0.9 {
@@ -67,15 +71,13 @@ pub(super) fn level(spoken: &Spoken, values: &[(Date, f64)]) -> Option<Found> {
 }
 
 /// The sets that may tell how a measure is.
-fn sets(spoken: &Spoken) -> Vec<Set> {
-    let (low, high) = spoken.range;
-    match spoken.kind {
-        Kind::Change => Vec::new(),
-        Kind::Count => {
+fn sets(unit: Unit, (low, high): (f64, f64)) -> Vec<Set> {
+    match unit {
+        Unit::Times => {
             let most = MOST_TIMES.min(high as u32);
             (0..=most).map(Set::Exactly).chain((1..=most).map(Set::AtLeast)).collect()
         }
-        Kind::Hours | Kind::Clock => {
+        _ => {
             let steps = ((high - low) * 2.0) as u32;
             let begins = (0..steps).map(|step| low + f64::from(step) / 2.0);
             begins.flat_map(|from| WIDTHS_H.map(|width| Set::Between(from, from + width))).collect()
@@ -95,11 +97,11 @@ fn covers(set: Set, (low, high): (f64, f64)) -> f64 {
 }
 
 /// What has changed, if anything has.
-pub(super) fn change(spoken: &Spoken, values: &[(Date, f64)], past: &[(Date, f64)]) -> Option<Found> {
+pub(super) fn change(topic: &Topic, values: &[(Date, f64)], past: &[(Date, f64)]) -> Option<Found> {
     let count = past.len() as f64;
     let mean = past.iter().map(|(_, value)| value).sum::<f64>() / count;
     let square = past.iter().map(|(_, value)| (value - mean) * (value - mean)).sum::<f64>() / count;
-    let sd = square.sqrt().max(spoken.least_sd);
+    let sd = square.sqrt().max(topic.least_sd);
     let now = values.iter().map(|(_, value)| value).sum::<f64>() / values.len() as f64;
     let set = Set::Beyond { mean, sd, is_more: now > mean };
     let told = STRICT[..OF_CHANGES].iter().find_map(|&(quantifier, strict)| {
@@ -113,7 +115,7 @@ pub(super) fn change(spoken: &Spoken, values: &[(Date, f64)], past: &[(Date, f64
 
 impl Found {
     /// As a sentence.
-    pub(super) fn told(self, spoken: &Spoken, values: &[(Date, f64)], days: usize, about: About) -> Sentence {
+    pub(super) fn told(self, topic: &Topic, values: &[(Date, f64)], days: usize, about: About) -> Sentence {
         let Found { quantifier, set, truth, says, before } = self;
         let fuzzy = set.fuzzy();
         let count = values.len() as f64;
@@ -121,8 +123,17 @@ impl Found {
         let is_so = values.iter().filter(|(_, value)| fuzzy.agreement(*value) >= 0.5);
         let shown_by: Vec<Date> = is_so.map(|(date, _)| *date).collect();
         let mean = values.iter().map(|(_, value)| value).sum::<f64>() / count;
-        let plain = plain(spoken, quantifier, set, about, days);
-        let expert = expert(spoken, &plain, (shown_by.len(), values.len()), (mean, before), truth);
+        let measure = topic.measure;
+        let words = measure.summary(quantifier, set, about, days);
+        let (so, known) = (shown_by.len(), values.len());
+        let exactly = |value| measure.told(value, 2);
+        let earlier = before.map_or(String::new(), |before| format!(", previously {}", exactly(before)));
+        let on = format!("on {so} of {known} {}s", measure.occasion);
+        let expert = format!("{words} (truth {truth:.2}; {on}; mean {}{earlier}).", exactly(mean));
+        let compared = before.map(|before| measure.compared(mean, Earlier::Before(before), true)).unwrap_or_default();
+        let average = measure.on_average(mean).filter(|_| before.is_none());
+        let plain = format!("{}.", joined(words, &compared));
+        let numbers = format!("{}{}.", capitalised(&on), average.map(|mean| format!("; {mean}")).unwrap_or_default());
         let is_more = match set {
             Set::Beyond { is_more, .. } => Some(is_more),
             _ => None,
@@ -131,7 +142,8 @@ impl Found {
         Sentence {
             plain,
             expert,
-            measure: spoken.measure,
+            numbers,
+            measure: measure.name,
             is_more,
             quantifier,
             set,

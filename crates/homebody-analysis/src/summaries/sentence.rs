@@ -6,7 +6,7 @@ use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
 
-/// A sentence is told from this truth value on (ours).
+/// Smallest truth value of a sentence in the summary (our choice).
 pub const TRUE_ENOUGH: f64 = 0.8;
 /// The days of a log in words.
 #[derive(Clone, Debug, Serialize)]
@@ -34,6 +34,9 @@ pub struct Sentence {
     pub plain: String,
     /// The same with numbers.
     pub expert: String,
+    /// The days of the plain sentence, and the average where that has none.
+    #[serde(skip)]
+    pub numbers: String,
     /// The measure's name.
     pub measure: &'static str,
     /// Whether it says what has changed: more than before, or less; `None` where it says how things are.
@@ -67,14 +70,25 @@ pub struct About<'a> {
     pub last: usize,
 }
 
+impl Summary {
+    /// Writes the sentences, for experts with truth values, and the remarks after them.
+    ///
+    /// # Errors
+    ///
+    /// Those of the formatter.
+    pub fn write(&self, f: &mut fmt::Formatter, is_expert: bool) -> fmt::Result {
+        for sentence in &self.sentences {
+            writeln!(f, "{}", if is_expert { &sentence.expert } else { &sentence.plain })?;
+        }
+        if !self.sentences.is_empty() && !self.remarks.is_empty() {
+            writeln!(f)?;
+        }
+        self.remarks.iter().try_for_each(|remark| writeln!(f, "{remark}."))
+    }
+}
+
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        for remark in &self.remarks {
-            writeln!(f, "{remark}.")?;
-        }
-        for sentence in &self.sentences {
-            writeln!(f, "{}", sentence.plain)?;
-        }
-        Ok(())
+        self.write(f, false)
     }
 }

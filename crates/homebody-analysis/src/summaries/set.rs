@@ -44,5 +44,5 @@ impl Set {
     }
 }
 
-/// The border of a set of hours is so wide (ours), in hours.
+/// Width of the border of a set of hours, in hours (our choice).
 pub(super) const BORDER: f64 = 0.25;

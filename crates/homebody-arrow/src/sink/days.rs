@@ -20,10 +20,10 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// So many days of a table are open at most: each takes some memory (ours).
+/// Largest number of open days of a table (our choice): each takes some memory.
 const MOST_OPEN: usize = 4;
 
-/// A day is in no more files (ours): a log that needs more is in no order of time.
+/// Largest number of files of a day (our choice): a log that needs more is not in the order of time.
 const MOST_PARTS: u32 = 1000;
 
 /// One table's files.

@@ -9,10 +9,10 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A data set has no more files, and no folder of it more (ours): two hundred years of days.
+/// Largest number of files in a data set or in one of its folders (our choice): two hundred years of days.
 const MOST_FILES: usize = 100_000;
 
-/// Its folders are in each other no deeper (ours).
+/// Largest depth of nested folders in a data set (our choice).
 const DEEPEST: usize = 6;
 
 /// The files of one run; a file is its own.

@@ -17,10 +17,10 @@ const TRAILER_BYTES: u64 = 10;
 /// A record batch that unpacks to no more than this is read, however well it is packed.
 const SMALL_BATCH_BYTES: u64 = 64 << 20;
 
-/// A larger batch unpacks to no more than this many times its packed size.
+/// Largest compression ratio of a batch that unpacks to more than `SMALL_BATCH_BYTES`.
 const LARGEST_RATIO: u64 = 100;
 
-/// No record batch is larger once it is unpacked.
+/// Largest size of an unpacked record batch.
 const LARGEST_BATCH_BYTES: u64 = 1 << 30;
 
 /// Its record batches, one after the other.

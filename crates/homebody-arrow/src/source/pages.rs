@@ -8,10 +8,10 @@ use parquet::basic::Encoding;
 use parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaData};
 use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom};
 
-/// No page unpacks to more. Writers make pages of 1 MiB by default.
+/// Largest size of an unpacked page. Writers make pages of 1 MiB by default.
 const LARGEST_PAGE_BYTES: u64 = 64 << 20;
 
-/// No page unpacks to more where values share beginnings: each value of a page may then be as long as all of it.
+/// Largest size of an unpacked page with shared prefixes: each of its values may then be as long as the whole page.
 const LARGEST_SHARED_BYTES: u64 = 2 << 20;
 
 /// A header of a page has no more structs within structs.

@@ -16,7 +16,7 @@ use homebody_log::table::LOG;
 use serde_json::Value;
 use std::path::Path;
 
-/// How many characters of unknown names are told (ours).
+/// Largest number of characters of unknown names in a message (our choice).
 const LONGEST_TOLD: usize = 200;
 
 /// Reads a file, or a folder of files, row by row.

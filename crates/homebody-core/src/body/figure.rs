@@ -44,7 +44,8 @@ pub type Figure = Vec<Capsule>;
 /// The radius of a body of usual girth, as a share of the height: half the width of the shoulders.
 const USUAL_RADIUS: f64 = share::SHOULDER_HALF_WIDTH;
 
-/// A resident's radius leaves room for swaying, so that of what it is above the usual this share counts (ours).
+/// Share of the excess of a resident's radius over the usual one that counts (our choice): the radius leaves room for
+/// swaying.
 const GIRTH_SHARE: f64 = 0.5;
 
 /// How many times as thick as usual a body is.

@@ -8,7 +8,7 @@
 use crate::geometry::{self, Point};
 use std::f64::consts::TAU;
 
-/// No seat or mattress is higher, in metres (ours).
+/// Greatest height of a seat or mattress, in metres (our choice).
 pub const HIGHEST_SUPPORT_M: f64 = 0.55;
 
 /// Where people can be in furniture, and what stands in the way of who lies down.
@@ -28,7 +28,7 @@ struct Support {
     along_rad: f64,
 }
 
-/// So many directions are tried for who lies on the floor (ours).
+/// Number of directions that are tried for a person who lies on the floor (our choice).
 const DIRECTIONS: usize = 16;
 
 impl Ground {

@@ -78,7 +78,7 @@ pub struct Joints {
     pub right: Side,
 }
 
-/// How far arms hang from the sides (ours).
+/// Angle between hanging arms and the sides (our choice).
 const ARM_OUT_RAD: f64 = 0.12;
 
 /// A chair's seat where no piece of furniture says how high it is, in metres.

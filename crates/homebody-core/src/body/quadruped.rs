@@ -7,7 +7,7 @@
 use super::figure::{Capsule, Figure, Point3, Stature};
 use crate::geometry::Point;
 
-/// Whoever is lower goes on four legs, in metres (ours).
+/// Height below which a resident walks on four legs, in metres (our choice).
 pub const LOWEST_PERSON_M: f64 = 0.6;
 
 /// An animal of this size, at a place and facing this way. `phase` is that of its steps, `swing` how far they go; who lies

@@ -11,7 +11,7 @@ pub(super) mod share {
     pub const FOREARM: f64 = 0.146;
     pub const HAND: f64 = 0.108;
     pub const SHOULDER_HALF_WIDTH: f64 = 0.129;
-    /// Of the trunk below the armpits (ours).
+    /// Half widths of the trunk below the armpits, as shares of the height (our choice).
     pub const CHEST_HALF_WIDTH: f64 = 0.11;
     pub const HIP_HALF_WIDTH: f64 = 0.0955;
     /// From the shoulders' line to the top of the head.

@@ -23,43 +23,43 @@ use crate::time::{Micros, SECOND, micros};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 crate::numbers! {
-    /// How long sitting down takes.
+    /// Duration of sitting down.
     static SITS_DOWN_S = "body.sits_down": 2.0, "s", [0.3, 10.0];
-    /// How long rising from a seat takes somebody who walks at 1.2 m/s; who walks slower rises slower, to twice as long. Healthy old
-    /// people take about 2 s (Kerr et al. 1997), frail ones 3 to 4.
+    /// Duration of rising from a seat for a person who walks at 1.2 m/s; up to twice as long for a slower one. Healthy
+    /// old people take about 2 s (Kerr et al. 1997), frail ones 3 to 4.
     static RISES_S = "body.rises": 2.0, "s", [0.3, 20.0];
-    /// How long lying down from a seat, or sitting up, takes.
+    /// Duration of lying down from a seat, and of sitting up.
     static LIES_DOWN_S = "body.lies_down": 3.0, "s", [0.3, 20.0];
-    /// How long bending takes, or kneeling down.
+    /// Duration of bending, and of kneeling down.
     static BENDS_S = "body.bends": 1.5, "s", [0.3, 10.0];
-    /// How long a fall takes from standing to the floor: free falls of a stiff body of 1.65 m take 0.7 s, measured ones 0.5 to 1
-    /// (Hsiao and Robinovitch 1998).
+    /// Duration of a fall from standing to the floor: free falls of a stiff body of 1.65 m take 0.7 s, measured ones
+    /// 0.5 to 1 (Hsiao and Robinovitch 1998).
     static FALLS_S = "body.falls": 0.8, "s", [0.3, 5.0];
-    /// How long getting up from the floor takes who walks at 1.2 m/s, after timed tests of old people.
+    /// Duration of getting up from the floor for a person who walks at 1.2 m/s, after timed tests of old people.
     static GETS_UP_S = "body.gets_up": 6.0, "s", [1.0, 60.0];
-    /// The length of a step as a share of the height (Winter: stride 0.83 of the height).
+    /// Length of a step as a share of the body's height (Winter: stride 0.83 of the height).
     static STEP = "body.step": 0.41, "1", [0.1, 0.8];
 }
 
 /// The speed at which people rise in the time that [`RISES_S`] says, in m/s.
 const USUAL_MPS: f64 = 1.2;
 
-/// A turn, or a small shift without a stride, takes so long (ours).
+/// Duration of a turn, or of a small shift without a stride (our choice).
 const SHIFTS: Micros = SECOND / 2;
 
-/// A body whose place changes by more without a stride shifts there, in metres (ours).
+/// Distance above which a change of position without a stride is a shift, in metres (our choice).
 const SHIFT_M: f64 = 0.02;
 
-/// Who trips while they walk or stand and comes to lie on a side falls to the front of that side, as far from straight ahead (ours).
+/// Angle from straight ahead of a fall to a side after tripping (our choice).
 const TRIPS_ASIDE_RAD: f64 = 0.5;
 
-/// Who falls out of any other posture and comes to lie on a side falls to that side (ours).
+/// Angle from straight ahead of a fall to a side from another posture (our choice).
 const TOPPLES_ASIDE_RAD: f64 = FRAC_PI_2;
 
-/// On hands and knees a body turns so fast, in rad/s (ours).
+/// Speed of a turn on hands and knees, in rad/s (our choice).
 const CRAWLER_TURNS_RADPS: f64 = 1.0;
 
-/// Who crawls swings thighs and arms so far to either side (ours), at this speed and above, in m/s (ours).
+/// Swing of thighs and arms to either side in crawling, and smallest speed with the full swing, in m/s (our choice).
 const CRAWL_SWING: f64 = 0.85;
 const CRAWLS_MPS: f64 = 0.3;
 

@@ -20,17 +20,17 @@ use crate::numbers::Numbers;
 use crate::random::{DrawnValue, Marks, poisson_by_inversion};
 
 crate::numbers! {
-    /// The share of a silhouette's border pixels, on both sides, that are taken for the other side in a frame.
+    /// Share of a silhouette's border pixels, on both sides, that a frame assigns to the other side.
     static FLICKER = "camera.flicker": 0.15, "1", [0.0, 0.5];
-    /// How often a silhouette has a hole.
+    /// Probability that a silhouette has a hole.
     static HOLES = "camera.holes": 0.15, "1", [0.0, 1.0];
-    /// The share of a shadow's pixels on the floor that are taken for a body.
+    /// Share of a shadow's pixels on the floor that count as body.
     static SHADOW = "camera.shadow": 0.25, "1", [0.0, 1.0];
-    /// How many specks of up to four pixels a frame has on average, anywhere.
+    /// Mean number of specks of up to four pixels in a frame.
     static SPECKS = "camera.specks": 0.5, "1", [0.0, 20.0];
-    /// The share of pixels that change as a lamp goes on or off.
+    /// Share of the pixels that change as a lamp is turned on or off.
     static LIGHT = "camera.light": 0.5, "1", [0.0, 1.0];
-    /// How long a camera needs to get used to a lamp that goes on or off.
+    /// Time that a camera needs to adapt to a lamp that is turned on or off.
     pub static LIGHT_S = "camera.light_lasts": 1.5, "s", [0.0, 60.0];
 }
 
@@ -44,13 +44,13 @@ pub struct Noise {
     light: f64,
 }
 
-/// How long a hole stays (ours), in frames of the same hole.
+/// Number of frames that a hole stays (our choice).
 const HOLE_FRAMES: u64 = 5;
 
-/// The border of a hole is ragged over this share of its area (ours).
+/// Share of a hole's area with a ragged border (our choice).
 const RAGGED: f64 = 0.5;
 
-/// A shadow reaches so far from the feet, and is so wide, in metres (ours).
+/// Reach of a shadow from the feet, and its width, in metres (our choice).
 const SHADOW_M: [f64; 2] = [0.6, 0.12];
 
 impl Noise {

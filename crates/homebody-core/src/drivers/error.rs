@@ -84,13 +84,13 @@ impl Datum for ThingId {
     }
 }
 
-/// A body is where its last segment ended, but for rounding (ours).
+/// Largest difference between the end of a segment and the start of the next, by rounding (our choice).
 pub const JUMP_M: f64 = 0.01;
 
-/// Whoever is no further than this from the rooms and doors of the home is inside: a wall is thinner (ours).
+/// Distance from the rooms and doors of the home within which a body is inside (our choice): a wall is thinner.
 pub const WALL_M: f64 = 0.5;
 
-/// No instant has more answers that take no time (ours).
+/// Largest number of answers without duration at one instant (our choice).
 pub const MOST_ANSWERS: usize = 100_000;
 
 impl DriverFault {

@@ -127,8 +127,8 @@ struct Exit {
     radius_m: f64,
 }
 
-/// How much farther from a door than its radius a body may be that pushes against it (ours): the gap that the physics keeps, and
-/// the noise of a step.
+/// Distance beyond its radius at which a body pushes a door (our choice): the gap that the physics keeps, and the noise
+/// of a step.
 const REACH_M: f64 = 0.03;
 
 impl Exit {

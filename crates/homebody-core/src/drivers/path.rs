@@ -22,7 +22,7 @@ use crate::time::{DAY, Micros, NEVER, micros, seconds};
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// Nobody walks faster (ours): whoever would have to comes too late.
+/// Highest speed of a walk (our choice): a person who would need more arrives late.
 pub(crate) const GREATEST_SPEED_MPS: f64 = 10.0;
 
 /// A resident who follows a path description.

@@ -18,9 +18,9 @@ use resolved::ResolvedHome;
 use sun::Sun;
 
 crate::numbers! {
-    /// How high an adult on a common chair reaches, as a share of the height when standing.
+    /// Height of a person on a common chair, as a share of the standing height.
     static SITTING = "posture.sitting": 0.8, "1", [0.5, 1.0];
-    /// How high who lies on a bed reaches, as a share of the height when standing.
+    /// Height of a person on a bed, as a share of the standing height.
     static LYING = "posture.lying": 0.4, "1", [0.1, 0.8];
 }
 

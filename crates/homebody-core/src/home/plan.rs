@@ -91,7 +91,7 @@ pub const JAMB_TOLERANCE_M: f64 = 0.01;
 /// In metres. A shorter piece of wall next to a door comes from rounding. Its outline would be a point.
 const LEAST_WALL_M: f64 = 1e-9;
 
-/// Furniture that is no higher, such as a carpet, stops nobody, in metres (ours): people step over it.
+/// Greatest height of furniture, such as a carpet, that blocks no one, in metres (our choice): people step over it.
 pub const FLAT_M: f64 = 0.05;
 
 /// A floor of a home that has several.

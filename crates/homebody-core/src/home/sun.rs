@@ -7,7 +7,7 @@ use crate::time::{DAY, Micros, SECOND};
 pub const COLUMBIA_DEG: f64 = 38.95;
 
 crate::numbers! {
-    /// The sine of the sun's height below which it is dark, and lamps are lit.
+    /// Sine of the sun's elevation below which it is dark and lamps are lit.
     pub(super) static DARK = "driver.dark": 0.08, "1", [-1.0, 1.0];
 }
 

@@ -35,7 +35,7 @@ use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
 crate::numbers! {
-    /// The share of damaged messages of which it is the id that is damaged, not the value.
+    /// Share of the damaged messages with a damaged id. The others have a damaged value.
     static DAMAGED_IDS = "link.damaged_ids": 0.5, "1", [0.01, 0.99];
 }
 

@@ -38,7 +38,7 @@ struct Sending {
 }
 
 crate::numbers! {
-    /// A message that would have to wait longer for its own sensor to be free is forgotten.
+    /// Longest wait of a message for its own sensor to be free. A message that would wait longer is dropped.
     static LONGEST_WAIT_S = "radio.longest_wait": 5.0, "s", [0.0, 600.0];
 }
 

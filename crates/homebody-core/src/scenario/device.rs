@@ -40,8 +40,8 @@ pub struct Device {
 }
 
 const PAPER: &str = "Godsey & Skubic 2009, section III.D";
-const AS_PAPER: &str = "not published for it: as in Godsey & Skubic 2009";
-const OURS: &str = "not published for it: ours";
+const AS_PAPER: &str = "unpublished; as in Godsey & Skubic 2009";
+const OURS: &str = "unpublished; our choice";
 
 impl Device {
     /// The device of a preset.
@@ -71,7 +71,7 @@ impl Device {
                 network: "X10 radio",
                 height_m: Fact {
                     value: mounting_height(),
-                    source: "ours, above the 6 ft (1.83 m) of the manual of its sister HawkEye MS13A",
+                    source: "our choice, above the 6 ft (1.83 m) in the manual of the related HawkEye MS13A",
                 },
                 timing: "X10 Active Eye setup guide",
                 ..device
@@ -79,14 +79,14 @@ impl Device {
             Preset::CasasPulse => Device {
                 make: "Bosch",
                 model: "unit of CASAS homes",
-                timing: "read off the log of a CASAS home",
+                timing: "measured in the log of a CASAS home",
                 ..device
             },
             Preset::CasasFollow => Device {
                 make: "Control4",
                 model: "unit of CASAS homes",
                 network: "Zigbee",
-                timing: "read off the logs of CASAS homes",
+                timing: "measured in the logs of CASAS homes",
                 ..device
             },
             Preset::Aqara => Device { model: "RTCGQ11LM", timing: "Zigbee2MQTT, page RTCGQ11LM", ..aqara(device) },
@@ -153,13 +153,13 @@ impl Device {
 
 /// What the sensors of Aqara share.
 fn aqara(device: Device) -> Device {
-    const SISTER: &str = "a review of its sister T1 RTCGQ12LM (privatehomelab.com)";
+    const SISTER: &str = "a review of the related T1 RTCGQ12LM (privatehomelab.com)";
     Device {
         make: "Aqara",
         network: "Zigbee",
         field_deg: Fact {
             value: [170.0, field()[1]],
-            source: "across by a review of its sister T1 RTCGQ12LM (privatehomelab.com); up and down as in Godsey & Skubic 2009",
+            source: "horizontal from a review of the related T1 RTCGQ12LM (privatehomelab.com); vertical as in Godsey & Skubic 2009",
         },
         reach_m: Fact { value: 7.0, source: SISTER },
         ..device

@@ -10,44 +10,44 @@ use crate::sensors::kinds::{CEILING_MOTION, MOTION, devices};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// No home reaches further from its first room: larger ones are a mistake of units (ours), since the smallest flat in
-/// centimetres is larger.
+/// Largest distance of any part of a home from its first room (our choice). Larger homes are an error of units: the
+/// smallest flat in centimetres is larger.
 pub const GREATEST_SIZE_M: f64 = 100.0;
 
 /// How far furniture and areas may reach beyond the rooms: into the thickness of a wall.
 pub const REACH_OUT_M: f64 = 0.3;
 
-/// `home.json`: the building and what hangs on its walls.
+/// `home.json`: the building, its furniture and its sensors.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "home")]
 pub struct HomeFile {
-    /// Where the JSON Schema of this file is, for editors.
+    /// Path or URL of this file's JSON Schema, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
-    /// What people call this home.
+    /// Name of the home.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// What was measured, what was assumed.
+    /// Notes on the home: which lengths are measured, and which are assumed.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[schemars(extend("default" = ""))]
     pub about: String,
-    /// How far north it is, below 0 in the south: how long days are in which season. The default is TigerPlace in
-    /// Missouri.
+    /// Latitude, negative in the south. It sets the length of the days in each season. The default is that of
+    /// TigerPlace in Missouri.
     #[serde(default = "latitude", skip_serializing_if = "is_missouri")]
     #[schemars(range(min = -65, max = 65), extend("default" = COLUMBIA_DEG))]
     pub latitude_deg: f64,
-    /// The rooms; their outlines do not overlap.
+    /// Rooms. Their outlines do not overlap.
     #[schemars(length(min = 1, max = 1_000))]
     pub rooms: Vec<RoomFile>,
-    /// The walls. Doors cut openings into them.
+    /// Walls. Doors cut openings into them.
     #[schemars(length(max = 5_000))]
     pub walls: Vec<WallFile>,
-    /// The doors and open passages; without any, the walls have no openings.
+    /// Doors and open passages. Without any, the walls have no openings.
     #[serde(default)]
     #[schemars(length(max = 1_000))]
     pub doors: Vec<DoorFile>,
-    /// What stands in the home: it stops bodies and beams, is used, sat on and lain on.
+    /// Furniture. It blocks bodies and beams, and residents use it, sit on it and lie on it.
     #[serde(default)]
     #[schemars(length(max = 1_000))]
     pub furniture: Vec<FurnitureFile>,
@@ -55,7 +55,7 @@ pub struct HomeFile {
     #[serde(default)]
     #[schemars(length(max = 1_000))]
     pub places: Vec<PlaceFile>,
-    /// What senses, in the order in which sensors speak at one instant.
+    /// Sensors. When several send an event at the same instant, the log has them in this order.
     #[serde(default)]
     #[schemars(length(max = 1_024))]
     pub sensors: Vec<SensorFile>,
@@ -113,17 +113,17 @@ impl MotionFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "room")]
 pub struct RoomFile {
-    /// What people and other files call the room, and its lamp; no other room has this name.
+    /// Name of the room and of its lamp, unique among rooms.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The corners in order; the last is joined to the first.
+    /// Corners in order. The last is joined to the first.
     #[schemars(length(min = 3, max = 500), inner(inner(range(min = -10_000, max = 10_000))))]
     pub outline: Vec<At>,
-    /// The floor that the room is on, in a home of several that are drawn beside each other, such as `first floor`.
+    /// Floor of the building that the room is on, such as `first floor`. A plan draws the floors next to each other.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 1, max = 100))]
     pub floor: Option<String>,
-    /// How high the ceiling is above the floor. Nobody who lives there is taller, and no camera hangs higher.
+    /// Height of the ceiling above the floor. No resident is taller, and no camera hangs higher.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.5, max = 20))]
     pub ceiling_m: Option<f64>,
@@ -136,58 +136,57 @@ impl RoomFile {
     }
 }
 
-/// A straight wall between two points of its middle line.
+/// A straight wall between two points of its centre line.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "wall")]
 pub struct WallFile {
-    /// One end of the wall's middle line.
+    /// One end of the wall's centre line.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub from: At,
-    /// The other end of the wall's middle line.
+    /// The other end of the wall's centre line.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub to: At,
-    /// How thick the wall is; half of it lies on each side of the middle line.
+    /// Thickness of the wall. Half of it lies on each side of the centre line.
     #[serde(default = "wall_thickness")]
     #[schemars(range(min = 0.001, max = 2))]
     pub thickness_m: f64,
 }
 
-/// A door or an open passage: a span of a wall.
+/// A door or an open passage: an opening in a wall.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "door")]
 pub struct DoorFile {
-    /// What people and other files call the door; no other door has this name.
+    /// Name of the door, unique among doors.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// One jamb; it lies on the middle line of a wall.
+    /// One jamb, on the centre line of a wall.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub from: At,
     /// The other jamb, on the same wall.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub to: At,
-    /// An open door lets people and beams through, a closed one neither.
+    /// Whether the door is open. An open door lets people and beams through; a closed door blocks both.
     #[serde(default = "yes")]
     pub open: bool,
-    /// Whether people shut an open door behind them whenever they go through: it lets them through, and beams never.
+    /// Whether people close the open door each time after they pass. Such a door lets people through, but never beams.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub shut_behind: bool,
-    /// Whether it leads out of the home.
+    /// Whether the door leads out of the home.
     #[serde(default)]
     pub outside: bool,
 }
 
-/// A piece of furniture: a rectangle by `at` and `size_m`, or any `outline`.
+/// A piece of furniture: a rectangle given by `at` and `size_m`, or any `outline`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "piece of furniture")]
 pub struct FurnitureFile {
-    /// What people and other files call the piece, such as `armchair`. Unless `role` says it, the name says what it is
-    /// for.
+    /// Name of the piece, such as `armchair`. The name sets its role, unless `role` is given.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The middle of the rectangle.
+    /// Centre of the rectangle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: Option<At>,
@@ -195,21 +194,22 @@ pub struct FurnitureFile {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0.001, max = 1_000)))]
     pub size_m: Option<[f64; 2]>,
-    /// Counter-clockwise turn of the rectangle.
+    /// Rotation of the rectangle, counter-clockwise.
     #[serde(default, skip_serializing_if = "is_zero")]
     #[schemars(range(min = -360, max = 360), extend("default" = 0))]
     pub turn_deg: f64,
-    /// The corners, for anything that is no rectangle.
+    /// Corners, for a shape other than a rectangle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub outline: Option<Vec<At>>,
-    /// Beams that pass lower than this are stopped.
+    /// Height of the piece. It blocks beams that pass lower than this.
     #[schemars(range(min = 0, max = 10))]
     pub height_m: f64,
-    /// Whether a person can be where it stands: a bed, an armchair, a rug. What is at most 5 cm high stops nobody in any case.
+    /// Whether a person can be in or on the piece, as on a bed, an armchair or a rug. A piece of at most 5 cm never
+    /// blocks anyone.
     #[serde(default)]
     pub enterable: bool,
-    /// What it is for, whatever its name is; without it, its name says so.
+    /// Role of the piece, whatever its name. Without it, the name sets the role.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub role: Option<Role>,
 }
@@ -219,10 +219,10 @@ pub struct FurnitureFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "place")]
 pub struct PlaceFile {
-    /// What paths call the point; no room, enterable piece of furniture or other place has this name.
+    /// Name of the point. It differs from all rooms, enterable pieces of furniture and other places.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// Where the point is on the floor.
+    /// Position of the point on the floor.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: At,
 }
@@ -350,7 +350,7 @@ impl SensorFile {
     /// A device's first delay holds the time of the pulses that it counts. A sensor at level `zones` has counted them
     /// when it sees, so that only its electronics are left.
     pub fn timing(&self) -> Timing {
-        /// What the electronics of a sensor take at most that has counted already (ours).
+        /// Shortest and longest delay of a sensor's electronics after it has counted its pulses (our choice).
         const COUNTED_S: [f64; 2] = [0.3, 0.8];
         let has_counted = matches!(self, SensorFile::Motion(MotionFile { level: Level::Zones(_), .. }));
         let (preset, first, refire, persist) = match self {
@@ -369,25 +369,25 @@ impl SensorFile {
     }
 }
 
-/// A wall-mounted passive infrared sensor: a fan of beams.
+/// A passive infrared sensor on a wall. Its field of view is a fan of beams.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "motion sensor")]
 pub struct MotionFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// Where it hangs: a point of a wall. The lens is 2 cm in front of it.
+    /// Position of the sensor: a point of a wall. The lens is 2 cm in front of it.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: At,
     /// Height of the lens above the floor.
     #[serde(default = "mounting_height")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 10))]
     pub height_m: f64,
-    /// Where the lens looks: 0 is east, 90 is north.
+    /// Direction of the lens: 0 is east, 90 is north.
     #[schemars(range(min = -360, max = 360))]
     pub facing_deg: f64,
-    /// Downward tilt of the lens' axis; positive looks down.
+    /// Downward tilt of the lens axis. A positive angle looks down.
     #[serde(default = "tilt")]
     #[schemars(range(min = -90, max = 90))]
     pub tilt_deg: f64,
@@ -395,28 +395,28 @@ pub struct MotionFile {
     #[serde(default = "field")]
     #[schemars(inner(range(min = 0.1, max = 360)))]
     pub field_deg: [f64; 2],
-    /// How far along the floor a body can be from the lens and still be seen.
+    /// Largest distance along the floor at which the sensor sees a body.
     #[serde(default = "reach")]
     #[schemars(range(min = 0.01, max = 100))]
     pub reach_m: f64,
-    /// How many beams make the fan.
+    /// Number of beams in the fan.
     #[serde(default = "beams")]
     #[schemars(range(min = 1, max = 256))]
     pub beams: u32,
-    /// What it takes for movement.
+    /// Model of detection: which changes in a beam count as movement.
     #[serde(default)]
     pub level: Level,
-    /// The device whose timing it has: how soon it says something, and how often; and what it notices.
+    /// Device model. It sets the timing of events and which movements the sensor notices.
     #[serde(default)]
     pub preset: Preset,
-    /// Overrides the preset: which of the movements in its field it notices.
+    /// Overrides the preset: which movements in its field the sensor notices.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub notice: Option<Notice>,
-    /// Overrides the preset: delay from the first movement to the first firing, least and most.
+    /// Overrides the preset: shortest and longest delay from the first movement to the first firing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0, max = 86_400)))]
     pub first_fire_s: Option<[f64; 2]>,
-    /// Overrides the preset: wait between firings, least and most.
+    /// Overrides the preset: shortest and longest wait between firings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0.01, max = 86_400)))]
     pub refire_s: Option<[f64; 2]>,
@@ -431,23 +431,23 @@ pub struct MotionFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "ceiling motion sensor")]
 pub struct CeilingMotionFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The convex area on the floor that it sees: its corners in order.
+    /// Convex area of the floor that the sensor sees: its corners in order.
     #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub area: Vec<At>,
-    /// The device whose timing it has: how soon it says something, and how often; and what it notices.
+    /// Device model. It sets the timing of events and which movements the sensor notices.
     #[serde(default)]
     pub preset: Preset,
-    /// Overrides the preset: which of the movements in its field it notices.
+    /// Overrides the preset: which movements in its field the sensor notices.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub notice: Option<Notice>,
-    /// Overrides the preset: delay from the first movement to the first firing, least and most.
+    /// Overrides the preset: shortest and longest delay from the first movement to the first firing.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0, max = 86_400)))]
     pub first_fire_s: Option<[f64; 2]>,
-    /// Overrides the preset: wait between firings, least and most.
+    /// Overrides the preset: shortest and longest wait between firings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0.01, max = 86_400)))]
     pub refire_s: Option<[f64; 2]>,
@@ -457,17 +457,17 @@ pub struct CeilingMotionFile {
     pub persist_s: Option<f64>,
 }
 
-/// What a wall sensor takes for movement.
+/// Model of detection of a wall sensor.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "level")]
 pub enum Level {
-    /// Any change in a beam, as in Godsey & Skubic 2009.
+    /// Any change in a beam is a movement, as in Godsey & Skubic 2009.
     #[default]
     Paper,
-    /// A change in a beam that is large enough as seen from the sensor.
+    /// A change in a beam is a movement if it is large enough as seen from the sensor.
     Sensitivity(SensitivityFile),
-    /// Alternating positive and negative zones; pulses of alternating sign are counted.
+    /// The field has alternating positive and negative zones. The sensor counts pulses of alternating sign.
     Zones(ZonesFile),
 }
 
@@ -476,7 +476,8 @@ pub enum Level {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "sensitivity level")]
 pub struct SensitivityFile {
-    /// A movement counts if what moves within a second spans at least this angle, seen from the lens.
+    /// Smallest movement that counts: the angle, seen from the lens, that the moving part of the body spans within one
+    /// second.
     #[serde(default = "threshold")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 90))]
     pub threshold_deg: f64,
@@ -487,15 +488,15 @@ pub struct SensitivityFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "zones level")]
 pub struct ZonesFile {
-    /// Zones of the far, the middle and the near row.
+    /// Number of zones in the far, the middle and the near row.
     #[serde(default = "zone_rows")]
     #[schemars(inner(range(max = 64)))]
     pub rows: [u32; 3],
-    /// How many pulses of alternating sign make a detection.
+    /// Number of pulses of alternating sign that make a detection.
     #[serde(default = "pulses")]
     #[schemars(range(min = 1, max = 8))]
     pub pulses: u32,
-    /// The span in which they have to come.
+    /// Time within which these pulses have to come.
     #[serde(default = "pulse_window")]
     #[schemars(range(min = 0.001, max = 60))]
     pub window_s: f64,

@@ -4,35 +4,35 @@ use super::path::Posture;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A file of what somebody did at the keys over time.
+/// A file of the keys held over time to drive a body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "live input")]
 pub struct InputFile {
-    /// Where the JSON Schema of this file is, for editors.
+    /// Path or URL of this file's JSON Schema, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
-    /// Every change, in order of time.
+    /// Changes of the keys, in order of time.
     #[schemars(length(max = 200_000))]
     pub keys: Vec<KeysFile>,
 }
 
-/// From `at_s` on, exactly these keys are held, and the body is so: what a change does not repeat is over.
+/// The keys and the posture from `at_s` on. Each change replaces all of the one before.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "change of keys")]
 pub struct KeysFile {
-    /// Seconds since the scenario's start.
+    /// Time of the change, since the scenario's start.
     #[schemars(range(min = 0, max = 3_200_000_000_i64))]
     pub at_s: f64,
-    /// The keys that are held down from then on.
+    /// Keys that are held down from then on.
     #[schemars(length(max = 6))]
     pub held: Vec<Key>,
-    /// How the body is from then on; without it, it stands, whatever it was before. Who sits or lies does not walk.
+    /// Posture from then on. Without it, the body stands. A body that sits or lies does not walk.
     #[serde(default, skip_serializing_if = "is_standing")]
     #[schemars(extend("default" = "standing"))]
     pub posture: Posture,
-    /// The things that are used then.
+    /// Things that are used at that instant.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 100), extend("default" = []))]
     pub uses: Vec<UseFile>,
@@ -42,14 +42,14 @@ fn is_standing(posture: &Posture) -> bool {
     *posture == Posture::Standing
 }
 
-/// A thing that is turned on or opened, or turned off or closed.
+/// A use of a thing: turned on or opened, or turned off or closed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "use of a thing")]
 pub struct UseFile {
-    /// A door, a piece of furniture, or a room, whose lamp is meant.
+    /// Name of a door, of a piece of furniture, or of a room, which stands for its lamp.
     pub thing: String,
-    /// How the thing is afterwards: on or open (`true`), or off or closed.
+    /// State of the thing afterwards: on or open (`true`), off or closed (`false`).
     pub on: bool,
 }
 
@@ -66,8 +66,8 @@ pub enum Key {
     Left,
     /// Walk east.
     Right,
-    /// Walk faster: twice the pace.
+    /// Walk faster, at twice the pace.
     Fast,
-    /// Walk slower: half the pace.
+    /// Walk slower, at half the pace.
     Slow,
 }

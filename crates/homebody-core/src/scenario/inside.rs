@@ -166,10 +166,11 @@ const BESIDE: [&str; 6] = ["-wal", "-shm", "-journal", ".lock", ".anew", ".anew.
 /// How those end that have a number between.
 const NUMBERED: [&str; 2] = [".part", ".old"];
 
-/// No name of a file in a run's folder is longer (ours): file systems take 255 bytes, and what is beside it has a longer name.
+/// Longest name of a file in a run's folder (our choice): file systems take 255 bytes, and companion files have longer
+/// names.
 const LONGEST_NAME_BYTES: usize = 200;
 
-/// No path in a run's folder is longer (ours): systems take 4096 bytes, of which the folder has some.
+/// Longest path in a run's folder (our choice): systems take 4096 bytes, and the folder has some.
 const LONGEST_PATH_BYTES: usize = 1000;
 
 /// The problem with a log at a path inside a run's folder that has logs at `others`; `None` for a free path. Letters are compared

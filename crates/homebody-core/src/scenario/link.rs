@@ -7,54 +7,54 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// `link.json`: how messages come from the sensors to the logger, and what goes wrong.
+/// `link.json`: how messages travel from the sensors to the logger, and which faults occur.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(title = "link")]
 pub struct LinkFile {
-    /// Where the JSON Schema of this file is, for editors.
+    /// Path or URL of this file's JSON Schema, for editors.
     #[serde(rename = "$schema", skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
-    /// The network whose numbers hold where the keys below do not give others.
+    /// Network that sets the values of the keys below that are not given.
     pub preset: Network,
-    /// How long a message takes once it is received, least and most.
+    /// Shortest and longest time from reception to the log.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0, max = 3_600)))]
     pub delay_s: Option<[f64; 2]>,
-    /// Share of the messages that get lost on the way, each by itself.
+    /// Share of the messages that are lost on the way, each independently.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub loss: Option<f64>,
-    /// Share of the messages that come twice.
+    /// Share of the messages that arrive twice.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub duplicates: Option<f64>,
-    /// Share of the messages that come with a wrong id or a wrong value.
+    /// Share of the messages that arrive with a wrong id or a wrong value.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub corruption: Option<f64>,
-    /// Share of what a motion sensor should say that it does not notice.
+    /// Share of a motion sensor's firings that it misses.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub misses: Option<f64>,
-    /// How often a motion sensor fires for no reason.
+    /// Rate of a motion sensor's false firings.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1_000))]
     pub false_fires_per_h: Option<f64>,
-    /// Sensors share one channel, and none of them listens before it sends.
+    /// A radio channel that all sensors share. No sensor listens before it sends.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radio: Option<RadioFile>,
-    /// Sensors that differ, by their name.
+    /// Sensors with other values, by name.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     #[schemars(extend("maxProperties" = 2_000))]
     pub sensors: BTreeMap<String, SensorLinkFile>,
-    /// What goes wrong, and when.
+    /// Faults, each with its time.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 1_000))]
     pub faults: Vec<FaultFile>,
 }
 
-/// A network whose numbers are known, or assumed.
+/// A network with measured or assumed values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "network")]
@@ -62,7 +62,7 @@ pub enum Network {
     /// Every message arrives at once, and nothing goes wrong.
     #[default]
     Perfect,
-    /// X10 radio: five copies of every message, and nobody listens before sending.
+    /// X10 radio: five copies of every message. No sender listens before it sends.
     X10,
     /// A Zigbee mesh.
     Zigbee,
@@ -116,13 +116,13 @@ impl Network {
 #[serde(deny_unknown_fields, default)]
 #[schemars(title = "radio")]
 pub struct RadioFile {
-    /// How often each message is sent.
+    /// Number of copies of each message.
     #[schemars(range(min = 1, max = 100))]
     pub copies: u32,
-    /// How long one copy is on the air.
+    /// Time that one copy takes on the air.
     #[schemars(range(min = 0.0001, max = 10))]
     pub frame_s: f64,
-    /// The silence between copies.
+    /// Silence between copies.
     #[schemars(range(min = 0, max = 10))]
     pub gap_s: f64,
 }
@@ -135,32 +135,32 @@ impl Default for RadioFile {
     }
 }
 
-/// Where one sensor differs from the others.
+/// Values of one sensor that differ from those of the others.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(title = "sensor's link")]
 pub struct SensorLinkFile {
-    /// How long its messages take, least and most.
+    /// Shortest and longest time from reception to the log.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(inner(range(min = 0, max = 3_600)))]
     pub delay_s: Option<[f64; 2]>,
-    /// Share of its messages that get lost on the way.
+    /// Share of its messages that are lost on the way.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub loss: Option<f64>,
-    /// Share of its messages that come twice.
+    /// Share of its messages that arrive twice.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub duplicates: Option<f64>,
-    /// Share of its messages that come with a wrong id or a wrong value.
+    /// Share of its messages that arrive with a wrong id or a wrong value.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub corruption: Option<f64>,
-    /// Share of what it should say that it does not notice.
+    /// Share of its firings that it misses.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1))]
     pub misses: Option<f64>,
-    /// How often it fires for no reason; only motion sensors do.
+    /// Rate of its false firings. Only motion sensors have any.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0, max = 1_000))]
     pub false_fires_per_h: Option<f64>,
@@ -190,7 +190,7 @@ impl LinkFile {
     }
 }
 
-/// Something that goes wrong. Days count from the run's start, which is day 0, and may have a fraction.
+/// A fault. Days count from the run's start, which is day 0, and may have a fraction.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 #[schemars(title = "fault")]
@@ -206,60 +206,60 @@ pub enum FaultFile {
     Outage(OutageFile),
 }
 
-/// A battery that fades, until its sensor says nothing any more.
+/// A battery that fades until its sensor is silent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "battery fault")]
 pub struct BatteryFile {
-    /// The sensor's name in the home.
+    /// Name of the sensor in the home.
     pub sensor: String,
-    /// When it begins to fade.
+    /// Day on which the battery begins to fade.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
-    /// How long it fades: meanwhile more and more messages are lost, at the end of it all.
+    /// Duration of the fading. The share of lost messages grows evenly to all of them.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub fading_days: f64,
-    /// How long after `from_day` somebody puts in a new one; without it, nobody does.
+    /// Days from `from_day` until the battery is replaced. Without it, the battery stays empty.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
 }
 
-/// A sensor that hears nothing, and repeats itself or is silent.
+/// A stuck sensor: it detects nothing, and repeats its last value or is silent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "stuck fault")]
 pub struct StuckFile {
-    /// The sensor's name in the home.
+    /// Name of the sensor in the home.
     pub sensor: String,
-    /// When it gets stuck.
+    /// Day on which the sensor gets stuck.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
-    /// How long it is stuck; without it, to the end of the run.
+    /// Duration of the fault. Without it, the fault lasts to the end of the run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
-    /// How often it says again what it said last; without it, it is silent.
+    /// Interval at which the sensor repeats its last value. Without it, the sensor is silent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.1, max = 86_400))]
     pub every_s: Option<f64>,
 }
 
-/// A sensor that has come off its place: it sees nothing real, but goes on firing for no reason as it did.
+/// A sensor that has fallen off its place. It detects nothing real, and keeps its false firings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "falls_off fault")]
 pub struct FallsOffFile {
-    /// The sensor's name in the home.
+    /// Name of the sensor in the home.
     pub sensor: String,
-    /// When it comes off.
+    /// Day on which the sensor falls off.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
-    /// How long after `from_day` somebody puts it back; without it, nobody does.
+    /// Days from `from_day` until the sensor is put back. Without it, the sensor stays off its place.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
@@ -270,93 +270,94 @@ pub struct FallsOffFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "moved fault")]
 pub struct MovedFile {
-    /// The name of a wall sensor of the home.
+    /// Name of a wall sensor in the home.
     pub sensor: String,
-    /// When it is moved.
+    /// Day on which the sensor is moved.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
-    /// Where it hangs from then on.
+    /// Position from then on.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: At,
-    /// Where it looks from then on: 0 is east, 90 is north.
+    /// Direction of the lens from then on: 0 is east, 90 is north.
     #[schemars(range(min = -360, max = 360))]
     pub facing_deg: f64,
 }
 
-/// A clock that is wrong, in a sensor whose messages bear the time of its own clock.
+/// A clock error, in a sensor whose messages carry the time of its own clock.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "drift fault")]
 pub struct DriftFile {
-    /// The sensor's name in the home.
+    /// Name of the sensor in the home.
     pub sensor: String,
-    /// How much too fast it runs, in microseconds a second; below 0 too slow.
+    /// Drift of the clock, in microseconds a second. A positive drift is too fast, a negative one too slow.
     #[serde(default)]
     #[schemars(range(min = -1_000, max = 1_000))]
     pub ppm: f64,
-    /// How far it is ahead as the run begins; below 0 behind.
+    /// Offset of the clock at the start of the run. A negative offset is behind.
     #[serde(default)]
     #[schemars(range(min = -86_400, max = 86_400))]
     pub offset_s: f64,
 }
 
-/// Firings for no reason, such as of the sun or of a heater.
+/// False firings, as from the sun or a heater.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "false_fires fault")]
 pub struct FalseFiresFile {
-    /// The name of a motion sensor of the home.
+    /// Name of a motion sensor in the home.
     pub sensor: String,
-    /// When these firings begin.
+    /// Day on which the false firings begin.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
-    /// How long they go on; without it, to the end of the run.
+    /// Duration of the fault. Without it, the fault lasts to the end of the run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
-    /// How often, besides those that come in any case.
+    /// Rate of the false firings, in addition to those of the network.
     #[schemars(range(min = 0, max = 1_000))]
     pub per_h: f64,
-    /// From which time of day to which, such as `["10:00", "15:00"]`; without it, at any time.
+    /// First and last time of day, such as `["10:00", "15:00"]`. Without it, the firings come at any time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between: Option<[String; 2]>,
 }
 
-/// A way on which more messages are lost than on others: far away, behind a fridge.
+/// A link that loses more messages than the others, as over a long distance or behind a fridge.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "bad_link fault")]
 pub struct BadLinkFile {
-    /// The sensor's name in the home.
+    /// Name of the sensor in the home.
     pub sensor: String,
-    /// When the link becomes bad.
+    /// Day on which the link becomes bad.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
-    /// How long it is bad; without it, to the end of the run.
+    /// Duration of the fault. Without it, the fault lasts to the end of the run.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: Option<f64>,
-    /// Share of the messages lost besides those that are in any case. On bad Zigbee links 0.1 to 0.3 (ours).
+    /// Share of the messages lost, in addition to the network's. Bad Zigbee links lose 0.1 to 0.3 (our estimate).
     #[schemars(range(min = 0, max = 1))]
     pub loss: f64,
 }
 
-/// The logger is not running: what arrives meanwhile is lost.
+/// An outage of the logger: messages that arrive meanwhile are lost.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "outage")]
 pub struct OutageFile {
-    /// When the logger stops, or with `at`, the earliest that it may.
+    /// Day on which the logger stops. With `at`, the earliest day.
     #[serde(default)]
     #[schemars(range(min = 0, max = 36_525))]
     pub from_day: f64,
-    /// The time of day: it begins when clocks first show it from `from_day` on. Without it, it begins at `from_day`.
+    /// Time of day at which the outage begins, the first such time from `from_day` on. Without it, it begins at
+    /// `from_day`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<String>,
-    /// How long it is not running.
+    /// Duration of the outage.
     #[schemars(range(min = 0.0001, max = 876_600))]
     pub hours: f64,
 }

@@ -42,13 +42,14 @@ pub trait Files {
     }
 }
 
-/// No scenario names files that have more bytes together, each counted as often as it is named (ours).
+/// Largest number of bytes of the files that a scenario names, each counted every time (our choice).
 pub const MOST_BYTES: usize = 16 << 20;
 
-/// No routine or script has more bytes (ours): a long one has some thousands. As for all that one text costs by each who lives by it.
+/// Largest number of bytes of a routine or script (our choice): a long one has some thousands. The limit bounds the
+/// cost for each resident with the same text.
 pub const LARGEST_ROUTINE_BYTES: usize = 256 << 10;
 
-/// No routine or script has more lines (ours).
+/// Largest number of lines of a routine or script (our choice).
 pub const MOST_ROUTINE_LINES: usize = 10_000;
 
 /// The limit that a text is too long for, as a routine or a condition; `None` for a shorter text.

@@ -4,32 +4,32 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// `logger.json`: maps the log onto a real network's database.
+/// `logger.json`: maps the log to the database of a real network.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(title = "logger")]
 pub struct LoggerFile {
-    /// Where the JSON Schema of this file is, for editors.
+    /// Path or URL of this file's JSON Schema, for editors.
     #[serde(rename = "$schema", skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
-    /// Where to write: `sqlite:FILE`, `csv:FILE`, `casas:FILE`; relative to the run's folder. Default `sqlite:log.db`.
+    /// Destinations: `sqlite:FILE`, `csv:FILE`, `casas:FILE`, relative to the run's folder. Default `sqlite:log.db`.
     #[schemars(length(max = 16))]
     pub to: Vec<String>,
-    /// The table's name. Default `firing`.
+    /// Name of the table. Default `firing`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub table: Option<String>,
-    /// What the columns of the log are called.
+    /// Names of the log's columns.
     pub columns: ColumnsFile,
-    /// The network's own id of a sensor, such as an X10 code, by the sensor's name. Others keep their name.
+    /// Id that the network gives a sensor, such as an X10 code, by the sensor's name. Other sensors keep their name.
     #[schemars(extend("maxProperties" = 2_000))]
     pub ids: BTreeMap<String, String>,
-    /// What of a firing becomes rows.
+    /// How firings of motion sensors become rows.
     pub messages: MessagesFile,
-    /// Whether a text that a spreadsheet would take for a formula has a ' before it in the log and the truth in CSV: one that
-    /// begins with =, +, -, or @. It is read without. Default `true`.
+    /// Whether a CSV log or truth puts a ' before a text that a spreadsheet would read as a formula: one that begins
+    /// with =, +, - or @. Homebody removes it when it reads the file. Default `true`.
     #[serde(skip_serializing_if = "is_true")]
     pub spreadsheet_safe: bool,
-    /// How the instants of the log and of the truth are written.
+    /// Format of the instants in the log and in the truth.
     pub time: TimeFormat,
 }
 
@@ -52,20 +52,20 @@ fn is_true(value: &bool) -> bool {
     *value
 }
 
-/// Column names; `run` and `seq` make the key under which a row is stored once only.
+/// Names of the columns. `run` and `seq` are the key that stores each row only once.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(title = "set of columns")]
 pub struct ColumnsFile {
-    /// The column of the run's id, the same number in all rows of a run.
+    /// Column of the run's id, the same number in all rows of a run.
     pub run: String,
-    /// The column that numbers the rows of a run, from 0.
+    /// Column of the row's number in the run, from 0.
     pub seq: String,
-    /// The column of the time at which the logger says that it was said.
+    /// Column of the time that the logger gives the event.
     pub time: String,
-    /// The column of the sensor's id.
+    /// Column of the sensor's id.
     pub sensor: String,
-    /// The column of what the sensor said.
+    /// Column of the event's value.
     pub value: String,
 }
 
@@ -81,7 +81,7 @@ impl Default for ColumnsFile {
     }
 }
 
-/// What of a firing is stored.
+/// How firings of motion sensors become rows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "kind of messages")]
@@ -89,9 +89,10 @@ pub enum MessagesFile {
     /// Each firing is one row, as at TigerPlace.
     #[default]
     FireOnly,
-    /// `ON` at a firing, `OFF` once no firing has come for the hold, as in CASAS homes; firings meanwhile only prolong it.
+    /// `ON` at a firing, and `OFF` once no firing has come for the hold, as in CASAS homes. A firing during the hold
+    /// only prolongs it.
     OnOff(OnOffFile),
-    /// `true` at a firing, `false` once no firing has come for the timeout, as Zigbee sensors report occupancy.
+    /// `true` at a firing, and `false` once no firing has come for the timeout, as Zigbee sensors report occupancy.
     Occupancy(OccupancyFile),
 }
 
@@ -100,11 +101,11 @@ pub enum MessagesFile {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "on_off message")]
 pub struct OnOffFile {
-    /// From the last firing to OFF. A Bosch unit's ON lasts 4 s, an X10 one's a minute.
+    /// Time from the last firing to OFF. The ON of a Bosch unit lasts 4 s, that of an X10 unit a minute.
     #[schemars(range(min = 0.001, max = 86_400))]
     pub hold_s: f64,
-    /// How the hold of real units lumps and spreads; `[]` for exactly `hold_s` each time. The default is that of Bosch units,
-    /// whose ONs of 4 s last 3.8 to 4.5 s in nine of ten cases, in parts of `hold_s`.
+    /// How the holds of real units vary: groups of lengths, in parts of `hold_s`. `[]` makes each hold exactly
+    /// `hold_s`. The default is that of Bosch units: nine in ten of their ONs of 4 s last 3.8 to 4.5 s.
     #[serde(default = "lumps", skip_serializing_if = "is_usual")]
     #[schemars(length(max = 20))]
     pub lumps: Vec<LumpFile>,
@@ -117,15 +118,15 @@ impl OnOffFile {
     }
 }
 
-/// Holds that are about as long as each other.
+/// A group of holds of about the same length.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "lump of holds")]
 pub struct LumpFile {
-    /// Which part of the holds they are, in comparison with the other lumps.
+    /// Weight of the group in comparison with the other groups.
     #[schemars(range(min = 0, max = 1_000_000))]
     pub share: f64,
-    /// How long they are, least and most, in parts of `hold_s`; every length between is as likely.
+    /// Shortest and longest hold in parts of `hold_s`. Every length in between is equally likely.
     #[schemars(inner(range(min = 0.01, max = 100)))]
     pub parts: [f64; 2],
 }
@@ -145,12 +146,12 @@ fn is_usual(of: &[LumpFile]) -> bool {
 #[serde(deny_unknown_fields)]
 #[schemars(title = "occupancy message")]
 pub struct OccupancyFile {
-    /// From the last firing to `false`. 90 s is Zigbee2MQTT's default for the Aqara RTCGQ11LM.
+    /// Time from the last firing to `false`. Zigbee2MQTT uses 90 s for the Aqara RTCGQ11LM.
     #[schemars(range(min = 0.001, max = 86_400))]
     pub timeout_s: f64,
 }
 
-/// How an instant is written.
+/// Format of an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "time format")]

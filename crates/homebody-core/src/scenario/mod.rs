@@ -32,46 +32,47 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// `scenario.json`: what to run.
+/// `scenario.json`: the run, its home and its residents.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "scenario")]
 pub struct ScenarioFile {
-    /// Where the JSON Schema of this file is, for editors.
+    /// Path or URL of this file's JSON Schema, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
-    /// What people call this scenario.
+    /// Name of the scenario.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// What it shows, in a sentence or two.
+    /// Purpose of the scenario, in a sentence or two.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     #[schemars(extend("default" = ""))]
     pub about: String,
-    /// Local date and time at which the run begins, such as `2009-03-02T00:00:00`.
+    /// Local date and time of the start, such as `2009-03-02T00:00:00`.
     pub start: String,
     /// IANA time zone of the home, such as `America/Chicago`.
     #[serde(default = "utc")]
     pub time_zone: String,
-    /// How many days a run lasts unless `--for` says otherwise.
+    /// Length of a run, unless `--for` gives another.
     #[schemars(range(min = 0.00001, max = 36_525))]
     pub days: f64,
-    /// The number all randomness of the run comes from; at most what every JSON reader keeps exactly.
+    /// Seed of all random numbers of the run, up to the largest whole number that every JSON reader keeps exactly.
     #[serde(default)]
     #[schemars(range(max = GREATEST_SEED))]
     pub seed: u64,
-    /// The file that describes the home.
+    /// File that describes the home.
     pub home: String,
-    /// The file that says how messages come to the logger and what goes wrong; without it, all of them do, at once.
+    /// File that describes how messages reach the logger and which faults occur. Without it, every message arrives at
+    /// once.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub link: Option<String>,
-    /// The file that says where the log goes and how it looks; without it, the defaults apply.
+    /// File that sets where the log goes and its format. Without it, the defaults apply.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub logger: Option<String>,
-    /// The files that describe who lives there.
+    /// Files that describe the residents, one each.
     #[schemars(length(max = 1_000))]
     pub residents: Vec<String>,
-    /// Numbers of the models that are otherwise in this scenario, by name: `homebody numbers` lists them, with units and
-    /// ranges.
+    /// Parameters of the models with other values in this scenario, by key. `homebody parameters` lists all, with units
+    /// and ranges.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     #[schemars(extend("default" = serde_json::json!({}), "maxProperties" = 1_000))]
     pub numbers: BTreeMap<String, f64>,
@@ -97,7 +98,7 @@ impl ScenarioFile {
     }
 }
 
-/// Whole numbers up to this are kept exactly by every JSON reader.
+/// Largest whole number that every JSON reader keeps exactly.
 pub const GREATEST_SEED: u64 = 9_007_199_254_740_991;
 
 fn utc() -> String {

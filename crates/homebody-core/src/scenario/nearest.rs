@@ -1,7 +1,7 @@
 //! The known name that someone probably meant.
 
-/// For longer names, in characters, nothing is looked for (ours): nobody mistypes them by a letter or two, and each comparison
-/// takes the square of the length.
+/// Number of characters above which no similar name is searched (our choice): a longer name is rarely mistyped by a
+/// letter or two, and each comparison takes the square of the length.
 const LONGEST_CHARS: usize = 40;
 
 /// The known name most like this one, if any is like enough.

@@ -3,35 +3,36 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Which of the movements in its field a motion sensor notices.
+/// Which movements in its field a motion sensor notices.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "notice")]
 pub enum Notice {
-    /// Every movement, at once: the sensor of Godsey & Skubic 2009.
+    /// Every movement, at once, as the sensor of Godsey & Skubic 2009.
     All,
-    /// By chance, the sooner the larger a movement looks and the further it is from the edge of the field.
+    /// By chance: sooner if a movement looks larger, and if it is further from the edge of the field.
     Chance(ChanceFile),
 }
 
-/// How likely a motion sensor notices a movement. A sensor at level `zones` counts pulses instead.
+/// Probability that a motion sensor notices a movement. A sensor at level `zones` counts pulses instead.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[schemars(title = "chance of notice")]
 pub struct ChanceFile {
-    /// How often it looks, in looks a second; each look notices a movement or not by itself.
+    /// Number of looks a second. Each look notices a movement or not, independently.
     #[schemars(range(min = 0.01, max = 50))]
     pub looks_per_s: f64,
-    /// A look surely notices what moves by this angle within a second, seen from the lens. Of what moves by half of it, it notices
-    /// a quarter. Without it 22, but 64 for one on a wall with a preset of CASAS, where such a sensor watches a whole room beside
-    /// narrow ones, and misses much.
+    /// Angle within a second, seen from the lens, of a movement that a look always notices. A look notices a quarter of
+    /// the movements of half that angle. The default is 22; for a wall sensor with a CASAS preset it is 64, because
+    /// such a sensor watches a whole room and misses much.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 360))]
     pub sure_deg: Option<f64>,
-    /// How wide the soft edge of the field is: there a look notices the less, the nearer a body is to where the field ends.
+    /// Width of the soft edge of the field. The nearer a body is to the end of the field, the less likely a look
+    /// notices it.
     #[schemars(range(min = 0, max = 10))]
     pub edge_m: f64,
-    /// Share of what passes that it misses altogether: of spans of 4 s, in which it notices nothing of a body.
+    /// Share of the spans of 4 s with a passing body that the sensor misses.
     #[schemars(range(min = 0, max = 1))]
     pub missed: f64,
 }

@@ -4,32 +4,32 @@ use crate::geometry::At;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A path description file.
+/// A path: the steps that a resident follows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "path")]
 pub struct PathFile {
-    /// Where the JSON Schema of this file is, for editors.
+    /// Path or URL of this file's JSON Schema, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
-    /// Where the resident is at the start.
+    /// Position of the resident at the start.
     pub start: Spot,
-    /// The posture at the start.
+    /// Posture at the start.
     #[serde(default)]
     pub posture: Posture,
-    /// What the resident does, in this order.
+    /// Steps of the path, in order.
     #[schemars(length(max = 10_000))]
     pub steps: Vec<Step>,
 }
 
-/// A point in metres, or the name of a place of the home.
+/// A point in metres, or the name of a place in the home.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 #[schemars(title = "spot")]
 pub enum Spot {
     /// A point: metres to the east and to the north.
     At(#[schemars(inner(range(min = -10_000, max = 10_000)))] At),
-    /// The name of a place, of an enterable piece of furniture or of a room, whose middle is meant.
+    /// Name of a place, of an enterable piece of furniture, or of a room. A room stands for its centre.
     Place(String),
 }
 
@@ -40,117 +40,117 @@ pub enum Spot {
 pub enum Step {
     /// Walk in straight lines through one or more waypoints.
     Go(Go),
-    /// Stay where you are, for a time or until a time of day.
+    /// Stay in place, for a time or until a time of day.
     Wait(Wait),
-    /// Do the steps several times, or for ever.
+    /// Repeat steps several times, or without end.
     Repeat(Repeat),
-    /// Give what follows a name in the ground truth, such as `breakfast`; an empty name ends it.
+    /// Name the steps that follow in the ground truth, such as `breakfast`. An empty name ends the activity.
     Activity(String),
-    /// Be out of the home, for a time or until a time of day; the resident comes back where they left.
+    /// Be out of the home, for a time or until a time of day. The resident comes back to where they left.
     Away(Span),
 }
 
-/// Walking through waypoints: at the resident's pace unless `pace_mps`, `in_s` or `arrive_at` says otherwise.
+/// A walk through waypoints, at the resident's pace unless `pace_mps`, `in_s` or `arrive_at` is given.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "walk")]
 pub struct Go {
-    /// The waypoints, in order.
+    /// Waypoints, in order.
     #[schemars(length(min = 1, max = 1_000))]
     pub to: Vec<Spot>,
     /// Walking speed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.01, max = 5))]
     pub pace_mps: Option<f64>,
-    /// How long the whole walk takes.
+    /// Duration of the whole walk.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.000001, max = 3_200_000_000_i64))]
     pub in_s: Option<f64>,
-    /// The time of day at which the walk ends, such as `07:30` or `07:30:15.5`.
+    /// Time of day at which the walk ends, such as `07:30` or `07:30:15.5`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub arrive_at: Option<String>,
 }
 
-/// Staying in one place.
+/// A stay in one place.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "wait")]
 pub struct Wait {
-    /// How long.
+    /// Duration of the stay.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.000001, max = 3_200_000_000_i64))]
     pub for_s: Option<f64>,
-    /// Until when: the next such time of day, `07:30` or `07:30:15.5`.
+    /// Time of day at which the stay ends, `07:30` or `07:30:15.5`: the next such time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until: Option<String>,
-    /// How the body is meanwhile.
+    /// Posture during the stay.
     #[serde(default)]
     pub posture: Posture,
-    /// Small movements meanwhile; without it, the resident keeps still.
+    /// Small movements during the stay. Without it, the resident keeps still.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stir: Option<StirFile>,
 }
 
-/// Small movements on the spot: reading, cooking, turning in bed.
+/// Small movements on the spot, as when reading, cooking or turning in bed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "stir")]
 pub struct StirFile {
-    /// From the start of one movement to the start of the next.
+    /// Time from the start of one movement to the start of the next.
     #[schemars(range(min = 0.1, max = 86_400))]
     pub every_s: f64,
-    /// How long each movement lasts.
+    /// Duration of each movement.
     #[schemars(range(min = 0.001, max = 86_400))]
     pub for_s: f64,
-    /// How far what moves moves.
+    /// Distance that the moving part of the body covers.
     #[serde(default = "amplitude")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 2))]
     pub amplitude_m: f64,
 }
 
-/// A stretch of time: `for_s` or `until`.
+/// A span of time: `for_s` or `until`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "span of time")]
 pub struct Span {
-    /// How long.
+    /// Duration of the span.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.000001, max = 3_200_000_000_i64))]
     pub for_s: Option<f64>,
-    /// Until when: the next such time of day, `07:30` or `07:30:15.5`.
+    /// Time of day at which the span ends, `07:30` or `07:30:15.5`: the next such time.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub until: Option<String>,
 }
 
-/// Steps that are done more than once.
+/// Steps that are repeated.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "repeat")]
 pub struct Repeat {
-    /// How many times; without it, for ever.
+    /// Number of repetitions. Without it, the steps repeat without end.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = 1_000_000_000))]
     pub times: Option<u32>,
-    /// What is done each time, in this order.
+    /// Steps of each repetition, in order.
     #[schemars(length(min = 1, max = 10_000))]
     pub steps: Vec<Step>,
 }
 
-/// How a body holds itself: it decides how high the body reaches.
+/// Posture of a body. It sets the height of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "posture")]
 pub enum Posture {
-    /// On its feet: the body has its whole height.
+    /// On the feet, with the whole height of the body.
     #[default]
     Standing,
-    /// On a seat: the body reaches less high, by the number `posture.sitting`.
+    /// On a seat. The parameter `posture.sitting` sets the height.
     Sitting,
-    /// On a bed or on the floor: the body is lowest, by the number `posture.lying`.
+    /// On a bed or on the floor. The parameter `posture.lying` sets the height, the lowest of all.
     Lying,
     /// Bent forward, as to an oven: as high as when sitting.
     Bending,
-    /// On both knees, or on hands and knees where the body moves: as high as when sitting.
+    /// On both knees, or on hands and knees while the body moves: as high as when sitting.
     Kneeling,
     /// On the floor after a fall: as low as when lying.
     Down,
@@ -179,7 +179,7 @@ impl Posture {
     }
 }
 
-/// A path has at most this many steps and waypoints: some two months of a person whose ways a log tells.
+/// Largest number of steps and waypoints of a path: some two months of a person's ways from a log.
 pub const MOST_STEPS: usize = 120_000;
 
 impl PathFile {

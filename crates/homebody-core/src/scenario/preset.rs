@@ -4,29 +4,29 @@ use crate::scenario::notice::{ChanceFile, Notice};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A device whose timing is known.
+/// A motion sensor with a known timing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema, Default)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "preset")]
 pub enum Preset {
-    /// The sensor of Godsey & Skubic 2009: first after 1-2 s, then every 6-8 s.
+    /// The sensor of Godsey & Skubic 2009: first firing after 1-2 s, then every 6-8 s.
     #[default]
     Paper,
-    /// X10 ActiveEye MS16A by its manual: 10 s before it can trip again.
+    /// X10 ActiveEye MS16A: 10 s between detections, by its manual.
     X10Ms16a,
-    /// CASAS homes with Bosch units, whose ON lasts a fixed 4 s.
+    /// CASAS homes with Bosch units: their ON lasts a fixed 4 s.
     CasasPulse,
-    /// CASAS homes with Control4 units, whose ON follows the movement.
+    /// CASAS homes with Control4 units: their ON follows the movement.
     CasasFollow,
     /// Aqara RTCGQ11LM: blind for 60 s after a detection.
     Aqara,
     /// Philips Hue indoor motion sensor.
     Hue,
-    /// Aqara P1 RTCGQ14LM: blind for 30 s after a detection, as it comes.
+    /// Aqara P1 RTCGQ14LM: blind for 30 s after a detection, the factory setting.
     AqaraP1,
-    /// Fibaro FGMS-001: blind for 8 s after a detection, as it comes.
+    /// Fibaro FGMS-001: blind for 8 s after a detection, the factory setting.
     Fibaro,
-    /// Aeotec TriSensor ZWA005: blind for 30 s after a detection, as it comes.
+    /// Aeotec TriSensor ZWA005: blind for 30 s after a detection, the factory setting.
     Aeotec,
 }
 

@@ -4,22 +4,22 @@ use crate::geometry::At;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A person (or visitor, or pet) with a body, a pace and a driver.
+/// A person, a visitor or a pet, with a body, a pace and a driver.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "resident")]
 pub struct ResidentFile {
-    /// Where the JSON Schema of this file is, for editors.
+    /// Path or URL of this file's JSON Schema, for editors.
     #[serde(rename = "$schema", default, skip_serializing_if = "Option::is_none")]
     pub schema: Option<String>,
-    /// What the truth and messages call the resident; nobody else of the scenario has this name.
+    /// Name of the resident in the truth and in messages, unique in the scenario.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// Radius of the body seen from above.
+    /// Radius of the body, seen from above.
     #[serde(default = "radius")]
     #[schemars(range(min = 0.05, max = 1))]
     pub radius_m: f64,
-    /// Height of the body when it stands.
+    /// Height of the standing body.
     #[serde(default = "height")]
     #[schemars(range(min = 0.1, max = 2.5))]
     pub height_m: f64,
@@ -30,31 +30,31 @@ pub struct ResidentFile {
     /// How the resident wanders: the gains of motor schemas.
     #[serde(default, skip_serializing_if = "WanderingFile::is_usual")]
     pub wandering: WanderingFile,
-    /// What decides where the resident goes and what they do.
+    /// Driver of the resident. It decides their movements and acts.
     pub driver: DriverFile,
 }
 
-/// How somebody wanders: how strongly each schema steers, and how often they stop.
+/// How a resident wanders: the strength of each motor schema, and the number of stops.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-#[schemars(title = "how somebody wanders")]
+#[schemars(title = "wandering gains")]
 pub struct WanderingFile {
-    /// Toward the goal, times what is usual.
+    /// Strength of the pull toward the goal, as a factor on the usual one.
     #[schemars(range(min = 0.1, max = 10))]
     pub goal: f64,
-    /// Away from walls and furniture, times what is usual.
+    /// Strength of the push away from walls and furniture, as a factor on the usual one.
     #[schemars(range(min = 0, max = 10))]
     pub walls: f64,
-    /// Into random directions, times what is usual.
+    /// Strength of the random direction, as a factor on the usual one.
     #[schemars(range(min = 0, max = 10))]
     pub noise: f64,
-    /// Away from other people, beside a goal of 1; usually nothing.
+    /// Strength of the push away from other people, where the goal has 1. The usual value is 0.
     #[schemars(range(min = 0, max = 10))]
     pub people: f64,
-    /// Back toward the nearest wall over open floor, beside a goal of 1; usually nothing.
+    /// Strength of the pull back from open floor to the nearest wall, where the goal has 1. The usual value is 0.
     #[schemars(range(min = 0, max = 10))]
     pub open_floor: f64,
-    /// How many times a minute they stand still; usually never.
+    /// Number of times a minute that the resident stands still. The usual value is 0.
     #[schemars(range(min = 0, max = 30))]
     pub pauses_pm: f64,
 }
@@ -87,29 +87,29 @@ impl ResidentFile {
     }
 }
 
-/// Who decides what a resident does.
+/// How the resident's movements and acts are decided.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "driver")]
 pub enum DriverFile {
-    /// A path description file to act out.
+    /// A path file, which the resident follows.
     Path(String),
-    /// A routine in plain language to live by.
+    /// A routine in plain language, which the resident follows.
     Routine(String),
-    /// A script that decides, for what a routine cannot say.
+    /// A script that decides, for behaviour that a routine cannot describe.
     Script(String),
     /// A file of key states over time that drives the body through the physics.
     Live(LiveFile),
 }
 
-/// Live input read from a file.
+/// Key states read from a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "live driver")]
 pub struct LiveFile {
-    /// The file of key states over time.
+    /// File of key states over time.
     pub keys: String,
-    /// Where the body stands at the start.
+    /// Position of the body at the start.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub start: At,
 }

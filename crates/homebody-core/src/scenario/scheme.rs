@@ -68,7 +68,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Sqlite,
         name: "sqlite",
-        what: "a database file, with a table as the network has it",
+        what: "an SQLite database file, with the table and columns of the network",
         at: "FILE",
         usual: "log.db",
         stands: Stands::File,
@@ -86,7 +86,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Casas,
         name: "casas",
-        what: "the text of the CASAS homes: time, sensor and message, parted by tabs",
+        what: "the text format of the CASAS homes: time, sensor and message, separated by tabs",
         at: "FILE",
         usual: "log.txt",
         stands: Stands::Text,
@@ -95,7 +95,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Jsonl,
         name: "jsonl",
-        what: "a JSON object a line, with the names of the columns",
+        what: "one JSON object a line, with the column names as keys",
         at: "FILE",
         usual: "log.jsonl",
         stands: Stands::Text,
@@ -104,7 +104,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Parquet,
         name: "parquet",
-        what: "Parquet: one file where its name ends in .parquet, else a folder of files by run and day",
+        what: "Parquet: one file if the name ends in .parquet, else a folder of files by run and day",
         at: "FOLDER",
         usual: "log.parquet",
         stands: Stands::File,
@@ -113,7 +113,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Arrow,
         name: "arrow",
-        what: "a file of Arrow IPC, which is also known as Feather",
+        what: "an Arrow IPC file, also known as Feather",
         at: "FILE",
         usual: "log.arrow",
         stands: Stands::File,
@@ -122,7 +122,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Postgresql,
         name: "postgresql",
-        what: "a database of PostgreSQL, with a table as the network has it",
+        what: "a PostgreSQL database, with the table and columns of the network",
         at: "//USER@HOST/DATABASE",
         usual: "",
         stands: Stands::Server,
@@ -131,7 +131,7 @@ pub const SCHEMES: [SchemeRow; 9] = [
     SchemeRow {
         scheme: Scheme::Mqtt,
         name: "mqtt",
-        what: "a broker of MQTT, a topic for each sensor",
+        what: "an MQTT broker, with a topic for each sensor",
         at: "//HOST/PREFIX",
         usual: "",
         stands: Stands::Server,
@@ -147,6 +147,21 @@ pub const SCHEMES: [SchemeRow; 9] = [
         feature: Some("mqtt"),
     },
 ];
+
+/// The extensions of each kind of place, for paths alone.
+const EXTENSIONS: [(Scheme, &[&str]); 5] = [
+    (Scheme::Sqlite, &["db", "sqlite", "sqlite3"]),
+    (Scheme::Csv, &["csv"]),
+    (Scheme::Jsonl, &["jsonl"]),
+    (Scheme::Parquet, &["parquet"]),
+    (Scheme::Arrow, &["arrow"]),
+];
+
+/// The endings of compressed text.
+const PACKED: [&str; 2] = [".gz", ".zst"];
+
+/// The extensions that a path alone may have, for a hint.
+pub const KNOWN_EXTENSIONS: &str = ".csv, .csv.gz, .jsonl, .jsonl.gz, .db, .sqlite, .sqlite3, .parquet or .arrow";
 
 /// Where a log goes if nobody says otherwise.
 pub const USUAL: &str = "sqlite:log.db";
@@ -194,11 +209,22 @@ impl SchemeRow {
         SCHEMES.iter().find(|row| row.name == name)
     }
 
-    /// The row whose files end like this one, such as `week.csv`.
-    fn by_ending(file: &str) -> Option<&'static SchemeRow> {
-        let ending = |name: &str| Some(name.rsplit_once('.')?.1.to_ascii_lowercase());
-        let wanted = ending(file)?;
-        SCHEMES.iter().find(|row| ending(row.usual).as_ref() == Some(&wanted))
+    /// The row whose files have this extension. `.txt` is in no row: every kind of text has it.
+    pub fn by_extension(extension: &str) -> Option<&'static SchemeRow> {
+        let of = |(scheme, names): &(Scheme, &[&str])| names.contains(&extension).then(|| scheme.row());
+        EXTENSIONS.iter().find_map(of)
+    }
+
+    /// The row of a path without a kind before it, such as `week.csv` or `week.csv.gz`, by its extension.
+    fn of_path(path: &str) -> Option<&'static SchemeRow> {
+        let name = path.rsplit(['/', '\\']).next()?.to_ascii_lowercase();
+        let (packed, is_packed) = match PACKED.iter().find_map(|ending| name.strip_suffix(ending)) {
+            Some(stem) => (stem, true),
+            None => (name.as_str(), false),
+        };
+        let (stem, extension) = packed.rsplit_once('.')?;
+        let row = SchemeRow::by_extension(extension).filter(|_| !stem.is_empty())?;
+        (!is_packed || row.stands == Stands::Text).then_some(row)
     }
 }
 
@@ -236,19 +262,25 @@ impl Scheme {
         SCHEMES.iter().find(|row| row.scheme == self).unwrap_or(&SCHEMES[0])
     }
 
-    /// Parts a place such as `csv:week.csv` into its kind and what comes after the colon.
+    /// Parts a place such as `csv:week.csv` into its kind and what comes after the colon. A path alone, such as `week.csv`, is of the
+    /// kind that its extension names.
     pub fn split(place: &str) -> Result<(Scheme, &str), NoPlace> {
         let told = without_password(place);
+        if let Some(row) = Scheme::of_path_alone(place) {
+            return Ok((row.scheme, place));
+        }
         let nowhere =
             |hint| NoPlace { what: readable(format!("{told:?} is not a place for a log")), hint: readable(hint) };
         // One letter before a colon is a drive, not a scheme.
         let (scheme, at) = place.split_once(':').filter(|(scheme, _)| scheme.len() > 1).unwrap_or((place, ""));
         let Some(row) = SchemeRow::named(scheme) else {
             let at = without_password(at);
-            return Err(nowhere(match (nearest(scheme, SCHEMES.map(|row| row.name)), SchemeRow::by_ending(place)) {
+            let is_text = place.to_ascii_lowercase().ends_with(".txt");
+            return Err(nowhere(match (nearest(scheme, SCHEMES.map(|row| row.name)), SchemeRow::of_path(place)) {
                 (Some(near), _) => format!("did you mean \"{near}:{at}\"?"),
                 (None, Some(row)) => format!("did you mean \"{}:{told}\"?", row.name),
-                (None, None) => format!("write {}", forms()),
+                (None, None) if is_text => format!("did you mean \"casas:{told}\", or \"csv:{told}\"?"),
+                (None, None) => format!("write {}; a path alone ends in {KNOWN_EXTENSIONS}", forms()),
             }));
         };
         let form = || format!("write {}:{}", row.name, row.at);
@@ -271,6 +303,14 @@ impl Scheme {
             }
             _ => Ok((row.scheme, at)),
         }
+    }
+
+    /// The row of a place that is a path alone, by its extension. A word before a colon is a kind, even one that is not known; a
+    /// drive such as `C:` and folders whose names hold a colon are parts of a path.
+    fn of_path_alone(place: &str) -> Option<&'static SchemeRow> {
+        let is_kind = |(name, _): (&str, &str)| name.len() > 1 && !name.contains(['/', '\\', '.']);
+        let is_path = !place.split_once(':').is_some_and(is_kind) && without_password(place) == place;
+        SchemeRow::of_path(place).filter(|_| is_path)
     }
 
     /// Where a password goes that is in no URL.
@@ -332,9 +372,14 @@ mod tests {
     fn a_wrong_place_says_what_is_known() {
         for (place, told) in [
             ("log", "write sqlite:FILE, csv:FILE, casas:FILE, jsonl:FILE, parquet:FOLDER"),
-            ("log.db", "did you mean \"sqlite:log.db\"?"),
-            ("week.CSV", "did you mean \"csv:week.CSV\"?"),
-            ("C:\\log.db", "did you mean \"sqlite:C:\\log.db\"?"),
+            ("log", "a path alone ends in .csv, .csv.gz"),
+            ("week.xyz", "csv:FILE"),
+            ("C:\\x", "csv:FILE"),
+            ("log.db.gz", "csv:FILE"),
+            (".csv", "csv:FILE"),
+            ("log.txt", "did you mean \"casas:log.txt\", or \"csv:log.txt\"?"),
+            ("redis:log.db", "did you mean \"sqlite:redis:log.db\"?"),
+            ("cvs:log.csv", "did you mean \"csv:log.csv\"?"),
             ("redis:log", "or mqtts://HOST/PREFIX"),
             ("sqlit:log", "did you mean \"sqlite:log\"?"),
             ("csv:", "write csv:FILE"),
@@ -345,6 +390,29 @@ mod tests {
         ] {
             let error = Scheme::split(place).unwrap_err().to_string();
             assert!(error.contains(told), "{error}");
+        }
+    }
+
+    #[test]
+    fn a_path_alone_goes_by_its_extension() {
+        for (place, scheme) in [
+            ("log.db", Scheme::Sqlite),
+            ("runs/a.b/log.sqlite3", Scheme::Sqlite),
+            ("a.sqlite", Scheme::Sqlite),
+            ("week.CSV", Scheme::Csv),
+            ("week.csv.gz", Scheme::Csv),
+            ("week.jsonl", Scheme::Jsonl),
+            ("week.jsonl.gz", Scheme::Jsonl),
+            ("week.parquet", Scheme::Parquet),
+            ("week.arrow", Scheme::Arrow),
+            ("C:\\log.db", Scheme::Sqlite),
+            ("./a:b.csv", Scheme::Csv),
+        ] {
+            assert_eq!(Scheme::split(place), Ok((scheme, place)), "{place}");
+        }
+        assert!(Scheme::split("//ann:s3cr3t@host/log.csv").is_err(), "a server without its kind");
+        for (_, extensions) in EXTENSIONS {
+            assert!(extensions.iter().all(|extension| KNOWN_EXTENSIONS.contains(extension)), "{extensions:?}");
         }
     }
 

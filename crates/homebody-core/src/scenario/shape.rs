@@ -16,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The hint for numbers that are written with a decimal comma.
 const DECIMAL_POINT: &str = "write a number with a point: 0.5, not 0,5";
 
-/// No more is looked for in a file (ours): nobody reads so much.
+/// Largest number of problems searched for in a file (our choice).
 const MOST_FOUND: usize = 1_000;
 
 /// What is wrong with a source's shape.

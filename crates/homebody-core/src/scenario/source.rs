@@ -8,14 +8,14 @@ use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 use serde_json::Number;
 use std::collections::BTreeMap;
 
-/// Deeper nesting is refused before parsing, so that no text can overflow the stack.
+/// Largest depth of nesting. Deeper text is refused before parsing, so that it cannot overflow the stack.
 const GREATEST_DEPTH: usize = 64;
 
-/// No file of a scenario has more values: keys, items, objects and lists counted together (ours). Each takes some 200 bytes
-/// while the file is read.
+/// Largest number of values of a scenario's file (our choice): keys, items, objects and lists together. Each takes some
+/// 200 bytes while the file is read.
 pub const MOST_VALUES: usize = 1_000_000;
 
-/// No text in a file is longer, in bytes (ours): names, sentences about something, times.
+/// Largest length of a text in a file, in bytes (our choice): names, descriptions, times.
 pub const LONGEST_TEXT_BYTES: usize = 10_000;
 
 /// Columns are counted from the nearest place before, of which there is one each so many bytes.

@@ -58,34 +58,34 @@ pub static ROW: KindRow = KindRow {
     casas: "I",
 };
 
-/// A pneumatic strip in a bed: says `IN` and `OUT`, `RESTLESS_1` to `RESTLESS_4`, and of pulse and respiration whether they
-/// are low, normal or high.
+/// A pneumatic strip in a bed. Its events are `IN` and `OUT`, `RESTLESS_1` to `RESTLESS_4`, and low, normal or high
+/// pulse and respiration.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "bed sensor")]
 pub struct BedFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The enterable piece of furniture that it lies in.
+    /// Enterable piece of furniture that the strip is in.
     pub on: String,
-    /// How long a movement has lasted when it reaches each level of restlessness.
+    /// Duration of a movement that reaches each level of restlessness.
     #[serde(default = "levels")]
     #[schemars(length(min = 1, max = 4), inner(range(min = 0, max = 3_600)))]
     pub levels_s: Vec<f64>,
-    /// How often it says pulse and respiration of somebody who keeps still.
+    /// Interval between readings of pulse and respiration while the person keeps still.
     #[serde(default = "vitals_every")]
     #[schemars(range(min = 1, max = 86_400))]
     pub vitals_every_s: f64,
-    /// Beats a minute: less is low, more is high.
+    /// Limits of the normal pulse. A lower one is low, a higher one is high.
     #[serde(default = "pulse")]
     #[schemars(inner(range(min = 1, max = 300)))]
     pub pulse_bpm: [f64; 2],
-    /// Breaths a minute: less is low, more is high.
+    /// Limits of the normal respiration. A lower one is low, a higher one is high.
     #[serde(default = "respiration")]
     #[schemars(inner(range(min = 1, max = 100)))]
     pub respiration_pm: [f64; 2],
-    /// How long somebody has lain still before it can tell pulse and respiration.
+    /// Time that the person has to lie still before the first reading of pulse and respiration.
     #[serde(default = "still")]
     #[schemars(range(min = 0, max = 3_600))]
     pub still_s: f64,
@@ -121,13 +121,13 @@ impl DeviceForm for BedFile {
 }
 
 crate::numbers! {
-    /// The pulse of somebody whose pulse the truth does not know.
+    /// Pulse of a person with no pulse in the truth.
     static PULSE_BPM = "bed.pulse": 62.0, "1/min", [40.0, 120.0];
-    /// The respiration of somebody whose respiration the truth does not know.
+    /// Respiration of a person with no respiration in the truth.
     static RESPIRATION_PM = "bed.respiration": 15.0, "1/min", [8.0, 30.0];
-    /// The standard deviation of the error of a reading of the pulse.
+    /// Standard deviation of the error of a reading of the pulse.
     static PULSE_NOISE_BPM = "bed.pulse_noise": 2.0, "1/min", [0.0, 20.0];
-    /// The standard deviation of the error of a reading of the respiration.
+    /// Standard deviation of the error of a reading of the respiration.
     static RESPIRATION_NOISE_PM = "bed.respiration_noise": 1.0, "1/min", [0.0, 10.0];
 }
 

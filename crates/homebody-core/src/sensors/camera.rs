@@ -35,7 +35,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 crate::numbers! {
-    /// A silhouette of a smaller share of the picture is taken for noise.
+    /// Share of the picture below which a silhouette counts as noise.
     static LEAST_SHARE = "camera.least_share": 0.002, "1", [0.0, 0.5];
 }
 
@@ -51,49 +51,49 @@ pub static ROW: KindRow = KindRow {
     casas: "C",
 };
 
-/// A camera that keeps silhouettes only: says `WOKE`, `SEEN` and `SLEPT`.
+/// A camera that keeps silhouettes only. Its events are `WOKE`, `SEEN` and `SLEPT`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "camera")]
 pub struct CameraFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// Where it hangs, seen from above: in a room, and not in a wall.
+    /// Position seen from above: in a room, and not in a wall.
     #[schemars(inner(range(min = -10_000, max = 10_000)))]
     pub at: At,
     /// Height of the lens above the floor.
     #[serde(default = "mounting_height")]
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = 10))]
     pub height_m: f64,
-    /// Where the lens looks: 0 is east, 90 is north.
+    /// Direction of the lens: 0 is east, 90 is north.
     #[schemars(range(min = -360, max = 360))]
     pub facing_deg: f64,
-    /// Downward tilt of the lens' axis; positive looks down.
+    /// Downward tilt of the lens axis. A positive angle looks down.
     #[serde(default = "tilt")]
     #[schemars(range(min = -90, max = 90))]
     pub tilt_deg: f64,
-    /// Horizontal angle of view; the vertical one follows from the picture's shape.
+    /// Horizontal angle of view. The vertical one follows from the picture's shape.
     #[serde(default = "field")]
     #[schemars(range(min = 5, max = 150))]
     pub field_deg: f64,
-    /// Columns and rows of its pictures.
+    /// Columns and rows of a picture.
     #[serde(default = "pixels")]
     #[schemars(inner(range(min = 16, max = 640)))]
     pub pixels: [u32; 2],
-    /// How many pictures it takes a second while it is awake.
+    /// Number of pictures a second while the camera is awake.
     #[serde(default = "frames")]
     #[schemars(range(min = 0.1, max = 30))]
     pub frames_per_s: f64,
-    /// The sensors that wake it, by their names.
+    /// Names of the sensors that wake the camera.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(length(max = 64))]
     pub woken_by: Vec<String>,
-    /// How long after the last word of these sensors it sleeps again.
+    /// Time from the last event of these sensors until the camera sleeps again.
     #[serde(default = "sleeps_after")]
     #[schemars(range(min = 0.1, max = 86_400))]
     pub sleeps_after_s: f64,
-    /// Whether it never sleeps; then no sensor wakes it.
+    /// Whether the camera never sleeps. No sensor wakes it then.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub always: bool,
 }

@@ -17,7 +17,7 @@ use crate::geometry::{self, Point, point};
 use crate::scenario::home::CeilingMotionFile;
 use crate::stride::Beam;
 
-/// How high the lens is, at 2.4 m, above the middle of somebody who stands or sits (ours).
+/// Height of a lens at 2.4 m above the middle of a person who stands or sits (our choice).
 const LENS_ABOVE_M: f64 = 1.5;
 
 /// A ceiling sensor's area.

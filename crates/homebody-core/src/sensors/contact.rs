@@ -28,15 +28,15 @@ pub static ROW: KindRow = KindRow {
     casas: "D",
 };
 
-/// A contact on a door or a piece of furniture: says `OPEN` and `CLOSE`.
+/// A contact on a door or a piece of furniture. Its events are `OPEN` and `CLOSE`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "contact sensor")]
 pub struct ContactFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The door or piece of furniture that it hangs on.
+    /// Door or piece of furniture that the contact is on.
     pub on: String,
 }
 

@@ -30,17 +30,18 @@ pub static ROW: KindRow = KindRow {
     casas: "I",
 };
 
-/// A flow sensor in a water pipe: says `ON` and `OFF`.
+/// A flow sensor in a water pipe. Its events are `ON` and `OFF`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "flow sensor")]
 pub struct FlowFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The piece of furniture that the pipe leads to.
+    /// Piece of furniture that the pipe leads to.
     pub on: String,
-    /// How long water runs each time by itself, as into a cistern (about 60 s); without it, until it is turned off.
+    /// Time that the water runs by itself, as into a cistern (about 60 s). Without it, water runs until it is turned
+    /// off.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.001, max = 86_400))]
     pub runs_s: Option<f64>,

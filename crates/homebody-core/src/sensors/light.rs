@@ -35,29 +35,29 @@ pub static ROW: KindRow = KindRow {
     casas: "LS",
 };
 
-/// A light meter in a room: says lux.
+/// A light meter in a room. Its events are readings in lux.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "light sensor")]
 pub struct LightFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The room that it is in.
+    /// Room that the sensor is in.
     pub room: String,
-    /// What a sun right overhead would give through the windows; 0 without a window.
+    /// Daylight through the windows with the sun at the zenith. It is 0 without a window.
     #[serde(default = "daylight")]
     #[schemars(range(min = 0, max = 100_000))]
     pub daylight_lux: f64,
-    /// What the room's lamp gives.
+    /// Light of the room's lamp.
     #[serde(default = "lamp")]
     #[schemars(range(min = 0, max = 100_000))]
     pub lamp_lux: f64,
-    /// It says what has changed by more than this since it last spoke.
+    /// Smallest change since the last event that makes the sensor send a reading.
     #[serde(default = "change")]
     #[schemars(range(min = 0.1, max = 1_000))]
     pub change_percent: f64,
-    /// How often it measures.
+    /// Interval between measurements.
     #[serde(default = "light_every")]
     #[schemars(range(min = 1, max = 86_400))]
     pub every_s: f64,
@@ -79,7 +79,7 @@ impl DeviceForm for LightFile {
 }
 
 crate::numbers! {
-    /// The power of the sine of the sun's height that daylight in a room goes with.
+    /// Exponent of the sine of the sun's elevation in the daylight of a room.
     static POWER = "light.power": 1.2, "1", [0.5, 3.0];
 }
 

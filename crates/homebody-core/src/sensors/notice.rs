@@ -23,16 +23,17 @@ use crate::scenario::notice::Notice;
 use crate::time::{Micros, SECOND};
 use std::ops::RangeInclusive;
 
-/// What moves by this angle in a second is surely noticed, in degrees (ours, fitted: see `docs/explanation/realism.md`).
+/// Angle in a second of a movement that is always noticed, in degrees (our choice, fitted: see
+/// `docs/explanation/realism.md`).
 const SURE_DEG: f64 = 22.0;
 
-/// The same for the wide sensors of CASAS homes, which only see large movements (ours, fitted as well).
+/// The same angle for the wide sensors of CASAS homes, which see only large movements (our choice, also fitted).
 const SURE_OF_WIDE_DEG: f64 = 64.0;
 
-/// For so long nothing of a body is noticed at a time: about as long as somebody takes to pass (ours).
+/// Duration of a miss, a span without a notice of a body (our choice): about the time that a person takes to pass.
 const MISSED_FOR: Micros = 4 * SECOND;
 
-/// Nearer than this nothing looks larger (ours).
+/// Distance below which a movement looks no larger (our choice).
 const NEAREST_M: f64 = 0.5;
 
 /// How likely a sensor notices what moves.

@@ -34,25 +34,26 @@ pub static ROW: KindRow = KindRow {
     casas: "P",
 };
 
-/// A power meter on what draws electricity: says `ON` and `OFF`, and watts if told how many.
+/// A power meter on an electrical appliance. Its events are `ON` and `OFF`, and watts if `watts` is given.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "power sensor")]
 pub struct PowerFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The piece of furniture that it feeds, or the room whose lamp it feeds.
+    /// Piece of furniture that the meter supplies, or room whose lamp it supplies.
     pub on: String,
-    /// What that draws while it is on; without it, there are no readings.
+    /// Power that the appliance draws while it is on. Without it, the meter sends no readings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 0.1, max = 100_000))]
     pub watts: Option<f64>,
-    /// What it draws while it is off.
+    /// Power that the appliance draws while it is off.
     #[serde(default, skip_serializing_if = "is_zero")]
     #[schemars(range(min = 0, max = 100_000), extend("default" = 0))]
     pub standby_watts: f64,
-    /// How often it says the watts while it is on; without it, only as it is turned on or off.
+    /// Interval between readings while the appliance is on. Without it, a reading comes only when it is turned on or
+    /// off.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = 86_400))]
     pub readings_every_s: Option<f64>,
@@ -91,7 +92,7 @@ impl DeviceForm for PowerFile {
 }
 
 crate::numbers! {
-    /// The standard deviation by which readings are off, as a share of them.
+    /// Standard deviation of the error of a reading, as a share of it.
     static NOISE = "power.noise": 0.02, "1", [0.0, 0.5];
 }
 

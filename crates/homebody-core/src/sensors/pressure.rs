@@ -3,7 +3,7 @@
 //! The device is a pair of foils that a weight presses together: it says `ON` and `OFF`.
 //!
 //! We assume that a pad in a piece of furniture feels who sits or lies with their middle within its outline, and nobody who
-//! walks or stands there; and that a mat, which is an area of the floor or furniture at most 5 cm high (ours), feels every body
+//! walks or stands there; and that a mat, which is an area of the floor or furniture at most 5 cm high (our choice), feels every body
 //! whose middle is over it, whatever it does.
 //!
 //! While nobody moves, nothing changes. A stride crosses a convex outline once: the fractions of it at which it enters and
@@ -36,22 +36,22 @@ pub static ROW: KindRow = KindRow {
     casas: "I",
 };
 
-/// A pressure pad in a chair or a mat on the floor: says `ON` and `OFF`.
+/// A pressure pad in a chair or a mat on the floor. Its events are `ON` and `OFF`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "pressure sensor")]
 pub struct PressureFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The enterable piece of furniture that it lies in; in one at most 5 cm high, it is a mat.
+    /// Enterable piece of furniture that the sensor is in. In one of at most 5 cm, the sensor is a mat.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub on: Option<String>,
-    /// The convex area of a mat on the floor, instead of `on`: its corners in order.
+    /// Convex area of a mat on the floor, instead of `on`: its corners in order.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(length(min = 3, max = 64), inner(inner(range(min = -10_000, max = 10_000))))]
     pub area: Option<Vec<At>>,
-    /// How long it is pressed, or free, before it says so.
+    /// Time that the pad is pressed, or free, before it sends an event.
     #[serde(default, skip_serializing_if = "is_zero")]
     #[schemars(range(min = 0, max = 3_600), extend("default" = 0))]
     pub delay_s: f64,
@@ -86,7 +86,7 @@ impl DeviceForm for PressureFile {
     }
 }
 
-/// Furniture up to this height is a mat (ours).
+/// Greatest height of a mat (our choice).
 pub const MAT_HEIGHT_M: f64 = 0.05;
 
 /// A pressure sensor.

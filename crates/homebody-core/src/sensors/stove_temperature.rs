@@ -39,29 +39,31 @@ pub static ROW: KindRow = KindRow {
     casas: "T",
 };
 
-/// A temperature sensor on a stove: says `ON` and `OFF` as its heat crosses two limits, and readings if asked to.
+/// A temperature sensor on a stove. Its events are `ON` and `OFF` as the temperature crosses two limits, and readings
+/// if `readings_every_s` is given.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "stove temperature sensor")]
 pub struct StoveTemperatureFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The piece of furniture whose heat it takes.
+    /// Piece of furniture whose temperature the sensor measures.
     pub on: String,
-    /// How hot it gets where the sensor is, in the long run.
+    /// Temperature that the sensor reaches in the long run.
     #[serde(default = "hot")]
     #[schemars(range(min = 25, max = 1_000))]
     pub hot_c: f64,
-    /// Heating up past this, it says `ON`.
+    /// Temperature above which the sensor sends `ON` as the stove heats up.
     #[serde(default = "on_above")]
     #[schemars(range(min = 23, max = 1_000))]
     pub on_above_c: f64,
-    /// Cooling down past this, it says `OFF`.
+    /// Temperature below which the sensor sends `OFF` as the stove cools down.
     #[serde(default = "off_below")]
     #[schemars(range(min = 22.1, max = 1_000))]
     pub off_below_c: f64,
-    /// How often it says its temperature too, when that has changed by a degree; without it, never.
+    /// Interval between measurements. A measurement that differs from the last reading by a degree is sent. Without it,
+    /// the sensor sends no readings.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(range(min = 1, max = 86_400))]
     pub readings_every_s: Option<f64>,
@@ -103,15 +105,15 @@ impl DeviceForm for StoveTemperatureFile {
     }
 }
 
-/// What a cold stove has (ours); a file's limits lie above it.
+/// Temperature of a cold stove in degrees Celsius (our choice). The limits in a file lie above it.
 pub const ROOM_C: f64 = 22.0;
 
 crate::numbers! {
-    /// The time constant with which a stove heats up: a burner is hot after some minutes.
+    /// Time constant of a stove that heats up: a burner is hot after some minutes.
     static HEATING_S = "stove.heating": 240.0, "s", [10.0, 3_600.0];
-    /// The time constant with which a stove cools down: a plate can be touched again after half an hour.
+    /// Time constant of a stove that cools down: a plate is cool enough to touch after half an hour.
     static COOLING_S = "stove.cooling": 1_200.0, "s", [60.0, 14_400.0];
-    /// A stove's sensor tells what has changed by this.
+    /// Change of temperature that makes a stove's sensor send a reading.
     static CHANGE_C = "stove.change": 1.0, "°C", [0.01, 50.0];
 }
 

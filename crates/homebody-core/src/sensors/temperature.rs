@@ -34,29 +34,29 @@ pub static ROW: KindRow = KindRow {
     casas: "T",
 };
 
-/// A thermometer in a room: says degrees Celsius.
+/// A thermometer in a room. Its events are temperatures in degrees Celsius.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "temperature sensor")]
 pub struct TemperatureFile {
-    /// Its name in the log, unless the logger has another id for it; no other sensor of the home has this name.
+    /// Name of the sensor, unique in the home. The log uses it unless `logger.json` gives another id.
     #[schemars(length(min = 1, max = 100))]
     pub name: String,
-    /// The room that it is in.
+    /// Room that the sensor is in.
     pub room: String,
-    /// The room's temperature on average over a day, in degrees Celsius.
+    /// Mean temperature of the room over a day.
     #[serde(default = "mean")]
     #[schemars(range(min = -40, max = 60))]
     pub mean_c: f64,
-    /// How far the day takes it up, and the night down.
+    /// Amplitude of the daily change, up by day and down by night.
     #[serde(default = "swing")]
     #[schemars(range(min = 0, max = 20))]
     pub swing_c: f64,
-    /// The steps in which it tells temperatures; it says what has changed by one.
+    /// Resolution of the temperatures. The sensor sends an event when the temperature has changed by one step.
     #[serde(default = "step")]
     #[schemars(range(min = 0.01, max = 10))]
     pub step_c: f64,
-    /// How often it measures.
+    /// Interval between measurements.
     #[serde(default = "temperature_every")]
     #[schemars(range(min = 1, max = 86_400))]
     pub every_s: f64,
@@ -77,11 +77,11 @@ impl DeviceForm for TemperatureFile {
 }
 
 crate::numbers! {
-    /// How long after solar noon a room is at its warmest.
+    /// Time from solar noon until a room is at its warmest.
     static LAG_S = "temperature.lag": 3.0 * 3600.0, "s", [0.0, 43_200.0];
-    /// The standard deviation of the slow wander of a room's temperature.
+    /// Standard deviation of the slow random changes of a room's temperature.
     static WANDER_C = "temperature.wander": 0.4, "°C", [0.0, 10.0];
-    /// The time constant of the slow wander.
+    /// Time constant of the slow random changes of a room's temperature.
     static MEMORY_S = "temperature.memory": 6.0 * 3600.0, "s", [60.0, 2_592_000.0];
 }
 

@@ -12,8 +12,7 @@ use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, seconds};
 
-/// What is gone on with within so long after it was interrupted is one, beside the time that meals, medicine and the toilet took
-/// of it (ours).
+/// Interruption within which an activity is one, apart from the time of meals, medicine and the toilet (our choice).
 const INTERRUPTED: Micros = 20 * 60 * SECOND;
 
 /// What interrupts other things, which are gone on with after it: its time is none of the gap's.
@@ -34,7 +33,7 @@ const INTERRUPTING: [&str; 10] = [
 const EACH_ALONE: [&str; 9] =
     [AWAY, DRINKING, HAVING_A_SNACK, LYING_AWAKE, PACING, TAKING_MEDICINE, USING_BATHROOM, LAPPING, WANDERING];
 
-/// Strides of at least so many metres have a speed that can be told (ours).
+/// Shortest stride with a known speed, in metres (our choice).
 const LEAST_M: f64 = 1.0;
 
 /// From when to when something was done, was on, or was open; `lasted` leaves interruptions out.

@@ -8,19 +8,20 @@ use super::life::{Life, Occurrence};
 use super::subject::{Filter, Range, Subject, clock_range, number, range, scaled};
 use homebody_core::time::{DAY, Micros, SECOND};
 
-/// Whatever is done is finished first, and then one walks there: so many minutes later still counts as then (ours).
+/// Largest delay of an activity that is still in time, in minutes (our choice): the previous one is finished first, and
+/// a walk follows.
 pub const GRACE_MIN: f64 = 15.0;
 
-/// Of what has a time, at least this share keeps it (ours).
+/// Share of the activities with a time that keep it (our choice).
 pub const MOST_OF_THEM: f64 = 0.9;
 
-/// "Every day" leaves out one day in twenty (ours).
+/// Share of the days that counts as every day (our choice).
 pub const EVERY: f64 = 0.95;
 
-/// How many standard errors chance may bring (ours): of a thousand claims that hold it makes three seem not to.
+/// Standard errors allowed for chance (our choice): of a thousand true claims, three appear false.
 pub const ERRORS: f64 = 3.0;
 
-/// A length may be off by a tenth (ours).
+/// Tolerance of a length, as a share (our choice).
 const OF_LENGTH: f64 = 0.1;
 
 /// What is asked of it.
@@ -234,7 +235,7 @@ fn is_within(minutes: f64, (from, to): Range) -> bool {
 
 /// A share as a whole number of so many, of which one may be missed where there are some.
 fn all_but_a_few(many: f64, share: f64) -> f64 {
-    /// Of fewer none may be missed (ours).
+    /// Number of cases below which none may be missed (our choice).
     const SOME: f64 = 5.0;
     let missed = (many * (1.0 - share) + 1e-9).floor();
     let missed = if many >= SOME { missed.max(1.0) } else { missed };

@@ -140,7 +140,7 @@ impl<'a> Lived<'a> {
 
 /// The speed of a stride that is long enough to tell.
 pub fn speed_mps(moved: &Moved) -> Option<f64> {
-    /// As on a line of sensors (ours).
+    /// Shortest walk with a measured speed, as on a line of sensors (our choice).
     const LEAST_M: f64 = 1.0;
     let MotionState::Stride { from, to } = moved.doing else { return None };
     let length = from.distance(to);

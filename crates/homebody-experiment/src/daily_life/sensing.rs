@@ -25,7 +25,7 @@ pub struct Sensing {
     pub at_once: Option<[f64; 3]>,
 }
 
-/// Movement goes on where a sensor is ON again within this (ours).
+/// Time within which a sensor that is ON again continues a movement (our choice).
 const GOES_ON_S: f64 = 30.0;
 
 impl Sensing {

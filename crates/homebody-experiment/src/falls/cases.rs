@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 /// average of those who called nobody (Vlaeyen et al. 2013).
 const LIES_S: [f64; 2] = [120.0, 3540.0];
 
-/// Half of those who lie there stir now and then, once in so many seconds (ours): after these falls people were not typically
-/// without movement.
+/// Seconds between the movements of half of those who lie on the floor (our choice): after such falls, most people
+/// move.
 const STIRS_S: [f64; 2] = [45.0, 180.0];
 
 /// What somebody does in a case.

@@ -15,10 +15,10 @@ use std::ops::Range;
 /// How long a window is.
 pub const WINDOW: Micros = 5 * 60 * SECOND;
 
-/// ONs of a sensor that are less than this apart are one (ours).
+/// Time between ONs of a sensor below which they are one (our choice).
 const FUSED: Micros = 60 * SECOND;
 
-/// A sensor that began longer ago than this is not known to have been the last (ours).
+/// Time after which the start of a sensor's ON no longer makes it the last sensor (our choice).
 const REMEMBERED: Micros = 12 * 3600 * SECOND;
 
 /// One window.

@@ -9,11 +9,11 @@ use homebody_walk::{Mesh, Routes};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-/// How close together the points to stand on are (ours): nearer than a step.
+/// Distance between the points to stand on (our choice): less than a step.
 const LATTICE_M: f64 = 0.2;
 
-/// How much further than its radius a body keeps off things (ours): with 0.22 m, the narrowest passage of the SPHERE house,
-/// 0.73 m, still has room.
+/// Distance beyond its radius that a body keeps from things (our choice). With 0.22 m, the narrowest passage of the
+/// SPHERE house, 0.73 m, is still wide enough.
 const KEEPS_OFF_M: f64 = 0.03;
 
 /// A house in which ways are looked for. Points are metres in its plane, rooms indices into those of its plan.

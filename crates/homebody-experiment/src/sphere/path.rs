@@ -24,11 +24,11 @@ use std::fmt;
 
 /// What we take for the pace of adults who follow a script indoors, in metres a second.
 const PACE_MPS: f64 = 0.8;
-/// A walk that would have to be faster takes time from the standing before and after it. Ours.
+/// Speed above which a walk takes time from the stays before and after it (our choice).
 const HURRIED_MPS: f64 = 1.5;
-/// Who stands longer than this before leaving a room does not stand in its door. Ours.
+/// Time before leaving a room after which a person does not stand in its door (our choice).
 const IN_DOORWAY: Micros = 3 * SECOND;
-/// Nearer points are not worth a walk. Ours.
+/// Shortest walk between two points (our choice).
 const LEAST_WALK_M: f64 = 0.4;
 
 /// Why a recording cannot be placed in a home.

@@ -13,10 +13,10 @@ use serde::Serialize;
 use std::fmt;
 use std::ops::Range;
 
-/// Who is in a room for less was never in it (ours: five frames of a video).
+/// Time in a room below which a person was never in it (our choice: five frames of a video).
 const LEAST_STAY_S: f64 = 0.2;
 
-/// Nobody walks faster from door to door (ours: adults begin to run at about this speed).
+/// Highest walking speed from door to door (our choice: adults begin to run at about this speed).
 const FASTEST_WALK_MPS: f64 = 2.0;
 
 /// A stay that was too short to be lived.

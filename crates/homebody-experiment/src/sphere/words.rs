@@ -3,8 +3,7 @@
 use super::comparison::{Comparison, Figures, Finding, RoomComparison};
 use std::fmt;
 
-/// Counts and durations agree if neither is more than this many times the other. What counts as like is ours, but for
-/// kappa.
+/// Largest ratio of two counts or durations that agree (our choice, except for kappa).
 const LIKE_FACTOR: f64 = 1.5;
 /// Shares agree if they differ by no more than this.
 const LIKE_SHARE: f64 = 0.15;
@@ -12,9 +11,9 @@ const LIKE_SHARE: f64 = 0.15;
 const LIKE_LATENCY_S: f64 = 2.0;
 /// From here on agreement is called moderate (Landis & Koch 1977).
 const LIKE_KAPPA: f64 = 0.4;
-/// A room visited less often says nothing about the share of visits seen or the latency. Ours.
+/// Visits below which a room is left out of the share of visits seen and of the latency (our choice).
 const LEAST_VISITS: usize = 3;
-/// A sensor that neither in truth nor in simulation was ON for this long says nothing about its ON time. Ours.
+/// Time ON, in the truth and in the simulation, below which a sensor is left out of the ON times (our choice).
 const LEAST_ON_S: f64 = 10.0;
 
 /// Measures that are judged, room by room.

@@ -23,14 +23,14 @@ pub(crate) fn last_firing(lived: &Lived, people: usize) -> Vec<Vec<Place>> {
     rooms
 }
 
-/// A look at the home takes so long, in seconds (ours).
+/// Duration of one look at the home, in seconds (our choice).
 const LOOK_S: usize = 10;
-/// What is seen in a look of who is in a room, by its own sensors and by those of other rooms, and of who is out: of six sets of
-/// numbers those with which this model does best in these homes (ours).
+/// Probabilities of a firing in a look (our choice): in the person's own room, in another room, and while the person is
+/// out. Of six sets of values, these do best with this model in these homes.
 const SEEN: f64 = 0.01;
 const SEEN_ELSEWHERE: f64 = 0.0005;
 const SEEN_OUT: f64 = 0.0001;
-/// The chance of being in the same room in the next look (ours, by the same choice).
+/// Probability of the same room in the next look (our choice, selected in the same way).
 const STAYS: f64 = 0.999;
 
 /// By second: the room that a hidden Markov model tells, which knows which sensors hang in which room and no more. Its states

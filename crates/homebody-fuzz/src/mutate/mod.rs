@@ -1,6 +1,6 @@
 //! Mutators, by the grammar of what they change.
 
-/// As large as something becomes by being repeated, in bytes (ours).
+/// Largest size in bytes of an input that repetition enlarges (our choice).
 const MOST_REPEATED_BYTES: usize = 300_000;
 
 /// How often something of this length may be repeated, at most `most` times.

@@ -11,11 +11,10 @@ use std::time::{Duration, Instant};
 
 const HOUR: Micros = 3600 * SECOND;
 
-/// So much of a run is stored, read back, and lived again from its recording (ours).
+/// Part of a run that is stored, read back, and simulated again from its recording (our choice).
 const STORED: Micros = 600 * SECOND;
 
-/// A run may do more than anybody has time for; whoever lives it can end it between two batches, and so do we, after this time
-/// for each of its lives (ours).
+/// Time after which a run is stopped, as a user may stop it between two batches (our choice).
 const LONGEST: Duration = Duration::from_millis(250);
 
 /// Checks a scenario, and lives it where nothing is wrong.

@@ -27,7 +27,7 @@ const SCENARIO: &str =
 /// An older adult's body.
 const BODY_M: f64 = 0.22;
 
-/// Nobody reads more remarks (ours).
+/// Largest number of remarks (our choice).
 const MOST_REMARKS: usize = 50;
 
 fn corpus() -> Vec<Files> {

@@ -17,7 +17,7 @@ pub const TARGET: Target =
 
 pub const FILE: &str = "recording.json";
 
-/// As long as we wait for a batch of a run that may be a hundred years long, and more (ours).
+/// Time allowed for a batch of a run that may be a hundred years long or more (our choice).
 const LONGEST: Duration = Duration::from_millis(250);
 
 fn corpus() -> Vec<Files> {

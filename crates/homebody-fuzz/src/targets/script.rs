@@ -16,7 +16,7 @@ pub const TARGET: Target =
 /// The file of a case.
 const FILE: &str = "clara.rhai";
 
-/// As long as whoever lives what has passed the check (ours).
+/// Time of simulation of an input that passes the check (our choice).
 const LIVED: Micros = 3_600 * SECOND;
 
 fn corpus() -> Vec<Files> {

@@ -24,7 +24,7 @@ pub const TARGET: Target = Target {
 const GOOD: &str = "good";
 const CHANGED: &str = "changed";
 
-/// So many lines at a file's beginning stay: what they say holds for all others (ours).
+/// Lines at the beginning of a file that stay, because the others depend on them (our choice).
 const HEAD: usize = 8;
 
 fn corpus() -> Vec<Files> {

@@ -17,7 +17,7 @@ pub const TARGET: Target =
 
 const FILE: &str = "texts";
 
-/// So many texts are enough for a case (ours).
+/// Largest number of texts in a case (our choice).
 const MOST_LINES: usize = 200;
 
 fn corpus() -> Vec<Files> {

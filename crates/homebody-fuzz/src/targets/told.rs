@@ -4,10 +4,10 @@ use homebody_core::problem::Problem;
 use homebody_kit::Error;
 use std::collections::BTreeMap;
 
-/// No line of a message is longer, in bytes (ours): what it quotes may be of any length.
+/// Largest length of a line of a message, in bytes (our choice): a quoted text may have any length.
 const LONGEST_LINE_BYTES: usize = 2_000;
 
-/// No message is longer, in bytes (ours): some list a hundred places.
+/// Largest length of a message, in bytes (our choice): some list a hundred places.
 const LONGEST_BYTES: usize = 32 << 10;
 
 /// Whether an error says where and why, for people.

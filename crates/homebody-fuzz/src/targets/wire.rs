@@ -20,7 +20,7 @@ pub const TARGET: Target =
 
 const FILE: &str = "message.json";
 
-/// So long the stage has for what it was told, before it is closed (ours).
+/// Time that the stage has for its commands before it is closed (our choice).
 const LONGEST: Duration = Duration::from_millis(30);
 
 fn corpus() -> Vec<Files> {

@@ -23,20 +23,20 @@ enum Tree {
     Cut { is_upright: bool, parts: Box<[Tree; 2]> },
 }
 
-/// A wall in which a door fits, with its frame (ours).
+/// Length of wall that a door with its frame needs (our choice).
 pub const DOOR_NEEDS_M: f64 = 1.15;
-/// No room is narrower, and none through which one only goes (ours).
+/// Smallest width of a room, and of a room that is only passed through (our choice).
 const LEAST_M: f64 = 1.9;
 const LEAST_WAY_M: f64 = 1.25;
-/// Rooms are at most so many times as long as wide; those through which one goes are longer (ours).
+/// Largest ratio of a room's length to its width, and of that of a room that is only passed through (our choice).
 const LONGEST: f64 = 1.9;
 const LONGEST_WAY: f64 = 7.0;
-/// The home is so many times as wide as deep (ours).
+/// Ratio of the home's width to its depth (our choice).
 const WIDTH: f64 = 1.3;
-/// What of an arrangement counts how much beside the ways (ours): shapes of rooms, and a way out that is inside.
+/// Weights of the shapes of rooms and of a way out inside, in comparison with the ways (our choice).
 const SHAPES: f64 = 0.6;
 const WAY_OUT: f64 = 0.5;
-/// Changes are looked for so often at most (ours): a home of ten rooms needs some thousand.
+/// Largest number of changes that are tried (our choice): a home of ten rooms needs some thousand.
 const MOST_TRIALS: usize = 60_000;
 
 /// The rectangles of rooms, in metres from the corner of the home. `ties` says of two rooms how much they have to do with each other.

@@ -13,12 +13,12 @@ pub struct Opening {
     pub rooms: [Option<usize>; 2],
 }
 
-/// Doors are so wide, and the wall beside them (ours).
+/// Width of a door, and of the wall next to it (our choice).
 const WIDTH_M: f64 = 0.9;
 const JAMB_M: f64 = 0.1;
-/// Where there is no other way, a door may be narrower (ours).
+/// Smallest width of the wall of a door where no other way exists (our choice).
 const LEAST_WALL_M: f64 = 0.8;
-/// There is a door where at least this share of the ways of the quieter of two rooms leads from one to the other (ours).
+/// Smallest share of the ways of the quieter of two rooms that lead to the other one if a door joins them (our choice).
 const LEAST_SHARE: f64 = 0.06;
 
 impl Opening {

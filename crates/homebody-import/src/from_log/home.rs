@@ -52,23 +52,23 @@ pub enum Unsaid {
     Unsound(String),
 }
 
-/// More rooms are not arranged (ours): it takes longer and longer.
+/// Largest number of rooms that are arranged (our choice): the time grows steeply.
 pub const MOST_ROOMS: usize = 40;
 
-/// So many names are listed (ours).
+/// Largest number of names in a list (our choice).
 const LISTED: usize = 12;
 
-/// Each thing in a room takes so much of the floor, with what is free before it (ours).
+/// Area of floor that each thing in a room takes, with the free floor before it (our choice).
 const THING_TAKES_M2: f64 = 2.0;
-/// A way is so wide, and begins and ends so far beyond its sensors (ours).
+/// Width of a way, and its length beyond its sensors (our choice).
 const WAY_WIDE_M: f64 = 1.4;
 const WAY_BEYOND_M: f64 = 1.6;
-/// Who goes along a way does so at this pace (ours).
+/// Walking speed along a way (our choice).
 const PACE_MPS: f64 = 0.8;
-/// Where something has no place, its room is made so many times as large, so often at most (ours).
+/// Factor on the size of a room if a thing does not fit, and largest number of times that it is applied (our choice).
 const LARGER: f64 = 1.35;
 const ROUNDS: usize = 5;
-/// Walls are so thick (ours).
+/// Thickness of outer and inner walls (our choice).
 const OUTER_WALL_M: f64 = 0.2;
 const INNER_WALL_M: f64 = 0.1;
 

@@ -3,9 +3,9 @@
 use super::shape::{Rect, cut};
 use homebody_core::geometry::Point;
 
-/// The home reaches so far beyond its sensors (ours).
+/// Distance from the outermost sensors to the end of the home (our choice).
 const MARGIN_M: f64 = 1.3;
-/// No part is narrower (ours).
+/// Smallest width of a part (our choice).
 const LEAST_M: f64 = 1.3;
 
 /// The rectangles of rooms by the places of their sensors; a room without any has none.

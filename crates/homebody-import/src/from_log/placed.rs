@@ -7,28 +7,29 @@ use super::understood::What;
 use super::{LogSensor, LogWay};
 use homebody_core::geometry::Point;
 
-/// Who walks from one sensor to the next goes so fast (ours).
+/// Walking speed from one sensor to the next (our choice).
 const PACE_MPS: f64 = 0.8;
-/// Sensors that see somebody at once are so far apart (ours).
+/// Distance between sensors that see a person at the same time (our choice).
 const BESIDE_M: f64 = 0.8;
-/// Between walls and what stands at them, and between what stands beside each other (ours).
+/// Distance between a wall and the things along it, and between adjacent things (our choice).
 const AT_WALL_M: f64 = 0.07;
 const BETWEEN_M: f64 = 0.05;
-/// Before what one stands at, and on both sides of a door, the floor is free so far (ours).
+/// Depth of free floor before a thing that a person stands at, and on both sides of a door (our choice).
 const BEFORE_M: f64 = 0.75;
 const AT_DOOR_M: f64 = 0.75;
-/// Who stands before something is so far from the middle of any wall (ours): half of the thickest, a body and a hand's breadth.
+/// Distance of a person who stands before a thing from the centre line of any wall (our choice): half of the thickest
+/// wall, a body and a hand's breadth.
 const STANDS_M: f64 = 0.45;
-/// A body needs so much room on each side, and its way is looked for in cells of this side (ours).
+/// Room that a body needs on each side, and side of the cells for the search of its way (our choice).
 const BODY_M: f64 = 0.3;
 const CELL_M: f64 = 0.1;
-/// From a door or a seat the floor that one walks on is no further (ours).
+/// Largest distance from a door or a seat to the floor that people walk on (our choice).
 const NEAR_M: f64 = 0.8;
-/// Places are tried so close to each other (ours).
+/// Distance between the places that are tried (our choice).
 const STEP_M: f64 = 0.15;
-/// What no sensor tells of keeps away from doors, and a place that was measured counts far more than ways (ours).
+/// Weight of a measured position, in comparison with ways (our choice). Things without a sensor keep away from doors.
 const MEASURED: f64 = 1000.0;
-/// Everything is placed again with all the rest in its place, so many times (ours).
+/// Number of times that everything is placed again around the rest (our choice).
 const ROUNDS: usize = 3;
 
 /// A piece in its place.
@@ -152,7 +153,7 @@ impl Site<'_> {
 
     /// How much a spot is in the way of others that are seen by another sensor already.
     fn crowded(&self, sensor: usize, at: Point, places: &Places) -> f64 {
-        /// What a metre less between sensors counts (ours).
+        /// Cost of a metre less between sensors (our choice).
         const CROWDED: f64 = 20.0;
         let here = |other: usize| other != sensor && self.what[other].0 == self.what[sensor].0;
         let others = (0..places.sensors.len()).filter(|&other| here(other)).filter_map(|other| places.sensors[other]);

@@ -12,18 +12,19 @@ use homebody_core::scenario::home::{CeilingMotionFile, Preset, SensorFile};
 use homebody_core::scenario::notice::{ChanceFile, Notice};
 use homebody_core::sensors::contact::ContactFile;
 
-/// A narrow sensor sees so much of the floor each way (ours): what stands below it, and who stands before that.
+/// Side of the floor that a narrow sensor sees (our choice): the thing below it, and a person before the thing.
 const NARROW_M: f64 = 1.2;
-/// What a wide sensor sees ends so far from the walls of its room (ours).
+/// Distance from the walls of its room at which the field of a wide sensor ends (our choice).
 const AT_WALL_M: f64 = 0.1;
-/// One that sees a part of its room sees so much each way (ours).
+/// Side of the field of a wide sensor that sees a part of its room (our choice).
 const WIDE_M: f64 = 2.6;
-/// A wide sensor surely notices what moves by this angle (ours), somewhat less than a narrow one: so most firings of two real homes
-/// are explained.
+/// Angle of a movement that a wide sensor always notices, slightly less than for a narrow one (our choice): it explains
+/// most firings of two real homes.
 const WIDE_SURE_DEG: f64 = 25.0;
-/// The ON of a unit lasts as long each time if nine of ten are no further than this from most, in parts of it (ours).
+/// Largest deviation of nine in ten ONs from the most frequent duration, in parts of it, for a unit with a fixed ON
+/// (our choice).
 const ALIKE: f64 = 0.25;
-/// Units whose ON is shorter follow the movement (ours).
+/// Duration of ON below which a unit follows the movement (our choice).
 const SHORTEST_PULSE_S: f64 = 2.0;
 
 /// What all sensors of a log have in common: their make, and for how long the logger holds an ON.

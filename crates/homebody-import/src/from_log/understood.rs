@@ -43,14 +43,14 @@ pub struct Understood {
     pub guesses: Vec<String>,
 }
 
-/// At least this share of what a sensor says is said during one kind of deeds, where these tell its room (ours).
+/// Smallest share of a sensor's events during one kind of activity that assigns its room (our choice).
 const LEAST_SHARE: f64 = 0.25;
-/// A sensor that spoke less often tells nothing by what was done meanwhile (ours).
+/// Number of firings below which activities do not assign a sensor's room (our choice).
 const LEAST_FIRINGS: u64 = 40;
-/// Sensors that see somebody at once are in one room: so soon, on this share of the ways of either (ours).
+/// Time and share of ways within which two sensors see a person at once, and are therefore in one room (our choice).
 const AT_ONCE_S: f64 = 0.3;
 const AT_ONCE_SHARE: f64 = 0.38;
-/// This share of its ways leads to one room where a sensor is in that room (ours).
+/// Share of its ways that lead to one room if a sensor is in that room (our choice).
 const BELONGS_SHARE: f64 = 0.7;
 /// Words of names that tell nothing of a place.
 const NOISE: [&str; 16] = [

@@ -44,7 +44,7 @@ pub struct OfLog {
 const ABOUT: &str = "Which rooms and things there are is from names and from what was done; which are beside each other is from \
                      who follows whom and how soon. Sizes, shapes, walls and the places of doors are guesses.";
 
-/// A new scenario is no longer (ours): it is lived when somebody asks for it.
+/// Longest new scenario, in days (our choice).
 const MOST_DAYS: i64 = 365;
 
 /// A scenario in a home that nobody has drawn: a scheme of rooms, things and places by what a log tells. Its days are those of the
@@ -164,7 +164,7 @@ fn told(
 
 /// The first of some names.
 fn first(names: &[&str]) -> String {
-    /// So many are told (ours).
+    /// Largest number of items in a report (our choice).
     const MOST: usize = 8;
     let more = if names.len() > MOST { " and others" } else { "" };
     names.iter().take(MOST).copied().collect::<Vec<_>>().join(", ") + more

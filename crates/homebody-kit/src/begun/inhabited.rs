@@ -155,7 +155,7 @@ fn load(texts: &Texts) -> Result<Scenario, Problems> {
 
 /// The place of a home that has the most room around it.
 fn roomiest(plan: &Plan) -> Point {
-    /// So many places are tried each way, besides the middle of each room (ours).
+    /// Number of places tried in each direction, in addition to the middle of each room (our choice).
     const STEPS: u32 = 60;
     let (least, most) = plan.bounds();
     let steps = (0..=STEPS).flat_map(|x| (0..=STEPS).map(move |y| Point::new(f64::from(x), f64::from(y))));

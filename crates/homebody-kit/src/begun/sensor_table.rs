@@ -8,7 +8,7 @@ use homebody_log::plain;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// No table has more bytes (ours): one of a thousand sensors has a tenth of it.
+/// Largest number of bytes of a table (our choice): one of a thousand sensors has a tenth of it.
 const LARGEST_BYTES: u64 = 1 << 20;
 
 /// What a row says of a sensor.

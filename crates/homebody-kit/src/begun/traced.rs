@@ -7,7 +7,7 @@ use serde_json::json;
 use std::path::Path;
 use std::str::FromStr;
 
-/// No picture has more bytes (ours), as in the page.
+/// Largest number of bytes of a picture, as in the page (our choice).
 const LARGEST_BYTES: u64 = 50_000_000;
 
 /// A point of a picture, in pixels from its upper left corner, and where it is in the home, in metres.

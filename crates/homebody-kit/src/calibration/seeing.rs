@@ -32,15 +32,16 @@ use homebody_core::time::Micros;
 use homebody_log::{Cancel, Log};
 use serde::Serialize;
 
-/// How far a sensor sees is tried at so many times what the scenario says (ours).
+/// Factors on a sensor's reach that are tried (our choice).
 const REACHES: [f64; 6] = [1.0, 0.5, 0.7, 0.85, 1.2, 1.5];
-/// The shares of what passes that a sensor is tried to miss (ours).
+/// Shares of missed passings that are tried (our choice).
 const MISSES: [f64; 7] = [0.0, 0.12, 0.25, 0.4, 0.55, 0.7, 0.85];
-/// A sensor with fewer firings tells too little of itself (ours).
+/// Firings below which a sensor has too little data (our choice).
 const LEAST_FIRINGS: u64 = 30;
-/// An agreement that is better by less is chance (ours).
+/// Improvement of the agreement below which it is chance (our choice).
 const BETTER: f64 = 0.02;
-/// Who fires so many times as often as in the log, or as rarely, may do so by chance (ours).
+/// Ratio of the firings to those of the log, in either direction, within which the difference may be chance (our
+/// choice).
 const OFTENER: f64 = 1.2;
 
 /// How far a sensor was found to see, and what it misses.

@@ -6,9 +6,10 @@ use homebody_core::scenario::home::{Preset, SensorFile};
 use homebody_core::scenario::link::LinkFile;
 use homebody_core::scenario::logger::{LoggerFile, LumpFile, MessagesFile, OnOffFile};
 
-/// A smaller share of messages that come twice or not at all is chance (ours).
+/// Share of messages that arrive twice or not at all below which it is chance (our choice).
 const CHANCE: f64 = 0.0005;
-/// ONs between the first twentieth and the first quarter that differ by more than this are not those of one movement (ours).
+/// Ratio of the first quarter to the first twentieth of the ONs' durations above which they are not those of one
+/// movement (our choice).
 const ONE_LUMP: f64 = 1.2;
 
 /// The scenario with the timing and the link of a log. What the log does not tell stays as it is.

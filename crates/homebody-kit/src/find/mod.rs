@@ -19,10 +19,10 @@ use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
 use std::borrow::Cow;
 
-/// The same again after no longer than this is one (ours).
+/// Time within which the same event again belongs to one match (our choice).
 const PAUSE: Micros = MINUTE;
 
-/// Of a sensor that never says that something ends, what it says again after no longer than this is one (ours).
+/// Time within which a repeated event belongs to one match, for a sensor without an end of its events (our choice).
 const BOUT: Micros = 10 * MINUTE;
 
 /// How words begin about a fall that the truth tells of, beside those that cameras see.
@@ -181,7 +181,7 @@ homebody_core::messages! {
             name: String,
             /// The known names.
             hint: String,
-        } error "unknown-name" ("there is no {kind} {name:?}") hint ("{hint}");
+        } error "unknown-name" ("no {kind} is called {name:?}") hint ("{hint}");
         /// Activities, falls and lost messages are in the ground truth of a run, and not in a log.
         NoTruth(what: &'static str) error "needs-truth" ("a log alone does not contain {what}")
             hint ("name a run that has its ground truth");

@@ -12,7 +12,7 @@ pub struct Churn {
     pub away: Micros,
 }
 
-/// No spell is shorter, in microseconds (ours): a home that comes and goes within a moment is none.
+/// Shortest period online or offline of a home, in microseconds (our choice).
 const SHORTEST: Micros = 1_000_000;
 
 /// When one home is there.

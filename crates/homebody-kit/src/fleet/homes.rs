@@ -18,7 +18,7 @@ use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// No fleet has more homes (ours): they are numbered with five digits.
+/// Largest number of homes of a fleet (our choice): their numbers have five digits.
 pub const MOST_HOMES: u32 = 99_999;
 
 /// What a fleet is to be. A home's life depends on its number, on the seed and on the scenarios, and on nothing else that is here.

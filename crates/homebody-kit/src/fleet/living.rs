@@ -11,18 +11,19 @@ use homebody_log::fleet::{FleetRow, HomeRows, Told};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// A home that is lived less far ahead than this is lived on (ours), in microseconds of the world's clock: ten thousand people who
-/// plan their day at midnight take some seconds.
+/// Time ahead of the world's clock, in microseconds, below which a home is simulated further (our choice): ten thousand
+/// people who plan their day at midnight take some seconds.
 const AHEAD: i64 = 30 * SECOND;
 
-/// So much is lived of a home at once, in microseconds of the world's clock (ours): what it says meanwhile waits in memory.
+/// Part of a run that is simulated at once, in microseconds of the world's clock (our choice): its events wait in
+/// memory.
 const STEP: i64 = 60 * SECOND;
 
-/// Who is far behind lives on in steps of this part of it (ours), and at most so far at once.
+/// Divisor of the lag that gives the step of a home far behind, and longest step (our choice).
 const PART_OF_BEHIND: i64 = 4;
 const LONGEST_STEP: Micros = 3600 * SECOND;
 
-/// A step ends once it has so many events (ours), whatever drivers decide.
+/// Number of events after which a step ends, whatever drivers decide (our choice).
 const MOST_EVENTS: usize = 100_000;
 
 /// All homes.

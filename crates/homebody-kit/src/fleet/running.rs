@@ -13,17 +13,17 @@ use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 
-/// So much may wait for a place (ours), a row of 40 bytes each: while there is more, no more is made.
+/// Number of rows that may wait for a destination, 40 bytes each (our choice). Beyond it, no more are produced.
 const MOST_WAITING: usize = 200_000;
 
-/// So much is handed over at once (ours).
+/// Number of rows that are handed over together (our choice).
 const HANDFUL: usize = 10_000;
 
-/// Nothing sleeps shorter (ours), so that messages of a moment go together, nor longer.
+/// Shortest sleep, so that messages of a moment are sent together, and longest sleep (our choice).
 const SHORTEST_SLEEP: i64 = 2_000;
 const LONGEST_SLEEP: i64 = 50_000;
 
-/// How long homes are lived without a look at what is due (ours).
+/// Longest simulation of homes without a check for rows that are due (our choice).
 const LOOK: i64 = 2_000;
 
 /// Where a fleet tells what it has to say, and how long.

@@ -37,7 +37,7 @@ const OF_NOBODY: [&str; 3] = ["name", "seed", "home"];
 /// What goes before the name of a condition.
 const SHOWS: &str = "the person shows ";
 
-/// No cohort has more members (ours).
+/// Largest number of members of a cohort (our choice).
 pub const MOST_MEMBERS: u32 = 100_000;
 
 /// The profiles of all rows, and all that is wrong with them.

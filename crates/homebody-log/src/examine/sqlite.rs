@@ -13,7 +13,7 @@ use homebody_core::problem::counted;
 use rusqlite::Connection;
 use std::path::{Path, PathBuf};
 
-/// So many pages that are wrong are told (ours).
+/// Largest number of damaged pages in a report (our choice).
 const MOST_TOLD: usize = 5;
 
 /// The version of SQLite in this program, once it has kept a row and given it back.
@@ -48,7 +48,7 @@ pub(super) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> 
                 true => Check::warning(
                     "file",
                     "a transaction was half written as a program was killed, so nothing more is looked at: to open it would change it",
-                    "homebody look reads it and undoes what was half written; homebody run --resume FOLDER goes on with the run",
+                    "homebody inspect reads it and undoes what was half written; homebody run --resume FOLDER goes on with the run",
                 ),
                 false => Check::of_error("file", &LogError::database(path, error)),
             });

@@ -188,5 +188,5 @@ pub trait FleetSink: Send {
     }
 }
 
-/// How much a place is told at once where it does not say otherwise (ours).
+/// Largest batch for a destination that gives no other (our choice).
 const MOST_AT_ONCE: usize = 1000;

@@ -15,11 +15,11 @@ use std::time::{Duration, Instant};
 /// The world's clock, in microseconds since 1970.
 pub type Now = Arc<dyn Fn() -> i64 + Send + Sync>;
 
-/// How long to wait before something is tried again, and at most (ours).
+/// First and longest wait between two attempts (our choice).
 const FIRST_WAIT: Duration = Duration::from_millis(100);
 const LONGEST_WAIT: Duration = Duration::from_secs(5);
 
-/// How long a place that is away is waited for at the end (ours).
+/// Time to wait for an unavailable destination at the end (our choice).
 const AT_THE_END: Duration = Duration::from_secs(60);
 
 /// Who tells one place.

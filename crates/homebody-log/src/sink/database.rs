@@ -20,11 +20,11 @@ use std::path::{Path, PathBuf};
 use std::slice::ChunksExact;
 use std::time::{Duration, Instant};
 
-/// How long another program may be about to write the database before that is an error, and how long one that reads is waited
-/// for at the end (ours).
+/// Time to wait for another program that is about to write the database, and at the end for one that reads it (our
+/// choice).
 const BUSY: Duration = Duration::from_secs(2);
 
-/// How long somebody who reads may keep rows waiting that pour in (ours): where rows trickle, nobody who reads holds them up.
+/// Longest delay of many rows by a reader (our choice). Readers do not delay few rows.
 const READERS: Duration = Duration::from_secs(100);
 
 /// How often it is looked whether nobody reads any more.
@@ -36,13 +36,14 @@ const SAFE: &str = "PRAGMA synchronous = FULL; PRAGMA cache_size = -1024";
 /// Makes one file of a database.
 const ONE_FILE: &str = "PRAGMA journal_mode = DELETE";
 
-/// Who has waited this long for a reader lets rows trickle from then on, so that no reader is in the way again (ours).
+/// Wait for a reader after which rows are written in small transactions, so that no reader blocks them again (our
+/// choice).
 const WATCHED: Duration = Duration::from_secs(1);
 
-/// Fewer rows in a transaction trickle, more pour. A transaction of a live run holds those of a second. Ours.
+/// Rows above which a transaction is large (our choice). In real time, a transaction has the rows of a second.
 const TRICKLE: usize = 10_000;
 
-/// Rows that one statement inserts, ours: half again as fast as one by one when it was measured.
+/// Rows of one statement (our choice): half again as fast as one by one, measured.
 const ROWS_AT_ONCE: usize = 16;
 
 /// What a closed database says of its transactions: no real count, so nobody has pages cached under it.

@@ -50,10 +50,10 @@ struct InTable {
     at_once: usize,
 }
 
-/// How many rows are inserted together where there is one table only, as in a log (ours).
+/// Rows that are inserted together if there is only one table, as in a log (our choice).
 const ALONE: usize = 64 * Insert::AT_ONCE;
 
-/// The same for a table with many rows among other tables (ours).
+/// The same for a table with many rows among other tables (our choice).
 const FREQUENT: usize = 4 * Insert::AT_ONCE;
 
 impl Sqlite {

@@ -24,7 +24,7 @@ pub(crate) struct Notes {
     pub alone: u64,
 }
 
-/// So many activities go on at once at most (ours): more notes than that are of no use to anybody.
+/// Largest number of activities at once (our choice).
 const MOST_OPEN: usize = 1000;
 
 /// An activity that has begun.

@@ -27,8 +27,8 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "casas",
-    what: "the text of the CASAS homes: time, sensor and message, parted by tabs or blanks, perhaps with room, place and kind, with \
-           notes of activities or a label on each row",
+    what: "the text of the CASAS homes: time, sensor and message, separated by tabs or blanks, optionally with room, place and kind, and \
+           with notes of activities or a label on each row",
     shows,
     read,
 };

@@ -16,7 +16,7 @@ const LOOKED_AT_ROWS: usize = 1000;
 /// From so many rows on, names have to repeat.
 const MANY_ROWS: usize = 20;
 
-/// The most words that stand before the value.
+/// Largest number of words before the value.
 const MOST_BEFORE: usize = 3;
 
 /// Before the kind of a sensor there is always its value.
@@ -349,7 +349,7 @@ impl Rows {
     }
 }
 
-/// Homes have fewer people.
+/// Largest number of people of a home.
 const MOST_PEOPLE: usize = 8;
 
 /// Pairs of a person and an activity, each a small number.

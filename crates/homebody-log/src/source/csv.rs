@@ -19,16 +19,16 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "csv",
-    what: "comma-separated values with an instant, a sensor and perhaps a value and an activity in each row; Home Assistant's \
-           history and pyadlml's devices, too",
+    what: "comma-separated values with a timestamp, a sensor and optionally a value and an activity in each row; also Home \
+           Assistant's history and the devices of pyadlml",
     shows: |start| Shows::rows_if(matches!(table(start), Some(TableKind::Events | TableKind::Refused))),
     read,
 };
 
 pub(super) const INTERVALS: Form = Form {
     name: "pyadlml",
-    what: "comma-separated values with a start and an end or a duration in each row, of activities or sensors, as pyadlml and \
-           Orange4Home have them",
+    what: "comma-separated values with a start and an end or a duration in each row, for activities or sensors (pyadlml, \
+           Orange4Home)",
     shows: |start| match table(start) {
         Some(TableKind::Activities) => Shows::Activities,
         Some(TableKind::Intervals) => Shows::Rows,
@@ -39,7 +39,7 @@ pub(super) const INTERVALS: Form = Form {
 
 pub(super) const WIDE: Form = Form {
     name: "wide",
-    what: "comma-separated values with a column for each sensor: of states each change becomes a row, of numbers each cell",
+    what: "comma-separated values with a column for each sensor: each change of a state and each numeric cell becomes a row",
     shows: |start| Shows::rows_if(table(start) == Some(TableKind::Wide)),
     read: |path, file, reading| {
         // A table that is wide by itself may have a column of devices, too.

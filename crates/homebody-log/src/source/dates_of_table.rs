@@ -12,7 +12,7 @@ use std::path::Path;
 /// How often dates must follow on the day before to decide.
 const DECIDING_DAYS: usize = 2;
 
-/// So many rows are looked at where the first ones do not decide.
+/// Largest number of rows that are read if the first ones do not decide.
 const MOST_ROWS: usize = 2_000_000;
 
 /// The order of day and month, if dates are written in numbers with the year last, and what decides it.

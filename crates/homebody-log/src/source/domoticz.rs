@@ -16,7 +16,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "domoticz",
-    what: "the database of Domoticz, domoticz.db: what its switches, contacts and meters said",
+    what: "the database of Domoticz, domoticz.db: the states of its switches, contacts and meters",
     shows,
     read,
 };

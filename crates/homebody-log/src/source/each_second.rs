@@ -25,14 +25,14 @@ use std::path::Path;
 
 pub(super) const OPENSHS: Form = Form {
     name: "openshs",
-    what: "comma-separated values with a row for each second and a column for each sensor, an Activity and a timestamp: OpenSHS",
+    what: "comma-separated values with a row for each second and columns for each sensor, Activity and timestamp (OpenSHS)",
     shows: shows_openshs,
     read: read_openshs,
 };
 
 pub(super) const ARAS: Form = Form {
     name: "aras",
-    what: "a day as a row for each second: 20 sensors and the activities of two residents, by number; ARAS",
+    what: "a day with a row for each second: 20 sensors and the activities of two residents, as numbers (ARAS)",
     shows: shows_aras,
     read: read_aras,
 };
@@ -102,7 +102,7 @@ struct Column {
     is_state: bool,
 }
 
-/// A longer pause between two rows is a gap: rows are a second apart.
+/// Pause between two rows above which there is a gap: rows are a second apart.
 const LONGEST_PAUSE: Micros = 60 * SECOND;
 
 /// The gap between two rows, if there is one: its beginning as an instant, and both its ends.

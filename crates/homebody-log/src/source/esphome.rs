@@ -18,7 +18,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "esphome",
-    what: "what esphome logs prints: the states that sensors send; the day of its first line is in the file's name",
+    what: "the output of esphome logs: the states that sensors send; the file's name gives the day of its first line",
     shows,
     read,
 };

@@ -9,10 +9,10 @@ use crate::error::LogError;
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
-/// So many rows are looked at.
+/// Largest number of rows that are examined.
 const MOST_ROWS: usize = 1000;
 
-/// No more bytes of them are kept: rows of a thousand columns are long.
+/// Largest number of bytes of these rows: rows of a thousand columns are long.
 const MOST_BYTES: usize = 4 << 20;
 
 /// The first rows of a table.

@@ -14,7 +14,7 @@ use homebody_core::time::Micros;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// The most columns that are listed: each sensor of a wide table is one.
+/// Largest number of columns in a list: each sensor of a wide table is one.
 const MOST_COLUMNS: usize = 100;
 
 /// Rows on their way into a log.

@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A row with its line.
 pub(super) type Row = (u64, Vec<String>);
 
-/// So many rows may be above the first one with an instant.
+/// Largest number of rows above the first one with an instant.
 const MOST_ABOVE: usize = 60;
 
 /// The beginning of a table.

@@ -12,7 +12,7 @@ use std::path::Path;
 /// So many homes are named.
 const NAMED: usize = 10;
 
-/// No more homes are counted.
+/// Largest number of homes that are counted.
 const MOST_HOMES: usize = 10_000;
 
 /// Decides which rows are read.

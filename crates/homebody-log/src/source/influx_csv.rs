@@ -19,7 +19,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "influx-csv",
-    what: "tables of InfluxDB: the annotated CSV of Influx 2, pivoted or not, and what influx -format csv prints",
+    what: "tables of InfluxDB: the annotated CSV of Influx 2, pivoted or not, and the output of influx -format csv",
     shows,
     read,
 };

@@ -17,7 +17,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "influx-lines",
-    what: "InfluxDB's line protocol: a measurement with tags, fields and an instant in each line",
+    what: "InfluxDB's line protocol: a measurement with tags, fields and a timestamp in each line",
     shows,
     read,
 };

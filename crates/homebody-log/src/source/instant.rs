@@ -15,7 +15,7 @@ pub enum Instant {
     Utc(Micros),
 }
 
-/// No more spans of one offset are kept: a zone has two a year.
+/// Largest number of spans with one offset: a zone has two a year.
 const MOST_OFFSETS: usize = 400;
 
 /// Reads instants; a day as `2009-03-02` that has been read is known for the lines that follow.

@@ -19,8 +19,8 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "intervals",
-    what: "rows of start, end and sensor, or start, end and activity, parted by tabs or blanks: the homes of van Kasteren and of \
-           UCI's ADLs",
+    what: "rows of start, end and sensor, or of start, end and activity, separated by tabs or blanks: the homes of van Kasteren and \
+           of the UCI ADL data",
     shows,
     read,
 };

@@ -27,8 +27,8 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "json",
-    what: "JSON in one piece: a list of rows, alone or in objects around it; Home Assistant's history, logbook and answers over its \
-           WebSocket, OGC SensorThings, InfluxDB, Prometheus and Graphite",
+    what: "one JSON document: a list of rows, alone or inside objects; Home Assistant's history, logbook and WebSocket \
+           replies, OGC SensorThings, InfluxDB, Prometheus and Graphite",
     shows,
     read,
 };
@@ -39,10 +39,10 @@ const DEEPEST: usize = 64;
 /// A text with this many rows at its beginning is a log.
 const ENOUGH: u64 = 2;
 
-/// The most values of a text that are searched for its first rows.
+/// Largest number of values of a text that are searched for its first rows.
 const MOST_SEARCHED: u64 = 10_000;
 
-/// The most names of columns in a list.
+/// Largest number of column names in a list.
 const MOST_NAMES: usize = 100;
 
 fn shows(start: &Start) -> Shows {

@@ -17,8 +17,8 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "jsonl",
-    what: "JSON Lines: an object a line with time, sensor and value, under any of the usual names or ours, or with a topic and a payload \
-           of MQTT",
+    what: "JSON Lines: one object per line with time, sensor and value, under the usual names or those of Homebody, or with a topic and \
+           a payload of MQTT",
     shows,
     read,
 };

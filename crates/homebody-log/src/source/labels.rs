@@ -16,7 +16,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "labels",
-    what: "rows of start, end and label under any heading that speaks of activities or labels",
+    what: "rows of start, end and label, under a heading for activities or labels",
     shows,
     read,
 };

@@ -249,7 +249,7 @@ fn alone(path: &Path) -> Sensor {
 
 /// A channel by the table next to its file, as in UK-DALE: `3 kettle` for `channel_3.dat`.
 fn channel_name(path: &Path, name: &str) -> Option<String> {
-    /// No such table has more bytes (our choice).
+    /// Largest number of bytes of such a table (our choice).
     const LARGEST_BYTES: u64 = 1 << 16;
     let (_, number) = name.rsplit_once('_')?;
     let table = plain::read_text(&path.with_file_name("labels.dat"), LARGEST_BYTES).ok()?;

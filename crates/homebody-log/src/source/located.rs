@@ -20,13 +20,13 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-/// The largest folder that is searched: a file a day for ten years.
+/// Largest number of files in a folder that is searched: a file a day for ten years.
 const MOST_FILES: usize = 4000;
 
-/// The search for labels gives up in folders with more files.
+/// Number of files in a folder above which labels are not searched for.
 const MOST_BESIDE: usize = 200;
 
-/// The number of file names in a message.
+/// Number of file names in a message.
 const MOST_NAMED: usize = 20;
 
 /// The place that a log is read from.

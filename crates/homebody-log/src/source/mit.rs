@@ -26,7 +26,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "mit",
-    what: "records of five lines: an activity, then the ids, names and times of the sensors that changed; Tapia's homes at MIT",
+    what: "records of five lines: an activity, then the ids, names and times of the sensors that changed (Tapia's homes at MIT)",
     shows,
     read,
 };
@@ -34,7 +34,7 @@ pub(super) const FORM: Form = Form {
 /// The table beside the text, `id,room,name` in each row.
 const SENSORS: &str = "sensors.csv";
 
-/// No such table has more bytes (ours): one of 77 sensors has two thousand.
+/// Largest number of bytes of such a table (our choice): one of 77 sensors has two thousand.
 const LARGEST_TABLE_BYTES: u64 = 1 << 20;
 
 /// The lines that may hold the first whole record.

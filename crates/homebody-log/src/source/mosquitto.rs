@@ -17,7 +17,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "mosquitto",
-    what: "messages of MQTT as mosquitto_sub -F '%I %t %p' prints them: an instant, a topic and a payload in JSON in each line",
+    what: "MQTT messages as mosquitto_sub -F '%I %t %p' prints them: a timestamp, a topic and a JSON payload in each line",
     shows,
     read,
 };

@@ -17,7 +17,7 @@ use homebody_core::time::{Micros, SECOND};
 use rusqlite::types::ValueRef;
 use rusqlite::{Connection, OptionalExtension, Row};
 
-/// Beyond the end of a span by this, what is not found yet is looked for by name (ours).
+/// Time after the end of a span beyond which a missing item is searched for by its name (our choice).
 const FURTHER: Micros = 3600 * SECOND;
 
 /// What a body did, from when to when in the run.

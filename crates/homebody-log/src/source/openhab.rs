@@ -22,7 +22,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "openhab",
-    what: "the events.log of openHAB: lines that say from what to what an item changed",
+    what: "the events.log of openHAB: lines with the old and the new state of an item",
     shows,
     read,
 };

@@ -21,13 +21,13 @@ use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
 
-/// How many skipped lines are told one by one.
+/// Largest number of skipped lines that are reported one by one.
 const MOST_TOLD: usize = 100;
 
-/// A longer silence between two files is a gap: a night is shorter.
+/// Silence between two files above which there is a gap: a night is shorter.
 const LONGEST_SILENCE: Micros = DAY / 2;
 
-/// The number of activities before a seam that may continue: people do few things at once.
+/// Largest number of activities before a seam that may continue: people do few things at once.
 const MOST_JOINED: usize = 100;
 
 /// Rows that are handed over together.
@@ -485,7 +485,7 @@ struct Numbers {
     last: [u32; PLACES],
 }
 
-/// So many numbers are at hand (ours): a home has fewer sensors, most of whose names end in ways of their own.
+/// Numbers of names in the cache (our choice): a home has fewer sensors, most with distinct endings.
 const PLACES: usize = 64;
 
 impl Default for Numbers {

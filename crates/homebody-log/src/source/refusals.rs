@@ -21,7 +21,7 @@ impl Pick<'_> {
     /// Refuses rows without a heading of a time, a number and a thing that is used or opened, in any order: nothing says whether the
     /// number is a duration or a reading.
     pub fn no_lengths(&self, sensor: usize, value: usize) -> Result<(), String> {
-        /// Nothing is used for longer, in seconds (our choice).
+        /// Longest use of a thing, in seconds (our choice).
         const LONGEST_S: f64 = 1e6;
         let (things, numbers) = (self.cells(sensor), self.cells(value));
         let may_last = |text: &String| {

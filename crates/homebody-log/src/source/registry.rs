@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// No registry has more bytes: one of ten thousand entities has a tenth of it.
+/// Largest size of a registry: one of ten thousand entities has a tenth of it.
 const LARGEST_BYTES: u64 = 64 << 20;
 
 /// The entries of entities, by their ids.

@@ -23,7 +23,7 @@ const LEAST_ROWS: usize = 3;
 /// So many rows of a sensor show what they have in common.
 const LEAST_ROWS_OF_SENSOR: usize = 4;
 
-/// A column with more texts than these says nothing of what is measured.
+/// Number of distinct texts above which a column does not give the measured quantity.
 const MOST_ATTRIBUTES: usize = 60;
 
 impl Pick<'_> {

@@ -16,7 +16,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "sqlite",
-    what: "a database file with a table that has a time, a sensor and a value, by the names of logger.json, ours or the usual ones",
+    what: "a database file with a table of time, sensor and value, under the names of logger.json, those of Homebody or the usual ones",
     shows,
     read,
 };
@@ -143,7 +143,7 @@ fn sensors(connection: &Connection) -> rusqlite::Result<Vec<SensorInfo>> {
     Ok(known)
 }
 
-/// The most sensors that are read from the table.
+/// Largest number of sensors that are read from the table.
 const MOST_SENSORS: usize = 10_000;
 
 /// Whether a database has the table of sensors that we write.

@@ -20,7 +20,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "tasmota",
-    what: "the console's log of a device with Tasmota; the day is in its telemetry, or in the file's name",
+    what: "the console log of a Tasmota device; the day comes from its telemetry, or from the file's name",
     shows,
     read,
 };

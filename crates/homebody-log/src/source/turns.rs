@@ -17,10 +17,10 @@ use homebody_core::time::{DAY, Micros, SECOND};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Movements are looked at from so long before an hour that is told twice (ours).
+/// Time before an hour that the clock repeats after which movements are read (our choice).
 const BEFORE: Micros = 3600 * SECOND;
 
-/// Movements that end later than this after such an hour are not looked at (ours).
+/// Time after such an hour beyond which movements are not read (our choice).
 const LONGEST: Micros = DAY;
 
 /// Reads the instants of a truth.

@@ -43,7 +43,7 @@ struct Event {
     transition: String,
 }
 
-/// So many activities of a trace may have begun and not ended (ours).
+/// Largest number of activities of a trace that have begun and not ended (our choice).
 const MOST_OPEN: usize = 1000;
 
 fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {

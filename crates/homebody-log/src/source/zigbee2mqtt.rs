@@ -14,12 +14,8 @@ use crate::error::{LogError, place_of};
 use homebody_core::scenario::logger::LoggerFile;
 use std::path::Path;
 
-pub(super) const FORM: Form = Form {
-    name: "zigbee2mqtt",
-    what: "the log of Zigbee2MQTT 1 or 2 with the messages that it publishes",
-    shows,
-    read,
-};
+pub(super) const FORM: Form =
+    Form { name: "zigbee2mqtt", what: "the log of Zigbee2MQTT 1 or 2 with its published messages", shows, read };
 
 /// The words before the topic of a published message, and those between topic and payload.
 const PUBLISHES: &str = "MQTT publish: topic '";

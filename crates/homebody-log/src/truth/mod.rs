@@ -396,7 +396,7 @@ fn places_of(kept: TruthKept) -> Vec<Option<usize>> {
 /// The column of the run's id in each table of the truth.
 const RUN_COLUMN: &str = "run_id";
 
-/// Most tables have fewer columns (ours): what a batch has room for at first.
+/// Initial number of columns of a batch (our choice): most tables have fewer.
 const COLUMNS: usize = 10;
 
 /// What a body does, where from, where to, and how far what moves moves.

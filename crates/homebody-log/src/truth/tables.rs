@@ -92,107 +92,122 @@ impl Truth {
 /// All tables of the truth, in the order of [`Truth`].
 pub fn tables() -> Vec<Table> {
     use ColumnKind::{Instant, Integer, Real, Text};
-    const WHO: (&str, ColumnKind, &str, &str) = ("resident", Text, "", "whose: the name of a resident or a visitor");
+    const WHO: (&str, ColumnKind, &str, &str) = ("resident", Text, "", "name of the resident or visitor");
     const WHOSE: (&str, ColumnKind, &str, &str) =
-        ("resident", Text, "", "whose doing it was; empty where it was nobody's");
+        ("resident", Text, "", "name of the resident who caused it; empty if no resident did");
     const WHY: (&str, ColumnKind, &str, &str) =
-        ("why", Text, "", "movement, act, reading, duplicate or false: what kind of cause it was");
-    const USED: (&str, ColumnKind, &str, &str) = ("thing", Text, "", "what was used, of an act");
-    const FROM: (&str, ColumnKind, &str, &str) = ("at", Instant, "", "from when on");
+        ("why", Text, "", "kind of cause: movement, act, reading, duplicate or false");
+    const USED: (&str, ColumnKind, &str, &str) = ("thing", Text, "", "thing that was used, if the cause is an act");
+    const FROM: (&str, ColumnKind, &str, &str) = ("at", Instant, "", "time from which the row holds");
     vec![
         table(
             "cause",
-            "why a sensor fired, a row for each firing",
+            "the cause of each firing that reached the logger, one row a firing",
             true,
             &[
-                ("firing", Integer, "", "the number of the firing in its run, from 0"),
-                ("row", Integer, "", "the row of the log that tells of it: its own, or the ON that it prolonged"),
+                ("firing", Integer, "", "number of the firing in its run, from 0"),
+                ("row", Integer, "", "row of the log with the firing: its own, or that of the ON that it prolonged"),
                 WHOSE,
-                ("seen_at", Instant, "", "when what it was began to be noticed"),
-                ("fired_at", Instant, "", "when the logger says that it fired"),
-                ("sensor", Text, "", "the sensor's id in the log"),
+                ("seen_at", Instant, "", "time at which the cause was first detected"),
+                ("fired_at", Instant, "", "time of the firing in the log"),
+                ("sensor", Text, "", "id of the sensor in the log"),
                 WHY,
                 USED,
             ],
         ),
         table(
             "off",
-            "a row of the log that says that a hold is over",
+            "the last firing before each OFF: one row for each row of the log that ends a hold",
             true,
-            &[("row", Integer, "", "the row of the log"), ("firing", Integer, "", "the last firing that was held")],
+            &[("row", Integer, "", "row of the log"), ("firing", Integer, "", "number of the last firing in the hold")],
         ),
         table(
             "movement",
-            "what a body did over a span; the spans of a resident follow each other without gaps",
+            "the movement of a body over a span; the spans of a resident follow each other without gaps",
             true,
             &[
                 WHO,
-                ("begin_at", Instant, "", "from when"),
-                ("end_at", Instant, "", "until when"),
-                ("kind", Text, "", "stride, in_place, rest or away"),
-                ("from_x", Real, "m", "where it began, to the east; empty while away, as the next four"),
-                ("from_y", Real, "m", "to the north"),
-                ("to_x", Real, "m", "where it ended, to the east"),
-                ("to_y", Real, "m", "to the north"),
-                ("amplitude_m", Real, "m", "of in-place motion: how far what moves moves"),
-                ("posture", Text, "", "standing, sitting or lying"),
+                ("begin_at", Instant, "", "start of the span"),
+                ("end_at", Instant, "", "end of the span"),
+                ("kind", Text, "", "kind of movement: stride, in_place, rest or away"),
+                (
+                    "from_x",
+                    Real,
+                    "m",
+                    "position at the start, to the east; this and the next four are empty while away",
+                ),
+                ("from_y", Real, "m", "position at the start, to the north"),
+                ("to_x", Real, "m", "position at the end, to the east"),
+                ("to_y", Real, "m", "position at the end, to the north"),
+                ("amplitude_m", Real, "m", "distance that the moving part of the body covers, for in_place"),
+                ("posture", Text, "", "posture of the body: standing, sitting or lying"),
             ],
         ),
         table(
             "room",
-            "the room that a resident is in from an instant on",
+            "the room that a resident is in, one row for each change",
             false,
-            &[WHO, FROM, ("room", Text, "", "the room's name; empty between rooms and away")],
+            &[WHO, FROM, ("room", Text, "", "name of the room; empty between rooms and while away")],
         ),
         table(
             "activity",
-            "what a resident did over a span",
+            "an activity of a resident over a span",
             false,
             &[
                 WHO,
-                ("begin_at", Instant, "", "from when"),
-                ("end_at", Instant, "", "until when"),
-                ("name", Text, "", "what it was, such as sleeping"),
+                ("begin_at", Instant, "", "start of the span"),
+                ("end_at", Instant, "", "end of the span"),
+                ("name", Text, "", "label of the activity, such as sleeping"),
             ],
         ),
         table(
             "act",
-            "a thing that was used",
+            "a use of a thing",
             false,
             &[
                 WHOSE,
-                ("at", Instant, "", "when"),
-                ("thing", Text, "", "what was used"),
-                ("is_on", Integer, "", "1 where it is on or open afterwards, else 0"),
+                ("at", Instant, "", "time of the use"),
+                ("thing", Text, "", "name of the thing"),
+                ("is_on", Integer, "", "1 if the thing is on or open afterwards, else 0"),
             ],
         ),
         table(
             "need",
-            "how strong a need was as it was met, and then that it is 0",
+            "the level of a need when it is met, followed by a row with 0",
             false,
             &[
                 WHO,
-                ("at", Instant, "", "when"),
-                ("need", Text, "", "toilet, thirst, hunger or tiredness"),
-                ("level", Real, "", "from 0, met, to 1, pressing"),
+                ("at", Instant, "", "time at which the need is met"),
+                ("need", Text, "", "need: toilet, thirst, hunger or tiredness"),
+                ("level", Real, "", "level from 0 (met) to 1 (pressing)"),
             ],
         ),
         table(
             "condition",
-            "how severe a condition is from an instant on",
+            "the severity of a condition, one row for each change",
             false,
-            &[WHO, FROM, ("name", Text, "", "the condition"), ("severity", Real, "", "1 is a moderate case, 0 none")],
+            &[
+                WHO,
+                FROM,
+                ("name", Text, "", "name of the condition"),
+                ("severity", Real, "", "severity: 0 is absent, 1 a moderate case"),
+            ],
         ),
         table(
             "lost",
-            "what a sensor said, or should have said, that never reached the logger",
+            "an event that never reached the logger, or that its sensor missed",
             true,
             &[
                 ("sensor", Text, "", "the sensor's id in the log"),
-                ("value", Text, "", "what it said"),
-                ("sent_at", Instant, "", "when it was said"),
-                ("seen_at", Instant, "", "when what it was began to be noticed"),
-                ("loss", Text, "", "radio, collision, miss, battery, place, stuck, garbled or outage"),
+                ("value", Text, "", "value of the event"),
+                ("sent_at", Instant, "", "time at which the event was sent"),
+                ("seen_at", Instant, "", "time at which the cause was first detected"),
+                (
+                    "loss",
+                    Text,
+                    "",
+                    "reason of the loss: radio, collision, miss, battery, place, stuck, garbled or outage",
+                ),
                 WHOSE,
                 WHY,
                 USED,
@@ -200,33 +215,41 @@ pub fn tables() -> Vec<Table> {
         ),
         table(
             "resident",
-            "who lives in the home or comes to visit",
+            "the residents and visitors of the home, one row each",
             false,
-            &[WHO, ("person", Text, "", "which person of all runs: the home's name, a stroke and the resident's")],
+            &[
+                WHO,
+                (
+                    "person",
+                    Text,
+                    "",
+                    "id of the person across all runs: the home's name, a slash and the resident's name",
+                ),
+            ],
         ),
         table(
             "outside",
-            "what was done from outside while the run was lived, by whoever may give it orders",
+            "an action from outside during the run, by a person or program with access to it",
             false,
             &[
-                ("at", Instant, "", "when"),
-                ("until_at", Instant, "", "until when; empty for ever, and of what is over at once"),
+                ("at", Instant, "", "time of the action"),
+                ("until_at", Instant, "", "end of its effect; empty if the effect has no end or is immediate"),
                 (
                     "what",
                     Text,
                     "",
-                    "on or off of a thing; battery, stuck, falls_off or bad_link of a sensor; fall of a resident",
+                    "action: on or off of a thing; battery, stuck, falls_off or bad_link of a sensor; fall of a resident",
                 ),
-                ("name", Text, "", "of what: the name of the thing, the sensor or the resident"),
+                ("name", Text, "", "name of the thing, the sensor or the resident"),
             ],
         ),
         table(
             "home",
-            "the home that it was lived in, in one row: the homes of a cohort may be mixed",
+            "the home of the run, in one row; members of a cohort may have different homes",
             false,
             &[
-                ("file", Text, "", "its file in the scenario, such as home.json"),
-                ("name", Text, "", "what that file calls it"),
+                ("file", Text, "", "file of the home in the scenario, such as home.json"),
+                ("name", Text, "", "name of the home in that file"),
             ],
         ),
     ]

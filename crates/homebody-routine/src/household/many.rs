@@ -7,7 +7,8 @@ use homebody_core::run::{DriverProvider, Guest, Run};
 use homebody_core::time::Micros;
 use std::sync::Arc;
 
-/// A body remembers so many ways at most (ours): one takes some microseconds to find, and a hundred bytes to remember.
+/// Number of ways that a body remembers (our choice): one takes some microseconds to find, and a hundred bytes to
+/// remember.
 const WAYS: usize = 32;
 
 /// A household of which many runs are made in one baked home. Each is what [`Run::new`] makes of the same household and seed.

@@ -153,7 +153,7 @@ fn is_hour_by_itself(reader: &mut Reader) -> bool {
         })
 }
 
-/// Who gets up by 8 does so in the half hour before it (ours).
+/// Time before the given hour within which a person who gets up by then does so (our choice).
 const BY_S: f64 = 1_800.0;
 
 impl Adverbs {

@@ -257,7 +257,7 @@ impl Amount {
     }
 }
 
-/// Nothing lasts longer than so many days (ours).
+/// Longest duration, in days (our choice).
 const MOST_DAYS: f64 = 400.0;
 
 /// How long something lasts, which is neither nothing nor more than a day.

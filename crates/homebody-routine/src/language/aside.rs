@@ -20,11 +20,11 @@ use crate::routine::Routine;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-/// More words are another sentence.
+/// Largest number of words set aside: more are another sentence.
 const LONGEST: usize = 12;
-/// No more ways of setting words aside are tried of a sentence.
+/// Largest number of ways of setting words aside that are tried for a sentence.
 const MOST_TRIES: usize = 30;
-/// In a longer sentence too many would have to be tried.
+/// Length above which no words of a sentence are set aside: too many ways would have to be tried.
 const LONGEST_SENTENCE: usize = 40;
 
 /// Words of which none is set aside: they say whether, when, how often, how much, or begin what does.

@@ -348,10 +348,10 @@ fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     draft.routine.changes.push(Change { said: draft.said(clause.span), days, phase, effect });
 }
 
-/// How strongly somebody shies away, beside a goal that draws with 1 (ours).
+/// Strength of a shy person's avoidance of others, where the goal has 1 (our choice).
 const SHY: f64 = 1.5;
 
-/// How often in a minute somebody stops who always does (ours).
+/// Stops a minute of a person who always stops (our choice).
 const STOPS_PER_MIN: f64 = 6.0;
 
 /// How much of its usual time is spent on what is not brought to its end (ours).

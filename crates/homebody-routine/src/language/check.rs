@@ -87,7 +87,7 @@ fn twice_a_day(draft: &Draft, faults: &mut Faults) {
     }
 }
 
-/// How long who goes to bed in the morning sleeps by day, at least and at most (ours).
+/// Shortest and longest sleep by day of a person who goes to bed in the morning (our choice).
 const SHORTEST_NIGHT_S: f64 = 3.0 * 3600.0;
 const LONGEST_NIGHT_S: f64 = 12.0 * 3600.0;
 
@@ -115,7 +115,7 @@ fn visitors_nearly_alike(draft: &Draft, faults: &mut Faults) {
     }
 }
 
-/// What is so sure to be done that it cannot be left out (ours).
+/// Smallest probability of an activity that is certain and cannot be left out (our choice).
 const CERTAIN: f64 = 0.97;
 
 /// "She naps every day", and "she never naps".
@@ -189,7 +189,7 @@ fn home_while_out(draft: &Draft, faults: &mut Faults) {
 
 /// What is said to be done every day takes longer than a day has.
 fn too_much_for_a_day(draft: &Draft, faults: &mut Faults) {
-    /// Nobody is up for longer, and gets to bed (ours).
+    /// Longest time awake of a person who still goes to bed (our choice).
     const MOST_AWAKE_S: f64 = 20.0 * 3600.0;
     let is_daily = |habit: &Habit| {
         habit.days == Days::ALL

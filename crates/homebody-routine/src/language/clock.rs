@@ -316,7 +316,7 @@ fn half_by_doing(reader: &mut Reader, from: usize, face: Face) -> Option<bool> {
     half_of(&doing, hour)
 }
 
-/// The hours of the clock at which something is done in the first half of the day, and those at which in the second (ours).
+/// Hours of the clock at which an activity takes place in the first half of the day, and in the second (our choice).
 const HALVES: [(&[Activity], [f64; 2], [f64; 2]); 9] = [
     (&[Activity::GetUp], [4.0, 12.0], NONE),
     (&[Activity::Eat(Meal::Breakfast), Activity::Prepare(Meal::Breakfast), Activity::Dress], [5.0, 12.0], NONE),
@@ -335,7 +335,7 @@ const HALVES: [(&[Activity], [f64; 2], [f64; 2]); 9] = [
 
 const NONE: [f64; 2] = [0.0, 0.0];
 
-/// At these hours of the clock nobody does by night what is done by day (ours).
+/// Hours of the clock at which daytime activities do not take place (our choice).
 const BY_DAY: [f64; 2] = [1.0, 6.0];
 
 /// What is done by night as well.

@@ -4,7 +4,7 @@ use super::words::{Line, Span};
 use homebody_core::problem::{Diagnostic, Excerpt, Problem};
 use homebody_core::scenario::nearest::nearest;
 
-/// More are counted, not listed.
+/// Number of problems above which they are counted instead of listed.
 pub const MOST: usize = 100;
 
 #[derive(Clone, Debug, PartialEq)]

@@ -15,7 +15,7 @@ const ENGLISH: &str = include_str!("english.words");
 
 /// The name of a scenario's own file of words.
 pub const OWN_FILE: &str = "own.words";
-/// More lines than this are refused, and longer ones.
+/// Largest number of lines, and of characters of a line.
 pub const MOST_LINES: usize = 2_000;
 const LONGEST_LINE: usize = 300;
 

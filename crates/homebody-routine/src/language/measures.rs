@@ -5,11 +5,11 @@ use super::reader::Reader;
 use super::words::Span;
 use homebody_core::fuzzy::Fuzzy;
 
-/// Beyond this a change is a slip of the pen (ours); so it is for heartbeats and breaths a minute.
+/// Factor, or number of heartbeats or breaths a minute, above which a change is a slip of the pen (our choice).
 const MOST_TIMES: f64 = 100.0;
 const MOST_A_MINUTE: f64 = 100.0;
 
-/// Nobody walks faster (ours).
+/// Highest walking speed (our choice).
 pub const FASTEST_MPS: f64 = 3.0;
 
 /// How much, and of what.
@@ -73,13 +73,13 @@ pub fn measure(reader: &mut Reader) -> Option<Measure> {
     })
 }
 
-/// How much a change is that is said without a number: for each person a value between (ours).
+/// Range of a change that a sentence gives without a number (our choice). Each person has a value from it.
 pub const UNSAID_LATER_S: (f64, f64) = (1_800.0, 5_400.0);
 pub const UNSAID_MORE: (f64, f64) = (1.3, 1.7);
 pub const UNSAID_LESS: (f64, f64) = (0.5, 0.8);
-/// Walking hardly changes by as much (ours).
+/// Change of the walking speed without a number (our choice).
 pub const UNSAID_PACE: f64 = 0.1;
-/// "A little" is so many times as far, and "much" (ours).
+/// Factor of "a little", and of "much" (our choice).
 pub const LITTLE: f64 = 0.5;
 pub const MUCH: f64 = 2.0;
 

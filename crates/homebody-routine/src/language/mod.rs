@@ -71,15 +71,17 @@ use skim::skim;
 use std::ops::Range;
 use words::{Sentence, Span, Word};
 
-/// Longer lines are refused.
+/// Largest length of a line.
 pub const LONGEST_LINE: usize = 2_000;
-/// After so many problems of a text no more is looked for of what a sentence may mean (ours): that takes time.
+/// Number of problems of a text after which no meanings of sentences are searched for, because this takes time (our
+/// choice).
 const MOST_MENDED: usize = 10;
 
-/// So many words of a text are read freely, where they are not understood as they stand (ours): that takes time.
+/// Largest number of words of a text that are read freely if they are not understood as written, because this takes
+/// time (our choice).
 const MOST_FREE_WORDS: usize = 600;
 
-/// More sentences than this are refused.
+/// Largest number of sentences.
 pub const MOST_SENTENCES: usize = 2_000;
 
 /// Reads a person's routine: all that was understood, and all that is wrong, in the order of places.

@@ -24,16 +24,16 @@ use super::words::{Span, Token, Word};
 use crate::routine::{Activity, Routine};
 use std::collections::BTreeMap;
 
-/// A sentence of more parts is several.
+/// Largest number of parts of a sentence. A longer one is several sentences.
 const MOST_PARTS: usize = 9;
-/// A clause that is not understood costs as much as so many that are, and a word of it as much as one more of them (ours): the
-/// fewest words are left out.
+/// Cost of a clause that is not understood, in clauses, and of each of its words (our choice): the fewest words are
+/// left out.
 const LEFT_OUT: usize = 3;
-/// No less than this share of the words is lived (ours).
+/// Smallest share of the words that are used (our choice).
 const LEAST_LIVED: f64 = 0.34;
-/// No more sentences are tried without some of their parts.
+/// Largest number of attempts to read a sentence without some of its parts.
 const MOST_TRIES: usize = 40;
-/// Longer sentences are read as they stand.
+/// Number of words above which a sentence is read literally.
 const LONGEST: usize = 60;
 
 /// What a sentence comes to: sentences that are lived, and what is kept beside them.

@@ -152,7 +152,7 @@ fn in_garden(reader: &mut Reader) -> Option<()> {
     reader.eat("garden|greenhouse|allotment|yard|patio").then_some(())
 }
 
-/// Most of a day is so many times so long (ours): meals and the toilet go on beside it.
+/// Number of periods of an activity that takes most of the day (our choice): meals and the toilet come between them.
 const DAY_TIMES: (u32, u32) = (4, 4);
 const DAY_LASTS_S: Fuzzy = Fuzzy { low: 5_400.0, from: 7_200.0, to: 7_200.0, high: 9_000.0 };
 
@@ -170,7 +170,7 @@ pub fn tends_not(reader: &mut Reader, adverbs: &mut Adverbs) -> Option<Predicate
 
 /// "falls asleep": for the night where it is late, else a nap.
 pub fn falls_asleep(reader: &mut Reader, adverbs: &Adverbs) -> Option<Predicate> {
-    /// From then on, and until then, it is late (ours).
+    /// Hours of the evening after which it is late, and of the morning before which it is (our choice).
     const LATE_S: f64 = 20.0 * 3600.0;
     const EARLY_S: f64 = 5.0 * 3600.0;
     let is_asleep = |reader: &mut Reader| {

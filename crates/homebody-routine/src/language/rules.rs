@@ -138,7 +138,7 @@ fn lapse(reader: &mut Reader) -> Option<Lapse> {
     Some(Lapse { probability, later })
 }
 
-/// How often something is forgotten where it is not said (ours).
+/// Probability of forgetting, if the sentence gives none (our choice).
 const FORGETS: f64 = 0.3;
 
 fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> Option<Response> {

@@ -23,7 +23,7 @@ use super::which_days::says_kinds;
 use super::words::{Span, Token};
 use crate::routine::{Activity, When};
 
-/// More things done one after another take more sentences.
+/// Largest number of activities in a sequence. More need several sentences.
 const MOST_CLAUSES: usize = 12;
 
 /// Reads a sentence into the draft. If it has no verb, it is a heading: what it says is returned.

@@ -17,7 +17,7 @@ use super::subjects;
 use super::times;
 use super::words::{Span, Token, Word};
 
-/// Longer sentences are read as they stand.
+/// Number of words above which a sentence is read literally.
 const LONGEST: usize = 60;
 
 /// A sentence in the shape in which it is understood: its words, and these in words that are known.

@@ -14,12 +14,12 @@ use super::rewording::reworded;
 use super::words::{self, Span, Token, Word};
 use crate::routine::{Activity, Routine};
 
-/// No more ways of leaving words out are tried of a sentence.
+/// Largest number of ways of leaving words out that are tried for a sentence.
 const MOST_TRIES: usize = 120;
-/// In a longer sentence nobody finds what is left out.
+/// Length above which no words of a sentence are left out.
 const LONGEST: usize = 40;
 
-/// So many problems of a text have hints that are searched for (ours).
+/// Largest number of problems of a text whose hints are searched for (our choice).
 const MOST_SEARCHED: usize = 20;
 
 /// What can always be done with a sentence.

@@ -22,9 +22,9 @@ use super::visits::visits;
 use super::words::{Span, Token, Word};
 use crate::routine::{Activity, Routine};
 
-/// Longer clauses are read as they stand.
+/// Number of words above which a clause is read literally.
 const LONGEST: usize = 30;
-/// No more words than this share are passed over (ours): otherwise it is about something else.
+/// Largest share of the words that are passed over (our choice): beyond it, the sentence has another subject.
 const MOST_PASSED: f64 = 0.67;
 
 /// Reads a clause so, if what is taken of it is understood and is something that is done.

@@ -8,7 +8,7 @@ use super::reader::Reader;
 use crate::routine::{Activity, Phase, When};
 use homebody_core::fuzzy::Fuzzy;
 
-/// From when on the days begin and end of who is away, or visits, for whole days (ours).
+/// Time at which a stay away or a visit of whole days begins and ends (our choice).
 const SETS_OUT_S: Fuzzy = Fuzzy { low: 9.0 * 3600.0, from: 9.5 * 3600.0, to: 10.5 * 3600.0, high: 11.0 * 3600.0 };
 const COMES_BACK_S: f64 = 17.0 * 3600.0;
 

@@ -60,7 +60,7 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
             return None;
         }
         let mut to = time_after(reader, true, Some(from.at))?;
-        /// Nobody is said to end something before then that begins later on the same clock (ours): "9:30 to 3:30".
+        /// Earliest time at which an activity ends that begins later on the same clock (our choice): "9:30 to 3:30".
         const EARLY_S: f64 = 7.0 * HOUR_S;
         if to.at < EARLY_S && from.at < DAY_S / 2.0 && to.at < from.at {
             to.at += DAY_S / 2.0;
@@ -81,7 +81,7 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
 
 /// Whether what begins at one time and ends at another goes on over midnight: from the afternoon on, until the morning.
 pub fn is_of_next_day(end: f64, begin: f64) -> bool {
-    /// From then on it is afternoon, and until then morning (ours).
+    /// Start of the afternoon, and end of the morning (our choice).
     const LATE_S: f64 = 15.0 * HOUR_S;
     const EARLY_S: f64 = 9.0 * HOUR_S;
     end <= begin && (begin >= DAY_S || begin >= LATE_S && end <= EARLY_S)

@@ -24,13 +24,13 @@ pub struct Difference {
     pub told: bool,
 }
 
-/// Of what was planned, so much may be left out before it is told (ours): one day in twenty.
+/// Share of the planned activities that may be left out without a report (our choice): one day in twenty.
 const LEFT_OUT: f64 = 0.05;
 
-/// Of what has a time, so much may come late before it is told (ours).
+/// Share of the activities with a time that may be late without a report (our choice).
 const LATE_SHARE: f64 = 0.1;
 
-/// What takes less than this of its length on average is told (ours).
+/// Share of its mean length below which an activity is reported (our choice).
 const SHORT: f64 = 0.7;
 
 /// The differences of all residents among these lives.

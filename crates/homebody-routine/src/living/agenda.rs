@@ -38,11 +38,12 @@ const MINUTE: f64 = 60.0;
 const HOUR: f64 = 3600.0;
 
 homebody_core::numbers! {
-    /// How long after getting up the morning's washing and dressing is over.
+    /// Time from getting up to the end of the morning's washing and dressing.
     static SOON_S = "day.soon": 3_600.0, "s", [0.0, 14_400.0];
-    /// What has its time in the night, so long before rising or longer, is done in the night; else once one is up.
+    /// Time before rising within which an activity waits until after it. One that is earlier in the night is done in
+    /// the night.
     static NEARLY_UP_S = "day.nearly_up": 2_700.0, "s", [0.0, 14_400.0];
-    /// What is said to be done at night by somebody who is up is done in so many hours before bed.
+    /// Time before bed of the activities that the routine sets for the night, for a person who is up.
     static BEDTIME_H = "day.bedtime": 2.0, "h", [0.25, 6.0];
 }
 
@@ -138,10 +139,10 @@ fn count_at_home(breaks: &mut [Item], items: &[Item], up: Micros, bed: Micros) {
     }
 }
 
-/// Until then it is night: what is said of later hours is overdue for who sleeps longer (ours).
+/// Time until which it is night (our choice). An activity of a later hour is overdue for a person who sleeps longer.
 const NIGHT_S: f64 = 6.0 * HOUR;
 
-/// Nothing lasts longer, in days (ours).
+/// Longest duration, in days (our choice).
 const MOST_DAYS: f64 = 400.0;
 
 struct Planner<'a> {
@@ -422,7 +423,7 @@ impl Planner<'_> {
     /// How much later than usual all goes that nobody says of somebody whose day begins late, in seconds; earlier where
     /// negative.
     fn out_of_step_s(&self) -> f64 {
-        /// Who gets up between these keeps the hours of others (ours).
+        /// Earliest and latest hour of getting up of a person who keeps the hours of others (our choice).
         const IN_STEP_H: (f64, f64) = (4.5, 10.0);
         let up_s = seconds(self.up - self.life.instant(self.day, 0.0));
         up_s - up_s.clamp(IN_STEP_H.0 * HOUR, IN_STEP_H.1 * HOUR)

@@ -11,16 +11,16 @@ use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND, micros};
 use std::collections::VecDeque;
 
-/// How long somebody is busy at one place, the median (ours).
+/// Median time that a person is busy at one place (our choice).
 const MOMENT_S: f64 = 45.0;
 
-/// How often somebody takes the nearer of two things to do (ours).
+/// Probability of choosing the nearer of two things to do (our choice).
 const STAYS_NEAR: f64 = 0.5;
 
 homebody_core::numbers! {
-    /// When the mail is fetched at the earliest.
+    /// Earliest time of day for fetching the mail.
     static MAIL_FROM_H = "chores.mail_from": 10.0, "h", [0.0, 24.0];
-    /// When the mail is fetched at the latest, at the next errand.
+    /// Latest time of day for fetching the mail, at the next errand.
     static MAIL_UNTIL_H = "chores.mail_until": 14.0, "h", [0.0, 24.0];
 }
 

@@ -15,11 +15,11 @@ use homebody_core::scenario::path::Posture;
 use std::sync::Arc;
 
 homebody_core::numbers! {
-    /// Who is nearer than this to a seat, a bed's side or a place to stand has it.
+    /// Distance from a seat, a side of a bed or a place to stand within which a person occupies it.
     static TAKEN_M = "company.taken": 0.4, "m", [0.05, 1.5];
-    /// Nobody goes nearer to another who stands than this part of the sum of their radii.
+    /// Smallest distance to another person who stands, as a share of the sum of both radii.
     static ELBOWS = "company.elbows": 0.8, "1", [0.0, 2.0];
-    /// Who is as near as this to the door stands at it.
+    /// Distance from the door within which a person stands at it.
     static AT_DOOR_M = "company.at_door": 1.5, "m", [0.3, 5.0];
 }
 
@@ -120,7 +120,7 @@ impl Company {
 
     /// Where to step instead so that one passes by who is in the way: to the right before the left.
     pub fn ways_round(&self, other: &Body, from: Point, to: Point, squeezed: f64) -> [Point; 4] {
-        /// A hand's breadth more than there has to be (ours).
+        /// Factor on the necessary room (our choice): a hand's breadth more.
         const ROOM: f64 = 1.05;
         let ahead = (to - from).normalize_or_zero();
         let reach_m = self.reach_m(other) * squeezed * ROOM;
@@ -164,7 +164,7 @@ impl Company {
 
     /// Whether somebody else is busy in the kitchen: at a cold breakfast the stove is off.
     pub fn cooks(&self, stove: &Spot) -> bool {
-        /// As near as who goes to and fro between stove, sink and counter (ours).
+        /// Distance within which things are used to and fro, as stove, sink and counter (our choice).
         const KITCHEN_M: f64 = 3.0;
         let is_cook = |other: &Body| other.posture == Posture::Standing && other.at.distance(stove.at) < KITCHEN_M;
         self.others.iter().any(is_cook)

@@ -16,23 +16,23 @@ use homebody_core::role::Role;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 
-/// How long one stands before one tries again to pass (ours).
+/// Wait before the next attempt to pass (our choice).
 const PAUSE: Micros = SECOND / 2;
-/// How many pauses one makes for somebody who stands, and for somebody who walks (ours).
+/// Number of waits for a person who stands, and for a person who walks (our choice).
 const PAUSES_FOR_STANDING: u32 = 4;
 const PAUSES_FOR_WALKING: u32 = 12;
-/// Who lives there longer in the scenario's order goes first: each one after waits so many pauses more (ours).
+/// Additional waits for each rank in the scenario's order of residents (our choice): the first one goes first.
 const PAUSES_BY_RANK: u32 = 6;
-/// How many pauses one makes at most; then one turns back for a while (ours).
+/// Largest number of waits, after which the person turns back for a while (our choice).
 const PAUSES_AT_MOST: u32 = 40;
-/// So much of the usual distance is kept to who will not move (ours).
+/// Share of the usual distance that is kept from a person who does not move (our choice).
 const SQUEEZED: f64 = 0.6;
-/// How far one walks before one looks up again (ours).
+/// Distance after which a walking person checks the way again (our choice).
 const PIECE_M: f64 = 0.6;
-/// How long one waits for a seat or a place at a time, and how often (ours).
+/// Time of one wait for a seat or a place, and number of waits (our choice).
 const QUEUE: Micros = 20 * SECOND;
 const MOST_QUEUES: u32 = 60;
-/// How often who rings looks whether the door opens (ours).
+/// Interval at which a person who rings checks whether the door opens (our choice).
 const RING: Micros = 4 * SECOND;
 
 impl RoutineDriver {
@@ -261,7 +261,7 @@ impl RoutineDriver {
 
     /// Where to wait, for who stands too near to somebody: somewhere in the room where nobody is.
     fn waiting_place(&mut self, here: Point) -> Option<Step> {
-        /// So many points of the room are tried (ours).
+        /// Number of points of the room that are tried (our choice).
         const TRIES: usize = 20;
         if self.company.has_room(here) {
             return None;
@@ -297,7 +297,7 @@ impl RoutineDriver {
 
     /// Where to stand so that somebody can come in, for who stands in the doorway.
     fn beside_the_door(&self) -> Option<Spot> {
-        /// So far from it, in metres (ours).
+        /// Distance from it, in metres (our choice).
         const ASIDE_M: f64 = 0.8;
         let door = self.places.of(Role::FrontDoor)?;
         if self.body.at().distance(door.at) > ASIDE_M / 2.0 {

@@ -45,13 +45,13 @@ pub struct Resolved {
     pub mornings: Vec<String>,
 }
 
-/// How much longer than planned cooking takes at most, for the ways between stove, sink and fridge (ours).
+/// Longest time that cooking takes in addition, for the ways between stove, sink and fridge (our choice).
 const TO_AND_FRO: Micros = 4 * 60 * SECOND;
 
-/// What takes no longer may be done while something is on the stove (ours).
+/// Longest activity that may be done while food is on the stove (our choice).
 pub const SOON_DONE: Micros = 3 * 60 * SECOND;
 
-/// So long after a visitor was to come what they help with begins (ours).
+/// Time after a visitor's planned arrival at which an activity with their help begins (our choice).
 const WELCOMED: Micros = 3 * 60 * SECOND;
 
 impl Drafts<'_> {

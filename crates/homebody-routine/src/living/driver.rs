@@ -547,10 +547,10 @@ impl RoutineDriver {
     }
 }
 
-/// Nobody leaves who came for no longer alone to eat (ours).
+/// Longest visit without a meal of the host alone (our choice).
 const SHORT_VISIT: Micros = 45 * MINUTE;
 
-/// How late a meal may be before what is done for pleasure is interrupted for it (ours).
+/// Largest delay of a meal before it interrupts an activity of leisure (our choice).
 pub(super) const GRACE: Micros = 10 * MINUTE;
 
 impl Item {

@@ -19,13 +19,14 @@ pub struct Errands {
     run: f64,
 }
 
-/// What is known before anything is lived: so many errands an hour, of so many metres, and so much of need (ours).
+/// Initial estimates (our choice): errands an hour, metres of each, and need of movement.
 const BEFORE: (f64, f64, f64) = (3.0, 8.0, 10.0);
 
-/// What is of need within so many hours is made up for (ours): more than there are errands in some of them.
+/// Hours within which the need of movement is made up (our choice): more than the errands that some of these hours
+/// have.
 const NEAR_H: usize = 5;
 
-/// What yesterday counts, in comparison with today (ours).
+/// Weight of yesterday in comparison with today (our choice).
 const KEPT: f64 = 0.9;
 
 impl Errands {
@@ -72,16 +73,16 @@ impl Errands {
 
 /// Who runs fewer errands has more occasions for one: how many of them there would be if all were run.
 fn idle(runs: f64) -> f64 {
-    /// One in so many comes of having left out the one before (ours, measured).
+    /// Share of errands that come from having left out the one before (our choice, measured).
     const MORE: f64 = 0.25;
     1.0 - MORE * (1.0 - runs.min(1.0))
 }
 
 /// Who runs more errands sits less between them, and runs none meanwhile: how much less they have to sit.
 fn hurried(runs: f64) -> f64 {
-    /// How long an errand takes beside the sitting between two (ours, measured).
+    /// Duration of an errand in comparison with the sitting between two (our choice, measured).
     const TAKES: f64 = 0.35;
-    /// Nobody sits less than this part of the usual time (ours).
+    /// Smallest share of the usual time that a person sits (our choice).
     const LEAST: f64 = 0.1;
     1.0 / (1.0 - TAKES * (runs - 1.0).max(0.0)).max(LEAST)
 }

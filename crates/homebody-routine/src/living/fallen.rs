@@ -26,26 +26,26 @@ use homebody_core::time::{Micros, SECOND};
 use homebody_walk::{Gait, walk};
 use std::collections::VecDeque;
 
-/// How long it takes to get up from the floor (ours).
+/// Time to get up from the floor (our choice).
 const GETS_UP: Micros = 60 * SECOND;
 
-/// How long somebody sits or lies before they fall from there (ours).
+/// Time that a person sits or lies before a fall from there (our choice).
 const BEFORE: Micros = 60 * SECOND;
 
-/// How long who sinks down is on the knees (ours).
+/// Time on the knees of a person who sinks down (our choice).
 const ON_KNEES: Micros = 5 * SECOND;
 
-/// Who is not found gets up after so long in any case (ours).
+/// Time after which a person who is not found gets up in any case (our choice).
 const LONGEST: Micros = 24 * 60 * MINUTE;
 
-/// Who lies there looks round so often for somebody (ours).
+/// Interval at which a person on the floor looks round for others (our choice).
 const LOOKS: Micros = 20 * SECOND;
 
-/// A call for help takes so long, and so long later somebody is there (ours).
+/// Duration of a call for help, and time until help arrives (our choice).
 const CALLS: Micros = 3 * MINUTE;
 const HELP_COMES: Micros = 15 * MINUTE;
 
-/// How fast somebody crawls along the floor (ours), falls out of bed and slides out of it, in metres a second.
+/// Speed of crawling along the floor, of falling out of bed, and of sliding out of it, in metres a second (our choice).
 const CRAWLS_MPS: f64 = 0.15;
 const DROPS_MPS: f64 = 0.8;
 const SLIDES_MPS: f64 = 0.25;

@@ -30,23 +30,23 @@ pub struct Needs {
 }
 
 homebody_core::numbers! {
-    /// How long after a drink the next is wanted, beside meals, while one is awake.
+    /// Mean waking time from a drink to the next one, apart from meals.
     static THIRST_H = "need.thirst": 4.0, "h", [0.25, 48.0];
-    /// How long after a meal a snack is wanted.
+    /// Mean time from a meal to a snack.
     static HUNGER_H = "need.hunger": 7.0, "h", [0.25, 48.0];
-    /// How long after getting up one is tired: naps have their peak at 14:30-15:00.
+    /// Mean time from getting up to tiredness: naps peak at 14:30-15:00.
     static TIREDNESS_H = "need.tiredness": 7.2, "h", [0.5, 48.0];
-    /// From when on tiredness may end in a nap.
+    /// Earliest time of day of a nap from tiredness.
     static NAPS_FROM_H = "need.naps_from": 12.5, "h", [0.0, 24.0];
-    /// Until when tiredness may end in a nap.
+    /// Latest time of day of a nap from tiredness.
     static NAPS_UNTIL_H = "need.naps_until": 17.5, "h", [0.0, 24.0];
-    /// The shape of the gamma distribution of thresholds.
+    /// Shape of the gamma distribution of the thresholds of needs.
     static SHAPE = "need.shape": 3.0, "1", [0.5, 50.0];
-    /// Hours awake that visits to the toilet in a day are counted over.
+    /// Waking hours that the visits to the toilet by day refer to.
     static WAKING_H = "need.waking": 15.5, "h", [1.0, 23.0];
-    /// Hours asleep that visits to the toilet in a night are counted over.
+    /// Hours of sleep that the visits to the toilet by night refer to.
     static SLEEPING_H = "need.sleeping": 7.8, "h", [1.0, 23.0];
-    /// Visits to the toilet that are there anyway, first thing in the morning and before bed.
+    /// Number of visits to the toilet by day that come without a need, first thing in the morning and before bed.
     static ANYWAY = "need.anyway": 2.0, "1", [0.0, 5.0];
 }
 

@@ -20,15 +20,15 @@ use homebody_core::time::{Micros, micros};
 use std::collections::VecDeque;
 
 homebody_core::numbers! {
-    /// How long falling asleep takes, on average (19.7 with a standard deviation of 11, polysomnography at 73.9 years).
+    /// Mean time to fall asleep (19.7 with a standard deviation of 11, polysomnography at 73.9 years).
     static LATENCY_MIN = "night.latency": 19.7, "min", [0.5, 180.0];
-    /// The shape of the gamma distribution of that time.
+    /// Shape of the gamma distribution of the time to fall asleep.
     static LATENCY_SHAPE = "night.latency_shape": 3.2, "1", [0.5, 50.0];
-    /// How long somebody lies awake in the night at a time, on average.
+    /// Mean duration of one period awake at night.
     static AWAKE_BOUT_MIN = "night.awake_bout": 10.0, "min", [1.0, 120.0];
 }
 
-/// Who gets up so much later than planned was not at home for what came before (ours).
+/// Delay of getting up after which the person was not at home for the activities before it (our choice).
 const LATE: Micros = 120 * MINUTE;
 
 impl RoutineDriver {

@@ -7,20 +7,20 @@ use homebody_walk::Gains;
 use std::collections::BTreeMap;
 
 homebody_core::numbers! {
-    /// How much more or less lively days are: the standard deviation of the logarithm. The firings an awake hour of real homes
-    /// vary between days by 0.3 to 0.5 of their mean.
+    /// Standard deviation over days of the logarithm of the amount of movement. In real homes, the firings per waking
+    /// hour vary between days by 0.3 to 0.5 of their mean.
     pub(super) static DAY_SPREAD = "life.day_spread": 0.4, "1", [0.0, 2.0];
-    /// How much a day is like the one before: the correlation of the two.
+    /// Correlation of the amount of movement on a day with that on the day before.
     pub(super) static DAY_LIKE = "life.day_like": 0.25, "1", [0.0, 0.95];
-    /// So many times as much movement as else there is on a day that is said to be quiet; on a very quiet one, its square.
+    /// Factor on the movement of a day that the routine calls quiet; its square for a very quiet day.
     pub(super) static QUIET_DAY = "life.quiet_day": 0.5, "1", [0.0, 1.0];
-    /// So many times as much movement as else there is on a day that is said to be busy; on a very busy one, its square.
+    /// Factor on the movement of a day that the routine calls busy; its square for a very busy day.
     pub(super) static BUSY_DAY = "life.busy_day": 1.5, "1", [1.0, 5.0];
-    /// Nobody moves more than so many times as much as usual.
+    /// Largest factor on a person's usual movement.
     pub(super) static MOST_MOVEMENT = "life.most_movement": 20.0, "1", [1.0, 100.0];
-    /// For how many weeks at most a gait that slows by so much a week goes on slowing.
+    /// Number of weeks after which a gait that slows week by week slows no further.
     pub(super) static MOST_WEEKS = "life.most_weeks": 26.0, "1", [1.0, 520.0];
-    /// Nobody who walks at all is slower than this part of their pace.
+    /// Lowest walking speed as a share of a person's pace.
     pub(super) static LEAST_PACE = "life.least_pace": 0.33, "1", [0.05, 1.0];
 }
 

@@ -4,50 +4,52 @@ use homebody_core::numbers::Numbers;
 use homebody_core::random::Stream;
 
 homebody_core::numbers! {
-    /// Visits to the toilet in a night, on average (a Poisson rate of mean 1.7 fits the published shares of nocturia).
+    /// Mean number of visits to the toilet in a night (a Poisson rate with mean 1.7 fits the published shares of
+    /// nocturia).
     static TOILET_AT_NIGHT = "constitution.toilet_at_night": 1.7, "1", [0.1, 5.0];
-    /// The shape of the gamma distribution of that rate over people (their standard deviation is 0.8).
+    /// Shape of the gamma distribution over people of the visits to the toilet in a night (standard deviation 0.8).
     static TOILET_AT_NIGHT_SHAPE = "constitution.toilet_at_night_shape": 4.5, "1", [0.5, 50.0];
-    /// Visits to the toilet in a day, on average (BLSA).
+    /// Mean number of visits to the toilet in a day (BLSA).
     static TOILET_BY_DAY = "constitution.toilet_by_day": 5.0, "1", [3.0, 8.0];
-    /// The standard deviation of that number over people.
+    /// Standard deviation over people of the visits to the toilet in a day.
     static TOILET_BY_DAY_SPREAD = "constitution.toilet_by_day_spread": 0.9, "1", [0.0, 3.0];
-    /// The share of people who nap regularly (25 % of those of 75 and more).
+    /// Share of people who nap regularly (25 % of those of 75 and more).
     static NAPPERS = "constitution.nappers": 0.25, "1", [0.0, 1.0];
-    /// How likely tiredness in the afternoon ends in a nap for people who nap regularly.
+    /// Probability that tiredness in the afternoon ends in a nap, for people who nap regularly.
     static NAPS_OF_NAPPERS = "constitution.naps_of_nappers": 0.8, "1", [0.0, 1.0];
-    /// How likely tiredness in the afternoon ends in a nap for everybody else.
+    /// Probability that tiredness in the afternoon ends in a nap, for other people.
     static NAPS_OF_OTHERS = "constitution.naps_of_others": 0.1, "1", [0.0, 1.0];
-    /// Time awake in a night after falling asleep, on average (actigraphs, 62-90 years).
+    /// Mean time awake in a night after falling asleep (actigraphs, 62-90 years).
     static AWAKE_MIN = "constitution.awake": 39.0, "min", [5.0, 150.0];
-    /// The shape of the gamma distribution of that time over people.
+    /// Shape of the gamma distribution over people of the time awake in a night.
     static AWAKE_SHAPE = "constitution.awake_shape": 4.0, "1", [0.5, 50.0];
-    /// The pulse of a sleeper, on average.
+    /// Mean pulse during sleep.
     static PULSE_BPM = "constitution.pulse": 62.0, "1/min", [48.0, 80.0];
-    /// The standard deviation of the pulse over people.
+    /// Standard deviation over people of the pulse.
     static PULSE_SPREAD_BPM = "constitution.pulse_spread": 5.0, "1/min", [0.0, 20.0];
-    /// The respiration of a sleeper, on average.
+    /// Mean respiration during sleep.
     static RESPIRATION_PM = "constitution.respiration": 15.0, "1/min", [11.0, 20.0];
-    /// The standard deviation of the respiration over people.
+    /// Standard deviation over people of the respiration.
     static RESPIRATION_SPREAD_PM = "constitution.respiration_spread": 1.2, "1/min", [0.0, 5.0];
-    /// The standard deviation over people by which one of many is early or late with all (the time in bed of people of 73.9
-    /// years has one of 62 minutes).
+    /// Standard deviation over generated people of a shift of the whole day (at a mean age of 73.9 years, the time in
+    /// bed has one of 62 minutes).
     static EARLY_S = "person.early": 3_100.0, "s", [0.0, 14_400.0];
-    /// The standard deviation over people by which one of many gets up and goes to bed earlier or later besides.
+    /// Standard deviation over generated people of a further shift of getting up and of going to bed.
     static BED_TIMES_S = "person.bed_times": 2_800.0, "s", [0.0, 14_400.0];
-    /// The standard deviation over people by which one of many does all else at another time besides.
+    /// Standard deviation over generated people of a further shift of all other activities.
     static CLOCK_S = "person.clock": 900.0, "s", [0.0, 14_400.0];
-    /// How much longer or shorter one of many takes for all: the standard deviation of the logarithm.
+    /// Standard deviation over generated people of the logarithm of the factor on all durations.
     static LENGTH = "person.length": 0.15, "1", [0.0, 1.0];
-    /// How much faster or slower one of many walks: the standard deviation of the logarithm (0.17 m/s around 0.61, Kaye 2012).
+    /// Standard deviation over generated people of the logarithm of the factor on the pace (0.17 m/s around 0.61, Kaye
+    /// 2012).
     static PACE = "person.pace": 0.26, "1", [0.0, 1.0];
-    /// How much more or less one of many moves: the standard deviation of the logarithm.
+    /// Standard deviation over generated people of the logarithm of the factor on the amount of movement.
     static ACTIVITY = "person.activity": 0.3, "1", [0.0, 1.0];
-    /// How much more or less the days of one of many differ: the standard deviation of the logarithm.
+    /// Standard deviation over generated people of the logarithm of the factor on the differences between days.
     static IRREGULAR = "person.irregular": 0.3, "1", [0.0, 1.0];
-    /// How likely people who leave out a meal do so on a day.
+    /// Probability on each day that a person who leaves out a meal does so.
     static LEFT_OUT = "person.left_out": 0.9, "1", [0.0, 1.0];
-    /// How likely people who eat irregularly leave out each meal.
+    /// Probability that a person who eats irregularly leaves out a given meal.
     static IRREGULAR_MEALS = "person.irregular_meals": 0.3, "1", [0.0, 1.0];
 }
 

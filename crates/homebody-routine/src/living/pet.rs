@@ -28,21 +28,21 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 homebody_core::numbers! {
-    /// How likely a pet that has done with something sleeps next, at dawn and dusk.
+    /// Probability that a pet sleeps after an activity, at dawn and dusk.
     static SLEEPS_LIVELY = "pet.sleeps_lively": 0.15, "1", [0.0, 1.0];
-    /// How likely a pet that has done with something sleeps next, at other hours.
+    /// Probability that a pet sleeps after an activity, at other hours.
     static SLEEPS = "pet.sleeps": 0.35, "1", [0.0, 1.0];
-    /// How likely a pet that does not sleep rests where it is.
+    /// Probability that a pet that does not sleep rests where it is.
     static RESTS = "pet.rests": 0.6, "1", [0.0, 1.0];
-    /// The median length of a pet's sleep.
+    /// Median duration of a pet's sleep.
     static SLEEP_MIN = "pet.sleep": 65.0, "min", [1.0, 600.0];
-    /// The median length of a pet's rest.
+    /// Median duration of a pet's rest.
     static REST_MIN = "pet.rest": 25.0, "min", [0.1, 600.0];
-    /// The median length of a pet's stop at a place.
+    /// Median duration of a pet's stop at a place.
     static STOP_MIN = "pet.stop": 3.0, "min", [0.1, 120.0];
-    /// The median length of a pet's round to nowhere.
+    /// Median duration of a pet's round without a goal.
     static ROUND_S = "pet.round": 60.0, "s", [1.0, 3_600.0];
-    /// The standard deviation of the logarithm of all of these lengths.
+    /// Standard deviation of the logarithm of a pet's durations.
     static SPREAD = "pet.spread": 0.6, "1", [0.0, 2.0];
 }
 

@@ -9,17 +9,17 @@ use homebody_core::time::{Micros, SECOND};
 const HOUR: f64 = 3600.0;
 
 homebody_core::numbers! {
-    /// When one gets up on a day of which no sentence says so: 06:44 of healthy older adults (Scientific
-    /// Reports 2015, actigraphy).
+    /// Time of getting up, if the routine gives none: 06:44 for healthy older adults (Scientific Reports 2015,
+    /// actigraphy).
     static UP_H = "day.up": 6.73, "h", [2.0, 14.0];
-    /// How much earlier or later than that one gets up at most.
+    /// Largest deviation of the time of getting up from `day.up`.
     static UP_SPREAD_H = "day.up_spread": 0.5, "h", [0.0, 4.0];
-    /// When one goes to bed on a day of which no sentence says so: 23:23 of healthy older adults
-    /// (Scientific Reports 2015, actigraphy).
+    /// Time of going to bed, if the routine gives none: 23:23 for healthy older adults (Scientific Reports 2015,
+    /// actigraphy).
     static BED_H = "day.bed": 23.38, "h", [17.0, 28.0];
-    /// How much earlier than that one goes to bed at most.
+    /// Largest deviation of the time of going to bed from `day.bed` to an earlier time.
     static BED_EARLIER_H = "day.bed_earlier": 0.48, "h", [0.0, 4.0];
-    /// How much later than that one goes to bed at most.
+    /// Largest deviation of the time of going to bed from `day.bed` to a later time.
     static BED_LATER_H = "day.bed_later": 0.52, "h", [0.0, 4.0];
 }
 
@@ -75,7 +75,7 @@ fn bed_s(life: &Life, day: i32, parameters: &DayParameters) -> f64 {
 /// Usual is the bedtime in the middle of those of so many nights (ours).
 const NIGHTS: i32 = 7;
 
-/// Who goes to bed so much later than usual has a late night (ours).
+/// Smallest delay of going to bed in a late night (our choice).
 const LATE: Micros = 1800 * SECOND;
 
 /// How late it is for somebody who goes to bed now, beside the bedtime that is usual by the sentences; 0 where it is not late.
@@ -118,7 +118,7 @@ pub(super) fn varied(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
 /// How long something takes whose length is fuzzy: as far from the mean as said, and never below nothing, so that the mean
 /// stays.
 pub(super) fn varied_length(fuzzy: &Fuzzy, share: f64, irregular: f64) -> f64 {
-    /// Of the mean, what the shortest has at least (ours).
+    /// Smallest ratio of the shortest duration to the mean (our choice).
     const LEAST: f64 = 0.05;
     let (mean, least) = (fuzzy.mean(), fuzzy.low);
     let most = if least < mean { (mean * (1.0 - LEAST) / (mean - least)).max(1.0) } else { irregular };

@@ -105,24 +105,24 @@ pub enum Interruptible {
     Yield,
 }
 
-/// How long somebody waits at the open door for a visitor who does not come (ours).
+/// Time that a host waits at the open door for a visitor who does not come (our choice).
 const ARRIVAL_PATIENCE: Micros = 5 * 60 * SECOND;
-/// How long a host waits for a visitor to have gone (ours).
+/// Time that a host waits for a visitor to leave (our choice).
 const FAREWELL_PATIENCE: Micros = 5 * 60 * SECOND;
-/// How long who comes home waits for somebody to leave the doorway (ours).
+/// Time that a person who comes home waits for another to leave the doorway (our choice).
 const DOORWAY: Micros = 2 * 60 * SECOND;
-/// How long somebody waits for a meal that somebody else still cooks (ours).
+/// Time that a person waits for a meal that another one still cooks (our choice).
 const COOKING_PATIENCE: Micros = 45 * 60 * SECOND;
 
-/// How often each microwave and toaster is used for a meal, and for how long around (ours): bread and a plate take two minutes
-/// and more.
+/// Probability that a meal uses each microwave and toaster, and mean duration (our choice): bread and a plate take two
+/// minutes and more.
 const WARMED: f64 = 0.5;
 const WARMING_S: f64 = 150.0;
 
-/// Who visits for so long has meals and a bed of their own, and the host's life goes on (ours).
+/// Shortest visit with meals and a bed for the visitor, and a usual day for the host (our choice).
 pub(super) const STAYING_OVER: Micros = 10 * 3600 * SECOND;
 
-/// How long the host then sits with them first (ours).
+/// Time that the host first sits with such a visitor (our choice).
 const WELCOME: Micros = 3600 * SECOND;
 
 /// What a script is made from.

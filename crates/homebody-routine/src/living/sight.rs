@@ -12,7 +12,7 @@ use homebody_core::ids::ThingId;
 use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 
-/// How often somebody looks who looks out for something (ours).
+/// Interval at which a person who looks out for something checks (our choice).
 const LOOKS: Micros = SECOND;
 
 impl RoutineDriver {

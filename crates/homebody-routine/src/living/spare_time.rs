@@ -28,17 +28,18 @@ const FILLERS: [(Activity, f64, f64); 6] = [
 const TABLE: &str = "filler";
 
 homebody_core::numbers! {
-    /// So many times as often somebody who sits gets up for an errand as one errand follows another.
+    /// Rate at which a sitting person gets up for an errand, as a multiple of the rate at which one errand follows
+    /// another.
     static RISES = "spare_time.rises": 26.0, "1", [0.0, 500.0];
-    /// So many times as many errands as in the afternoon are run before noon. In homes of the CASAS collection 40 to 47 % of a
-    /// day's firings come between 6 and 12 h.
+    /// Number of errands before noon, as a multiple of that in the afternoon. In homes of the CASAS collection, 40 to
+    /// 47 % of a day's firings come between 6 and 12 h.
     static MORNING = "spare_time.morning": 1.7, "1", [0.0, 10.0];
-    /// So many times as many errands as in the afternoon are run after 18 h. In the same homes 24 to 25 % of a day's firings come
-    /// then.
+    /// Number of errands after 18 h, as a multiple of that in the afternoon. In the same homes, 24 to 25 % of a day's
+    /// firings come then.
     static EVENING = "spare_time.evening": 0.75, "1", [0.0, 10.0];
-    /// How often one errand follows another at once.
+    /// Probability that another errand follows one at once.
     static AGAIN = "spare_time.again": 0.25, "1", [0.0, 0.95];
-    /// The standard deviation of the logarithm of how long what fills the time lasts.
+    /// Standard deviation of the logarithm of the duration of an activity that fills spare time.
     static SPREAD = "spare_time.spread": 0.5, "1", [0.0, 2.0];
 }
 
@@ -49,8 +50,8 @@ pub(super) fn numbers() -> Vec<Number> {
         let number = |column: &str, value, unit, range, what: String| {
             Number::of_table([TABLE, row, column], value, unit, range, what, file!())
         };
-        let often = format!("How often `{row}` fills the time, in comparison.");
-        let long = format!("The median length of `{row}` where it fills the time.");
+        let often = format!("Relative frequency of `{row}` in spare time.");
+        let long = format!("Median duration, in minutes, of `{row}` in spare time.");
         [number("weight", *weight, "1", [0.0, 100.0], often), number("minutes", *minutes, "min", [0.1, 240.0], long)]
     };
     FILLERS.iter().flat_map(of).collect()

@@ -6,7 +6,7 @@ use super::life::SentenceId;
 use homebody_core::time::{Micros, SECOND, seconds};
 use std::collections::BTreeMap;
 
-/// What is being done is finished first, and then there is a way to go: so much later is still in time (ours).
+/// Delay within which an activity is in time (our choice): the previous one is finished first, and a walk follows.
 pub const LATE: Micros = 15 * 60 * SECOND;
 
 /// What has been lived of a life so far, sentence by sentence.

@@ -78,16 +78,16 @@ pub(super) fn numbers() -> Vec<Number> {
     for activity in all() {
         let row = row(&activity);
         let mut add = |column: &str, value, unit, range, what: &str| {
-            let what = format!("{what} `{row}`, where nothing is said.");
+            let what = format!("{what} of `{row}`, if the routine gives none.");
             numbers.push(Number::of_table([TABLE, row, column], value, unit, range, what, file!()));
         };
         let UsualLength { median_min, sigma } = activity.usual_length();
-        add("minutes", median_min, "min", [0.1, 600.0], "The median length of");
-        add("spread", sigma, "1", [0.0, 2.0], "The standard deviation of the logarithm of the length of");
+        add("minutes", median_min, "min", [0.1, 600.0], "Median duration, in minutes,");
+        add("spread", sigma, "1", [0.0, 2.0], "Standard deviation of the logarithm of the duration");
         if let Some(clock) = activity.usual_clock() {
             let (around_h, spread_min) = parts(&clock);
-            add("clock", around_h, "h", [0.0, 24.0], "The time of day of");
-            add("clock_spread", spread_min, "min", [0.0, 360.0], "How much earlier or later at most is");
+            add("clock", around_h, "h", [0.0, 24.0], "Time of day, in hours,");
+            add("clock_spread", spread_min, "min", [0.0, 360.0], "Largest deviation, in minutes, from the time of day");
         }
     }
     numbers

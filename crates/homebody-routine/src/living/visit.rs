@@ -16,7 +16,8 @@ use homebody_core::scenario::path::Posture;
 use homebody_core::time::{Micros, SECOND};
 use std::collections::VecDeque;
 
-/// How long a visitor waits for the door to open before going away: hosts are on the toilet, or on their way home (ours).
+/// Time that a visitor waits for the door to open before leaving (our choice): hosts are on the toilet, or on their way
+/// home.
 const PATIENCE: Micros = 60 * MINUTE;
 
 impl RoutineDriver {
@@ -146,7 +147,8 @@ impl RoutineDriver {
     }
 }
 
-/// So many times a day less one a guest goes to the bathroom, the first as they get up, the last before bed (ours).
+/// Intervals between a visitor's visits to the bathroom in a day, the first on getting up, the last before bed (our
+/// choice).
 const BATHROOMS: Micros = 5;
 
 fn talk(posture: Posture, left: Micros) -> Step {

@@ -11,7 +11,7 @@ use homebody_core::time::{Micros, SECOND, micros};
 use std::collections::VecDeque;
 
 homebody_core::numbers! {
-    /// How long somebody who finds no way stands there: what is tried takes time, so that no instant goes on for ever.
+    /// Time that a person who finds no way stands still, so that an attempt always takes time.
     static AT_A_LOSS_S = "driver.at_a_loss": 60.0, "s", [1.0, 3_600.0];
 }
 

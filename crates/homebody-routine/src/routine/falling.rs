@@ -4,7 +4,7 @@ use super::PartOfDay;
 use homebody_core::role::Role;
 use serde::Serialize;
 
-/// "Mostly at night" is three of four times (ours).
+/// Share that "mostly", as in "mostly at night", stands for (our choice): three of four.
 pub const USUAL_SHARE: f64 = 0.75;
 
 /// How somebody falls, as far as it is said.

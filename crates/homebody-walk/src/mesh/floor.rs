@@ -22,16 +22,17 @@ use std::collections::BTreeMap;
 /// one line stay in one line.
 const GRID_M: f64 = 1.0 / 4096.0;
 
-/// Outlines with more sides than this are taken for tangled (ours: those of large houses have half as many).
+/// Largest number of sides of an outline. One with more is tangled (our choice: large houses have half as many).
 const MOST_SIDES: usize = 1_000;
 
-/// The same of the parts that sides are cut into (ours).
+/// Largest number of parts that sides are cut into (our choice).
 const MOST_PARTS: usize = 4 * MOST_SIDES;
 
-/// How many steps of the grid rounding may take a cut off a side: where sides nearly lie in one line, it takes it far away.
+/// Largest shift of a cut off a side by rounding, in steps of the grid: between sides nearly in one line, it moves it
+/// far away.
 const MOST_OFF: f64 = 0.01;
 
-/// So many outlines are put together at once: of many, most is covered, and need not be looked at again (ours).
+/// Outlines that are combined together (our choice): most of many are covered and need no second look.
 const AT_ONCE: usize = 64;
 
 /// A closed row of corners, in steps of the grid.

@@ -4,14 +4,15 @@ use super::floor;
 use homebody_core::geometry::{self, Point};
 use std::collections::BTreeMap;
 
-/// How much further than its radius a body keeps off, so that what is rounded on the way takes nothing of the radius (ours).
+/// Distance beyond its radius that a body keeps, so that rounding takes nothing of the radius (our choice).
 const MARGIN_M: f64 = 5e-4;
 
-/// The search reckons in single precision: a home that is further off than this is brought near, by whole steps of it (ours).
+/// Distance beyond which a home is shifted near the origin, by whole multiples of it (our choice): the search computes
+/// in single precision.
 const NEAR_ZERO_M: f64 = 256.0;
 
-/// A corner is rounded by straight sides that turn by 45 degrees at most, whose cosine is a little less than this (ours):
-/// they keep up to 8 % of the radius more than they need, and a way around a corner has few corners itself.
+/// Cosine, slightly rounded down, of the largest turn of the straight sides that round a corner, 45 degrees (our
+/// choice). They keep up to 8 % of the radius more than needed, and a way around a corner has few corners itself.
 const TURN_COS: f64 = 0.707;
 
 /// How far outside a piece rounding may put a point of it.
@@ -127,7 +128,7 @@ impl Ground {
     }
 }
 
-/// How close together the points along a piece's sides are (ours).
+/// Distance between the points along a piece's sides (our choice).
 const ALONG_SIDE_M: f64 = 0.1;
 
 /// The convex outline moved out by a distance, its corners rounded.
@@ -163,7 +164,7 @@ fn fence(a: Point, b: Point) -> Vec<Point> {
     geometry::thick_segment(a - along, b + along, 2.0 * FENCE_M)
 }
 
-/// Half of how thick a fence is (ours).
+/// Half of a fence's thickness (our choice).
 const FENCE_M: f64 = 0.002;
 
 /// The pieces inside the home, and the sizes of the areas that they make.

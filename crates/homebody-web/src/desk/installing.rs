@@ -21,14 +21,15 @@ use homebody_picture::{installing, pdf};
 use std::sync::PoisonError;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// No more sensors are suggested at once, and nobody waits for more lives (ours): the command does both.
+/// Largest number of sensors that are suggested at once, and of people that are simulated for it (our choice). The
+/// command has no such limits.
 const MOST_SENSORS: u16 = 64;
 const MOST_PEOPLE: u32 = 100;
-/// No fewer people live: one shows what is looked for, and others do not (ours).
+/// Smallest number of people that are simulated (our choice): one person shows only their own habits.
 const FEWEST_PEOPLE: u32 = 4;
 /// The same people live each time.
 const SEED: u64 = 1;
-/// Living takes about so much of the work (ours); trying layouts is the rest.
+/// Share of the work that simulation takes, approximately (our choice). Trying layouts takes the rest.
 const SHARE_OF_LIVES: f64 = 0.8;
 
 impl Desk {
@@ -95,15 +96,14 @@ impl Desk {
 
     fn proposed(&self, asked: Suggest, cancel: &Cancel) -> Result<Proposed, Unsuggested> {
         let Suggest { draft, sensors, to_see, people, device } = asked;
-        let goals = goals(&to_see).map_err(|unknown| {
-            Unsuggested::Said(format!("Nothing is called {}.", unknown.join(", ").escape_debug()))
-        })?;
+        let goals = goals(&to_see)
+            .map_err(|unknown| Unsuggested::Said(format!("Unknown goals: {}.", unknown.join(", ").escape_debug())))?;
         if goals.is_empty() {
-            return Err(Unsuggested::Said("Say what is to be seen.".into()));
+            return Err(Unsuggested::Said("Choose at least one goal.".into()));
         }
         let of_key = |key: &String| Device::all().find(|device| device.key() == *key);
         let device = match &device {
-            Some(key) => Some(of_key(key).ok_or_else(|| Unsuggested::Said("There is no such device.".into()))?),
+            Some(key) => Some(of_key(key).ok_or_else(|| Unsuggested::Said("This device is not known.".into()))?),
             None => None,
         };
         let rules = Rules::read(USUAL).map_err(|wrong| Unsuggested::Said(wrong.join("; ")))?;
@@ -149,7 +149,7 @@ impl From<NotLived> for Unsuggested {
         match error {
             NotLived::Problems(wrong) => Unsuggested::Problems(problems(&wrong.0)),
             NotLived::NoRoutine => Unsuggested::Said(
-                "The first resident lives by no routine, so nobody can show a condition: ask for the floor alone."
+                "The first resident has no routine, so no condition can be simulated. Choose only “Most of the floor”."
                     .into(),
             ),
             other => Unsuggested::Said(other.to_string()),

@@ -15,7 +15,7 @@ use homebody_routine::household::{Household, Understood};
 use homebody_routine::routine::Routine;
 use std::sync::PoisonError;
 
-/// A month is no longer.
+/// Largest number of days of a month.
 const LONGEST: u32 = 31;
 
 impl Desk {
@@ -29,7 +29,7 @@ impl Desk {
         let is_asked = |driver: &Driver| matches!(driver, Driver::Routine { file, .. } if *file == asked);
         let resident = scenario.residents.iter().position(|resident| is_asked(&resident.driver));
         let Some(known) = resident.and_then(|resident| Household::understand(&scenario, &files, resident)) else {
-            let nobodys = Problem::of_file(&asked, "nobody lives by this routine", None);
+            let nobodys = Problem::of_file(&asked, "no resident uses this routine", None);
             return not_understood(problems(&[nobodys]));
         };
         let length = scenario.calendar.span_of_days(scenario.file.days);

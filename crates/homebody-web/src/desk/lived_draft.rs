@@ -47,10 +47,10 @@ impl LivedDraft {
     }
 }
 
-/// How far apart moments are kept at first (ours): to live them takes some milliseconds.
+/// Initial distance between saved moments (our choice): a simulation between them takes some milliseconds.
 const MOMENTS: Micros = 4 * DAY;
 
-/// So much is lived at once, at most (ours).
+/// Longest stretch that is simulated at once (our choice).
 const LONGEST_STRETCH: Micros = 3600 * SECOND;
 
 /// A life at an instant, and what is known of it by then.
@@ -129,7 +129,7 @@ fn lived(
     let end = end.min(life.run.now());
     life.known.end(end, &mut view);
     if let Some(why) = &mut view.cut {
-        *why = format!("The days are shown until {}. {why}", calendar.wall_clock(end));
+        *why = format!("The days are shown up to {}. {why}", calendar.wall_clock(end));
     }
     // A stride may come to another room later.
     view.stays.iter_mut().flatten().for_each(|stay| stay.1 = stay.1.min(end));

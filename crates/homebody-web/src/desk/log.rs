@@ -19,13 +19,13 @@ use homebody_routine::household::Household;
 use std::path::Path;
 use std::sync::{Arc, PoisonError};
 
-/// How many rows are shown (ours).
+/// Number of rows that are shown (our choice).
 const MOST_ROWS: usize = 40;
 
-/// Who makes no rows in so long has none to show (ours).
+/// Time of simulation after which a home without rows has none to show (our choice).
 const LONGEST_LIVED: i64 = 3 * DAY;
 
-/// So much is lived at once, at most (ours).
+/// Longest stretch that is simulated at once (our choice).
 const LONGEST_STRETCH: Micros = 600 * SECOND;
 
 impl Desk {
@@ -58,17 +58,20 @@ impl Desk {
     }
 
     fn try_url(&self, url: &Url) -> Result<String, LogError> {
-        let Some(file) = url.file() else { return try_place(url).map(|()| format!("{url} can be written.")) };
+        let Some(file) = url.file() else { return try_place(url).map(|()| format!("Homebody can write to {url}.")) };
         if let Some(outside) = outside_folder(&file.to_string_lossy(), "the run's folder") {
             let what = outside.diagnostic().what;
-            return Err(LogError::NoPlace(NoPlace { what, hint: "name a file in the folder".into() }));
+            return Err(LogError::NoPlace(NoPlace { what, hint: "name a file in that folder".into() }));
         }
         // Each run has a folder of its own; what matters is whether it can be made.
         let there = self.shelf.runs.ancestors().find(|folder| folder.is_dir() || folder.as_os_str().is_empty());
         let base = there.filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         try_place(&url.at(base.join(format!(".homebody-{}", std::process::id()))))?;
         let folder = self.shelf.runs.display();
-        Ok(format!("Each run writes its own {}, in a new folder in {folder}, which can be written.", file.display()))
+        Ok(format!(
+            "Each run writes its own {} into a new folder in {folder}. Homebody can write there.",
+            file.display()
+        ))
     }
 }
 
@@ -98,7 +101,7 @@ fn first_rows(
     while count < 2 * MOST_ROWS && run.now() < run.length() {
         if let Err(why) = effort.goes_on(0) {
             let clock = scenario.calendar.wall_clock(run.now());
-            cut = Some(format!("Rows are looked for until {clock}. {why}"));
+            cut = Some(format!("Rows up to {clock} are shown. {why}"));
             break;
         }
         let lived = effort.live(&mut run, length, &mut events);

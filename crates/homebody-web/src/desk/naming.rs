@@ -155,8 +155,8 @@ impl Desk {
                 .collect();
             let what = match &gone[..] {
                 [] => continue,
-                [(name, _)] => format!("Remove the {one} \u{201c}{name}\u{201d}, a sensor that is gone"),
-                all => format!("Remove the {} {many} sensors that are gone", all.len()),
+                [(name, _)] => format!("Remove the {one} the deleted sensor \u{201c}{name}\u{201d}"),
+                all => format!("Remove the {} {many} deleted sensors", all.len()),
             };
             let cut: Vec<Range<usize>> = gone.into_iter().map(|(_, whole)| whole).collect();
             mends.push(MendView { what, texts: BTreeMap::from([(file, without(&text, &cut))]) });

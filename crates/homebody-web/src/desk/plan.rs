@@ -14,7 +14,7 @@ use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// So many cells are looked at in a tenth of a second or two (ours): those of a home of 20 by 20 m.
+/// Number of cells that are examined in a tenth of a second or two (our choice): those of a home of 20 by 20 m.
 const MOST_CELLS: f64 = 160_000.0;
 
 /// What a cell is where no body can stand.
@@ -62,10 +62,10 @@ pub fn home(files: &dyn Files, entry: &str) -> Result<ResolvedHome, Vec<Problem>
 /// The file of a scenario's home: its name and its text.
 fn file(files: &dyn Files, entry: &str) -> Result<(String, String), Vec<Problem>> {
     let of_entry = |what: String| vec![Problem::of_file(entry, what, None)];
-    let text = files.read(entry).map_err(|why| of_entry(format!("cannot be read: {why}")))?;
+    let text = files.read(entry).map_err(|why| of_entry(format!("cannot read the file: {why}")))?;
     let root: serde_json::Value = serde_json::from_str(&text).map_err(|error| of_entry(error.to_string()))?;
-    let name = root["home"].as_str().ok_or_else(|| of_entry("links no home".into()))?;
-    let text = files.read(name).map_err(|why| of_entry(format!("{name:?} cannot be read: {why}")))?;
+    let name = root["home"].as_str().ok_or_else(|| of_entry("names no home file".into()))?;
+    let text = files.read(name).map_err(|why| of_entry(format!("cannot read {name:?}: {why}")))?;
     Ok((name.to_owned(), text))
 }
 

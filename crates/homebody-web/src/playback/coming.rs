@@ -7,7 +7,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Who asks for what is not read yet waits so long at most (ours).
+/// Longest wait for a part of a log that is not read yet (our choice).
 const LONGEST_WAIT: Duration = Duration::from_secs(60);
 
 /// What has come so far.
@@ -78,7 +78,7 @@ impl<T: Grows> Coming<T> {
     pub fn until(&self, instant: Micros) -> Result<MutexGuard<'_, T>, Refusal> {
         let known = self.wait(instant, LONGEST_WAIT);
         match known.read_us()? {
-            Some(read) if read < instant => Err(Refusal::Early("The run is still being read.".into())),
+            Some(read) if read < instant => Err(Refusal::Early("Homebody is still reading this run.".into())),
             _ => Ok(known),
         }
     }

@@ -15,7 +15,7 @@ use homebody_log::truth::Truth;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-/// So many are listed (ours); how many there are is said.
+/// Largest number of matches in a list (our choice). The total is given as well.
 const MOST_HITS: usize = 5000;
 
 impl Playback {
@@ -92,11 +92,11 @@ fn query(asked: &Find) -> Result<Query, Refusal> {
         FindWhat::Alert => What::Alert,
     };
     let hours = |(from, to): (u32, u32)| {
-        Hours::new(from, to).ok_or_else(|| Refusal::Damaged("From and to are different times of a day.".into()))
+        Hours::new(from, to).ok_or_else(|| Refusal::Damaged("The two hours must differ.".into()))
     };
     let hours = asked.between_min.map(hours).transpose()?;
     if !(0.0..=1e9).contains(&asked.least_s) {
-        return Err(Refusal::Damaged("How long it is at least is a number of seconds.".into()));
+        return Err(Refusal::Damaged("The shortest duration must be a number of seconds.".into()));
     }
     let name = asked.name.clone().filter(|name| !name.is_empty());
     Ok(Query { what, name, hours, least: (asked.least_s * SECOND as f64) as Micros })
@@ -187,7 +187,7 @@ impl Opened {
             };
             let Some(Value::Integer(at)) = cells.get(2) else { return Ok(()) };
             let name = known.get(text(0)).map_or(text(0), |sensor| &sensor.name).to_owned();
-            let words = format!("{name} said {}, lost: {}", text(1), text(4));
+            let words = format!("{name}: {}, lost: {}", text(1), text(4));
             let (name, words) = (Cow::Owned(name), Cow::Owned(words));
             all.push(Stay { begin: *at, end: *at, who: None, name, words });
             Ok(())

@@ -4,7 +4,7 @@ use super::{Opened, Playback, Refusal};
 use crate::wire::LanesView;
 use homebody_core::time::{DAY, Micros, SECOND};
 
-/// So many counts are in an answer at most (ours): a hundred sensors by the hour over two years.
+/// Largest number of counts in an answer (our choice): a hundred sensors by the hour over two years.
 const MOST_COUNTS: i64 = 2_000_000;
 
 /// How long the parts are that are counted, the shortest first.

@@ -7,11 +7,11 @@ use homebody_log::{LifeSpan, LogError, RunClock, SpanKind, Url};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// A truth tells of what is done once it is over, and nobody does one thing for longer than this (ours): so far back something may
-/// still come.
+/// Longest activity (our choice): a truth has an activity only once it is over, so rows may still arrive from this far
+/// back.
 const LATE: Micros = 31 * DAY;
 
-/// So many spans are handed on at a time (ours).
+/// Spans that are passed on together (our choice).
 const MOST_AT_ONCE: usize = 1000;
 
 /// Of a resident: from when until when, and a number of what.

@@ -9,7 +9,8 @@ use homebody_core::time::{DAY, Micros};
 use homebody_log::{Event, Log, LogError, Url};
 use std::collections::HashMap;
 
-/// A message comes no later than this after others of its time (ours): so far back a log that is being read may still get rows.
+/// Longest delay of a message after others of its time (our choice): a log that is being read may still get rows from
+/// this far back.
 const LATE: Micros = DAY;
 
 /// The rows of a log, as far as they have come.

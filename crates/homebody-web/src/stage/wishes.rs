@@ -7,7 +7,7 @@ use std::sync::mpsc::Sender;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// So many wishes of one page wait, at most. A page that says more hears that the run is busy.
+/// Largest number of waiting commands of a page. A page that sends more gets the answer that the run is busy.
 pub(crate) const MOST_WAITING: usize = 32;
 
 /// A request to the stage.

@@ -1,9 +1,10 @@
 //! How somebody is, for those who care.
 
-use crate::plainly;
-use homebody_analysis::alerts::{Alert, Rules};
-use homebody_analysis::care::{Care, Chart, DayTold, Known, LAST_DAYS, Point, Today, Unit};
+use homebody_analysis::alerts::Alert;
+use homebody_analysis::care::{Care, Chart, DayTold, Known, Point, Today};
+use homebody_analysis::measures::Unit;
 use homebody_analysis::summaries::Sentence;
+use homebody_core::names::capitalised;
 use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
@@ -157,18 +158,19 @@ pub struct PointView {
 }
 
 impl CareView {
-    pub fn of(care: &Care, rules: &Rules, (name, person): (&str, &str), walks: WalksView) -> CareView {
-        let last = care.days.len().min(LAST_DAYS);
+    pub fn of(care: &Care, (name, person): (&str, &str), walks: WalksView) -> CareView {
+        // The page has no options.
+        let remark = |remark: &String| remark.split("; pass --").next().unwrap_or(remark).to_owned();
         CareView {
             name: name.to_owned(),
             person: person.to_owned(),
             day: care.day.map(|day| day.to_string()),
             is_compared: care.is_compared,
-            remarks: care.remarks.iter().map(|remark| plainly::remark(remark)).collect(),
+            remarks: care.remarks.iter().map(remark).collect(),
             walks,
             days: care.days.iter().map(CareDayView::from).collect(),
-            sentences: care.sentences.iter().map(|sentence| CareSentenceView::of(sentence, last)).collect(),
-            alerts: care.alerts.iter().map(|alert| AlertView::of(alert, rules)).collect(),
+            sentences: care.sentences.iter().map(CareSentenceView::from).collect(),
+            alerts: care.alerts.iter().map(AlertView::from).collect(),
             charts: care.charts.iter().map(ChartView::from).collect(),
         }
     }
@@ -191,12 +193,11 @@ impl From<&Today> for TodayView {
     }
 }
 
-impl CareSentenceView {
-    /// `days` is how many the sentence is about.
-    fn of(sentence: &Sentence, days: usize) -> CareSentenceView {
+impl From<&Sentence> for CareSentenceView {
+    fn from(sentence: &Sentence) -> CareSentenceView {
         CareSentenceView {
             words: sentence.plain.clone(),
-            numbers: plainly::numbers_of_sentence(sentence, days),
+            numbers: sentence.numbers.clone(),
             measure: sentence.measure.to_owned(),
             is_change: sentence.is_more.is_some(),
             days: sentence.shown_by.iter().map(ToString::to_string).collect(),
@@ -204,13 +205,14 @@ impl CareSentenceView {
     }
 }
 
-impl AlertView {
-    fn of(alert: &Alert, rules: &Rules) -> AlertView {
+impl From<&Alert> for AlertView {
+    fn from(alert: &Alert) -> AlertView {
+        let stop = if alert.numbers.is_empty() { "" } else { "." };
         AlertView {
             day: alert.date.to_string(),
             rule: alert.rule.clone(),
-            words: plainly::alert(alert, rules),
-            numbers: plainly::numbers_of_alert(alert, rules),
+            words: alert.headline.clone(),
+            numbers: capitalised(&alert.numbers) + stop,
             measures: alert.measures.iter().map(|&measure| measure.to_owned()).collect(),
             days: alert.shown_by.iter().map(ToString::to_string).collect(),
         }
@@ -235,7 +237,7 @@ impl From<Unit> for CareUnit {
         match unit {
             Unit::Hours => CareUnit::Hours,
             Unit::Clock => CareUnit::Clock,
-            Unit::Times => CareUnit::Times,
+            Unit::Times | Unit::Amount => CareUnit::Times,
             Unit::OfUsual => CareUnit::OfUsual,
             Unit::MetresASecond => CareUnit::MetresASecond,
         }

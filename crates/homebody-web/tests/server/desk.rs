@@ -253,7 +253,7 @@ fn a_routine_is_explained_also_where_a_sentence_is_wrong() {
     };
     assert!(has("place", "armchair") && has("condition", "severe heart failure") && has("activity", "takes a shower"));
     let nobodys = served.told("/api/explain", &json!({ "draft": { "texts": {} }, "file": "other.routine" }));
-    assert_eq!(nobodys["problems"][0]["what"], "nobody lives by this routine");
+    assert_eq!(nobodys["problems"][0]["what"], "no resident uses this routine");
 }
 
 #[test]
@@ -393,7 +393,7 @@ fn to_try_the_place_of_a_log_that_is_being_written_harms_it_not() {
     page.until(|frame| frame["now_us"].as_i64() >= Some(43_200_000_000));
     assert_eq!(served.told("/api/connect", &json!({ "url": url }))["works"], true);
     page.say(r#"{"say":"stop"}"#);
-    page.until_told("rows are in");
+    page.until_told("rows in");
     assert!(fs::read_to_string(served.only_run().join("out.txt")).unwrap().lines().count() > 10);
     for url in ["casas:/srv/out.txt", "casas:../out.txt"] {
         let told = served.told("/api/connect", &json!({ "url": url }));
@@ -410,7 +410,7 @@ fn a_log_is_downloaded_under_its_own_name() {
     page.say(r#"{"say":"jump","to_us":43200000000}"#);
     page.until(|frame| frame["now_us"].as_i64() >= Some(43_200_000_000));
     page.say(r#"{"say":"stop"}"#);
-    page.until_told("rows are in");
+    page.until_told("rows in");
     let run = served.only_run();
     let answer = served.api(&format!("/api/runs/{}/log", run.file_name().unwrap().to_str().unwrap()));
     assert!(answer.head.contains("filename=\"log.txt\""), "{}", answer.head);
@@ -444,7 +444,7 @@ fn a_place_for_a_log_is_tried_without_a_trace() {
         (format!("csv:{folder}/new.csv"), "is not a file name inside the run's folder"),
         ("csv:../new.csv".into(), "is not a file name inside the run's folder"),
         ("mysql:log".into(), "is not a place for a log"),
-        ("log.db".into(), "did you mean \"sqlite:log.db\"?"),
+        ("log.txt".into(), "did you mean \"casas:log.txt\", or \"csv:log.txt\"?"),
     ] {
         let told = tried(&url);
         assert!(told["works"] == false && told["said"].as_str().unwrap().contains(said), "{url}: {told}");

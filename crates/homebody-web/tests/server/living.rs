@@ -58,7 +58,7 @@ fn who_is_driven_makes_sensors_fire_and_the_page_sees_what_the_log_gets() {
     let before = page.until(|frame| frame["told"] == 0);
     assert_eq!(before.run["residents"][0]["name"], "visitor");
     let seen = drive(&mut page, &[(&["right"], 2.0), (&["up", "right"], 2.5)]);
-    assert!(seen.notes.iter().any(|note| note.contains("rows are in")), "{:?}", seen.notes);
+    assert!(seen.notes.iter().any(|note| note.contains("rows in")), "{:?}", seen.notes);
     let run = served.only_run();
     let stored = rows(&run);
     assert!(stored.len() >= 2, "{stored:?}");

@@ -116,7 +116,7 @@ fn a_sensor_is_followed_to_the_cameras_that_it_wakes() {
     let home = fs::read_to_string(served.file("cameras", "home.json")).unwrap();
     let alone = home.replace(r#""name": "room motion""#, r#""name": "corner motion""#);
     let mends = served.told("/api/mends", &json!({ "texts": { "home.json": alone } }));
-    assert_eq!(mends[0]["what"], "Remove the 2 wake-ups by sensors that are gone", "{mends}");
+    assert_eq!(mends[0]["what"], "Remove the 2 wake-ups by deleted sensors", "{mends}");
     assert_eq!(wakers(&mends[0]["texts"]), [4, 4, 1]);
 }
 
@@ -130,7 +130,7 @@ fn what_has_one_answer_is_mended() {
     let mut texts = json!({ "home.json": home.to_string() });
     assert_eq!(problems(&served, &texts), 8);
     let found = mends(&texts);
-    assert_eq!(found[0]["what"], "Remove the 8 ids of sensors that are gone");
+    assert_eq!(found[0]["what"], "Remove the 8 ids of deleted sensors");
     texts["logger.json"] = found[0]["texts"]["logger.json"].clone();
     assert_eq!(problems(&served, &texts), 0);
     assert_eq!(mends(&json!({ "home.json": "{" })), json!([]), "what is no JSON has no one answer");

@@ -161,7 +161,7 @@ fn a_log_that_is_too_large_is_refused_before_it_comes() {
     // Rows in two years that are far apart are too long a log, however few they are.
     let far = "time,sensor,value\n2001-01-01 10:00:00,M001,ON\n2026-01-01 10:00:00,M001,ON\n";
     served.send("POST", "/api/walk/far.csv", far.as_bytes());
-    assert!(served.walked()["problem"].as_str().unwrap().contains("the page takes 1100 at most"));
+    assert!(served.walked()["problem"].as_str().unwrap().contains("the limit of the page is 1100"));
     assert_eq!(served.send("POST", "/api/walk/a.csv", b"").code, 200);
     let stranger = format!("POST /api/walk/a.csv HTTP/1.1\r\nHost: {address}\r\nContent-Length: 1\r\n\r\na");
     assert_eq!(served.ask(stranger.as_bytes()).code, 401);
@@ -174,7 +174,7 @@ fn one_log_at_a_time_is_walked_back_and_it_can_be_stopped() {
     assert_eq!(served.send("POST", "/api/walk/month.csv", &log).code, 200);
     let busy = served.send("POST", "/api/walk/other.csv", &log);
     assert_eq!(busy.code, 409);
-    assert!(text(&busy).contains("month.csv is being walked back"), "{}", text(&busy));
+    assert!(text(&busy).contains("locating people in month.csv"), "{}", text(&busy));
     assert_eq!(served.send("DELETE", "/api/walk", b"").code, 200);
     let stopped = served.walked();
     assert_eq!((&stopped["state"], &stopped["run"]), (&"stopped".into(), &Value::Null), "{stopped}");
@@ -205,7 +205,7 @@ fn what_a_log_holds_and_how_real_it_is_are_the_pages_of_the_commands() {
     let look = page(&format!("/api/runs/{walked}/look"), 200);
     assert!(look.contains("<title>week.csv") || look.contains("week.csv"), "{look}");
     let relived = page(&format!("/api/runs/{walked}/realism/{walked}"), 200);
-    assert!(relived.contains("A: week.csv") && relived.contains("B: what was lived again"), "{relived}");
+    assert!(relived.contains("A: week.csv") && relived.contains("B: the run simulated from it"), "{relived}");
     let beside = page(&format!("/api/runs/{walked}/realism/{run}"), 200);
     assert!(beside.contains(&format!("B: {run}")));
     page("/api/runs/nowhere/look", 404);
@@ -213,7 +213,7 @@ fn what_a_log_holds_and_how_real_it_is_are_the_pages_of_the_commands() {
     for run in [&run, &walked] {
         let care: Value = serde_json::from_str(&page(&format!("/api/runs/{run}/care"), 200)).unwrap();
         let remarks = care["remarks"].to_string();
-        assert!(remarks.contains("too few to summarise") && !care["charts"].as_array().unwrap().is_empty(), "{care}");
+        assert!(remarks.contains("needed for a summary") && !care["charts"].as_array().unwrap().is_empty(), "{care}");
     }
     page(&format!("/api/runs/{run}/realism/nowhere"), 404);
     // Of less than a day nothing can be compared, which is said.

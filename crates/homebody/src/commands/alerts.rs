@@ -1,8 +1,8 @@
-//! `homebody alerts`: what is different from before.
+//! `homebody alerts`: changes of daily life.
 
 use super::answer::Figures;
 use super::for_programs::{ForPrograms, row};
-use super::measure::Measured;
+use super::measures::Measured;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json_text, print_text};
 use homebody_analysis::alerts::{Alert, Rules, USUAL, alerts};
@@ -12,33 +12,33 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Says what is different from before in what somebody does, day by day: each measure is held against the resident's own last
-/// two weeks.
+/// Report changes from the resident's own baseline, day by day
 ///
-/// Days away, days that are not whole, and what needs a sensor that is silent do not count; of such a sensor there is an alert of
-/// its own. The rules are a few lines of JSON, which --rules replaces: the usual ones
-/// stand in docs/reference/measures.md.
+/// Homebody compares each measure of a day with the resident's last two weeks. Days away and incomplete days do not count, nor do
+/// measures that need a silent sensor; a silent sensor has its own alert. --rules replaces the rules, a few lines of JSON;
+/// docs/reference/measures.md lists the default ones.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody alerts runs/tigerplace-depression-1
   homebody alerts casas:tm000.txt --home my-home --json
   homebody alerts runs/tigerplace-1 --rules rules.json
-  homebody alerts runs/tigerplace-1 --out sqlite:care.db
+  homebody alerts runs/tigerplace-1 --out care.db
   homebody alerts casas:home.txt --follow --out jsonl:-
 
 {EXIT_CODES}."))]
 pub struct Arguments {
     #[command(flatten)]
     measured: Measured,
-    /// The rules, instead of the usual ones
+    /// Alert rules instead of the default ones
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
-    /// Go on reading the log as it grows, and tell each alert as it comes, until the program is stopped
+    /// Follow the log as it grows, and print each new alert until you stop the program
     #[arg(long)]
     follow: bool,
-    /// How many seconds pass from one look at the log to the next
-    #[arg(long, value_name = "SECONDS", default_value_t = 60, requires = "follow", value_parser = clap::value_parser!(u64).range(1..=86_400))]
-    every: u64,
+    /// Seconds between two reads of the log with --follow
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, requires = "follow",
+          value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    poll: u64,
     #[command(flatten)]
     programs: ForPrograms,
     #[command(flatten)]
@@ -67,7 +67,7 @@ impl Arguments {
     fn follow(&self, rules: &Rules) -> Result<(), Failure> {
         if !self.figures.is_empty() || !self.programs.is_empty_or_printed() {
             return Err(Failure::usage(
-                "--follow tells alerts as they come, and writes no files\n  hint: --out jsonl:- gives lines for programs",
+                "--follow prints alerts and writes no files\n  hint: --out jsonl:- prints lines of JSON",
             ));
         }
         let mut told: Vec<Alert> = Vec::new();
@@ -91,7 +91,7 @@ impl Arguments {
                     told.extend(new);
                 }
             }
-            std::thread::sleep(Duration::from_secs(self.every));
+            std::thread::sleep(Duration::from_secs(self.poll));
         }
     }
 }
@@ -115,7 +115,7 @@ pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
     let name = path.display();
     let text = fs::read_to_string(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => Failure::usage(format!(
-            "{name}: there is no such file\n  hint: the usual rules stand in docs/reference/measures.md"
+            "{name}: there is no such file\n  hint: docs/reference/measures.md lists the default rules"
         )),
         _ => Failure::io(path, error),
     })?;

@@ -1,13 +1,12 @@
-//! `homebody anonymise`: a log that no longer says whose it is.
+//! `homebody anonymise`: a log without names, places and dates.
 
 use super::convert::{keep, rows_bar};
 use super::read_log::Mapped;
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
-use crate::print::{tell, write_file};
+use crate::print::{counted, tell, write_file};
 use homebody_analysis::look::{Look, Looker, looked};
 use homebody_analysis::signs::{Kind, Says, is_number, says};
-use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_log::places::can_be_written;
 use homebody_log::sink::csv_line;
@@ -15,37 +14,39 @@ use homebody_log::{Anonymising, Log, Transfer, Url, anonymise};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// Writes a log anew so that it no longer says whose it is: dates are shifted by whole weeks, sensors get names that say their
-/// kind alone, and what they say stays if it is a number or a word of sensors, such as ON. Notes of activities, names of rooms and
-/// all other text stay behind.
+/// Remove names, places and dates from a log
 ///
-/// Days of the week and times of day stay, and how somebody lives shows: who knows them may know them still.
+/// Homebody shifts dates by whole weeks and names each sensor by its kind and a number. It keeps values that are numbers or words of
+/// sensors, such as ON, and drops activities, room names and all other text.
+///
+/// Days of the week, times of day and the resident's habits stay: a person who knows the resident may still recognise them.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
-  homebody anonymise week.csv --out csv:nobodys.csv
-  homebody anonymise casas:home.txt --out sqlite:nobodys.db --key key.csv
-  homebody anonymise home-assistant_v2.db --out csv:nobodys.csv --weeks -52
+#[command(after_long_help = format!("Examples:
+  homebody anonymise week.csv --out anonymous.csv
+  homebody anonymise casas:home.txt --out anonymous.db --key key.csv
+  homebody anonymise home-assistant_v2.db --out anonymous.csv --weeks -52
 
-The key tells which sensor is which, as id,name: keep it to yourself. homebody look --sensors reads it.
+--key writes the original name of each sensor, as id,name: keep it secret. homebody inspect --sensors
+reads it.
 
 {EXIT_CODES}."))]
 pub struct Arguments {
     #[command(flatten)]
     log: Mapped,
-    /// Where to: sqlite:FILE, csv:FILE or casas:FILE
-    #[arg(long, value_name = "URL")]
+    /// Destination: FILE.csv, FILE.db, casas:FILE and so on (homebody convert --help lists all forms)
+    #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Url,
-    /// Shift dates by so many weeks; without it the first week becomes that of 1 January 2001
+    /// Shift dates by N weeks; without it, the first week becomes that of 1 January 2001
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(i64).range(-52_000..=52_000))]
     weeks: Option<i64>,
-    /// Keep the activities and their labels
+    /// Keep the activities
     #[arg(long)]
     activities: bool,
-    /// Write a table of which sensor is which
-    #[arg(long, value_name = "FILE")]
+    /// Write the original name of each sensor to a CSV file
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     key: Option<PathBuf>,
-    /// The time zone in which a log in UTC is written where only local time is known
-    #[arg(long, default_value = "UTC")]
+    /// Time zone of the output for a log in UTC, in forms with local time only
+    #[arg(long, value_name = "ZONE", default_value = "UTC")]
     time_zone: String,
     #[command(flatten)]
     replacing: Replacing,
@@ -63,7 +64,7 @@ impl Arguments {
         let names = names(&log, &look);
         let how = self.replacing.how(&self.out);
         let (from, mapping, zone) = (&named.place, &named.mapping, &self.time_zone);
-        let transfer = Transfer { from, mapping, to: &self.out, name: NOBODYS, zone, how };
+        let transfer = Transfer { from, mapping, to: &self.out, name: ANONYMOUS, zone, how };
         let by = Anonymising {
             weeks: self.weeks,
             names: &names,
@@ -76,22 +77,25 @@ impl Arguments {
         let done = done?;
         if let Some(path) = &self.key {
             write_file(path, key_of(&names, &log.sensors).as_bytes(), self.replacing.force)?;
-            tell(format_args!("{} tells which sensor is which: keep it to yourself", path.display()));
+            tell(format_args!("wrote {}, with the original name of each sensor: keep it secret", path.display()));
         }
-        let (rows, sensors) = (counted(done.rows as usize, "row", "rows"), counted(names.len(), "sensor", "sensors"));
-        tell(format_args!("{}: {rows} of {sensors}", self.out));
+        let (rows, sensors) = (counted(done.rows, "row", "rows"), counted(names.len() as u64, "sensor", "sensors"));
+        tell(format_args!("{}: {rows} from {sensors}", self.out));
         if done.left_out > 0 {
-            tell(format_args!("  {} rows of other text are left out", done.left_out));
+            tell(format_args!("  dropped {} with other text", counted(done.left_out, "row", "rows")));
         }
         if log.skipped > 0 {
-            tell(format_args!("  {} lines were not understood; homebody look says which", log.skipped));
+            tell(format_args!(
+                "  skipped {} that Homebody cannot parse; homebody inspect lists them",
+                counted(log.skipped, "line", "lines")
+            ));
         }
         Ok(())
     }
 }
 
-/// What a log is called that is nobody's.
-const NOBODYS: &str = "anonymised";
+/// The name of an anonymised log.
+const ANONYMOUS: &str = "anonymised";
 
 /// A name for each sensor of a log: its kind and a number, in the order in which they came.
 fn names(log: &Log, look: &Look) -> Vec<String> {

@@ -10,8 +10,9 @@ use std::path::{Path, PathBuf};
 
 /// Where an answer goes, besides standard output.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Output")]
 pub struct Answer {
-    /// Print all figures as one JSON object instead of words; or write them into this file, and print the words. Without a file it comes after the other arguments
+    /// Print the result as JSON instead of text, or write it to FILE and print the text; without FILE, put --json last
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
     #[command(flatten)]
@@ -20,12 +21,13 @@ pub struct Answer {
 
 /// Where an answer goes of which there is no picture, besides standard output.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Output")]
 pub struct Figures {
-    /// Print all figures as one JSON object instead of words; or write them into this file, and print the words. Without a file it comes after the other arguments
+    /// Print the result as JSON instead of text, or write it to FILE and print the text; without FILE, put --json last
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
-    /// Replace files that exist
-    #[arg(long)]
+    /// Replace existing files
+    #[arg(short, long)]
     force: bool,
 }
 
@@ -55,18 +57,19 @@ fn file_of(json: Option<&Path>) -> Option<&Path> {
 
 /// Where pictures go.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Output")]
 pub struct Pictures {
-    /// Draw it as SVG
+    /// Write the picture as SVG
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
-    /// Draw it as PNG
+    /// Write the picture as PNG
     #[arg(long, value_name = "FILE")]
     png: Option<PathBuf>,
     /// Width of the PNG in pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 1600, value_parser = clap::value_parser!(u32).range(200..=8000))]
     width: u32,
-    /// Replace files that exist
-    #[arg(long)]
+    /// Replace existing files
+    #[arg(short, long)]
     force: bool,
 }
 
@@ -212,7 +215,7 @@ impl<const N: usize> CheckedPictures<'_, N> {
         }
         for (path, bytes) in &files {
             write_file(path, bytes, asked.force)?;
-            tell(format_args!("{} is drawn", path.display()));
+            tell(format_args!("wrote {}", path.display()));
         }
         Ok(())
     }
@@ -225,15 +228,15 @@ fn is_named_as(path: &Path, form: &str, other: &str) -> Result<(), Failure> {
         return Ok(());
     }
     let hint = match extension == other {
-        true => format!("--{other} draws it so"),
+        true => format!("use --{other} for this form"),
         false => format!("name it {}", path.with_extension(form).display()),
     };
-    Err(Failure::usage(format!("--{form} draws no {extension}: {}\n  hint: {hint}", path.display())))
+    Err(Failure::usage(format!("--{form} cannot write {extension}: {}\n  hint: {hint}", path.display())))
 }
 
 fn undrawn(error: PngError) -> Failure {
     match error {
-        PngError::Size { .. } => Failure::usage(format!("{error}\n  hint: a smaller --width makes it less high, too")),
+        PngError::Size { .. } => Failure::usage(format!("{error}\n  hint: a smaller --width also lowers its height")),
         error => Failure::usage(error),
     }
 }

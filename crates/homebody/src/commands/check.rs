@@ -1,4 +1,4 @@
-//! `homebody check`: everything that is wrong with a scenario, at once.
+//! `homebody check`: all problems of a scenario at once.
 
 use super::scenario::Chosen;
 use crate::failure::Failure;
@@ -8,13 +8,15 @@ use homebody_core::problem::{Problem, Problems, counted};
 use homebody_kit::{Error, OpenScenario, Source};
 use serde_json::json;
 
-/// Reports everything that is wrong with a scenario, with file, line and a hint; and warns of what is hardly meant, such as a
-/// fault that comes when the run is over, and of what keeps a life or a log from coming of it, such as a home without sensors.
+/// Report all problems of a scenario
 ///
-/// What a file means is looked at once its keys and values are such as may be there: until then the rest of its problems, and
-/// those of routines where the file is the home's, are not known.
+/// Each problem has its file, its line and a hint. Warnings name likely mistakes, such as a fault that begins after the end of the
+/// run, and what prevents a simulation or a log, such as a home without sensors.
+///
+/// Homebody checks the meaning of a file once its keys and values are valid. Until then the report lacks its other problems, and
+/// those of the routines if the file is the home.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:\n  homebody check scenarios/tigerplace\n  homebody check my-home --json")]
+#[command(after_long_help = "Examples:\n  homebody check scenarios/tigerplace\n  homebody check my-home --json")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
@@ -33,8 +35,8 @@ impl Arguments {
         let scenario = opened.scenario();
         let home = &scenario.home;
         let found = match opened.lifeless().is_empty() {
-            true => "nothing is wrong",
-            false => "its files are right, and a life or a log lacks what is said above",
+            true => "no problems",
+            false => "the files are valid; the warnings above name what a simulation lacks",
         };
         tell(format_args!(
             "{}: {found}. {}, {}, {}, {}; {}.",
@@ -49,8 +51,7 @@ impl Arguments {
     }
 }
 
-/// Loads a scenario with its routines, and warns of what there is to remark; as JSON, problems and warnings are said
-/// whether or not there are any.
+/// Loads a scenario with its routines, and prints warnings. As JSON, it prints empty lists, too.
 pub fn load_and_say(
     source: Result<Source, Error>,
     json: bool,
@@ -71,7 +72,7 @@ pub fn load_and_say(
     Ok(opened?)
 }
 
-/// Tells people what is hardly meant.
+/// Prints a warning.
 pub fn tell_remark(remark: &Problem) {
     tell(format_args!("warning: {remark}"));
 }

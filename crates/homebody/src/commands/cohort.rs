@@ -1,38 +1,38 @@
-//! What is told of a cohort.
+//! Notes and results of a cohort.
 
 use super::lived::{Output, go_on_in, speed_in_words};
 use crate::failure::Failure;
-use crate::print::{print_json, print_text, tell};
-use homebody_core::problem::counted;
+use crate::print::{counted, grouped, print_json, print_text, tell};
 use homebody_core::time::{DAY, Micros};
 use homebody_kit::{Cohort, LIST, LivedCohort, TruthKept};
 use serde_json::json;
 use std::fs;
 use std::path::Path;
 
-/// The estimate of what a cohort writes comes from the first days of its first members (our choice). Members differ by a factor of two.
+/// Days, and members, of a cohort that the estimate of its output is made from (our choice). Members differ by a factor
+/// of two.
 const SAMPLE: Micros = 3 * DAY;
 const SAMPLE_MEMBERS: usize = 6;
 
-/// A cohort that is less than this many times its sample is simulated sooner than estimated, and writes little (our choice).
+/// Smallest ratio of a cohort to its sample for an estimate (our choice): a smaller cohort is simulated in less time.
 const WORTH_A_SAMPLE: Micros = 10;
 
-/// Less than this is written without a word before (ours).
+/// Homebody announces no smaller output (our choice).
 const MUCH_BYTES: f64 = 1e8;
 
-/// Says how much a cohort is going to write, if it is much, and what it leaves out of truths, unless that was asked for.
+/// Announces the size of a cohort's output if it is large, and the truth tables that it leaves out by default.
 pub fn foretell(cohort: &Cohort, is_asked: bool) {
     if cohort.kept() == TruthKept::Brief && !is_asked {
         tell(
-            "of the truths of a large cohort, the tables cause, off, movement and lost are left out: --truth-tables all keeps them, \
-             and homebody replay of a member's recording has them",
+            "note: a large cohort stores no truth tables cause, off, movement and lost: --truth-tables all stores them, and \
+             homebody replay of a member's recording writes them",
         );
     }
     if let Some(Estimate { rows, bytes, members }) = estimate(cohort).filter(|of| of.bytes >= MUCH_BYTES) {
-        let lives = counted(cohort.count(), "life", "lives");
+        let lives = counted(cohort.count() as u64, "member", "members");
         let (rows, each, bytes) = (rows_in_words(rows), in_words(bytes / cohort.count() as f64), in_words(bytes));
-        let (members, days) = (counted(members, "member", "members"), SAMPLE / DAY);
-        tell(format!("{lives}: about {rows} rows and {bytes}, {each} each, estimated from {days} days of {members}"));
+        let (members, days) = (counted(members as u64, "member", "members"), SAMPLE / DAY);
+        tell(format!("{lives}: about {rows} rows and {bytes}, {each} each (estimated from {days} days of {members})"));
     }
 }
 
@@ -63,7 +63,7 @@ fn rows_in_words(rows: f64) -> String {
     match rows {
         rows if rows >= 1e9 => format!("{:.1} billion", rows / 1e9),
         rows if rows >= 1e6 => format!("{:.1} million", rows / 1e6),
-        rows => format!("{rows:.0}"),
+        rows => grouped(rows as u64),
     }
 }
 
@@ -82,7 +82,7 @@ fn bytes_in(folder: &Path) -> u64 {
     entries.map(|entry| entry.path()).map(|path| if path.is_dir() { bytes_in(&path) } else { size(&path) }).sum()
 }
 
-/// Tells people and scripts what has become of a cohort.
+/// Prints the result of a cohort.
 pub fn report(output: &Output, lived: &LivedCohort) -> Result<(), Failure> {
     let is_stopped = lived.is_stopped();
     let LivedCohort { folder, list, asked, found, lived, took, .. } = lived;
@@ -99,15 +99,16 @@ pub fn report(output: &Output, lived: &LivedCohort) -> Result<(), Failure> {
     }
     let rows: u64 = list.members.iter().map(|member| member.rows).sum();
     let (name, count) = (&list.scenario, list.members.len());
-    let lives = counted(count, "life", "lives");
+    let members = counted(count as u64, "member", "members");
     let of = if count < *asked { format!(" of {asked}") } else { String::new() };
     let stopped = if is_stopped { ", stopped" } else { "" };
-    let before = if *found > 0 { format!(", {found} of them complete before") } else { String::new() };
+    let before = if *found > 0 { format!(", {found} of them complete before this run") } else { String::new() };
     let speed = if *lived > 0 { format!(", {}", speed_in_words(*lived, *took)) } else { String::new() };
     let how = if is_stopped { go_on_in(folder) } else { String::new() };
     print_text(&format!(
-        "{name}: {lives}{of}{stopped}{before} in {:.1} s{speed}\n\nrows       {rows} in all\nfolder     {}\nmembers    {}\n{how}",
+        "{name}: simulated {members}{of}{stopped}{before} in {:.1} s{speed}\n\nrows       {}\nfolder     {}\nmembers    {}\n{how}",
         took.as_secs_f64(),
+        grouped(rows),
         folder.display(),
         folder.join(LIST).display(),
     ))

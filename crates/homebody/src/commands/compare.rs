@@ -1,18 +1,20 @@
-//! `homebody compare`: how alike two logs are.
+//! `homebody compare`: two logs, compared.
 
 use super::read_log::{HowRead, tell_remarks, tell_unfinished};
 use crate::failure::Failure;
-use crate::print::{print_json, print_text, tell};
+use crate::print::{counted, print_json, print_text, tell};
 use homebody_analysis::compare::{MEASURES, begins, compare};
 use homebody_kit::NamedLog;
 use homebody_log::{Log, SensorMap};
 use std::path::PathBuf;
 
-/// Compares the firings of two logs: by sensor and in all, the agreement of their numbers, and how their times between
-/// firings are spread. The second is the reference. Where activities are known, from the truth beside the log or from
-/// notes in it, also by activity, as Godsey & Skubic have it.
+/// Compare the event counts and gaps of two logs
+///
+/// The report compares the number of events by sensor and in total, their agreement, and the distribution of the times between
+/// events. The second log is the reference. With activities, from the ground truth or from the log, it also compares by activity, as
+/// Godsey & Skubic do.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody compare runs/tigerplace-2 runs/tigerplace-1
   homebody compare simulated.db casas:real.txt --json
   homebody compare runs/tigerplace-1 casas:real.txt --sensors sensors.csv
@@ -20,16 +22,16 @@ use std::path::PathBuf;
 Measures:
 {}", MEASURES.trim_end()))]
 pub struct Arguments {
-    /// A log: a file, the folder of a run or of a data set, or FORM:FILE
+    /// Log: a file, a run folder, a data set folder, or FORM:FILE
     a: String,
-    /// The log to compare with
+    /// Reference log
     b: String,
     #[command(flatten)]
     how: HowRead,
-    /// A table with the columns id and name: what one log calls a sensor, and what the other does
+    /// CSV file with the columns id and name: a sensor's name in one log, and in the other
     #[arg(long, value_name = "FILE")]
     sensors: Option<PathBuf>,
-    /// Print the comparison as one JSON object
+    /// Print one JSON object
     #[arg(long)]
     json: bool,
 }
@@ -58,10 +60,10 @@ fn log(text: &str, named: &NamedLog) -> Result<Log, Failure> {
     tell_remarks(text, &log);
     tell_unfinished(text, named.unfinished().as_ref());
     if log.skipped > 0 {
-        tell(format_args!("{text}: {} lines were left out; homebody look says which", log.skipped));
+        tell(format_args!("{text}: skipped {}; homebody inspect lists them", counted(log.skipped, "line", "lines")));
     }
     if !log.events.is_empty() && !log.values.iter().any(|value| begins(value)) {
-        tell(format_args!("{text}: no row says that something began; its values are {}", listed(&log.values)));
+        tell(format_args!("{text}: no row marks the start of an event; its values are {}", listed(&log.values)));
     }
     Ok(log)
 }

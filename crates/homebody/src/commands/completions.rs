@@ -1,16 +1,17 @@
-//! `homebody completions`: what makes a shell complete the command line.
+//! `homebody completions`: completion scripts for shells.
 
 use crate::failure::Failure;
 use crate::print::print_text;
 use clap_complete::{Shell, generate};
 
-/// Prints a script that makes a shell complete the command line.
+/// Print a completion script for a shell
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody completions bash > ~/.local/share/bash-completion/completions/homebody
   homebody completions zsh > ~/.zfunc/_homebody
   homebody completions fish > ~/.config/fish/completions/homebody.fish")]
 pub struct Arguments {
+    /// Name of the shell
     shell: Shell,
 }
 

@@ -1,16 +1,18 @@
-//! `homebody coverage`: where in the home the sensors see.
+//! `homebody coverage`: what the sensors of a home see.
 
 use super::answer::Answer;
-use super::parts::build;
+use super::install_sheet::build;
 use super::scenario::Chosen;
 use crate::failure::Failure;
 use homebody_analysis::coverage::{self, STEP_M};
 use homebody_picture::coverage_map;
 
-/// Says which share of the floor is seen by no, one, two, three or more sensors, where the dead zones are, and how
-/// sensors overlap; from the very fields that a run senses with.
+/// Map what the sensors of a home see, and what they miss
+///
+/// The report has the shares of the floor that no, one, two, three or more sensors see, the dead zones, and the overlaps of sensors. It
+/// uses the same fields of view as a run.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody coverage scenarios/tigerplace
   homebody coverage my-home --png map.png --json coverage.json")]
 pub struct Arguments {

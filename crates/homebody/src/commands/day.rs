@@ -7,21 +7,23 @@ use homebody_analysis::dates::Asked;
 use homebody_analysis::day::Day;
 use homebody_picture::{DayChart, day_chart};
 
-/// Says and draws one day of a log: what each sensor said when, and, where a run's truth or the log's own notes tell it,
-/// what residents did and in which room.
+/// Show one day of a log with a chart
+///
+/// The report has the events of each sensor. With the ground truth of a run, or activities in the log, it also has what residents did,
+/// and where.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody day runs/tigerplace-1 first --png day.png
   homebody day casas:aruba.txt 2010-11-04")]
 pub struct Arguments {
-    /// A log: a file, the folder of a run or of a data set, or FORM:FILE
+    /// Log: a file, a run folder, a data set folder, or FORM:FILE
     log: String,
     #[command(flatten)]
     how: HowRead,
-    /// The day, such as 2009-03-02; or first, or last
+    /// Date such as 2009-03-02, or first or last
     #[arg(value_name = "DATE")]
     date: Asked,
-    /// The home's time zone, for logs in UTC; a run knows its own
+    /// The home's time zone, for a log in UTC; a run has its own
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
@@ -32,12 +34,12 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = read_log(&self.log, self.time_zone.as_deref(), &self.how)?;
         let answer = self.answer.check([""], &read.sources)?;
-        let no_rows = || Failure::usage(format!("{}: it has no rows, so no day", self.log));
+        let no_rows = || Failure::usage(format!("{}: the log has no rows", self.log));
         let there = read.dates().ok_or_else(no_rows)?;
         let no_day = || {
             let ((first, last), asked, log) = (there, self.date, &self.log);
             Failure::usage(format!(
-                "{log} has no {asked}\n  hint: it goes from {first} to {last}; first and last are days, too"
+                "{log} has no {asked}\n  hint: it lasts from {first} to {last}; first and last also name days"
             ))
         };
         let date = self.date.within(there).ok_or_else(no_day)?;

@@ -1,4 +1,4 @@
-//! `homebody density`: how much somebody moves in each hour of each day.
+//! `homebody density`: motion density, hour by hour.
 
 use super::answer::Answer;
 use super::read_log::{HowRead, read_any_length};
@@ -16,41 +16,42 @@ use homebody_picture::density_map;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-/// Says and draws how much somebody moves in each hour of each day, and when nobody is at home: the motion density map of
-/// Wang and Skubic (2008). Density is firings of motion sensors an hour at home.
+/// Map the motion density of each hour, with absences
 ///
-/// Nobody is at home between a firing at the entrance after which little follows for half an hour, and the next one there.
-/// Which sensors are at the entrance is told by their names; the answer says which are taken.
+/// The motion density map of Wang and Skubic (2008): density is the number of events of motion sensors per hour at home.
+///
+/// An absence begins with an event at the entrance that few events follow for half an hour, and ends with the next event there.
+/// Homebody picks the sensors at the entrance by their names, and the report lists them.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody density runs/tigerplace-1 --png density.png
   homebody density casas:tm000.txt --door MainEntryway --from 2016-07-12 --days 7 --csv density.csv
-  homebody density runs/tigerplace-1 --against real.csv --json")]
+  homebody density runs/tigerplace-1 --compare real.csv --json")]
 pub struct Arguments {
-    /// A log: a file, the folder of a run or of a data set, or FORM:FILE
+    /// Log: a file, a run folder, a data set folder, or FORM:FILE
     log: String,
     #[command(flatten)]
     how: HowRead,
-    /// Hold it against this log: say how far the two maps are apart, and draw both
+    /// Compare with this log: the distance of the two maps, and both in the picture
     #[arg(long, value_name = "LOG")]
-    against: Option<String>,
-    /// A sensor at the entrance, instead of those that are taken by their names; may be given several times
+    compare: Option<String>,
+    /// Sensor at the entrance, instead of a guess by names; repeatable
     #[arg(long, value_name = "SENSOR")]
     door: Vec<String>,
-    /// The least time without anybody that counts as an absence: 10m, 30m, 2h
-    #[arg(long, value_name = "SPAN", default_value = "30m", value_parser = span)]
+    /// Shortest absence: 10m, 30m, 2h
+    #[arg(long, value_name = "DURATION", default_value = "30m", value_parser = span)]
     away_after: Micros,
-    /// The first day of the map, such as 2009-03-02; the log's first day without it
+    /// First day of the map, such as 2009-03-02; the first day of the log without it
     #[arg(long, value_name = "DATE")]
     from: Option<dates::Asked>,
-    /// How many days; all that follow without it
+    /// Number of days; all days without it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3660))]
     days: Option<u32>,
-    /// The home's time zone, for logs in UTC; a run knows its own
+    /// The home's time zone, for a log in UTC; a run has its own
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
-    /// Write the hours of the first log as date,hour,events,athome_h,density
-    #[arg(long, value_name = "FILE")]
+    /// Write the hours of the first log as CSV: date,hour,events,athome_h,density
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     csv: Option<PathBuf>,
     #[command(flatten)]
     answer: Answer,
@@ -60,7 +61,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let zone = self.time_zone.as_deref();
         let log = read_any_length(&self.log, zone, &self.how)?;
-        let other = self.against.as_deref().map(|other| read_any_length(other, zone, &self.how)).transpose()?;
+        let other = self.compare.as_deref().map(|other| read_any_length(other, zone, &self.how)).transpose()?;
         let sources: Vec<PathBuf> =
             [Some(&log), other.as_ref()].into_iter().flatten().flat_map(|log| log.sources.clone()).collect();
         let csv = self.csv.as_deref();
@@ -79,17 +80,17 @@ impl Arguments {
         let asked_of =
             |other: &LogWithRun| Asked { doors: self.doors(other), away_after, days, ..other.density_asked() };
         let map = log.density(&asked).map_err(|why| no_map(&self.log, &log, &why))?;
-        let against = other.as_ref().zip(self.against.as_ref());
+        let against = other.as_ref().zip(self.compare.as_ref());
         let against =
             against.map(|(other, name)| other.density(&asked_of(other)).map_err(|why| no_map(name, other, &why)));
         let density = density_of(map, against.transpose()?);
         if [Some(&density.of), density.against.as_ref().map(|other| &other.of)].into_iter().flatten().any(is_by_name) {
-            tell("The entrance is told by names; --door SENSOR names others");
+            tell("note: guessed the sensors at the entrance by their names; --door SENSOR sets others");
         }
         for log in &known {
             let people = log.residents();
             if people.len() > 1 {
-                tell(format_args!("{}: its firings are of all who are there: {}", log.name, people.join(", ")));
+                tell(format_args!("note: {}: the density counts all residents: {}", log.name, people.join(", ")));
             }
         }
         answer.give_beside(&density, [&|| density_map(&density)], &|| density.of.map.csv())
@@ -120,7 +121,7 @@ impl Arguments {
         let (asked, there) = (self.from?, log.dates()?);
         let problem = || {
             let (first, last) = there;
-            format!("--from {asked}: {} has no such day\n  hint: it goes from {first} to {last}", self.log)
+            format!("--from {asked}: {} has no such day\n  hint: it lasts from {first} to {last}", self.log)
         };
         asked.within(there).is_none().then(problem)
     }
@@ -129,10 +130,10 @@ impl Arguments {
 /// Why a log has no map and no measures, with what would help.
 pub fn no_map(name: &str, log: &LogWithRun, why: &NoMap) -> Failure {
     let hint = match why {
-        NoMap::TooLong(_) => "\n  hint: choose a part with --from and --days".to_owned(),
+        NoMap::TooLong(_) => "\n  hint: select a part with --from and --days".to_owned(),
         NoMap::Empty if !log.log.activities.is_empty() => {
             let notes = counted(log.log.activities.len(), "activity", "activities");
-            format!(" of sensors, only {notes}\n  hint: homebody look {name} shows them")
+            format!(" of sensors, only {notes}\n  hint: homebody inspect {name} lists them")
         }
         NoMap::Disorder(..) => sorting(name, &log.log.columns),
         _ => String::new(),

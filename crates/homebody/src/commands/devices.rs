@@ -7,17 +7,19 @@ use homebody_core::scenario::nearest::nearest;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
-/// Lists the motion sensors whose timing is known, with make and model, network, mounting height, field of view, reach and timing,
-/// and where each of these is from. The first column is what "preset" in home.json calls it.
+/// List the motion sensors of the catalogue, with sources
+///
+/// Each has make and model, network, mounting height, field of view, reach and timing, with their sources. The first column is the
+/// value for "preset" in home.json.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody devices
   homebody devices fibaro
   homebody devices --json")]
 pub struct Arguments {
-    /// This one alone, with the sources of its numbers
+    /// Show this device only, with the sources of its values
     name: Option<String>,
-    /// Print them as one JSON object
+    /// Print one JSON object
     #[arg(long)]
     json: bool,
 }

@@ -1,4 +1,4 @@
-//! `homebody doctor`: what is wrong with an installation, a log, a truth, a database, a broker or the folder of a run.
+//! `homebody doctor`: problems of an installation, a log, a ground truth, a database, a broker or a run folder.
 
 use crate::failure::{EXIT_CODES, Failure};
 use crate::installation;
@@ -10,33 +10,33 @@ use homebody_log::read_mapping;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// Says what is wrong, and what to do: with this installation, or with places that are named.
+/// Diagnose an installation, a log, a database, a broker or a run
 ///
-/// A place is a log or a truth by its URL or path, a broker, the folder of a run or of a cohort. Each line is one thing that was looked
-/// at: ok, warning or wrong. It only reads, unless --write is said; passwords are never printed.
+/// A place is a log, a ground truth, a database, a broker, a run folder or a cohort folder. Each line is one check: ok, warning or
+/// wrong, with a hint. Doctor only reads, unless you add --write; it never prints passwords.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody doctor
   homebody doctor runs/tigerplace-1 --replay
   homebody doctor sqlite:log.db parquet:lives
   homebody doctor postgresql://ann@db.example/homes mqtts://ann@broker/homebody --write
 
 {EXIT_CODES}.
-Where something is wrong, and not only warned of, the exit code is 1."))]
+The exit code is 1 if a check is wrong; warnings do not count."))]
 pub struct Arguments {
-    /// What to look at; without any, the installation
+    /// Places to check; the installation without any
     #[arg(value_name = "PLACE")]
     places: Vec<String>,
-    /// A logger.json that says what a log's table and columns are called
+    /// logger.json with the table and column names of a log
     #[arg(long, value_name = "FILE")]
     mapping: Option<PathBuf>,
-    /// Also try what leaves nothing behind: say something to a broker that it does not keep
+    /// Also test writing, without leaving data: send the broker a message that it does not retain
     #[arg(long)]
     write: bool,
-    /// Live the run of a folder again, and compare it firing by firing
+    /// Replay the run of a folder, and compare each event
     #[arg(long)]
     replay: bool,
-    /// Print what was found as one JSON object
+    /// Print one JSON object
     #[arg(long)]
     json: bool,
 }
@@ -61,9 +61,9 @@ impl Arguments {
             false => print_text(&examined.iter().map(text).collect::<String>())?,
         }
         match (wrong, warnings) {
-            (0, 0) => tell("nothing is wrong"),
-            (0, warnings) => tell(format_args!("nothing is wrong; {}", counted(warnings, "warning", "warnings"))),
-            (wrong, _) => return Err(Failure::Io(counted(wrong, "thing is wrong", "things are wrong"))),
+            (0, 0) => tell("no problems"),
+            (0, warnings) => tell(format_args!("no problems; {}", counted(warnings, "warning", "warnings"))),
+            (wrong, _) => return Err(Failure::Io(counted(wrong, "problem", "problems"))),
         }
         Ok(())
     }

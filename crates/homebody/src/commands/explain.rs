@@ -1,28 +1,14 @@
 //! `homebody explain`: the long form of a message.
 
 use crate::failure::Failure;
-use crate::messages;
+use crate::messages::{self, ExplainMessage};
 use crate::print::print_text;
 use homebody_core::messages::Entry;
 use homebody_core::scenario::nearest::nearest;
 
-homebody_core::messages! {
-    /// Errors of `homebody explain`.
-    pub enum ExplainMessage in "explain" {
-        /// Messages have codes such as `log::exists`. No message has the code that was asked for.
-        UnknownCode {
-            /// The code asked for.
-            code: String,
-            /// The most similar code.
-            nearest: Option<String>,
-        } error "unknown-code" ("no message has the code {code:?}")
-            advice (Some(match nearest {
-                Some(nearest) => format!("did you mean {nearest}?"),
-                None => "homebody explain lists all codes".into(),
-            }));
-    }
-}
-
+/// Explain a message by its code
+///
+/// Messages have codes such as `log::exists`, in brackets after the word error or warning.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   homebody explain log::exists    explain one message

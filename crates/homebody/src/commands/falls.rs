@@ -1,4 +1,4 @@
-//! `homebody falls`: falls in what a run's cameras have kept.
+//! `homebody falls`: falls in the silhouettes of a run's cameras.
 
 use super::answer::Figures;
 use crate::failure::{EXIT_CODES, Failure};
@@ -13,13 +13,13 @@ use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Looks for falls in the silhouettes beside a log: who is upright, in between or on the ground, and how it came to that.
+/// Detect falls in the silhouettes of a run's cameras
 ///
-/// Where two cameras of a room see somebody, the volume that both agree on is the voxel person of Anderson et al. 2009; of one
-/// camera it is what its silhouette is like. Fuzzy rules say how far somebody is on the ground, and a second level of rules whether
-/// that is a fall. The rules are a few lines of JSON, which --rules replaces.
+/// Two cameras of a room yield the voxel person of Anderson et al. 2009, the volume on which both agree; a single camera yields the
+/// shape of its silhouette. Fuzzy rules decide how much a person is upright, in between or on the ground, and a second level of rules
+/// whether that is a fall. --rules replaces the rules, a few lines of JSON.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody falls runs/cameras-1
   homebody falls runs/cameras-1 --json falls.json
   homebody falls --show-rules > rules.json
@@ -28,13 +28,13 @@ use std::path::{Path, PathBuf};
 
 {EXIT_CODES}."))]
 pub struct Arguments {
-    /// The folder of a run whose home has cameras
+    /// Folder of a run with cameras
     #[arg(required_unless_present = "show_rules")]
     log: Option<String>,
-    /// The rules, instead of the usual ones
+    /// Rules instead of the default ones
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
-    /// Print the usual rules, to begin one's own with
+    /// Print the default rules
     #[arg(long, conflicts_with_all = ["log", "rules", "json"])]
     show_rules: bool,
     #[command(flatten)]
@@ -74,7 +74,7 @@ fn rules(path: &Path) -> Result<FallRules, Failure> {
         .map_err(|error| Failure::usage(format!("{name}: {error}")))?;
     FallRules::parse(&text).map_err(|wrong| {
         let lines: Vec<String> = wrong.iter().map(|line| format!("{name}: {line}")).collect();
-        let hint = "homebody falls --show-rules prints the usual ones";
+        let hint = "homebody falls --show-rules prints the default rules";
         Failure::usage(format!("{}\n  hint: {hint}", lines.join("\n")))
     })
 }
@@ -88,13 +88,13 @@ impl fmt::Display for Answered {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let FallsFound { name, cameras, pictures, voxel_persons, falls } = &self.0;
         let cameras = if *cameras == 1 { "1 camera".into() } else { format!("{cameras} cameras") };
-        writeln!(f, "{name}: {cameras}, {pictures} pictures with somebody in them, {voxel_persons} voxel persons")?;
+        writeln!(f, "{name}: {cameras}, {pictures} pictures of a person, {voxel_persons} voxel persons")?;
         if falls.is_empty() {
-            return writeln!(f, "no fall");
+            return writeln!(f, "no falls");
         }
         for Fallen { at, seconds_to_alarm, room, rule, confidence, words, .. } in falls {
             let place = room.as_deref().map_or(String::new(), |room| format!(", {room}"));
-            writeln!(f, "{at}{place}: {words} ({confidence:.2}; {rule}), told after {seconds_to_alarm:.1} s")?;
+            writeln!(f, "{at}{place}: {words} ({confidence:.2}; {rule}), alarm after {seconds_to_alarm:.1} s")?;
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! `homebody find`: when something was so, over a whole log.
+//! `homebody find`: intervals of a log.
 
 use super::answer::Figures;
 use super::read_log::{HowRead, read_log};
@@ -12,36 +12,36 @@ use homebody_kit::find_in_log;
 use serde::Serialize;
 use std::fmt;
 
-/// Finds when something was so, over a whole log: each span with its beginning and how long it was.
+/// Find intervals in a log: in a room, sensor on, falls, alerts
 ///
-/// Where a run's truth lies beside the log, rooms, activities, falls and lost messages are the truth's; without it, somebody is in a
-/// room from what its sensors say until another room's sensors say something. What is asked is cut to the hours of --between
-/// first, and then held against --at-least.
+/// Each result has its start and its duration. For a run, rooms, activities, falls and lost messages come from the ground truth. For
+/// another log, a resident is in a room from an event there until the next event in another room. --between cuts the intervals
+/// first; --min-duration then selects.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody find runs/tigerplace-1 room bathroom --between 0-6
-  homebody find runs/tigerplace-1 on 'stove motion' --at-least 30m
-  homebody find casas:tm000.txt still --between 8-20 --at-least 3h
+  homebody find runs/tigerplace-1 on 'stove motion' --min-duration 30m
+  homebody find casas:tm000.txt still --between 8-20 --min-duration 3h
   homebody find runs/tigerplace-1 doing napping --json
   homebody find runs/tigerplace-1 fall
   homebody find runs/cameras-1 seen-fall
   homebody find runs/tigerplace-depression-1 alert")]
 pub struct Arguments {
-    /// A log: a file, the folder of a run or of a data set, or FORM:FILE
+    /// Log: a file, a run folder, a data set folder, or FORM:FILE
     log: String,
     #[command(flatten)]
     how: HowRead,
-    /// What is looked for
+    /// Kind of interval
     what: Wanted,
-    /// Which room, sensor or activity; of lost messages those of a sensor, of alerts and falls that cameras see those of a rule
+    /// Name of the room, sensor or activity; the sensor of lost messages; the rule of alerts and seen falls
     name: Option<String>,
-    /// Between which hours of the day, such as 0-6, 22-6 or 08:30-20
+    /// Hours of the day, such as 0-6, 22-6 or 08:30-20
     #[arg(long, value_name = "HOURS")]
     between: Option<Hours>,
-    /// For how long at least, such as 30m
-    #[arg(long, value_name = "SPAN", value_parser = span)]
-    at_least: Option<Micros>,
-    /// The home's time zone, for logs in UTC; a run knows its own
+    /// Shortest interval, such as 30m
+    #[arg(long, value_name = "DURATION", value_parser = span)]
+    min_duration: Option<Micros>,
+    /// The home's time zone, for a log in UTC; a run has its own
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]
@@ -68,14 +68,14 @@ impl clap::ValueEnum for Wanted {
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
         let help = match self.0 {
-            What::Room => "Somebody is in a room",
-            What::On => "A sensor has said that something goes on, and not yet that it ends",
-            What::Still => "No sensor says anything but readings, while somebody is at home",
-            What::Doing => "Somebody does something, by the truth",
-            What::Fall => "Somebody has fallen, by the truth",
-            What::SeenFall => "Cameras take something for a fall, beside those of the truth",
-            What::Lost => "A message never reached the logger, by the truth",
-            What::Alert => "Something is different from before, by the usual rules",
+            What::Room => "A resident is in a room",
+            What::On => "A sensor is on",
+            What::Still => "No sensor fires while a resident is at home (readings do not count)",
+            What::Doing => "A resident does an activity, by the ground truth",
+            What::Fall => "A resident falls, by the ground truth",
+            What::SeenFall => "Cameras detect a fall, compared with the ground truth",
+            What::Lost => "A message never reaches the logger, by the ground truth",
+            What::Alert => "An alert, by the default rules",
         };
         Some(PossibleValue::new(self.0.word()).help(help))
     }
@@ -86,7 +86,7 @@ impl Arguments {
         let read = read_log(&self.log, self.time_zone.as_deref(), &self.how)?;
         let answer = self.figures.check(&read.sources)?;
         let what = self.what.0;
-        let query = Query { what, name: self.name.clone(), hours: self.between, least: self.at_least.unwrap_or(0) };
+        let query = Query { what, name: self.name.clone(), hours: self.between, least: self.min_duration.unwrap_or(0) };
         let found = find_in_log(&query, &read)?;
         let one = |hit: homebody_kit::find::Hit| One {
             begin: instant(hit.begin),

@@ -1,4 +1,4 @@
-//! Where everybody is, told as the rows of a log come: `homebody translate --follow`.
+//! `homebody locate --follow`: where residents are, as the rows of a log arrive.
 
 use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
@@ -29,7 +29,7 @@ pub struct Followed<'a> {
 
 /// What is written for a file where standard input is meant.
 const INPUT: &str = ":-";
-/// So many lines of standard input wait at most to be kept.
+/// Largest number of lines of standard input that wait to be stored.
 const MOST_WAITING: usize = 10_000;
 /// How soon a signal ends what waits.
 const BREATH: Duration = Duration::from_millis(100);
@@ -38,8 +38,8 @@ impl Followed<'_> {
     /// Tells where everybody is until the input ends, or a signal comes.
     pub fn follow(&self, scenario: &Scenario) -> Result<(), Failure> {
         if self.log == "-" {
-            let hint = "  hint: casas:- is a log of CASAS, csv:- one in CSV";
-            return Err(Failure::usage(format!("standard input does not say in which form it is\n{hint}")));
+            let hint = "  hint: write casas:- for a log of CASAS, csv:- for CSV";
+            return Err(Failure::usage(format!("standard input has no known form\n{hint}")));
         }
         let signals = Signals::listen()?;
         let cancel = signals.cancel();

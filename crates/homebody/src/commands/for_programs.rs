@@ -1,18 +1,20 @@
-//! Rows for programs: what commands find, as lines of JSON, as a table of a database, or as FHIR.
+//! Rows for programs: results as lines of JSON, as a table of a database, or as FHIR.
 
 use crate::failure::Failure;
 use crate::print::{json_text, print_json_text, write_file};
+use homebody_core::scenario::scheme::Scheme;
 use homebody_log::places::can_be_written;
 use homebody_log::records::Records;
 use serde_json::Value;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-/// Where rows for programs go.
+/// Destinations of rows for programs.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Output")]
 pub struct ForPrograms {
-    /// Store it for programs as well: jsonl:FILE (- for standard output) has a JSON object a line, sqlite:FILE a table; may be given several times
-    #[arg(long = "out", value_name = "FORM:FILE")]
+    /// Also write rows for programs: FILE.jsonl (jsonl:- for standard output), FILE.db (SQLite), or fhir:FILE for measures; repeatable
+    #[arg(short = 'o', long = "out", value_name = "DESTINATION")]
     to: Vec<To>,
 }
 
@@ -28,10 +30,12 @@ impl FromStr for To {
     type Err = String;
 
     fn from_str(text: &str) -> Result<To, String> {
-        match text.split_once(':').filter(|(_, file)| !file.is_empty()) {
-            Some(("jsonl", file)) => Ok(To::Lines(file.into())),
-            Some(("sqlite", file)) => Ok(To::Database(file.into())),
-            Some(("fhir", file)) => Ok(To::Fhir(file.into())),
+        if let Some(("fhir", file)) = text.split_once(':').filter(|(_, file)| !file.is_empty()) {
+            return Ok(To::Fhir(file.into()));
+        }
+        match Scheme::split(text) {
+            Ok((Scheme::Jsonl, file)) => Ok(To::Lines(file.into())),
+            Ok((Scheme::Sqlite, file)) => Ok(To::Database(file.into())),
             _ => Err("\n  hint: write jsonl:FILE, sqlite:FILE, or fhir:FILE for measures".into()),
         }
     }
@@ -42,7 +46,7 @@ impl ForPrograms {
     pub fn check(&self, has_fhir: bool, sources: &[PathBuf], force: bool) -> Result<(), Failure> {
         if !has_fhir && self.to.iter().any(|to| matches!(to, To::Fhir(_))) {
             return Err(Failure::usage(
-                "--out fhir: FHIR has measures alone\n  hint: homebody measure LOG --out fhir:FILE",
+                "--out fhir: FHIR holds measures only\n  hint: homebody measures LOG --out fhir:FILE",
             ));
         }
         let files: Vec<&PathBuf> = self.to.iter().filter_map(To::whole_file).collect();

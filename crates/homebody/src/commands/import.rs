@@ -1,4 +1,4 @@
-//! `homebody import`: a scenario of one's own, from a plan of Sweet Home 3D.
+//! `homebody import`: a scenario from a plan of Sweet Home 3D.
 
 use crate::failure::Failure;
 use crate::print::tell;
@@ -11,28 +11,29 @@ use homebody_routine::household::RoutineLanguage;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-/// Begins a scenario of your own in a new folder, from a plan drawn with Sweet Home 3D: rooms, walls, doors and furniture; of
-/// several levels those that stairs join, beside each other. Says what was left out or guessed. Its resident is Anna, with an
-/// ordinary routine. Names the furniture that the routine needs and the home lacks, each piece with a line for home.json, or adds it
-/// with --furnish. Add sensors yourself.
+/// Make a scenario from a plan of Sweet Home 3D
+///
+/// Homebody imports rooms, walls, doors and furniture, and sets levels that stairs connect next to each other. It reports what it left
+/// out or guessed. The resident is Anna, with an ordinary routine. Homebody lists the furniture that the routine needs and the home
+/// lacks, with a line for home.json each; --furnish adds it. Sensors are up to you.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody import flat.sh3d my-home && homebody check my-home
   homebody import flat.sh3d my-home --furnish && homebody run my-home
   homebody import house.sh3d upstairs --level \"First floor\"
   homebody import house.sh3d downstairs --level 1
 
-A picture of a plan is drawn over in the page: homebody new my-home --image plan.png, or \"New home\" in homebody serve.")]
+To draw over a picture of a plan: homebody new my-home --image plan.png, or \"New home\" in homebody serve.")]
 pub struct Arguments {
-    /// The plan: a file that Sweet Home 3D 5.3 or later has saved, or the Home.xml that is in it
+    /// Plan: a file of Sweet Home 3D 5.3 or later, or the Home.xml in it
     plan: PathBuf,
-    /// The folder to create
+    /// New folder for the scenario
     folder: PathBuf,
-    /// Which level of the plan, by its name or by its number from below; else that by which people come home, and those that
-    /// stairs join to it
+    /// Level of the plan, by its name or by its number from below; without it, the level of the entrance, and those that stairs
+    /// connect to it
     #[arg(long, value_name = "NAME")]
     level: Option<String>,
-    /// Add the furniture that an ordinary routine needs and the plan lacks or makes unreachable
+    /// Add furniture that the routine needs and the plan lacks or makes unreachable
     #[arg(long)]
     furnish: bool,
 }
@@ -69,16 +70,16 @@ impl Arguments {
 
     fn say(&self, Made { remarks, scenario, lack }: &Made) {
         remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.plan.display())));
-        lack.iter().for_each(|lack| tell(format_args!("nobody can live an ordinary life here yet: {lack}")));
+        lack.iter().for_each(|lack| tell(format_args!("warning: the ordinary routine cannot run yet: {lack}")));
         if !lack.is_empty() {
             let adds = lack.iter().any(|lack| lack.contains(PROPOSED));
             let or =
-                if adds && !self.furnish { "; homebody import --furnish adds all that there is room for" } else { "" };
-            tell(format_args!("anna lives there as soon as homebody check has no problem left{or}"));
+                if adds && !self.furnish { "; homebody import --furnish adds the furniture that fits" } else { "" };
+            tell(format_args!("Anna's routine can run once homebody check reports no problems{or}"));
         }
         let home = &scenario.home;
         tell(format_args!(
-            "{} is ready: {}, {}, {}, and no sensors yet, which go into {}.\n  homebody check {0}\n  homebody serve {0}",
+            "{} is ready: {}, {}, {}. It has no sensors yet; add them to {}.\n  homebody check {0}\n  homebody serve {0}",
             self.folder.display(),
             counted(home.rooms.len(), "room", "rooms"),
             counted(home.doors.len(), "door", "doors"),

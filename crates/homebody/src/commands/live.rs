@@ -1,4 +1,4 @@
-//! `homebody live`: a home on the world's clock.
+//! `homebody live`: a home in real time.
 
 use super::lived::{Away, all_are_elsewhere, failure, how_far_ahead, is_not_yet, report_live};
 use super::scenario::Trust;
@@ -14,47 +14,48 @@ use jiff::Timestamp;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// Lives a home on the world's clock, for as long as nobody stops it.
+/// Simulate a home in real time until you stop it
 ///
-/// Its log, its truth and its recording go into a folder, which is live/ and the scenario's name unless --folder says otherwise; --out
-/// names servers, and standard output, that get the rows as they come. Stopped or killed, the same command goes on with it: what would
-/// have happened meanwhile is lived as fast as it goes, and no row is missing or there twice.
+/// Homebody writes the log, the ground truth and the recording into live/NAME, or into --folder. --out sends the rows to servers and
+/// to standard output as they come. After a stop or a crash, the same command resumes: Homebody simulates the time in between as fast
+/// as possible, and no row is missing or doubled.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody live scenarios/tigerplace
-  homebody live scenarios/tigerplace --from 2026-11-01 --out postgresql://ann@localhost/homes
-  homebody live scenarios/tigerplace --out mqtt://localhost/homebody --on-sink-down spool
+  homebody live scenarios/tigerplace --start 2026-11-01 --out postgresql://ann@localhost/homes
+  homebody live scenarios/tigerplace --out mqtt://localhost/homebody --on-unavailable spool
   homebody live scenarios/tigerplace --out jsonl:- --metrics 9464 | consumer
 
 {EXIT_CODES},
-129, 130 or 143 it was ended by SIGHUP, SIGINT or SIGTERM; what was lived is stored."))]
+129, 130 or 143 SIGHUP, SIGINT or SIGTERM ended it; what was simulated is stored."))]
 pub struct Arguments {
-    /// The scenario's folder, or its scenario.json
+    /// Scenario folder, or its scenario.json
     scenario: PathBuf,
     #[command(flatten)]
     trust: Trust,
-    /// From when on it is lived: now, today, 2026-11-01 or 2026-11-01T08:00, on the clock of the home. What lies before now is lived as
-    /// fast as it goes
+    /// Start of the simulation in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00
+    ///
+    /// Homebody simulates the time before now as fast as possible.
     #[arg(long, value_name = "TIME", default_value = "now")]
-    from: Start,
-    /// Where it lives
+    start: Start,
+    /// Folder of the home; live/NAME without it
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
-    /// The number all randomness comes from, instead of the scenario's
+    /// Seed of all random numbers; the scenario's without it
     #[arg(long)]
     seed: Option<u64>,
-    /// Leave out a condition that a routine shows; may be given several times
+    /// Leave out a condition of the routine; repeatable
     #[arg(long, value_name = "CONDITION")]
     without: Vec<String>,
-    /// Give the rows to this server as well, or to jsonl:-, csv:- or casas:-; may be given several times
-    #[arg(long, value_name = "URL")]
+    /// Also send the rows to this server, or to jsonl:-, csv:- or casas:-; repeatable
+    #[arg(short, long, value_name = "DESTINATION")]
     out: Vec<Url>,
     #[command(flatten)]
     away: Away,
     #[command(flatten)]
     watched: Watched,
-    /// Say nothing but errors
-    #[arg(long)]
+    /// Print errors only
+    #[arg(short, long)]
     quiet: bool,
 }
 
@@ -72,21 +73,21 @@ impl Arguments {
         let home = match LiveHome::is_there(&folder) {
             true => LiveHome::go_on(&folder)?,
             false => {
-                let opened = self.from.of(&opened)?;
+                let opened = self.start.of(&opened)?;
                 let setup = opened.run().without(&self.without);
                 let setup = self.seed.into_iter().fold(setup, |setup, seed| setup.seed(seed));
                 LiveHome::begin(setup, &folder)?
             }
         };
         if home.goes_on() && home.scenario().file.name != opened.name() {
-            let what = format!("{} lives in {}", home.scenario().file.name, folder.display());
+            let what = format!("{} holds the home of {}", folder.display(), home.scenario().file.name);
             return Err(Failure::usage(format!("{what}\n  hint: name another --folder for {}", opened.name())));
         }
         if home.goes_on() {
             self.is_what_was_asked_for(&home, &folder)?;
         }
         if !self.quiet {
-            tell(format_args!("{} {}; Ctrl-C stops it", opened.name(), how_it_begins(&home, &folder)));
+            tell(format_args!("{} {}; press Ctrl-C to stop", opened.name(), how_it_begins(&home, &folder)));
         }
         let (name, meters) = (opened.name().to_owned(), self.watched.begin(opened.name(), self.quiet)?);
         let mut watch = Watch::new(self.quiet, &meters);
@@ -96,7 +97,7 @@ impl Arguments {
             Err(error) if is_not_yet(&error) => {
                 // It was still lived again up to where it was: that it is stopped there is no failure.
                 if !self.quiet {
-                    tell(format_args!("{name}: stopped before it had come as far as before: all is as it was"));
+                    tell(format_args!("{name}: stopped while it resumed; the folder is unchanged"));
                 }
                 return signals.ended(true).and(Err(error.into()));
             }
@@ -114,14 +115,14 @@ impl Arguments {
     fn is_what_was_asked_for(&self, home: &LiveHome, folder: &Path) -> Result<(), Failure> {
         let differs = |what: String, word: &str| {
             let what = format!("the home in {} {what}", folder.display());
-            let hint = format!("leave out {word} to go on with it, or name another --folder");
+            let hint = format!("leave out {word} to resume it, or name another --folder");
             Err(Failure::usage(format!("{what}\n  hint: {hint}")))
         };
         let begins = home.begins().to_zoned(home.scenario().calendar.local(0).time_zone().clone()).datetime();
-        if let Start::At(at) = self.from
+        if let Start::At(at) = self.start
             && at != begins
         {
-            return differs(format!("is lived from {begins} on"), "--from");
+            return differs(format!("starts at {begins}"), "--start");
         }
         match self.seed {
             Some(seed) if seed != home.seed() => differs(format!("has the seed {}", home.seed()), "--seed"),
@@ -132,11 +133,11 @@ impl Arguments {
 
 /// Where and from when on it is lived. One that is to come says how long that takes, as its clock may be another than ours.
 fn how_it_begins(home: &LiveHome, folder: &Path) -> String {
-    let how = if home.goes_on() { "goes on" } else { "begins" };
+    let how = if home.goes_on() { "resumes" } else { "starts" };
     let calendar = &home.scenario().calendar;
     match how_far_ahead(calendar) {
-        None => format!("{how} in {}, from {} on", folder.display(), calendar.wall_clock(0)),
-        Some(ahead) => format!("{how} in {}, from {ahead}", folder.display()),
+        None => format!("{how} in {}; simulated from {}", folder.display(), calendar.wall_clock(0)),
+        Some(ahead) => format!("{how} in {}; simulated from {ahead}", folder.display()),
     }
 }
 
@@ -169,7 +170,7 @@ impl<'m> Watch<'m> {
         let behind = (Timestamp::now().as_microsecond() - now.as_microsecond()) as f64 / SECOND as f64;
         let places = seen.destinations.iter().map(|(place, meter)| {
             let away = if meter.is_away {
-                format!(" (away, {} kB put aside)", meter.spooled_bytes / 1000)
+                format!(" (unavailable, {} kB spooled)", meter.spooled_bytes / 1000)
             } else {
                 String::new()
             };

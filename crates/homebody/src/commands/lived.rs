@@ -1,8 +1,8 @@
-//! Living a run: telling people how far it is, and what has become of it.
+//! Runs: progress and results.
 
 use super::replacing::Replacing;
 use crate::failure::Failure;
-use crate::print::{print_json, print_text, tell};
+use crate::print::{counted, grouped, print_json, print_text, tell};
 use crate::progress::bar_unless;
 use crate::signals::Signals;
 use homebody_core::recording::Recording;
@@ -18,59 +18,62 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// Where a run goes, and how much it says.
+/// The destinations of a run, and what it prints.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Output")]
 pub struct Output {
-    /// Write the log here: sqlite:FILE, csv:FILE, jsonl:- and so on (homebody convert --help lists all); may be given several times
-    #[arg(long, value_name = "URL")]
+    /// Write the log here: log.db, week.csv, jsonl:-, a server (homebody convert --help lists all forms); repeatable
+    #[arg(short, long, value_name = "DESTINATION")]
     pub out: Vec<Url>,
-    /// Write the ground truth into this SQLite file, or to csv:FILE and so on, with a file for each table, or to a server
-    #[arg(long, value_name = "FILE", value_parser = truth_place)]
+    /// Write the ground truth here: an SQLite file, a server, or csv:FILE and so on with a file for each table
+    #[arg(long, value_name = "DESTINATION", value_parser = truth_place)]
     pub truth: Option<Url>,
     #[command(flatten)]
     pub away: Away,
     #[command(flatten)]
     pub replacing: Replacing,
-    /// Say nothing but errors
-    #[arg(long)]
+    /// Print errors only
+    #[arg(short, long)]
     pub quiet: bool,
-    /// Print the summary as one JSON object on standard output
+    /// Print the result as one JSON object on standard output
     #[arg(long)]
     pub json: bool,
 }
 
 impl Output {
-    /// A bar that shows how far the run is.
+    /// The progress bar of a run.
     pub fn progress(&self, length: Micros) -> ProgressBar {
         bar_unless(self.quiet || self.json, length as u64, "{bar:40} {percent:>3} %  {msg}  {eta} left")
     }
 }
 
-/// What becomes of a run while a server that it writes to is away.
+/// The options for destinations that are away.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Destinations that are away")]
 pub struct Away {
-    /// Say what the run does while a server is away or does not answer: it ends with an error, waits, or puts rows aside on disk
+    /// Action while a server is away or does not answer
     ///
     /// The reader of standard output counts as a server.
-    #[arg(long, value_name = "WHAT", value_enum, default_value_t)]
-    on_sink_down: OnSinkDown,
-    /// Where rows are put aside
+    #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
+    on_unavailable: OnUnavailable,
+    /// Folder for spooled rows
     #[arg(long, value_name = "FOLDER", default_value = "spool")]
     spool: PathBuf,
-    /// How much may be put aside for each server, in MB; beyond that the run ends, and can be gone on with
+    /// Largest spool of each server in MB; beyond it the run stops, and can be resumed
     #[arg(long, value_name = "MB", default_value_t = 1024)]
     spool_mb: u64,
     #[command(flatten)]
     deadline: DestinationTimeout,
 }
 
-/// How long destinations may take.
+/// The longest answer time of a destination.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Destinations that are away")]
 pub struct DestinationTimeout {
-    /// Count a server as away that takes longer than this for one request: 500ms, 10s or 2m
+    /// Treat a server as away if one request takes longer than this: 500ms, 10s or 2m
     ///
     /// The reader of standard output counts as a server.
-    #[arg(long, value_name = "SPAN", value_parser = timeout, default_value = "10s")]
+    #[arg(long, value_name = "DURATION", value_parser = timeout, default_value = "10s")]
     destination_timeout: Duration,
 }
 
@@ -84,7 +87,7 @@ impl DestinationTimeout {
 /// A time that an answer may take.
 fn timeout(text: &str) -> Result<Duration, String> {
     const UNITS: [(&str, f64); 4] = [("ms", 0.001), ("s", 1.0), ("m", 60.0), ("h", 3600.0)];
-    let hint = || "write a time from 100ms to 1h, such as 10s".to_owned();
+    let hint = || "write a duration from 100ms to 1h, such as 10s".to_owned();
     let unit = UNITS.iter().find_map(|(unit, seconds)| Some((text.strip_suffix(unit)?, seconds)));
     let (number, seconds) = unit.ok_or_else(hint)?;
     let number = number.trim().parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(hint)?;
@@ -93,23 +96,26 @@ fn timeout(text: &str) -> Result<Duration, String> {
 }
 
 #[derive(Clone, Copy, Default, PartialEq, clap::ValueEnum)]
-enum OnSinkDown {
+enum OnUnavailable {
+    /// End the run with an error
     #[default]
     Error,
+    /// Wait until the server answers, for a day at most
     Retry,
+    /// Store rows on disk, and send them once the server answers
     Spool,
 }
 
-/// For so long a server is waited for (ours): whoever waits longer stops the run and goes on with it later.
+/// Longest wait for a server (our choice): to wait longer, stop the run and resume it later.
 const RETRY_FOR: Duration = Duration::from_secs(86_400);
 
 impl Away {
     /// The same for the library. The folder for what is put aside is made.
     pub fn treatment(&self) -> Result<Treatment, Failure> {
-        let when_down = match self.on_sink_down {
-            OnSinkDown::Error => WhenDown::Error,
-            OnSinkDown::Retry => WhenDown::Retry(RETRY_FOR),
-            OnSinkDown::Spool => {
+        let when_down = match self.on_unavailable {
+            OnUnavailable::Error => WhenDown::Error,
+            OnUnavailable::Retry => WhenDown::Retry(RETRY_FOR),
+            OnUnavailable::Spool => {
                 let failed = |error| Failure::Io(format!("{}: {error}", self.spool.display()));
                 std::fs::create_dir_all(&self.spool).map_err(failed)?;
                 WhenDown::Spool(self.spool.clone(), self.spool_mb.saturating_mul(1 << 20))
@@ -119,15 +125,15 @@ impl Away {
     }
 }
 
-/// Only servers and object stores are gone on with beside a folder that is there already: files would be none of that folder's.
+/// A resumed run writes to its folder, servers and object stores: another file would lack its first rows.
 pub fn all_are_elsewhere(out: &[Url]) -> Result<(), Failure> {
     let Some(file) = out.iter().find(|url| url.server().is_none() && !url.is_in_store()) else { return Ok(()) };
-    let what = format!("{file} cannot be begun in the middle of a run");
-    let hint = "only servers and object stores are gone on with beside the folder; homebody convert carries its log elsewhere afterwards";
+    let what = format!("{file} cannot start in the middle of a run");
+    let hint = "only servers and object stores can be resumed with the folder; homebody convert copies its log to a file afterwards";
     Err(Failure::usage(format!("{what}\n  hint: {hint}")))
 }
 
-/// Lives a run to its end, or until it is told to stop, and tells what has become of it.
+/// Simulates a run to its end or until it is stopped, and prints the result.
 pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Signals) -> Result<(), Failure> {
     let Output { out, truth, replacing, away, .. } = output;
     let to = Destinations {
@@ -140,8 +146,8 @@ pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Si
         ..Destinations::default()
     };
     if output.json && out.iter().any(Url::is_output) {
-        let hint = "leave --json out: the summary goes to standard error then";
-        return Err(Failure::Usage(format!("rows and the summary cannot both go to standard output\n  hint: {hint}")));
+        let hint = "leave out --json: the result goes to standard error then";
+        return Err(Failure::Usage(format!("rows and the result cannot both go to standard output\n  hint: {hint}")));
     }
     let name = run.scenario().file.name.clone();
     let progress = output.progress(run.progress().length);
@@ -152,7 +158,7 @@ pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Si
     signals.ended(lived.is_stopped())
 }
 
-/// Shows how far it is, where somebody looks; `before` of it was lived before this program began.
+/// Updates a progress bar; `before` was simulated before this program began.
 pub fn show(progress: &ProgressBar, before: Micros, Progress { lived, length }: Progress) {
     if !progress.is_hidden() {
         progress.set_position(lived as u64);
@@ -161,7 +167,7 @@ pub fn show(progress: &ProgressBar, before: Micros, Progress { lived, length }: 
     }
 }
 
-/// Tells people and scripts what has become of a run.
+/// Prints the result of a run.
 pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure> {
     let Lived { recording, stored, truth, recorded, progress, agrees, before, took, .. } = lived;
     let Recording { firings, sha256, .. } = recording;
@@ -203,43 +209,46 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
     }
     let Some(before) = before.as_ref().filter(|_| *agrees == Some(false)) else { return Ok(()) };
     let (by, hint) = match before.version.as_str() {
-        VERSION => (String::new(), "the recording is not as the run wrote it".to_owned()),
+        VERSION => (String::new(), "the recording was changed after the run".to_owned()),
         version => (
-            format!(", which version {version} made; this is {VERSION}"),
-            "replay it with that version, or live its scenario anew".to_owned(),
+            format!(" of version {version}; this is version {VERSION}"),
+            "replay it with that version, or run its scenario again".to_owned(),
         ),
     };
     Err(Failure::Usage(format!(
-        "the replay differs from the recording{by}: {firings} firings, and {} in the recording\n  hint: {hint}",
-        before.firings
+        "the replay differs from the recording{by}: {}, and {} in the recording\n  hint: {hint}",
+        counted(*firings, "event", "events"),
+        grouped(before.firings)
     )))
 }
 
-/// Warns of who reads a database that is complete, and so keeps a part of it in a file beside.
+/// Warns of a program that reads a complete database, which then has a part in a second file.
 fn tell_reader(place: &Url) {
     if let (Scheme::Sqlite, Some(file)) = (place.scheme(), place.file())
         && let Some(beside) = log_beside(file)
     {
         let (file, beside) = (file.display(), beside.display());
-        tell(format_args!("warning: another program is reading {file}: until it is done, {beside} is a part of it"));
+        tell(format_args!(
+            "warning: another program is reading {file}: until it ends, {beside} is part of the database"
+        ));
     }
 }
 
 fn summary(name: &str, lived: &Lived) -> String {
     let Lived { recording, stored, truth, recorded, progress, agrees, took, .. } = lived;
     let span = match lived.is_stopped() {
-        true => format!("stopped after {} of {},", span_in_words(progress.lived), span_in_words(progress.length)),
-        false => span_in_words(progress.lived),
+        true => format!("stopped after {} of {}", span_in_words(progress.lived), span_in_words(progress.length)),
+        false => format!("simulated {}", span_in_words(progress.lived)),
     };
     let (took, seed) = (took.as_secs_f64(), recording.seed);
-    let mut text = format!("{name}: {span} lived in {took:.2} s, seed {seed}\n\n");
+    let mut text = format!("{name}: {span} in {took:.2} s, seed {seed}\n\n");
     let most = stored.by_sensor.iter().copied().max().unwrap_or(0).max(1);
     let width = lived.rows_by_sensor().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     for (name, rows) in lived.rows_by_sensor() {
         let bar = "█".repeat((rows * 30).div_ceil(most) as usize);
-        text += &format!("  {name:width$} {rows:>8}  {bar}\n");
+        text += &format!("  {name:width$} {:>9}  {bar}\n", grouped(rows));
     }
-    text += &format!("  {:width$} {:>8}\n\n", "rows", stored.rows);
+    text += &format!("  {:width$} {:>9}\n\n", "rows", grouped(stored.rows));
     for url in &stored.places {
         text += &format!("log        {url}\n");
     }
@@ -252,45 +261,45 @@ fn summary(name: &str, lived: &Lived) -> String {
     for (place, error) in &stored.failed {
         text += &format!("failed     {place}: {error}\n");
     }
-    text += &format!("firings    {} with SHA-256 {}\n", recording.firings, recording.sha256);
+    text += &format!("events     {}, SHA-256 {}\n", grouped(recording.firings), recording.sha256);
     if *agrees == Some(true) {
-        text += "replay     the same as the recording, firing by firing\n";
+        text += "replay     identical to the recording, event by event\n";
     }
     text += &not_as_said(&lived.differences);
     match &lived.folder {
         _ if !lived.is_stopped() => {}
         Some(folder) => text += &go_on_in(folder),
-        None => text += "go on      not this one: only a run without --out, which has a folder of its own\n",
+        None => text += "resume     not possible: only a run without --out has a folder to resume\n",
     }
     text
 }
 
-/// So many sentences are told after a run (ours); `homebody routine check --lived` tells all.
+/// Most sentences that a result lists (our choice); `homebody routine check` can list all.
 const MOST_TOLD: usize = 5;
 
-/// The sentences whose lives differ from their words, briefly.
+/// A warning for each sentence that the run did not follow.
 fn not_as_said(differences: &[Difference]) -> String {
     let line = |of: &Difference| {
         let said = of.text.split_whitespace().collect::<Vec<_>>().join(" ");
-        format!("not lived  {}:{}: {said} ({}; {})\n", of.file, of.line, of.expected, of.lived)
+        format!("warning: {}:{}: \"{said}\": expected {}; simulated {}\n", of.file, of.line, of.expected, of.lived)
     };
     let mut text: String = differences.iter().take(MOST_TOLD).map(line).collect();
     if let Some(more) = differences.len().checked_sub(MOST_TOLD).filter(|&more| more > 0) {
-        text += &format!("           and {more} more: homebody routine check --lived\n");
+        text += &format!("warning: {more} more sentences differ; homebody routine check --lived lists all\n");
     }
     text
 }
 
-/// The place of a truth: a database where no kind is said.
+/// The destination of a ground truth: by its form, by its extension, or an SQLite file.
 fn truth_place(text: &str) -> Result<Url, String> {
     let is_kind = |(scheme, _): (&str, &str)| SchemeRow::named(scheme).is_some();
     match text.contains("://") || text.split_once(':').is_some_and(is_kind) {
         true => text.parse().map_err(|error: NoPlace| error.to_string()),
-        false => Ok(Url::new(Scheme::Sqlite, text)),
+        false => Ok(text.parse().unwrap_or_else(|_| Url::new(Scheme::Sqlite, text))),
     }
 }
 
-/// A database by its path alone, as it may be asked for.
+/// A ground truth as a user writes it: a database by its path alone.
 fn told(truth: &Url) -> String {
     match (truth.scheme(), truth.file()) {
         (Scheme::Sqlite, Some(file)) => file.display().to_string(),
@@ -298,22 +307,22 @@ fn told(truth: &Url) -> String {
     }
 }
 
-/// The last line of what is told of a run or a cohort that was stopped: how to go on with it.
+/// The last line of the result of a stopped run or cohort: the command that resumes it.
 pub fn go_on_in(folder: &Path) -> String {
-    format!("go on      {}\n", go_on_by(folder))
+    format!("resume     {}\n", go_on_by(folder))
 }
 
-/// By which command a run or a cohort that was stopped is gone on with.
+/// The command that resumes a run or a cohort.
 pub fn go_on_by(folder: &Path) -> String {
     format!("homebody run --resume {}", folder.display())
 }
 
-/// How a command fails by an error. Where a signal has stopped the run while a server was away, that is told, and the failure is the
-/// signal's.
+/// The failure of an error. If a signal stopped the run while a server was away, it prints the error and returns the signal's failure.
 pub fn failure(error: Error, go_on_by: impl Fn(&Path) -> String, signals: &Signals) -> Failure {
     match (&error, signals.ended(true)) {
         (Error::StoppedAway { folder, .. }, Err(signal)) => {
-            let hint = |folder: &Path| format!("\n  hint: once it is back, {} goes on with the run", go_on_by(folder));
+            let hint =
+                |folder: &Path| format!("\n  hint: {} resumes the run once the server answers", go_on_by(folder));
             tell(format_args!("error: {error}{}", folder.as_deref().map(hint).unwrap_or_default()));
             signal
         }
@@ -321,11 +330,11 @@ pub fn failure(error: Error, go_on_by: impl Fn(&Path) -> String, signals: &Signa
     }
 }
 
-/// How fast it goes: as a pace that one may ask for, or beyond those in what goes by in a second.
+/// The speed: a factor as `--speed` has it, or above those the simulated time per second.
 pub fn speed_in_words(lived: Micros, took: Duration) -> String {
     match seconds(lived) / took.as_secs_f64() {
-        times if times < 1050.0 => format!("{times:.0} times as fast as life"),
-        times => format!("{} a second", span_in_words((times * SECOND as f64) as Micros)),
+        times if times < 1050.0 => format!("{times:.0} times real time"),
+        times => format!("{} per second", span_in_words((times * SECOND as f64) as Micros)),
     }
 }
 
@@ -344,24 +353,28 @@ pub fn span_in_words(span: Micros) -> String {
     }
 }
 
-/// When a home begins whose time is to come, how far ahead that is, and what its clock says, which may be another than ours; None where it
-/// has begun.
+/// The start of a home that lies in the future, the time until then, and the home's clock; None if the home has started.
 pub fn how_far_ahead(calendar: &Calendar) -> Option<String> {
     let now = Timestamp::now();
     let ahead = calendar.timestamp(0).as_microsecond() - now.as_microsecond();
     let clock = now.to_zoned(calendar.local(0).time_zone().clone()).strftime("%Y-%m-%d %H:%M:%S %Z").to_string();
     let since = calendar.wall_clock(0);
-    (ahead >= SECOND).then(|| format!("{since}, which is {} from now: its clock says {clock}", span_in_words(ahead)))
+    (ahead >= SECOND).then(|| format!("{since}, in {}; the home's clock shows {clock}", span_in_words(ahead)))
 }
 
-/// Whether who was asked to end had not yet come as far as before, so that nothing was changed.
+/// Whether a resumed run stopped before it had caught up, so that nothing changed.
 pub fn is_not_yet(error: &Error) -> bool {
     matches!(error, Error::Log(error) if matches!(error.0.downcast_ref(), Some(LogError::NotYet { .. })))
 }
 
-/// Tells what has become of a home that was lived on the world's clock and stopped.
+/// Prints the result of a home in real time.
 pub fn report_live(name: &str, folder: &Path, lived: &Lived) {
     let rows = lived.stored.rows;
-    tell(format_args!("{name}: {} lived, {rows} rows, in {}", span_in_words(lived.progress.lived), folder.display()));
+    tell(format_args!(
+        "{name}: simulated {}, {}, in {}",
+        span_in_words(lived.progress.lived),
+        counted(rows, "row", "rows"),
+        folder.display()
+    ));
     lived.stored.failed.iter().for_each(|(place, error)| tell(format_args!("failed     {place}: {error}")));
 }

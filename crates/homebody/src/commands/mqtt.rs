@@ -1,4 +1,4 @@
-//! `homebody mqtt`: what there is to do with a broker besides telling it what happens.
+//! `homebody mqtt`: maintenance of a broker.
 
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
@@ -7,14 +7,14 @@ use homebody_core::problem::counted;
 use homebody_kit::{Tidied, Url, tidy_up};
 use serde_json::json;
 
-/// Tidies a broker up that homes were told to.
+/// Clean up an MQTT broker that homes sent messages to
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody run my-home --speed 1 --out mqtt://ann@broker/homebody?password-file=secret
-  homebody mqtt clean mqtt://ann@broker/homebody?password-file=secret --look
+  homebody mqtt clean mqtt://ann@broker/homebody?password-file=secret --dry-run
   homebody mqtt clean mqtt://ann@broker/homebody?password-file=secret
 
-What homes say to a broker, and what they can be told, is described in docs/how-to/mqtt-and-home-assistant.md.")]
+docs/how-to/mqtt-and-home-assistant.md describes the messages of homes, and the commands for them.")]
 pub struct Arguments {
     #[command(subcommand)]
     what: What,
@@ -22,21 +22,21 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 enum What {
-    /// Remove what a broker keeps of our homes below a prefix, and what Home Assistant was told of them
     Clean(Clean),
 }
 
-/// Removes what a broker keeps of our homes below a prefix: states, and what Home Assistant was told of them.
+/// Remove the retained messages of Homebody's homes below a prefix
 ///
-/// Only homes that have our mark are touched. One that is being lived says all of it again when it next connects.
+/// These are the states of sensors and the discovery messages for Home Assistant. Homebody touches only homes with its own mark. A
+/// running home sends its messages again at its next connection.
 #[derive(clap::Args)]
 struct Clean {
-    /// The broker and the prefix: mqtt://USER@HOST/PREFIX
+    /// Broker and prefix: mqtt://USER@HOST/PREFIX
     broker: Url,
-    /// Say what would be removed, and remove nothing
+    /// List the topics, and remove nothing
     #[arg(long)]
-    look: bool,
-    /// Print what was found as one JSON object on standard output
+    dry_run: bool,
+    /// Print one JSON object
     #[arg(long)]
     json: bool,
 }
@@ -51,19 +51,21 @@ impl Arguments {
 
 impl Clean {
     fn run(self) -> Result<(), Failure> {
-        let Tidied { homes, topics, others } = tidy_up(&self.broker, self.look)?;
+        let Tidied { homes, topics, others } = tidy_up(&self.broker, self.dry_run)?;
         if self.json {
-            return print_json(&json!({ "removed": !self.look, "homes": homes, "topics": topics, "others": others }));
+            return print_json(
+                &json!({ "removed": !self.dry_run, "homes": homes, "topics": topics, "others": others }),
+            );
         }
         let mut text: String = topics.iter().map(|topic| format!("  {topic}\n")).collect();
         let (topics, homes) = (counted(topics.len(), "topic", "topics"), counted(homes.len(), "home", "homes"));
-        text += &match self.look {
-            true => format!("{topics} of {homes} would be removed\n"),
-            false => format!("{topics} of {homes} removed\n"),
+        text += &match self.dry_run {
+            true => format!("would remove {topics} of {homes}\n"),
+            false => format!("removed {topics} of {homes}\n"),
         };
         if others > 0 {
             text += &format!(
-                "{} below the prefix are of nobody that is known, and stay\n",
+                "kept {} below the prefix that belong to other programs\n",
                 counted(others, "topic", "topics")
             );
         }

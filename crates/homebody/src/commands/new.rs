@@ -9,18 +9,18 @@ use homebody_kit::Template;
 use homebody_kit::begun::{GivenLog, Known, OfLog, Traced, begin, empty, of_log, of_template, read_table, write};
 use std::path::{Path, PathBuf};
 
-/// Begins a scenario of your own in a new folder: from a template that works, empty, or from the log of a home of which nobody has a
-/// plan.
+/// Make a scenario from a template, a log or a picture of a plan
 ///
-/// Draw the plan of an empty home in the page of homebody serve, over a picture of it if you have one. Its resident is Anna, with an
-/// ordinary routine; homebody check names the furniture that the routine needs and the home lacks.
+/// Homebody creates the folder with a scenario from a template, with an empty one, or with one from the log of a home without a plan.
 ///
-/// From a log comes a schematic home: rooms, things and places by the names of its sensors and by what was done as they spoke;
-/// which rooms are beside each other, and what is near what, by who follows whom and how soon. It is a guess, and says so. With
-/// a picture of the plan and the places of the sensors on it, these are where they are, and the page's Plan shows the picture
-/// below what is to be drawn.
+/// Draw an empty home on the page of homebody serve, over a picture of the plan if you have one. Its resident is Anna, with an
+/// ordinary routine; homebody check lists the furniture that the routine needs and the home lacks.
+///
+/// From a log, Homebody guesses a schematic home. It takes rooms, furniture and positions from the names of the sensors and from the
+/// activities, and neighbouring rooms from the order and the delay of events. With a picture of the plan and the positions of the
+/// sensors on it, sensors are at those positions, and Plan on the page shows the picture below the drawing.
 #[derive(clap::Args)]
-#[command(after_help = format!("Templates:
+#[command(after_long_help = format!("Templates:
 {}
 Examples:
   homebody new my-home --template tigerplace && homebody run my-home
@@ -28,36 +28,36 @@ Examples:
   homebody new my-flat --image plan.png --known 120,640=0,0 --known 900,640=8.5,0 && homebody serve my-flat
   homebody new their-home --from-log casas:tm000.txt
   homebody new their-home --from-log week.csv --sensors sensors.csv
-  homebody translate week.csv --home their-home --to walked
+  homebody locate week.csv --home their-home --out located
   homebody new their-home --from-log week.csv --sensors sensors.csv --image plan.png \\
     --known 120,640=0,0 --known 900,640=8.5,0 && homebody serve their-home
 
-sensors.csv has a line id,room,place,x,y and then one for each sensor: what the log calls it, its
-room and what it looks at, in any words, and where it is, in pixels of the picture or else in
-metres. All but id may be left out; a column kind says motion or contact where the log misleads.
+sensors.csv has the header id,room,place,x,y and a line for each sensor: its name in the log, its room,
+what it watches (free text), and its position in pixels of the picture, or in metres without one. Only
+id is required. A column kind (motion or contact) corrects a wrong guess.
 
 {EXIT_CODES}.", templates()))]
 pub struct Arguments {
-    /// The folder to create
+    /// New folder for the scenario
     folder: PathBuf,
-    /// The scenario to start from
-    #[arg(long, default_value = "tigerplace", value_parser = beginning)]
+    /// Template to start from, listed below
+    #[arg(long, value_name = "NAME", default_value = "tigerplace", value_parser = beginning)]
     template: Beginning,
-    /// Make a schematic home of what this log tells: a file, the folder of a run or of a data set, or FORM:FILE
+    /// Make a schematic home from this log: a file, a run folder, a data set folder, or FORM:FILE
     #[arg(long, value_name = "LOG", conflicts_with = "template")]
     from_log: Option<String>,
     #[command(flatten)]
     how: HowRead,
-    /// A table of the log's sensors: id, room, place, x, y
+    /// CSV file with the log's sensors: id, room, place, x, y
     #[arg(long, value_name = "FILE", requires = "from_log")]
     sensors: Option<PathBuf>,
-    /// A picture of the plan, in PNG or JPEG, to draw over in the page
+    /// Picture of the plan (PNG or JPEG), to draw over on the page
     #[arg(long, value_name = "FILE", conflicts_with = "template")]
     image: Option<PathBuf>,
-    /// Where a point of the picture is: pixels from its upper left corner, and metres to the east and the north; given twice
+    /// Position of a point: its pixels from the upper left corner, and its metres to the east and north; give two points
     #[arg(long, value_name = "X,Y=EAST,NORTH", requires = "image")]
     known: Vec<Known>,
-    /// The home's time zone; a run knows its own
+    /// The home's time zone; a run has its own
     #[arg(long, value_name = "ZONE", requires = "from_log")]
     time_zone: Option<String>,
 }
@@ -76,7 +76,7 @@ enum Beginning {
 const EMPTY: &str = "empty";
 
 /// What is told of it there.
-const EMPTY_ABOUT: &str = "Nothing is in it yet: a home to be drawn in the page";
+const EMPTY_ABOUT: &str = "An empty home, to draw on the page";
 
 /// A template by its name.
 fn beginning(name: &str) -> Result<Beginning, String> {
@@ -85,7 +85,7 @@ fn beginning(name: &str) -> Result<Beginning, String> {
     }
     Template::named(name).map(Beginning::Template).map_err(|_| {
         let names: Vec<_> = [EMPTY.to_owned()].into_iter().chain(Template::all().map(Template::name)).collect();
-        format!("there is none of that name; there are: {}", names.join(", "))
+        format!("there is no such template; templates are: {}", names.join(", "))
     })
 }
 
@@ -136,7 +136,7 @@ impl Arguments {
         let folder = folder.display();
         tell(match beginning {
             Beginning::Empty if picture.is_some() => {
-                format!("{folder} is ready: draw over the picture in the page's Plan.\n  homebody serve {folder}")
+                format!("{folder} is ready: draw over the picture in Plan on the page.\n  homebody serve {folder}")
             }
             Beginning::Empty => format!("{folder} is ready, and empty.\n  homebody serve {folder}"),
             Beginning::Template(_) => format!("{folder} is ready.\n  homebody check {folder}\n  homebody run {folder}"),
@@ -174,10 +174,10 @@ impl Arguments {
             Ok::<_, Failure>(of_log)
         })?;
         remarks.iter().for_each(|remark| tell(format_args!("{log}: {remark}")));
-        lived.lack.iter().for_each(|lack| tell(format_args!("nobody can live an ordinary life here yet: {lack}")));
+        lived.lack.iter().for_each(|lack| tell(format_args!("warning: the ordinary routine cannot run yet: {lack}")));
         let file = &lived.scenario.home;
         tell(format_args!(
-            "{} is ready, and schematic: {}, {}, {}.\n  homebody check {0}\n  homebody translate {log} --home {0} --to walked\n  \
+            "{} is ready, with a schematic home: {}, {}, {}.\n  homebody check {0}\n  homebody locate {log} --home {0} --out located\n  \
              homebody serve {0}",
             folder.display(),
             counted(file.rooms.len(), "room", "rooms"),

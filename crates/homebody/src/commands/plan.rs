@@ -5,10 +5,12 @@ use super::scenario::Chosen;
 use crate::failure::Failure;
 use homebody_picture::floor_plan;
 
-/// Draws the floor plan: rooms, walls, doors, furniture and sensors, with their names. Furniture and ways in go without
-/// where there is no room for their names.
+/// Draw the floor plan of a home
+///
+/// The plan has rooms, walls, doors, furniture and sensors with their names. It leaves out names of furniture and entrances where the
+/// space is too small.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody plan scenarios/tigerplace --svg plan.svg
   homebody plan my-home --png plan.png --force")]
 pub struct Arguments {
@@ -21,7 +23,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         if self.pictures.is_empty() {
-            return Err(Failure::usage("there is no file to draw into\n  hint: name one with --svg or --png"));
+            return Err(Failure::usage("no file for the picture\n  hint: name one with --svg or --png"));
         }
         let source = self.scenario.source()?;
         let scenario = source.scenario()?;

@@ -1,7 +1,7 @@
-//! A log that a command is given, and what is remarked on it.
+//! The log of a command, and the notes on it.
 
 use crate::failure::Failure;
-use crate::print::tell;
+use crate::print::{counted, tell};
 use crate::progress::Working;
 use homebody_kit::{LogWithRun, NamedLog, Unended};
 use homebody_log::source::{Clock, ColumnRole, DateOrder, DecimalMark, HomeColumn, TableOptions};
@@ -11,7 +11,7 @@ use std::path::PathBuf;
 /// A log, and how its table is read.
 #[derive(clap::Args)]
 pub struct Mapped {
-    /// The log: the folder of its run or of a data set, a file, or FORM:FILE
+    /// Log: a file, a run folder, a data set folder, or FORM:FILE
     log: String,
     #[command(flatten)]
     how: HowRead,
@@ -29,23 +29,23 @@ impl Mapped {
     }
 }
 
-/// How the table of a log is read, where its headings and rows do not decide it.
+/// How to read the table of a log, where its headings and rows do not decide it.
 #[derive(clap::Args, Clone, Default)]
-#[command(next_help_heading = "Tables")]
+#[command(next_help_heading = "Input form")]
 pub struct HowRead {
-    /// A logger.json that names the table and columns of a database or a CSV file, where they are neither ours nor the usual ones
+    /// logger.json with the table and column names of a database or CSV file, if they are unusual
     #[arg(long, value_name = "FILE")]
     mapping: Option<PathBuf>,
-    /// Each column of the table is a sensor
+    /// Read each column of the table as a sensor
     #[arg(long)]
     wide: bool,
-    /// The column that says which home or person a row is of, and the one to read: all of them as one with NAME=*
+    /// Column that names the home or person of a row, and which to read; NAME=* reads all as one
     #[arg(long, value_name = "NAME[=HOME]")]
     home_column: Option<String>,
-    /// The number that comes first in dates such as 02/03/2009
+    /// Order of day and month in dates such as 02/03/2009
     #[arg(long, value_enum, value_name = "ORDER")]
     dates: Option<Dates>,
-    /// The mark before the decimals of numbers
+    /// Decimal mark of numbers
     #[arg(long, value_enum, value_name = "MARK")]
     decimals: Option<Decimals>,
 }
@@ -53,14 +53,18 @@ pub struct HowRead {
 /// The number that comes first in a date.
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum Dates {
+    /// 02/03/2009 is 2 March
     DayFirst,
+    /// 02/03/2009 is 3 February
     MonthFirst,
 }
 
 /// The mark before decimals.
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum Decimals {
+    /// 21,5
     Comma,
+    /// 21.5
     Point,
 }
 
@@ -116,11 +120,14 @@ pub fn read_any_length(text: &str, zone: Option<&str>, how: &HowRead) -> Result<
 fn remarked(text: &str, read: LogWithRun) -> LogWithRun {
     tell_remarks(text, &read.log);
     if read.log.skipped > 0 {
-        tell(format_args!("{text}: {} lines were left out; homebody look says which", read.log.skipped));
+        tell(format_args!(
+            "{text}: skipped {}; homebody inspect lists them",
+            counted(read.log.skipped, "line", "lines")
+        ));
     }
     tell_unfinished(text, read.unfinished.as_ref());
     if read.log.clock == Clock::Utc {
-        tell(format_args!("{text}: its hours are those of UTC; --time-zone tells the home's own"));
+        tell(format_args!("{text}: times are in UTC; --time-zone sets the home's own zone"));
     }
     read
 }
@@ -142,24 +149,24 @@ fn tell_guessed(name: &str, log: &Log) {
         })
         .collect();
     if !guessed.is_empty() {
-        let why = "homebody look says why";
-        tell(format_args!("{name}: columns were found by their cells: {}; {why}", guessed.join(", ")));
+        let why = "homebody inspect explains this";
+        tell(format_args!("{name}: guessed columns by their cells: {}; {why}", guessed.join(", ")));
     }
     if let Some(supplied) = log.columns.iter().find(|of| of.column.is_empty()) {
         tell(format_args!("{name}: {}", supplied.because));
     }
 }
 
-/// Warns of a run that was not lived to its end, so that its log is a part of what it is going to be.
+/// Warns of an incomplete run, whose log lacks its later rows.
 pub fn tell_unfinished(text: &str, unfinished: Option<&Unended>) {
     if let Some(run) = unfinished {
-        tell(format_args!("warning: {text}: its run has not come to its end\n  hint: {}", go_on(run)));
+        tell(format_args!("warning: {text}: its run is incomplete\n  hint: {}", go_on(run)));
     }
 }
 
-/// How a run comes to its end.
+/// The command that completes a run.
 pub fn go_on(run: &Unended) -> String {
-    format!("homebody run --resume {} goes on with it", run.folder.display())
+    format!("homebody run --resume {} completes it", run.folder.display())
 }
 
 /// Reports what of a log was guessed, and what was left out but for single lines.

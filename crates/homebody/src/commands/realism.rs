@@ -1,4 +1,4 @@
-//! `homebody realism`: how near a log is to a real one, and what gives it away.
+//! `homebody realism`: a log compared with a real one.
 
 use super::answer::Answer;
 use super::read_log::{HowRead, read_log};
@@ -9,14 +9,15 @@ use homebody_kit::LogWithRun;
 use homebody_picture::{realism_chart, realism_page};
 use std::path::PathBuf;
 
-/// Holds log B against log A, such as a run's against that of a real home: how their gaps, ON lengths, hours, sensors and days
-/// differ, and how well a random forest tells their days and hours apart, and by what. Beside each value stands its floor: the
-/// same of the two halves of A.
+/// Measure how realistic a log is, compared with a real one
 ///
-/// Only motion sensors on whole days count. Shares of sensors and ways between them are compared where both logs name their
-/// sensors alike.
+/// Homebody compares log B, such as a run's, with log A, such as a real home's: gaps, ON durations, hours, sensors and days. A random
+/// forest also classifies their days and hours; the report has its accuracy and the features that it used. Each value has its floor:
+/// the same value for the two halves of A.
+///
+/// Only motion sensors on whole days count. Shares of sensors and transitions between them need logs with the same sensor names.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody realism casas:real.txt runs/older-adult-1
   homebody realism casas:real.txt runs/older-adult-1 --json realism.json --html realism.html
   homebody realism runs/older-adult-1 runs/older-adult-2 --json
@@ -24,16 +25,16 @@ use std::path::PathBuf;
 Measures:
 {}", MEASURES.trim_end()))]
 pub struct Arguments {
-    /// The log that is taken for what is real: a file, the folder of a run or of a data set, or FORM:FILE
+    /// Real log: a file, a run folder, a data set folder, or FORM:FILE
     a: String,
-    /// The log to hold against it
+    /// Log to evaluate
     b: String,
     #[command(flatten)]
     how: HowRead,
-    /// Write everything as one page with pictures, which needs no other file
-    #[arg(long, value_name = "FILE")]
+    /// Write the report as one HTML page with pictures
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     html: Option<PathBuf>,
-    /// The home's time zone, for logs in UTC; a run knows its own
+    /// The home's time zone, for a log in UTC; a run has its own
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]

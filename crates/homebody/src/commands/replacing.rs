@@ -4,11 +4,12 @@ use homebody_log::{How, Url};
 
 /// Permission to replace files and rows.
 #[derive(clap::Args)]
+#[command(next_help_heading = "Output")]
 pub struct Replacing {
-    /// Replace files that exist; a database file only if it holds nothing but a run
-    #[arg(long)]
+    /// Replace existing files; a database file only if it holds nothing but a run
+    #[arg(short, long)]
     pub force: bool,
-    /// Replace the rows of this run that a server's database holds already; its other rows stay
+    /// Replace the rows of the same run in a server's database; its other rows stay
     #[arg(long)]
     pub replace_rows: bool,
 }

@@ -1,4 +1,4 @@
-//! `homebody replay`: live a recording again.
+//! `homebody replay`: repeat a recorded run.
 
 use super::lived::{Output, live};
 use crate::failure::Failure;
@@ -7,13 +7,13 @@ use crate::signals::Signals;
 use homebody_kit::{Error, Recorded};
 use std::path::PathBuf;
 
-/// Lives a recording again, and makes sure that every firing is the same.
+/// Repeat a recorded run, and verify each event
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody replay runs/tigerplace-1/recording.json
   homebody replay recording.json --speed 10 --out csv:again.csv")]
 pub struct Arguments {
-    /// A recording, as `homebody run` makes it
+    /// Recording of a run (recording.json)
     recording: PathBuf,
     #[command(flatten)]
     output: Output,
@@ -28,10 +28,10 @@ impl Arguments {
             Error::NoRecording { .. } => Failure::Io(format!("{error}{MADE}")),
             Error::Recording { .. } => Failure::usage(format!("{error}{MADE}")),
             Error::Unfinished { folder: Some(ref folder), .. } => {
-                let go_on = format!("homebody run --resume {} goes on with it first", folder.display());
+                let go_on = format!("homebody run --resume {} resumes it; replay it after that", folder.display());
                 Failure::usage(format!("{error}\n  hint: {go_on}"))
             }
-            Error::Unfinished { .. } => Failure::usage(format!("{error}{MADE} of a run that comes to its end")),
+            Error::Unfinished { .. } => Failure::usage(format!("{error}{MADE} of a complete run")),
             error => error.into(),
         })?;
         let recorded = recorded.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
@@ -40,4 +40,4 @@ impl Arguments {
 }
 
 /// What to do where there is no recording.
-const MADE: &str = "\n  hint: homebody run makes one";
+const MADE: &str = "\n  hint: homebody run writes one";

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// Which scenario, and whose.
 #[derive(clap::Args)]
 pub struct Chosen {
-    /// The scenario's folder, or its scenario.json
+    /// Scenario folder, or its scenario.json
     scenario: PathBuf,
     #[command(flatten)]
     trust: Trust,
@@ -24,10 +24,10 @@ impl Chosen {
     }
 }
 
-/// Whether a scenario is taken as one's own.
+/// Trust in the files of a scenario.
 #[derive(clap::Args)]
 pub struct Trust {
-    /// Take the scenario as your own: follow links that lead out of its folder, and read files of any size
+    /// Trust the scenario: follow links that lead out of its folder, and read files of any size
     #[arg(long)]
     trust: bool,
 }

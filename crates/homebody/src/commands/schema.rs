@@ -6,13 +6,13 @@ use homebody_core::scenario::schema::schemas;
 use std::fs;
 use std::path::PathBuf;
 
-/// Writes the JSON Schemas of the scenario files into a folder, for editors that complete and check.
+/// Write the JSON Schemas of the scenario files, for editors
 #[derive(clap::Args)]
 #[command(
-    after_help = "Example:\n  homebody schema schemas\n\nName a schema in a file's \"$schema\" and most editors use it."
+    after_long_help = "Example:\n  homebody schema schemas\n\nMost editors use the schema that \"$schema\" in a file names."
 )]
 pub struct Arguments {
-    /// The folder to write into; it is created if it does not exist
+    /// Folder for the schemas; Homebody creates it if necessary
     folder: PathBuf,
 }
 

@@ -2,7 +2,7 @@
 
 use super::scenario::Trust;
 use crate::failure::Failure;
-use crate::print::{print_text, tell};
+use crate::print::{counted, print_text, tell};
 use crate::signals::{Signals, begin_other};
 use homebody_core::scenario::load::{Files, NoText};
 use homebody_kit::Error;
@@ -16,36 +16,37 @@ use std::net::{IpAddr, Ipv4Addr};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// Opens a page on which a scenario is lived: seen, driven by keys, recorded and played again. Of a folder that holds scenarios, and of
-/// the current folder where none is named, a first page shows all: new ones are begun there, copied, renamed, deleted and put back.
+/// Open the page of a scenario: watch, edit, steer and replay it
 ///
-/// The page is served to this machine alone, and only to who has the address that is printed: it holds a token. A browser is led
-/// there by a file that only you can read, and which is removed when it has come. Programs send the token, which is what stands
-/// behind `#token=` in the address, in the header `X-Homebody-Token`. Runs go into new folders under runs/, as those
-/// of homebody run; those of a home of a folder into its own folder runs/. A scenario with problems is served as well: the page says what is wrong, and mends it. Ctrl-C ends the run and the server, and that is no failure: the exit code is 0.
+/// For a folder of scenarios (the current folder by default), a first page lists all homes: make, copy, rename, delete and restore
+/// them there.
+///
+/// Only this machine can reach the page, and only with the printed address, which holds a token. Homebody opens the browser through a
+/// file that only you can read, and removes the file afterwards. Programs send the token, the part of the address after `#token=`, in
+/// the header `X-Homebody-Token`. Runs go into new folders under runs/, as with homebody run; for a folder of homes, into the runs/ of
+/// each home. The page also opens a scenario with problems, and helps to fix them. Ctrl-C ends the run and the server with exit code 0.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody serve scenarios/tigerplace
   homebody serve my-home --port 9000 --no-open
   homebody serve                                     all homes of the current folder
-  homebody serve homes --keep-address ~/.homebody    under the same address next time")]
+  homebody serve homes --address-file ~/.homebody    the same address next time")]
 pub struct Arguments {
-    /// The scenario's folder, or its scenario.json; or a folder of such folders
+    /// Scenario folder, its scenario.json, or a folder of scenarios
     #[arg(default_value = ".", hide_default_value = true)]
     scenario: PathBuf,
     #[command(flatten)]
     trust: Trust,
-    /// The port to listen on; without it, the first free one from 8642 on
+    /// Port; without it, the first free one from 8642 on
     #[arg(long)]
     port: Option<u16>,
-    /// Keep port and token in this file, which only you can read, so that the address is the same next time; it is made if it is not
-    /// there
+    /// Store port and token in this file, so that the address stays the same; only you can read the file
     #[arg(long, value_name = "FILE")]
-    keep_address: Option<PathBuf>,
-    /// Only print the address, and open no browser
+    address_file: Option<PathBuf>,
+    /// Print the address without opening a browser
     #[arg(long)]
     no_open: bool,
-    /// Listen on this address of the machine, and under its name alone; others than this machine can come unless it is loopback
+    /// Listen on this IP address only; unless it is loopback, other machines can connect
     #[arg(long, value_name = "IP")]
     bind: Option<IpAddr>,
 }
@@ -57,16 +58,16 @@ impl Arguments {
         let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into()).to_canonical();
         if ip.is_unspecified() {
             return Err(Failure::Usage(format!(
-                "{ip} is every address of this machine, and the page must come under a single one\n  hint: name the one that others reach this machine by"
+                "{ip} means every address of this machine, and the page needs a single one\n  hint: name the address by which others reach this machine"
             )));
         }
         if !ip.is_loopback() {
             tell(format_args!(
-                "warning: who can reach {ip} can reach this server, and what is said to it can be overheard on the way"
+                "warning: anyone who reaches {ip} can reach this server, and its traffic is not encrypted"
             ));
         }
         let browser = !self.no_open;
-        let options = Options { ip, port: self.port, browser, kept: self.keep_address, ..Options::new(offer) };
+        let options = Options { ip, port: self.port, browser, kept: self.address_file, ..Options::new(offer) };
         let ready = |address: Address| {
             // Nobody is there to read it where standard output is closed.
             let _ = print_text(&format!("{}\n", address.url));
@@ -83,7 +84,7 @@ impl Arguments {
     fn offer(&self) -> Result<Offer, Failure> {
         let is_trusted = self.trust.is_given();
         if is_library(&self.scenario) {
-            tell(format_args!("{} has no scenario.json of its own: its homes are served", self.scenario.display()));
+            tell(format_args!("{} has no scenario.json: serving all homes in it", self.scenario.display()));
             return Ok(Library::new(self.scenario.clone(), is_trusted).into());
         }
         let source = self.trust.source(&self.scenario)?;
@@ -91,10 +92,8 @@ impl Arguments {
         let shelf = Shelf { scenario, entry: source.entry().to_owned(), is_trusted, runs: Path::new(RUNS).into() };
         match source.open() {
             Err(Error::Problems(problems)) if can_be_mended(&shelf) => {
-                let count = problems.0.len();
-                tell(format_args!(
-                    "warning: no run can be begun yet; the page shows what is wrong, and mends it ({count} problems)"
-                ));
+                let count = counted(problems.0.len() as u64, "problem", "problems");
+                tell(format_args!("warning: the scenario has {count} and cannot run yet; the page helps to fix them"));
             }
             opened => drop(opened?),
         }

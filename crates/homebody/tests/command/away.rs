@@ -47,7 +47,7 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
     let waits = "is away: no broker listens there\n  the run waits until it is back, for 600 s at most\n";
     let spools = "is away: no broker listens there\n  rows are put aside until it is back\n";
     for (log, more, says) in
-        [("log.db", "", Some(waits)), ("log.csv", "", None), ("log.db", "--on-sink-down spool", Some(spools))]
+        [("log.db", "", Some(waits)), ("log.csv", "", None), ("log.db", "--on-unavailable spool", Some(spools))]
     {
         let folder = flat();
         let kind = if log == "log.db" { "sqlite" } else { "csv" };
@@ -88,7 +88,7 @@ fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
     folder.run(&words).fails(1, "no broker listens there\n  hint: start the broker");
     assert!(begun.elapsed() < SOON, "{:?}", begun.elapsed());
     for (number, (how, says)) in [("retry", "the run waits"), ("spool", "rows are put aside")].into_iter().enumerate() {
-        let mut command = folder.command(&format!("{words} --on-sink-down {how}"));
+        let mut command = folder.command(&format!("{words} --on-unavailable {how}"));
         command.stdout(Stdio::null()).stderr(File::create(folder.path("said")).unwrap());
         let mut run = Ends(command.spawn().unwrap());
         folder.until("the run says what it waits for", |folder| folder.read("said").contains(says));

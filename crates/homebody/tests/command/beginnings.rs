@@ -60,7 +60,7 @@ fn an_empty_home_says_what_it_lacks_until_it_is_drawn() {
     folder.write("flat/home.json", home.replace("\"to\": [0, 0] }] }", &format!("\"to\": [0, 0] }}], {bed}")));
     let lacks = folder.run("check flat").fails(2, "there is no toilet in this home").err;
     assert!(lacks.contains("nowhere to sit") && lacks.contains("no kitchen"), "{lacks}");
-    folder.run("new other --template nothing").fails(2, "there are: empty, by-hand");
+    folder.run("new other --template nothing").fails(2, "templates are: empty, by-hand");
 }
 
 #[test]
@@ -133,9 +133,9 @@ fn shells_complete_every_command() {
     let help = folder.run("help").ok().out;
     let commands: Vec<&str> = help
         .lines()
-        .skip_while(|line| *line != "Commands:")
-        .skip(1)
-        .take_while(|line| !line.is_empty())
+        .skip_while(|line| *line != "Simulate:")
+        .take_while(|line| *line != "Options:")
+        .filter(|line| line.starts_with("  "))
         .map(|line| line.split_whitespace().next().unwrap())
         .collect();
     assert!(commands.len() >= 10, "{commands:?}");

@@ -44,8 +44,8 @@ fn hour_after(text: &str, words: &str) -> f64 {
 #[test]
 fn the_numbers_of_a_life_that_is_known_are_found_again() {
     let folder = known();
-    let done = folder.run("calibrate casas:log.txt --home known --days 2011-06-06..2011-06-09 --to fitted").ok();
-    assert!(done.out.contains("unseen days against"), "{}", done.out);
+    let done = folder.run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-09 --out fitted").ok();
+    assert!(done.out.contains("test days against"), "{}", done.out);
     let logger: Value = serde_json::from_str(&folder.read("fitted/logger.json")).unwrap();
     let hold = logger["messages"]["on_off"]["hold_s"].as_f64().unwrap();
     assert!((hold - 3.0).abs() < 0.1, "{hold}");
@@ -71,18 +71,22 @@ fn the_numbers_of_a_life_that_is_known_are_found_again() {
     let as_they_were = sights.iter().filter(|sight| sight["reach"] == 1.0 && sight["missed"] == 0.12).count();
     assert!(sights.len() > 10 && as_they_were * 10 > sights.len() * 6, "{sights:?}");
     folder.run("check fitted").ok();
-    folder.run("calibrate casas:log.txt --home known --to fitted").fails(1, "fitted exists already");
+    folder.run("fit casas:log.txt --home known --out fitted").fails(1, "fitted exists already");
 }
 
 #[test]
 fn what_cannot_be_fitted_is_said_and_nothing_is_written() {
     let folder = known();
     folder
-        .run("calibrate casas:log.txt --home known --days 2011-06-06..2011-06-07 --to fitted")
-        .fails(2, "takes 3 days");
-    folder.run("calibrate casas:log.txt --home known --days 2011-06-06..2011-06-11 --to fitted").fails(2, "0 besides");
-    folder.run("calibrate casas:log.txt --home known --days yesterday --to fitted").fails(2, "2016-07-01..2016-07-14");
+        .run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-07 --out fitted")
+        .fails(2, "needs 3 training");
+    folder
+        .run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-11 --out fitted")
+        .fails(2, "0 for the test");
+    folder
+        .run("fit casas:log.txt --home known --training-days yesterday --out fitted")
+        .fails(2, "2016-07-01..2016-07-14");
     folder.run("new couple --template couple-with-cat").ok();
-    folder.run("calibrate casas:log.txt --home couple --to fitted").fails(2, "only who lives alone");
+    folder.run("fit casas:log.txt --home couple --out fitted").fails(2, "only who lives alone");
     assert!(!folder.path("fitted").exists());
 }

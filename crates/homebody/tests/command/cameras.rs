@@ -136,7 +136,7 @@ fn silhouettes_become_a_film_tables_and_pictures() {
     assert_eq!(size("film.apng"), ((3 * 160 + 6) * 2, 240, Some(instants[0].parse().unwrap())));
     // What is there is not replaced in silence.
     folder.run("silhouettes runs/postures-1 --out film.apng").fails(1, "exists already");
-    folder.run("silhouettes runs/postures-1 --out pictures").fails(2, "is no empty folder");
+    folder.run("silhouettes runs/postures-1 --out pictures").fails(2, "is not an empty folder");
     folder.run("silhouettes runs/postures-1 --out film.apng --force --camera south-east --every 1s").ok();
 }
 
@@ -172,14 +172,14 @@ fn what_is_asked_of_silhouettes_wrongly_is_told_all_at_once_and_nothing_is_writt
         .run("silhouettes runs/postures-1 --camera soth-east --from noon --to 25 --out a.csv")
         .fails(2, "no camera is called");
     for words in
-        ["\"south-east\" was probably meant", "there are north-east", "\"noon\" is no time", "\"25\" is no time"]
+        ["did you mean \"south-east\"?", "the cameras are north-east", "\"noon\" is not a time", "\"25\" is not a time"]
     {
         assert!(wrong.err.contains(words), "{words}: {}", wrong.err);
     }
     let nothing = "silhouettes runs/postures-1 --from 2025-06-02T12:00 --to 2025-06-02T13:00 --out a.csv";
-    folder.run(nothing).fails(2, "before it the last is of 2025-06-02 10:1");
-    folder.run("silhouettes runs/postures-1 --from 10:05 --to 10:04").fails(2, "--to is later than --from");
-    folder.run("silhouettes runs/postures-1 --out a.gif --out b.png").fails(2, "films are .apng");
+    folder.run(nothing).fails(2, "the last one before is at 2025-06-02 10:1");
+    folder.run("silhouettes runs/postures-1 --from 10:05 --to 10:04").fails(2, "--to must be later than --from");
+    folder.run("silhouettes runs/postures-1 --out a.gif --out b.png").fails(2, "use .apng for a film");
     folder.run("silhouettes runs/postures-1 --out b.csv --out a.apng").fails(2, "at most 3000");
     let written =
         folder.files().into_iter().filter(|name| !name.starts_with("runs/") && !name.starts_with("postures/"));

@@ -228,26 +228,28 @@ fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
 #[test]
 fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
     let folder = flat();
-    let asked = "run flat --residents 2 --for 1m --truth t.db --record r.json --force --speed 60 --metrics 9464";
-    let said = folder.run(asked).fails(2, "hint: leave that out of a cohort").err;
+    let asked = "run flat --members 2 --for 1m --truth t.db --recording r.json --force --speed 60 --metrics 9464";
+    let said = folder.run(asked).fails(2, "hint: leave these options out of a cohort").err;
     for part in [
-        "--truth: the truth of each member lies apart from all logs where the cohort does",
-        "--record: each member has a recording",
+        "--truth: the cohort's folder holds the ground truth of each member",
+        "--recording: each member has a recording",
         "--force: a cohort replaces nothing",
-        "--speed, --paused and --control: members are lived as fast as they can",
-        "--metrics: it is of one run",
+        "--speed, --paused and --control: a cohort runs as fast as possible",
+        "--metrics: only single runs and fleets",
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }
-    folder.run("run flat --for 1m --truth-tables brief").fails(2, "hint: the truth of one run has all tables");
+    folder
+        .run("run flat --for 1m --truth-tables brief")
+        .fails(2, "hint: leave it out; the ground truth of a single run has all tables");
     assert!(!folder.path("runs").exists());
     // It begins where nothing is, but for what is hidden.
     folder.write("mine/mine.txt", "mine");
-    folder.run("run flat --residents 2 --for 1m --out csv:mine").fails(1, "mine holds mine.txt already");
+    folder.run("run flat --members 2 --for 1m --out csv:mine").fails(1, "mine holds mine.txt already");
     folder.write("new/.hidden", "");
-    folder.run("run flat --residents 2 --for 1m --quiet --out csv:new").ok();
+    folder.run("run flat --members 2 --for 1m --quiet --out csv:new").ok();
     folder
-        .run("run flat --residents 2 --for 1m --quiet --out csv:new")
+        .run("run flat --members 2 --for 1m --quiet --out csv:new")
         .fails(1, "a cohort was begun there: go on with it");
 }
 
@@ -255,7 +257,7 @@ fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
 fn of_a_brief_truth_the_tables_with_few_rows_are_kept_and_replay_has_the_others() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
-    let run = "run studio --residents 1 --for 1d --quiet";
+    let run = "run studio --members 1 --for 1d --quiet";
     folder.run(&format!("{run} --truth-tables brief")).ok();
     folder.run(&format!("{run} --truth-tables all")).ok();
     let tables = |run: &str| {
@@ -267,7 +269,7 @@ fn of_a_brief_truth_the_tables_with_few_rows_are_kept_and_replay_has_the_others(
     assert_eq!(gone, ["cause", "lost", "movement", "off"]);
     folder.run("doctor runs/studio-1/0001").ok();
     folder.run("day runs/studio-1/0001 first").ok();
-    let log = "label runs/studio-1/0001 --to csv:labelled.csv";
+    let log = "label runs/studio-1/0001 --out csv:labelled.csv";
     folder.run(log).fails(1, "leaves out the table \"cause\", as the truths of large cohorts do");
     folder.run("replay runs/studio-1/0001/recording.json --out csv:log.csv --truth again.db").ok();
     let rooms = |place: &str| folder.query(place, "SELECT resident, at, room FROM room ORDER BY rowid");
@@ -284,17 +286,19 @@ fn of_a_brief_truth_the_tables_with_few_rows_are_kept_and_replay_has_the_others(
 fn a_large_cohort_says_before_what_it_writes_and_leaves_out() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
-    let mut command = folder.command("run studio --residents 100000 --for 365d --out parquet:cohort");
+    let mut command = folder.command("run studio --members 100000 --for 365d --out parquet:cohort");
     let mut running = command.stderr(Stdio::piped()).spawn().unwrap();
     folder.until("a member is lived", |folder| folder.path("cohort/members/000001").exists());
     running.kill().unwrap();
     let said = String::from_utf8(running.wait_with_output().unwrap().stderr).unwrap();
     assert!(
-        said.contains("the tables cause, off, movement and lost are left out: --truth-tables all keeps them"),
+        said.contains(
+            "a large cohort stores no truth tables cause, off, movement and lost: --truth-tables all stores them"
+        ),
         "{said}"
     );
     assert!(
-        said.contains("100000 lives: about ") && said.contains(" billion rows and ") && said.contains(" GB, "),
+        said.contains("100,000 members: about ") && said.contains(" billion rows and ") && said.contains(" GB, "),
         "{said}"
     );
     assert!(folder.read("cohort/cohort.json").contains("\"truth\": \"brief\""));
@@ -424,7 +428,7 @@ fn a_list_that_is_none_is_refused() {
         folder.write("people.csv", text);
         folder.run("run flat --profiles people.csv").fails(2, said);
     }
-    folder.run("run flat --profiles people.csv --residents 3").fails(2, "cannot be used with");
+    folder.run("run flat --profiles people.csv --members 3").fails(2, "cannot be used with");
     // Who differs in nothing may be on the list of any scenario.
     folder.write("people.csv", "name,seed\nanna,1\n");
     folder.run("run flat --profiles people.csv --for 1m").ok();

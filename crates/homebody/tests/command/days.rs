@@ -47,10 +47,10 @@ fn a_density_map_is_told_drawn_and_tabled() {
 #[test]
 fn two_maps_are_held_against_each_other() {
     let folder = lived();
-    let same = folder.run("density runs/tigerplace-1 --against runs/tigerplace-1 --json").ok().json();
+    let same = folder.run("density runs/tigerplace-1 --compare runs/tigerplace-1 --json").ok().json();
     assert_eq!(same["against"]["distance"], json!(0.0));
     folder.run("run tigerplace --quiet --for 14d --seed 3 --out csv:other.csv").ok();
-    let words = "density runs/tigerplace-1 --against other.csv --door A11 --json=both.json --svg both.svg";
+    let words = "density runs/tigerplace-1 --compare other.csv --door A11 --json=both.json --svg both.svg";
     let done = folder.run(words).ok();
     assert!(done.out.contains("apart: 0 is alike") && done.out.contains("the weeks of other.csv"), "{}", done.out);
     let both: Value = serde_json::from_str(&folder.read("both.json")).unwrap();
@@ -72,7 +72,7 @@ fn a_part_of_a_log_is_asked_for() {
         .run("density runs/tigerplace-1 --door hall --door 'kitchen --from 2012-01-01")
         .fails(2, "--door \"hall\": there is no such sensor")
         .err;
-    for part in ["--door \"'kitchen\"", "--from 2012-01-01", "it goes from 2009-03-02 to 2009-03-03"] {
+    for part in ["--door \"'kitchen\"", "--from 2012-01-01", "it lasts from 2009-03-02 to 2009-03-03"] {
         assert!(said.contains(part), "{said}");
     }
 }
@@ -124,7 +124,7 @@ fn a_log_alone_is_enough() {
     folder.write("utc.csv", "time,sensor,value\n2009-03-02T03:00:00Z,M1,ON\n2009-03-02T03:00:05Z,M1,OFF\n");
     let there = folder.run("day utc.csv first --time-zone America/Chicago --json").ok();
     assert_eq!((&there.json()["date"], &there.json()["first"]["at"]), (&json!("2009-03-01"), &json!("21:00:00")));
-    assert!(folder.run("day utc.csv first").ok().err.contains("--time-zone tells the home's own"));
+    assert!(folder.run("day utc.csv first").ok().err.contains("--time-zone sets the home's own"));
 }
 
 #[test]
@@ -136,7 +136,7 @@ fn a_day_or_a_log_that_is_not_there_is_refused() {
     folder.write("empty.txt", "");
     let given = folder.files();
     for (words, code, said) in [
-        ("day runs/flat-1 2009-03-05", 2, "it goes from 2009-03-02 to 2009-03-02"),
+        ("day runs/flat-1 2009-03-05", 2, "it lasts from 2009-03-02 to 2009-03-02"),
         ("day runs/flat-1 2009-02-30", 2, "write a date such as 2009-03-02, or first or last"),
         ("day runs/flat-1 monday", 2, "write a date such as 2009-03-02, or first or last"),
         ("day runs/flat-1", 2, "required arguments were not provided"),
@@ -150,10 +150,10 @@ fn a_day_or_a_log_that_is_not_there_is_refused() {
         ("density runs/flat-1 --days 0", 2, "1..=3660"),
         ("density runs/flat-1 --away-after 30", 2, "write a number with its unit"),
         ("density runs/flat-1 --from 2", 2, "write a date"),
-        ("density runs/flat-1 --against nowhere", 1, "nowhere does not exist"),
+        ("density runs/flat-1 --compare nowhere", 1, "nowhere does not exist"),
         ("density runs/flat-1 --csv a.txt --svg a.txt", 2, "two outputs have the same file"),
         ("density runs/flat-1 --csv runs/flat-1/log.db --force", 1, "which cannot replace it"),
-        ("density room.txt --against runs/flat-1 --csv runs/flat-1/log.db --force", 1, "which cannot replace it"),
+        ("density room.txt --compare runs/flat-1 --csv runs/flat-1/log.db --force", 1, "which cannot replace it"),
         ("density runs/flat-1 --svg runs/flat-1/recording.json --force", 1, "which cannot replace it"),
         ("day runs/flat-1 first --png runs/flat-1/truth.db --force", 1, "which cannot replace it"),
     ] {
@@ -177,7 +177,7 @@ fn days_that_were_asked_for_are_days_of_the_map() {
         let scenario = [scenario, changed].into_iter().flat_map(|part| part.as_object().unwrap().clone());
         folder.write("flat/scenario.json", Value::Object(scenario.collect()).to_string());
         for span in ["", "--for 2d", "--for 48h"] {
-            let words = format!("run flat {span} --out csv:a.csv --record recording.json --force --quiet");
+            let words = format!("run flat {span} --out csv:a.csv --recording recording.json --force --quiet");
             folder.run(&words).ok();
             let said = folder.run("density a.csv --json").ok().json();
             let from_march = begin.contains("-03-");
@@ -195,8 +195,8 @@ fn days_that_were_asked_for_are_days_of_the_map() {
 #[test]
 fn a_cohort_is_no_log_and_its_members_are() {
     let folder = flat();
-    folder.run("run flat --residents 2 --for 1m --quiet").ok();
-    for command in ["density", "compare runs/flat-1/0001", "convert --to csv:a.csv"] {
+    folder.run("run flat --members 2 --for 1m --quiet").ok();
+    for command in ["density", "compare runs/flat-1/0001", "convert --out csv:a.csv"] {
         let hint = "each member has a log of their own\n  hint: name one of them, such as runs/flat-1/0001";
         folder.run(&format!("{command} runs/flat-1")).fails(2, hint);
     }

@@ -89,7 +89,7 @@ fn whatever_kills_the_program_what_was_done_a_second_before_is_kept() {
         // Lived to its end, its log has what the recording gives, each row once.
         folder.run(&format!("run --resume {run} --quiet")).ok();
         folder.run(&format!("replay {run}/recording.json --out csv:again.csv --force --quiet")).ok();
-        let of = |log: &str| folder.run(&format!("convert {log} --to csv:rows.csv --force")).ok();
+        let of = |log: &str| folder.run(&format!("convert {log} --out csv:rows.csv --force")).ok();
         of(&format!("{run}/log.db"));
         let rows = folder.read("rows.csv");
         of("again.csv");

@@ -23,7 +23,7 @@ const REFUSED: [(&str, &str); 4] = [
 /// The run, with whatever strace is to do besides.
 fn traced(folder: &Folder, strace: &[&str]) -> Done {
     let words =
-        "run flat --for 20m --quiet --force --out sqlite:log.db --out csv:log.csv --truth truth.db --record r.json";
+        "run flat --for 20m --quiet --force --out sqlite:log.db --out csv:log.csv --truth truth.db --recording r.json";
     let mut command = Command::new("strace");
     command.args(["-f", "-qq"]).args(strace).arg(env!("CARGO_BIN_EXE_homebody")).args(words.split_whitespace());
     Done::new(words, command.current_dir(folder.path("")).output().unwrap())

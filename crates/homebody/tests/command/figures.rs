@@ -156,7 +156,7 @@ fn recordings_of_a_real_house_are_walked_again() {
     folder.run(words).fails(2, "the house's sensor \"K1\"");
 
     folder.write("data/00001/pir.csv", "start,end,name,index\nx,70,kitchen,0\n");
-    folder.run("experiment sphere --data data").fails(2, "1 of 1 recordings cannot be understood");
+    folder.run("experiment sphere --data data").fails(2, "cannot parse 1 of 1 recordings");
 }
 
 #[test]

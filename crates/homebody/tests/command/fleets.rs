@@ -21,13 +21,13 @@ fn each_home_says_what_it_says_alone_and_the_report_counts_it() {
     folder.copy_scenario("studio");
     folder.copy_scenario("tigerplace");
     // At 1000 times the pace of life, some hours.
-    let fast = "--from 2026-11-01T08:00 --speed 1000";
+    let fast = "--start 2026-11-01T08:00 --speed 1000";
     let all = folder.run(&format!(
-        "fleet studio tigerplace --homes 4 {fast} --for 12s --out jsonl:all.jsonl --report report.jsonl --every 1s --list homes.csv --json"
+        "fleet studio tigerplace --homes 4 {fast} --for 12s --out jsonl:all.jsonl --report report.jsonl --report-every 1s --list homes.csv --json"
     ));
     let report: Value = serde_json::from_str(&all.ok().out).unwrap();
     let alone =
-        folder.run(&format!("fleet studio tigerplace --homes 1 --first 3 {fast} --for 10s --out jsonl:- --quiet"));
+        folder.run(&format!("fleet studio tigerplace --homes 1 --first-home 3 {fast} --for 10s --out jsonl:- --quiet"));
     let (all, alone) = (by_home(&folder.read("all.jsonl")), by_home(&alone.ok().out));
     assert_eq!(all.keys().collect::<Vec<_>>(), ["home00001", "home00002", "home00003", "home00004"]);
     let (here, there) = (&all["home00003"], &alone["home00003"]);
@@ -56,7 +56,7 @@ fn the_same_command_adds_to_the_rows_of_a_fleet() {
     folder.copy_scenario("tigerplace");
     let fleet = |seconds: u32, more: &str| {
         folder.run(&format!(
-            "fleet tigerplace --homes 2 --from 2026-11-01T08:00 --speed 1000 --for {seconds}s --out jsonl:all.jsonl --quiet{more}"
+            "fleet tigerplace --homes 2 --start 2026-11-01T08:00 --speed 1000 --for {seconds}s --out jsonl:all.jsonl --quiet{more}"
         ))
     };
     fleet(3, "").ok();
@@ -97,7 +97,7 @@ fn what_no_fleet_can_do_is_refused_before_anything_begins() {
         ("--homes 100000 --out jsonl:-", "99999"),
         ("--homes 3", "--out"),
         ("--homes 3 --out jsonl:- --json", "standard output"),
-        ("--homes 3 --out jsonl:- --storm often", "every 5min for 30s"),
+        ("--homes 3 --out jsonl:- --outages often", "every 5min for 30s"),
         ("--homes 3 --out jsonl:- --churn much", "stay 30min gone 5min"),
         ("--homes 2 --first 99999 --out jsonl:-", "from 1 to 99999"),
         ("--homes 2 --without gout --out jsonl:-", "gout"),
@@ -113,11 +113,11 @@ fn what_no_fleet_can_do_is_refused_before_anything_begins() {
 fn a_signal_ends_a_fleet_with_its_report() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
-    let fleet = folder.start("fleet studio --homes 20 --out jsonl:a.jsonl --report report.jsonl --every 1s");
+    let fleet = folder.start("fleet studio --homes 20 --out jsonl:a.jsonl --report report.jsonl --report-every 1s");
     folder.until("it reports", |folder| folder.path("report.jsonl").is_file());
     fleet.signal("INT");
     let done = fleet.finish();
     assert_eq!(done.code, Some(130), "{}", done.err);
-    assert!(done.err.contains("in all"), "{}", done.err);
+    assert!(done.err.contains("total "), "{}", done.err);
     assert!(folder.read("report.jsonl").lines().last().unwrap().contains("\"is_last\":true"));
 }

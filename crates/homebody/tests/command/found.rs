@@ -16,20 +16,20 @@ fn what_is_looked_for_is_told_with_its_times_and_what_leads_nowhere_is_refused()
     assert!(!visits.is_empty() && visits.iter().all(|one| hour(one, "begin") < 6 && one["words"] == "margaret"));
     let told = ask("room bathroom --between 0-6").ok().out;
     assert!(told.starts_with(&format!("tigerplace-1: room bathroom, between 00:00-06:00: {} times\n", visits.len())));
-    let long = json("room bathroom --at-least 10m");
+    let long = json("room bathroom --min-duration 10m");
     assert!(long.iter().all(|one| one["lasts_s"].as_f64().unwrap() >= 600.0));
     assert!(json("doing sleeping --between 12-13").is_empty() && !json("doing sleeping").is_empty());
     assert_eq!((json("fall").len(), json("lost").len()), (0, 0));
 
     // The log alone tells less, and says so.
-    folder.run("convert runs/tigerplace-1 --to csv:alone.csv").ok();
-    let alone = folder.run("find alone.csv still --at-least 30m").ok().out;
+    folder.run("convert runs/tigerplace-1 --out csv:alone.csv").ok();
+    let alone = folder.run("find alone.csv still --min-duration 30m").ok().out;
     assert!(alone.contains("Nobody knows whether anybody was at home"), "{alone}");
     folder.run("find alone.csv fall").fails(2, "without the truth of a run");
 
     ask("room batroom").fails(2, "\"bathroom\" was probably meant");
     ask("on").fails(2, "it is not said which sensor is looked for");
     ask("room bathroom --between 7-7").fails(2, "are no hours of a day");
-    ask("room bathroom --at-least long").fails(2, "write a number with its unit");
+    ask("room bathroom --min-duration long").fails(2, "write a number with its unit");
     ask("flying").fails(2, "invalid value");
 }

@@ -34,14 +34,14 @@ fn a_log_becomes_a_home_in_which_it_is_walked_back() {
     let folder = Folder::new();
     folder.write("week.txt", log());
     let made = folder.run("new flat --from-log week.txt").ok();
-    assert!(made.err.contains("flat is ready, and schematic: 6 rooms"), "{}", made.err);
+    assert!(made.err.contains("flat is ready, with a schematic home: 6 rooms"), "{}", made.err);
     assert!(
         made.err.contains("things that no sensor tells of, and that a life needs, are added: fridge, dining chair"),
         "{}",
         made.err
     );
     let checked = folder.run("check flat").ok();
-    assert!(checked.err.contains("nothing is wrong"), "{}", checked.err);
+    assert!(checked.err.contains("no problems"), "{}", checked.err);
     let home = home(&folder, "flat");
     assert_eq!(names(&home, "rooms"), ["bedroom", "hallway", "bathroom", "kitchen", "living room", "main entryway"]);
     assert!(home["about"].as_str().unwrap().starts_with("Schematic: "), "{home}");
@@ -57,9 +57,9 @@ fn a_log_becomes_a_home_in_which_it_is_walked_back() {
     // Somebody lives there, and where the log leads is walked there.
     folder.run("run flat --for 1d --quiet --out casas:lived.txt").ok();
     assert!(folder.read("lived.txt").contains("BedroomABed"));
-    let told = folder.run("translate week.txt --home flat --to walked --json").ok().json();
+    let told = folder.run("locate week.txt --home flat --out walked --json").ok().json();
     assert_eq!(told["unknown_sensors"], Value::Array(Vec::new()));
-    let told = folder.run("translate lived.txt --home flat --to again --json").ok().json();
+    let told = folder.run("locate lived.txt --home flat --out again --json").ok().json();
     let all = &told["explained"]["all"];
     assert!(all["matched"].as_f64().unwrap() / all["real"].as_f64().unwrap() > 0.7, "{all}");
     // The same log makes the same home.

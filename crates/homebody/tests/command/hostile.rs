@@ -68,7 +68,7 @@ fn only_plain_files_of_a_named_size_are_read() {
     let pipe = folder.path("pipe");
     assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
     folder.run("check pipe").fails(1, "pipe: it is no plain file\n  hint: a scenario folder holds a scenario.json");
-    for words in ["replay pipe", "import pipe new", "convert pipe --to csv:a.csv", "compare pipe pipe"] {
+    for words in ["replay pipe", "import pipe new", "convert pipe --out csv:a.csv", "compare pipe pipe"] {
         folder.run(words).fails(1, "it is no plain file, but a device or a pipe");
     }
     fs::remove_file(folder.path("flat/home.json")).unwrap();
@@ -141,7 +141,7 @@ fn no_link_beside_a_log_leads_what_is_written_elsewhere() {
 #[test]
 fn who_goes_on_with_somebody_elses_cohort_writes_nowhere_else() {
     let folder = beside_a_secret();
-    folder.run("run flat --for 2m --residents 2 --quiet").ok();
+    folder.run("run flat --for 2m --members 2 --quiet").ok();
     let list = folder.read("runs/flat-1/cohort.json");
     let member = |unfinished: bool| {
         let mut recording: serde_json::Value =

@@ -53,9 +53,8 @@ fn a_home_that_lacks_something_says_so_until_it_is_there() {
     let folder = Folder::new();
     folder.write("room.sh3d", plan(ROOM));
     let said = folder.run("import room.sh3d mine").ok().err;
-    let lack =
-        "nobody can live an ordinary life here yet: there is nowhere in this home to sleep\n  hint: give it a piece";
-    assert!(said.contains(lack) && said.contains("--furnish adds all"), "{said}");
+    let lack = "the ordinary routine cannot run yet: there is nowhere in this home to sleep\n  hint: give it a piece";
+    assert!(said.contains(lack) && said.contains("--furnish adds the furniture"), "{said}");
     assert!(folder.path("mine/anna.routine").is_file());
     let lacks = folder.run("check mine").fails(2, "there is nowhere in this home to sleep").err;
     assert!(lacks.contains("no toilet") && lacks.contains("nowhere to sit"), "{lacks}");
@@ -116,7 +115,7 @@ fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
         folder.write("plan.sh3d", plan(&four_rooms(plan_of)));
         let name = plan_of[2].to_lowercase();
         let said = folder.run(&format!("import plan.sh3d {name} --furnish")).ok().err;
-        assert!(!said.contains("ordinary life here yet"), "{said}");
+        assert!(!said.contains("ordinary routine cannot run yet"), "{said}");
         let added = |thing: &str, room: &str| {
             let told = format!("added, which the plan does not have: {thing:?} in {room:?}");
             assert!(said.contains(&told), "{told} is not in {said}");
@@ -148,7 +147,7 @@ fn what_is_out_of_reach_is_added_where_people_get_to() {
     let drawn = four_rooms(["Kitchen", "Bedroom", "Bathroom", "Guest room"]);
     folder.write("plan.sh3d", plan(&format!("{drawn}{}{toilet}", beds(1400))));
     let said = folder.run("import plan.sh3d mine").ok().err;
-    assert!(said.contains("ordinary life here yet: anna cannot get from"), "{said}");
+    assert!(said.contains("ordinary routine cannot run yet: anna cannot get from"), "{said}");
     let said = folder.run("import plan.sh3d other --furnish").ok().err;
     assert!(said.contains("\"bed 2\" in \"Bedroom\"") && said.contains("\"toilet 2\" in \"Bathroom\""), "{said}");
     let [asleep_h, meals, visits] = day(&folder, "other");
@@ -161,31 +160,31 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     folder.write("plan.sh3d", plan(&format!("{ROOM}{FURNITURE}")));
     folder.run("import plan.sh3d mine").ok();
     let said = folder.run("check mine").ok().err;
-    assert!(said.contains("the home has no sensors") && !said.contains("nothing is wrong"), "{said}");
+    assert!(said.contains("the home has no sensors") && !said.contains("no problems"), "{said}");
     // The proposed sensor is a valid line.
     let (_, sensor) = said.split_once("such as {").unwrap();
-    let (sensor, _) = sensor.split_once("}; homebody place").unwrap();
+    let (sensor, _) = sensor.split_once("}; homebody suggest-sensors").unwrap();
     let home = folder.read("mine/home.json");
     folder.write("mine/home.json", home.replace("\n  ]\n}", &format!("\n  ],\n  \"sensors\": [{{{sensor}}}]\n}}")));
     let said = folder.run("check mine").ok().err;
-    assert!(said.contains("mine: nothing is wrong. 1 room, 1 door, 3 pieces of furniture, 1 sensor"), "{said}");
+    assert!(said.contains("mine: no problems. 1 room, 1 door, 3 pieces of furniture, 1 sensor"), "{said}");
     // The check names a resident that waits forever, with the line that gives it a life.
     let wait = r#"{ "start": [3, 2], "steps": [{ "repeat": { "steps": [{ "wait": { "for_s": 60 } }] } }] }"#;
     folder.write("mine/anna.path.json", wait);
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
     let said = folder.run("check mine").ok().err;
     let what = "warning: anna.json: anna waits for ever and does nothing: anna.path.json has no walk";
-    assert!(said.contains(what) && !said.contains("nothing is wrong"), "{said}");
+    assert!(said.contains(what) && !said.contains("no problems"), "{said}");
     assert!(said.contains("let anna.json say \"driver\": {\"routine\":\"anna.routine\"}"), "{said}");
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": {"routine":"anna.routine"} }"#);
-    assert!(folder.run("check mine").ok().err.contains("nothing is wrong"));
+    assert!(folder.run("check mine").ok().err.contains("no problems"));
     let json = folder.run("check mine --json").ok().json();
     assert_eq!(json["warnings"].as_array().unwrap().len(), 0, "{json}");
     // Somebody who walks does not wait.
     let walk = r#"{ "start": [3, 2], "steps": [{ "repeat": { "steps": [{ "go": { "to": [[3, 2.5], [3, 2]] } }, { "wait": { "for_s": 60 } }] } }] }"#;
     folder.write("mine/anna.path.json", walk);
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
-    assert!(folder.run("check mine").ok().err.contains("nothing is wrong"));
+    assert!(folder.run("check mine").ok().err.contains("no problems"));
     folder.edit("mine/scenario.json", "\"residents\": [\"anna.json\"]", "\"residents\": []");
     assert!(folder.run("check mine").ok().err.contains("warning: scenario.json: nobody lives here"));
 }
@@ -231,7 +230,7 @@ fn walls_across_each_other_do_not_break_it_down() {
     let star = |count: u32| plan(&format!("{ROOM}{FURNITURE}{}", (0..count).map(across).collect::<String>()));
     folder.write("star.sh3d", star(150));
     let said = folder.run("import star.sh3d mine").ok().err;
-    assert!(said.contains("nobody can live an ordinary life here yet: anna cannot get from"), "{said}");
+    assert!(said.contains("the ordinary routine cannot run yet: anna cannot get from"), "{said}");
     folder.run("check mine").fails(2, "anna cannot get from");
     folder.write("star.sh3d", star(2_000));
     folder.run("import star.sh3d other").fails(2, "meet or cross each other more than 20000 times\n  hint:");

@@ -7,10 +7,10 @@ use serde_json::json;
 #[test]
 fn parts_are_listed_in_words_in_figures_and_on_sheets() {
     let folder = flat();
-    let done = folder.run("parts flat --json parts.json --csv parts.csv --pdf sheet.pdf --svg map.svg").ok();
+    let done = folder.run("install-sheet flat --json parts.json --csv parts.csv --pdf sheet.pdf --svg map.svg").ok();
     assert!(done.out.contains("KitchenWall") && done.out.contains("on the west wall"), "{}", done.out);
     let figures: serde_json::Value = serde_json::from_str(&folder.read("parts.json")).unwrap();
-    assert_eq!(figures, folder.run("parts flat --json").ok().json());
+    assert_eq!(figures, folder.run("install-sheet flat --json").ok().json());
     assert_eq!(figures["parts"].as_array().unwrap().len(), 5);
     assert_eq!(figures["parts"][0]["looks"], json!("east, straight out from the wall"));
     assert_eq!(folder.read("parts.csv").lines().count(), 6);
@@ -18,9 +18,9 @@ fn parts_are_listed_in_words_in_figures_and_on_sheets() {
     assert!(folder.read("map.svg").starts_with("<svg"));
 
     // Nothing is replaced that is there, and nothing is half written.
-    folder.run("parts flat --pdf sheet.pdf --csv fresh.csv").fails(1, "sheet.pdf");
+    folder.run("install-sheet flat --pdf sheet.pdf --csv fresh.csv").fails(1, "sheet.pdf");
     assert!(!folder.path("fresh.csv").exists());
-    folder.run("parts flat --pdf flat/home.json --force").fails(1, "home.json");
+    folder.run("install-sheet flat --pdf flat/home.json --force").fails(1, "home.json");
 }
 
 #[test]
@@ -30,14 +30,14 @@ fn two_layouts_are_compared() {
         folder.write(&file.replacen("flat", "other", 1), folder.read(&file));
     }
     folder.edit("other/home.json", "\"at\": [0.05, 1.5]", "\"at\": [0.05, 2.0]");
-    let told = folder.run("parts flat --beside other").ok();
+    let told = folder.run("install-sheet flat --compare other").ok();
     assert!(told.out.contains("KitchenWall: hangs 0.50 m away"), "{}", told.out);
-    let figures = folder.run("parts flat --beside other --json").ok().json();
+    let figures = folder.run("install-sheet flat --compare other --json").ok().json();
     assert_eq!(figures["differences"].as_array().unwrap().len(), 1);
     assert_eq!(figures["layouts"][1]["name"], json!("other"));
     // The control: a home beside itself.
-    assert_eq!(folder.run("parts flat --beside flat --json").ok().json()["differences"], json!([]));
-    folder.run("parts flat --beside nowhere").fails(1, "nowhere");
+    assert_eq!(folder.run("install-sheet flat --compare flat --json").ok().json()["differences"], json!([]));
+    folder.run("install-sheet flat --compare nowhere").fails(1, "nowhere");
 }
 
 #[test]
@@ -51,7 +51,7 @@ fn devices_are_listed_and_placed() {
     folder.run("devices fibro").fails(2, "did you mean \"fibaro\"?");
 
     let placed =
-        folder.run(&format!("place {ROOT}/scenarios/studio --to-see falls --sensors 2 --device fibaro --json"));
+        folder.run(&format!("suggest-sensors {ROOT}/scenarios/studio --goals falls --count 2 --device fibaro --json"));
     let sensors = placed.ok().json()["sensors"].clone();
     let motion: Vec<_> = sensors.as_array().unwrap().iter().filter(|sensor| sensor["kind"] == "motion").collect();
     assert!(!motion.is_empty() && motion.iter().all(|sensor| sensor["preset"] == "fibaro"), "{sensors}");

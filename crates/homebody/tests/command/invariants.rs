@@ -147,7 +147,7 @@ fn adding_a_resident_changes_no_other() {
 #[test]
 fn truth_never_leaks() {
     let folder = flat();
-    folder.run(&format!("run flat --record recording.json {}", out("a"))).ok();
+    folder.run(&format!("run flat --recording recording.json {}", out("a"))).ok();
     // What only the truth knows.
     let secrets = ["Ann", "Bob", "strolling", "stride", "standing"];
     let truth = folder.dump("a-truth.db");

@@ -50,10 +50,10 @@ fn killed_commands_are_given_again() {
     for (signal, words, made) in [
         ("-KILL", "new my-home --template tigerplace", &["my-home"][..]),
         ("-TERM", "new my-home --template tigerplace", &["my-home"]),
-        ("-KILL", "convert runs/flat-1 --to sqlite:out.db", &["out.db"]),
-        ("-TERM", "convert runs/flat-1 --to csv:out.csv", &["out.csv", "out.sensors.csv"]),
-        ("-KILL", "convert runs/flat-1 --to jsonl:out.jsonl.gz", &["out.jsonl.gz", "out.sensors.csv"]),
-        ("-KILL", "label runs/flat-1 --to sqlite:labelled.db", &["labelled.db"]),
+        ("-KILL", "convert runs/flat-1 --out sqlite:out.db", &["out.db"]),
+        ("-TERM", "convert runs/flat-1 --out csv:out.csv", &["out.csv", "out.sensors.csv"]),
+        ("-KILL", "convert runs/flat-1 --out jsonl:out.jsonl.gz", &["out.jsonl.gz", "out.sensors.csv"]),
+        ("-KILL", "label runs/flat-1 --out sqlite:labelled.db", &["labelled.db"]),
     ] {
         killed += killed_and_given_again(&folder, words, made, signal);
     }
@@ -66,7 +66,7 @@ fn what_is_whole_is_not_replaced_unasked() {
     let folder = flat();
     folder.run("run flat --for 20m --quiet").ok();
     folder.run("new my-home --template tigerplace").ok();
-    folder.run("convert runs/flat-1 --to sqlite:out.db").ok();
+    folder.run("convert runs/flat-1 --out sqlite:out.db").ok();
     folder.run("new my-home --template tigerplace").fails(1, "my-home exists already");
-    folder.run("convert runs/flat-1 --to sqlite:out.db").fails(1, "out.db exists already");
+    folder.run("convert runs/flat-1 --out sqlite:out.db").fails(1, "out.db exists already");
 }

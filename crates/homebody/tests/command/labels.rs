@@ -31,7 +31,7 @@ fn the_hour_that_clocks_tell_twice_is_labelled_as_two() {
         logger["time"] = time.into();
         folder.write("tigerplace/logger.json", logger.to_string());
         folder.run("run tigerplace --for 24h --quiet").ok();
-        folder.run(&format!("label runs/tigerplace-{} --to csv:{time}.csv", number + 1)).ok();
+        folder.run(&format!("label runs/tigerplace-{} --out csv:{time}.csv", number + 1)).ok();
     }
     let reference = labels(&folder, "utc.csv");
     assert!(reference.len() > 3000);
@@ -55,28 +55,28 @@ fn a_truth_of_texts_labels_as_a_database_does() {
     let folder = flat();
     folder.run("run flat --for 20m --quiet --out csv:log.csv --truth truth.db").ok();
     folder.run("run flat --for 20m --quiet --out csv:same.csv --truth csv:texts.csv").ok();
-    folder.run("label log.csv truth.db --to csv:wanted.csv").ok();
+    folder.run("label log.csv truth.db --out csv:wanted.csv").ok();
     let wanted = folder.read("wanted.csv");
     assert!(wanted.lines().count() > 300 && wanted.contains(",movement,"));
     for truth in ["csv:texts.csv", "texts.csv", "texts.cause.csv"] {
-        folder.run(&format!("label log.csv {truth} --to csv:found.csv --force")).ok();
+        folder.run(&format!("label log.csv {truth} --out csv:found.csv --force")).ok();
         assert_eq!(folder.read("found.csv"), wanted, "{truth}");
     }
     // Beside its log it is found.
     folder.run("run flat --for 20m --quiet --out csv:beside/log.csv --truth csv:beside/truth.csv").fails(1, "folder");
     fs::create_dir(folder.path("beside")).unwrap();
     folder.run("run flat --for 20m --quiet --out csv:beside/log.csv --truth csv:beside/truth.csv").ok();
-    folder.run("label beside/log.csv --to csv:found.csv --force").ok();
+    folder.run("label beside/log.csv --out csv:found.csv --force").ok();
     assert_eq!(folder.read("found.csv"), wanted);
     // What is missing of it is told, and so is what is no row of it.
-    folder.run("label log.csv csv:texts.csv --to csv:texts.room.csv --force").fails(1, "cannot become itself");
+    folder.run("label log.csv csv:texts.csv --out csv:texts.room.csv --force").fails(1, "is the input");
     folder.edit("texts.room.csv", "resident,at,room", "resident,at,place");
     folder
-        .run("label log.csv csv:texts.csv --to csv:x.csv")
+        .run("label log.csv csv:texts.csv --out csv:x.csv")
         .fails(1, "texts.room.csv has no truth: no column \"room\"");
     fs::remove_file(folder.path("texts.off.csv")).unwrap();
     folder
-        .run("label log.csv csv:texts.csv --to csv:x.csv")
+        .run("label log.csv csv:texts.csv --out csv:x.csv")
         .fails(1, "csv:texts.csv has no truth: no file texts.off.csv");
     assert!(!folder.path("x.csv").exists());
 }
@@ -89,7 +89,7 @@ fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
     let lines: Vec<&str> = text.lines().collect();
     let dirty = [&lines[..3], &["3,never,Fridge,ON", "nonsense"], &lines[3..]].concat().join("\n");
     folder.write("dirty.csv", dirty);
-    let said = folder.run("label dirty.csv truth.db --to csv:x.csv").fails(1, "dirty.csv:4: \"never\" is no date").err;
+    let said = folder.run("label dirty.csv truth.db --out csv:x.csv").fails(1, "dirty.csv:4: \"never\" is no date").err;
     assert!(said.contains("dirty.csv:5: ") && said.contains("hint: ") && !said.contains("truth.db"), "{said}");
 
     folder.write("empty.db", "");
@@ -102,26 +102,26 @@ fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
         ("none.db", "none.db does not exist"),
         ("casas:log.csv", "has no truth"),
     ] {
-        let said = folder.run(&format!("label log.csv {truth} --to csv:x.csv")).fails(1, said).err;
+        let said = folder.run(&format!("label log.csv {truth} --out csv:x.csv")).fails(1, said).err;
         assert!(said.contains("\n  hint: "), "{said}");
     }
     fs::rename(folder.path("truth.db"), folder.path("moved.db")).unwrap();
     folder
-        .run("label log.csv --to csv:x.csv")
-        .fails(1, "no truth lies beside csv:log.csv\n  hint: name the run's truth");
+        .run("label log.csv --out csv:x.csv")
+        .fails(1, "csv:log.csv has no ground truth\n  hint: name the ground truth");
     assert!(!folder.path("x.csv").exists());
     // Who follows the hints gets there.
-    folder.run("label log.csv moved.db --to csv:x.csv").ok();
+    folder.run("label log.csv moved.db --out csv:x.csv").ok();
 }
 
 /// The commands that read a run's folder.
 const READERS: [&str; 6] = [
-    "label RUN --to csv:x.csv",
-    "convert RUN --to csv:x.csv",
+    "label RUN --out csv:x.csv",
+    "convert RUN --out csv:x.csv",
     "compare RUN RUN",
     "density RUN",
     "day RUN first",
-    "convert RUN/LOG --to csv:x.csv",
+    "convert RUN/LOG --out csv:x.csv",
 ];
 
 #[test]
@@ -163,14 +163,13 @@ fn a_run_without_rows_yet_is_told_as_such() {
             .filter(|words| folder.path(&format!("runs/flat-1/{name}")).exists() || !words.contains("LOG"))
         {
             let words = words.replace("LOG", name).replace("RUN", "runs/flat-1");
-            let said =
-                "the run in runs/flat-1 has no rows yet\n  hint: homebody run --resume runs/flat-1 goes on with it";
+            let said = "the run in runs/flat-1 has no rows yet\n  hint: homebody run --resume runs/flat-1 resumes it";
             folder.run(&words).fails(1, said);
         }
         fs::remove_file(folder.path("runs/flat-1/truth.db")).unwrap();
         folder.run("run --resume runs/flat-1 --quiet").ok();
         assert!(left() == whole, "{log}");
-        folder.run("convert runs/flat-1 --to csv:x.csv").ok();
+        folder.run("convert runs/flat-1 --out csv:x.csv").ok();
     }
 }
 
@@ -183,7 +182,7 @@ fn all(folder: &Folder) -> Vec<(String, Vec<u8>)> {
 fn no_file_of_a_run_is_replaced() {
     let folder = flat();
     folder.run("run flat --for 5m --quiet").ok();
-    folder.run("convert runs/flat-1 --to csv:elsewhere.csv").ok();
+    folder.run("convert runs/flat-1 --out csv:elsewhere.csv").ok();
     #[cfg(unix)]
     {
         std::os::unix::fs::symlink("runs/flat-1/truth.db", folder.path("link.db")).unwrap();
@@ -200,21 +199,21 @@ fn no_file_of_a_run_is_replaced() {
     ];
     fs::create_dir(folder.path("runs/flat-1/x")).unwrap();
     for to in if cfg!(unix) { &files[..] } else { &files[..4] } {
-        folder.run(&format!("convert elsewhere.csv --to {to} --force")).fails(1, "is a file of the run in ");
-        let said = if to.ends_with(".db") { "cannot become itself" } else { "is a file of the run in " };
-        folder.run(&format!("label runs/flat-1 --to {to} --force")).fails(1, said);
+        folder.run(&format!("convert elsewhere.csv --out {to} --force")).fails(1, "is a file of the run in ");
+        let said = if to.ends_with(".db") { "is the input" } else { "is a file of the run in " };
+        folder.run(&format!("label runs/flat-1 --out {to} --force")).fails(1, said);
     }
     fs::remove_dir(folder.path("runs/flat-1/x")).unwrap();
     assert_eq!(all(&folder), before);
     // What the run has not left is anybody's.
-    folder.run("convert elsewhere.csv --to csv:runs/flat-1/log.csv").ok();
+    folder.run("convert elsewhere.csv --out csv:runs/flat-1/log.csv").ok();
     // A run that is under way is going to have its log.
     let mut logger: serde_json::Value = serde_json::from_str(&folder.read("flat/logger.json")).unwrap();
     logger["to"] = serde_json::json!(["csv:own/name.csv"]);
     folder.write("flat/logger.json", logger.to_string());
     let mut running = folder.start("run flat --for 10m --quiet --control --paused");
     folder.until("the run is begun", |folder| folder.path("runs/flat-2/recording.json").exists());
-    folder.run("convert elsewhere.csv --to csv:runs/flat-2/own/name.csv").fails(1, "is a file of the run in ");
+    folder.run("convert elsewhere.csv --out csv:runs/flat-2/own/name.csv").fails(1, "is a file of the run in ");
     running.say("stop\n");
     running.finish().ok();
     assert!(folder.path("runs/flat-2/own/name.csv").exists());
@@ -234,5 +233,5 @@ fn a_log_and_the_tables_of_a_truth_have_files_of_their_own() {
     fs::remove_file(folder.path("t.cause.csv")).unwrap();
     // Of one name, but of files of their own.
     folder.run("run flat --for 5m --quiet --out csv:t.csv --truth csv:t.csv").ok();
-    folder.run("label t.csv csv:t.csv --to csv:labelled.csv").ok();
+    folder.run("label t.csv csv:t.csv --out csv:labelled.csv").ok();
 }

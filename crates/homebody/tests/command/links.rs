@@ -87,8 +87,8 @@ fn with_a_link_speed_changes_nothing_either() {
 #[test]
 fn a_recording_holds_the_link() {
     let folder = linked(LINK);
-    folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db --record whole.json").ok();
-    let words = "run flat --control --paused --quiet --out csv:part.csv --record part.json";
+    folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db --recording whole.json").ok();
+    let words = "run flat --control --paused --quiet --out csv:part.csv --recording part.json";
     folder.say(words, "step 333.3\nstop\n").ok();
     std::fs::remove_dir_all(folder.path("flat")).unwrap();
     for (recording, log) in [("whole.json", "log.csv"), ("part.json", "part.csv")] {
@@ -132,7 +132,7 @@ fn faults_that_come_when_the_run_is_over_are_warned_of() {
         "warning: link.json:3:3: the fault \"outage\" begins on 2009-03-03 at 07:00, \
          after the run ends on 2009-03-02 at 08:14\n  hint: days count from 0",
         "warning: link.json:4:3: the fault \"battery\" of \"BedroomWall\" begins on",
-        "nothing is wrong",
+        "no problems",
     ] {
         assert!(said.contains(part), "{said}");
     }

@@ -54,7 +54,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     let stored = || folder.stored_rows("home/log.db");
 
     // Years are caught up with in a while; meanwhile it is stopped.
-    let home = Living::begin(&folder, "first", "live studio --folder home --from 2024-11-01 --out jsonl:-");
+    let home = Living::begin(&folder, "first", "live studio --folder home --start 2024-11-01 --out jsonl:-");
     home.until("it has begun", || stored() > 1000);
     let (code, first) = home.end("TERM");
     assert_eq!(code, Some(143));
@@ -71,7 +71,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
 
     // After a death some rows may be given again, by their numbers, and none is missing.
     let killed = || folder.stored_rows("killed/log.db");
-    let home = Living::begin(&folder, "third", "live studio --folder killed --from 2024-11-01 --out jsonl:-");
+    let home = Living::begin(&folder, "third", "live studio --folder killed --start 2024-11-01 --out jsonl:-");
     home.until("it has begun", || killed() > 1000);
     let (_, before) = home.end("KILL");
     let home = Living::begin(&folder, "fourth", "live studio --folder killed --out jsonl:-");
@@ -82,24 +82,26 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     folder.run("replay killed/recording.json --out csv:killed.csv").ok();
 
     // What is asked for otherwise than it is lived is no other home in silence, and a home without an end is not lived to one.
-    folder.run("live studio --folder home --from 2024-11-02").fails(2, "lived from 2024-11-01T00:00:00 on");
+    folder.run("live studio --folder home --start 2024-11-02").fails(2, "starts at 2024-11-01T00:00:00");
     folder.run("live studio --folder home --seed 7").fails(2, "another --folder");
-    folder.run("run --resume home").fails(2, "homebody live SCENARIO --folder home goes on with it");
+    folder.run("run --resume home").fails(2, "homebody live SCENARIO --folder home resumes it");
     let said = folder.run("doctor home").ok().out;
     assert!(said.contains("homebody live SCENARIO --folder home goes on with it"), "{said}");
-    let home = Living::begin(&folder, "fifth", "live studio --folder home --from 2024-11-01 --seed 74");
-    home.until("it says so", || home.told().contains("goes on in home, from 2024-11-01 00:00:00 on; Ctrl-C"));
+    let home = Living::begin(&folder, "fifth", "live studio --folder home --start 2024-11-01 --seed 74");
+    home.until("it says so", || {
+        home.told().contains("resumes in home; simulated from 2024-11-01 00:00:00; press Ctrl-C")
+    });
     assert_eq!(home.end("TERM").0, Some(143));
 
     // A clock of another zone may be behind ours, or a date be meant that is to come: that is said.
-    let home = Living::begin(&folder, "sixth", "live studio --folder later --from 2100-01-01");
-    home.until("it says so", || home.told().contains(" days from now: its clock says 20"));
+    let home = Living::begin(&folder, "sixth", "live studio --folder later --start 2100-01-01");
+    home.until("it says so", || home.told().contains(" days; the home's clock shows 20"));
     assert_eq!(home.end("TERM").0, Some(143));
 
     // Another scenario has another folder.
     folder.copy_scenario("tigerplace");
     folder.run("live tigerplace --folder home").fails(2, "--folder");
-    folder.run("live studio --from yesterday").fails(2, "now, today, 2026-11-01");
+    folder.run("live studio --start yesterday").fails(2, "now, today, 2026-11-01");
     folder.run("live studio --out csv:rows.csv").fails(2, "homebody convert");
 }
 
@@ -113,7 +115,7 @@ fn the_texts_of_a_live_home_can_be_followed() {
         folder.edit("studio/logger.json", "casas:log.txt", place);
         let file = format!("home/{log}");
         let lines = || std::fs::read_to_string(folder.path(&file)).map_or(0, |text| text.lines().count());
-        let home = Living::begin(&folder, "first", "live studio --folder home --from 2024-11-01");
+        let home = Living::begin(&folder, "first", "live studio --folder home --start 2024-11-01");
         home.until("it can be followed", || lines() > 100);
         home.end("KILL");
         let before = folder.read(&file);

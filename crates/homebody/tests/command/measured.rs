@@ -14,11 +14,11 @@ fn lived() -> Folder {
 #[test]
 fn days_are_measured_by_the_log_and_by_the_truth() {
     let folder = lived();
-    let words = "measure runs/tigerplace-1 --json=heard.json --csv days.csv --svg days.svg";
+    let words = "measures runs/tigerplace-1 --json=heard.json --csv days.csv --svg days.svg";
     let done = folder.run(words).ok();
     assert!(done.out.contains("21 days from 2009-03-02") && done.out.contains("time_in_bed"), "{}", done.out);
     let heard: Value = serde_json::from_str(&folder.read("heard.json")).unwrap();
-    let lived = folder.run("measure runs/tigerplace-1 --resident margaret --json").ok().json();
+    let lived = folder.run("measures runs/tigerplace-1 --resident margaret --json").ok().json();
     let values = |of: &Value, name: &str| -> Vec<f64> {
         of["days"].as_array().unwrap().iter().filter_map(|day| day["values"][name].as_f64()).collect()
     };
@@ -37,18 +37,18 @@ fn days_are_measured_by_the_log_and_by_the_truth() {
 #[test]
 fn what_cannot_be_measured_is_said() {
     let folder = lived();
-    folder.run("measure runs/tigerplace-1 --resident rose").fails(2, "hint: the residents are margaret");
+    folder.run("measures runs/tigerplace-1 --resident rose").fails(2, "hint: the residents are margaret");
     folder.write("names.csv", "time,sensor,value\n2024-01-01 10:00:00,M001,ON\n2024-01-01 10:00:09,M002,ON\n");
-    let unplaced = folder.run("measure names.csv").ok();
-    assert!(unplaced.out.contains("No sensor's name tells its room"), "{}", unplaced.out);
-    folder.run("measure names.csv --home tigerplace").fails(2, "none of its sensors is one of this home");
+    let unplaced = folder.run("measures names.csv").ok();
+    assert!(unplaced.out.contains("no sensor name contains a room"), "{}", unplaced.out);
+    folder.run("measures names.csv --home tigerplace").fails(2, "this home has none of its sensors");
     let eats = r#"<log><trace><event><string key="concept:name" value="Eat"/>
         <date key="time:timestamp" value="2024-01-01T07:00:00Z"/></event></trace></log>"#;
     folder.write("events.xes", format!("{eats}\n"));
-    let wanted = "it has no rows of sensors, only 1 activity\n  hint: homebody look events.xes shows them";
-    folder.run("measure events.xes").fails(2, wanted);
+    let wanted = "it has no rows of sensors, only 1 activity\n  hint: homebody inspect events.xes lists them";
+    folder.run("measures events.xes").fails(2, wanted);
     folder.run("density events.xes").fails(2, wanted);
-    assert!(folder.run("look events.xes").ok().out.contains("Eat"));
+    assert!(folder.run("inspect events.xes").ok().out.contains("Eat"));
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn alerts_go_by_rules_that_may_be_changed() {
         r#"{ "rules": [{ "name": "any change", "measure": "density_morning", "when": "either", "k_sd": 0.2 }] }"#,
     );
     let eager = folder.run("alerts runs/tigerplace-1 --rules rules.json").ok();
-    assert!(eager.out.contains("any change") && eager.out.contains("than the usual"), "{}", eager.out);
+    assert!(eager.out.contains("any change") && eager.out.contains("than usual"), "{}", eager.out);
     folder.write("rules.json", r#"{ "rules": [{ "name": "x", "measure": "meels", "when": "less", "k_sd": -3 }] }"#);
     folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "no measure \"meels\"");
     folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "k_sd has to be");
@@ -70,26 +70,30 @@ fn alerts_go_by_rules_that_may_be_changed() {
 #[test]
 fn days_are_told_in_sentences() {
     let folder = lived();
-    let told = folder.run("summarise runs/tigerplace-1").ok();
-    assert!(told.out.contains("of the last two weeks, Margaret went to bed between "), "{}", told.out);
-    let of_one = folder.run("summarise runs/tigerplace-1 --resident margaret --for experts --last 7").ok();
-    assert!(of_one.out.contains("of the last 7 days, Margaret ") && of_one.out.contains("truth "), "{}", of_one.out);
-    let beside = folder.run("summarise runs/tigerplace-1 --beside runs/tigerplace-1 --json").ok().json();
+    let told = folder.run("summary runs/tigerplace-1").ok();
+    assert!(
+        told.out.contains("\nMargaret went to bed between ") && told.out.contains(" of the last two weeks.\n"),
+        "{}",
+        told.out
+    );
+    let of_one = folder.run("summary runs/tigerplace-1 --resident margaret --audience experts --last 7").ok();
+    assert!(of_one.out.contains(" of the last 7 days (truth ") && of_one.out.contains("Margaret "), "{}", of_one.out);
+    let beside = folder.run("summary runs/tigerplace-1 --compare runs/tigerplace-1 --json").ok().json();
     assert_eq!(beside["distance"].as_f64(), Some(0.0));
 }
 
 #[test]
 fn programs_get_rows() {
     let folder = lived();
-    folder.run("measure runs/tigerplace-1 --out sqlite:care.db --out fhir:care.json --out jsonl:care.jsonl").ok();
+    folder.run("measures runs/tigerplace-1 --out sqlite:care.db --out fhir:care.json --out jsonl:care.jsonl").ok();
     let bundle: Value = serde_json::from_str(&folder.read("care.json")).unwrap();
     let lines = folder.read("care.jsonl");
     let first: Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
     assert_eq!((bundle["resourceType"].as_str(), first["kind"].as_str()), (Some("Bundle"), Some("measure")));
     assert_eq!(bundle["entry"].as_array().unwrap().len(), lines.lines().count());
-    folder.run("measure runs/tigerplace-1 --out sqlite:care.db").fails(1, "table measure of care.db exists already");
+    folder.run("measures runs/tigerplace-1 --out sqlite:care.db").fails(1, "table measure of care.db exists already");
     folder.run("alerts runs/tigerplace-1 --out sqlite:care.db").ok();
-    let printed = folder.run("summarise runs/tigerplace-1 --out jsonl:- --out sqlite:care.db").ok();
+    let printed = folder.run("summary runs/tigerplace-1 --out jsonl:- --out sqlite:care.db").ok();
     let is_row = |line: &str| serde_json::from_str::<Value>(line).is_ok_and(|row| row["kind"] == "sentence");
     assert!(printed.out.lines().count() > 3 && printed.out.lines().all(is_row), "{}", printed.out);
     let database = rusqlite::Connection::open(folder.path("care.db")).unwrap();
@@ -98,7 +102,7 @@ fn programs_get_rows() {
     };
     assert_eq!(count("measure") as usize, lines.lines().count());
     assert_eq!(count("sentence") as usize, printed.out.lines().count());
-    folder.run("alerts runs/tigerplace-1 --out fhir:x.json").fails(2, "FHIR has measures alone");
+    folder.run("alerts runs/tigerplace-1 --out fhir:x.json").fails(2, "FHIR holds measures only");
     folder.run("alerts runs/tigerplace-1 --out x.json").fails(2, "hint: write jsonl:FILE");
     folder.run("alerts runs/tigerplace-1 --follow --json").fails(2, "writes no files");
     folder.run("alerts nowhere --follow").fails(1, "nowhere");
@@ -108,9 +112,9 @@ fn programs_get_rows() {
 fn sensors_are_placed() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
-    let words = "place studio --to-see falls,outings --sensors 3 --people 4 --json=placed.json --svg placed.svg";
+    let words = "suggest-sensors studio --goals falls,outings --count 3 --people 4 --json=placed.json --svg placed.svg";
     let told = folder.run(words).ok();
-    assert!(told.out.contains("that the home has"), "{}", told.out);
+    assert!(told.out.contains("the home's own"), "{}", told.out);
     let placed: Value = serde_json::from_str(&folder.read("placed.json")).unwrap();
     let steps = placed["steps"].as_array().unwrap();
     let score = |step: &Value| step["score"].as_f64().unwrap();
@@ -136,7 +140,7 @@ fn sensors_are_placed() {
     folder.write("studio/scenario.json", scenario.replace("\"logger\": \"logger.json\",", ""));
     let (last, taken) = (swapped.last().unwrap_or(&steps[2]), covered());
     assert!((seen(last) - taken).abs() < 1e-4, "{taken} of {last}");
-    folder.run("place studio --to-see luck,depression").fails(2, "there is no \"luck\"");
+    folder.run("suggest-sensors studio --goals luck,depression").fails(2, "there is no \"luck\"");
 }
 
 #[test]
@@ -144,12 +148,12 @@ fn of_two_residents_it_is_said_whose_measures_they_are() {
     let folder = Folder::new();
     folder.copy_scenario("couple-with-cat");
     folder.run("run couple-with-cat --quiet --for 2d").ok();
-    let all = folder.run("measure runs/couple-with-cat-1").ok();
-    assert!(all.out.contains("It is of all who live there") && all.out.contains("--resident"), "{}", all.out);
-    let for_programs = folder.run("measure runs/couple-with-cat-1 --json").ok();
-    assert!(for_programs.out.contains("It is of all who live there"), "{}", for_programs.out);
-    let of_one = folder.run("measure runs/couple-with-cat-1 --resident ruth --json").ok();
-    assert!(!of_one.out.contains("all who live there"), "{}", of_one.out);
+    let all = folder.run("measures runs/couple-with-cat-1").ok();
+    assert!(all.out.contains("cannot tell residents apart") && all.out.contains("--resident"), "{}", all.out);
+    let for_programs = folder.run("measures runs/couple-with-cat-1 --json").ok();
+    assert!(for_programs.out.contains("cannot tell residents apart"), "{}", for_programs.out);
+    let of_one = folder.run("measures runs/couple-with-cat-1 --resident ruth --json").ok();
+    assert!(!of_one.out.contains("cannot tell residents apart"), "{}", of_one.out);
 }
 
 /// A home of a bed's sensor and a front door's contact for five days, with the activities that somebody noted.
@@ -182,13 +186,13 @@ fn logs_of_real_homes_are_held_beside_what_people_noted() {
         assert!((mean - truly).abs() < 0.01 && apart < 0.01, "{error}");
     }
     folder.write("noted.txt", noted("Gardening").replace("Sleep", "Reading"));
-    folder.run("experiment measures --data noted.txt").fails(2, "it notes no activity that any measure is about");
+    folder.run("experiment measures --data noted.txt").fails(2, "no measure is about its activities");
     folder.run("experiment measures --data noted.txt --homes 3").fails(2, "cannot be used with");
 }
 
 /// The values of each day of a run, and of the run itself what it is called.
 fn days_of(folder: &Folder, run: &str) -> Vec<Value> {
-    let told = folder.run(&format!("measure {run} --json")).ok().json();
+    let told = folder.run(&format!("measures {run} --json")).ok().json();
     told["days"].as_array().unwrap().clone()
 }
 
@@ -245,13 +249,13 @@ fn nothing_is_known_of_what_no_sensor_tells() {
         }
     }
     folder.write("log.csv", log);
-    let told = folder.run("measure log.csv --json").ok().json();
+    let told = folder.run("measures log.csv --json").ok().json();
     let of_days =
         |name: &str| told["days"].as_array().unwrap().iter().filter(|day| day["values"][name].is_number()).count();
     assert_eq!((of_days("meals"), of_days("bathroom_day")), (0, 0));
     assert!(of_days("room_changes") >= 7, "{told}");
     assert!(
-        told["remarks"].to_string().contains("No sensor in the kitchen detects the resident"),
+        told["remarks"].to_string().contains("no sensor in the kitchen detects the resident"),
         "{}",
         told["remarks"]
     );
@@ -275,13 +279,13 @@ fn notes_of_a_log_stand_beside_what_its_sensors_tell() {
     let mut rows: Vec<&str> = log.lines().collect();
     rows.sort_unstable();
     folder.write("log.txt", rows.join("\n") + "\n");
-    let done = folder.run("measure log.txt --json=told.json").ok();
+    let done = folder.run("measures log.txt --json=told.json").ok();
     let told: Value = serde_json::from_str(&folder.read("told.json")).unwrap();
     let bed = told["noted"].as_array().unwrap().iter().find(|noted| noted["measure"] == "time_in_bed").unwrap();
     assert!((bed["by_notes"].as_f64().unwrap() - 9.0).abs() < 0.01, "{bed}");
     assert!((bed["by_sensors"].as_f64().unwrap() - 8.0).abs() < 0.01, "{bed}");
-    assert!(done.out.contains("time_in_bed: by the log's notes 9.00 h, by the sensors 8.00 h"), "{}", done.out);
+    assert!(done.out.contains("time_in_bed: 9.00 h by the log's notes, 8.00 h by the sensors"), "{}", done.out);
     assert_eq!(told["days"][2]["values"]["meals"], 1.0);
     assert!(told["from_notes"].to_string().contains("meals"), "{}", told["from_notes"]);
-    assert!(done.out.contains("By the log's notes alone"), "{}", done.out);
+    assert!(done.out.contains("Taken from the log's notes"), "{}", done.out);
 }

@@ -28,13 +28,13 @@ fn files_have_a_table_of_sensors_beside_them_and_databases_in_them() {
     assert!(folder.query("runs/flat-1/truth.db", "SELECT name FROM sqlite_schema WHERE name = 'sensor'").is_empty());
     // A log that is read knows them, wherever it came from, and hands them on.
     for (from, to) in [("week.csv", "sqlite:a.db"), ("a.db", "csv:b.csv"), ("b.csv", "jsonl:c.jsonl")] {
-        folder.run(&format!("convert {from} --to {to}")).ok();
+        folder.run(&format!("convert {from} --out {to}")).ok();
     }
     assert_eq!(row(&folder, "c.sensors.csv", id)[1..4], file[1..4]);
     // The control: a log with nothing but ids gets no table.
     folder.write("bare.csv", "time,sensor,value\n2009-03-02 07:12:03,M1,ON\n2009-03-02 07:12:09,M1,OFF\n");
-    folder.run("convert bare.csv --to sqlite:bare.db").ok();
-    folder.run("convert bare.csv --to csv:again.csv").ok();
+    folder.run("convert bare.csv --out sqlite:bare.db").ok();
+    folder.run("convert bare.csv --out csv:again.csv").ok();
     assert!(folder.query("bare.db", "SELECT name FROM sqlite_schema WHERE name = 'sensor'").is_empty());
     assert!(!folder.path("again.sensors.csv").exists());
 }
@@ -44,12 +44,12 @@ fn the_table_of_sensors_is_not_taken_for_the_log() {
     let folder = flat();
     folder.run("run flat --for 20m --quiet --out sqlite:week.db --out csv:week.csv").ok();
     let rows = folder.read("week.csv").lines().count() - 1;
-    folder.run("convert week.db --to csv:read.csv").ok();
+    folder.run("convert week.db --out csv:read.csv").ok();
     assert_eq!(folder.read("read.csv").lines().count() - 1, rows);
     // Also where ids look like instants, and no other table is a log.
     folder.query("week.db", "DROP TABLE firing");
     folder.query("week.db", "UPDATE sensor SET id = '2009-03-02 07:12:03', name = 'M1', kind = 'ON'");
-    folder.run("convert week.db --to csv:none.csv").fails(2, "no table in it has columns of time, sensor and value");
+    folder.run("convert week.db --out csv:none.csv").fails(2, "no table in it has columns of time, sensor and value");
 }
 
 #[test]

@@ -77,12 +77,12 @@ const WRITES: [(&str, &[&str]); 13] = [
         &["kept", "kept.sensors.csv", "new.csv", "new.sensors.csv"],
     ),
     ("run flat --for 1m --out csv:new.csv --truth kept", &["kept", "new.csv", "new.sensors.csv"]),
-    ("run flat --for 1m --out csv:new.csv --record kept", &["kept", "new.csv", "new.sensors.csv"]),
+    ("run flat --for 1m --out csv:new.csv --recording kept", &["kept", "new.csv", "new.sensors.csv"]),
     ("coverage flat --svg new.svg --png kept", &["kept", "new.svg"]),
     ("coverage flat --svg kept --png new.png", &["kept", "new.png"]),
     ("coverage flat --png new.png --json=kept", &["kept", "new.png"]),
     ("plan flat --svg new.svg --png kept", &["kept", "new.svg"]),
-    ("convert given.csv --to sqlite:kept", &["kept"]),
+    ("convert given.csv --out sqlite:kept", &["kept"]),
     ("density given.csv --svg new.svg --csv kept", &["kept", "new.svg"]),
     ("density given.csv --csv new.csv --json=kept", &["kept", "new.csv"]),
     ("day given.csv first --svg new.svg --png kept", &["kept", "new.svg"]),
@@ -140,7 +140,7 @@ fn a_pipe_stays_a_pipe() {
 #[test]
 fn scripts_get_one_object_and_people_their_words_apart() {
     let folder = flat();
-    let run = folder.run("run flat --for 1m --json --out sqlite:log.db --truth truth.db --record r.json").ok();
+    let run = folder.run("run flat --for 1m --json --out sqlite:log.db --truth truth.db --recording r.json").ok();
     assert_eq!(run.err, "");
     let json = run.json();
     assert_eq!(json["rows"].as_u64().unwrap(), folder.query("log.db", "SELECT 1 FROM firing").len() as u64);
@@ -160,7 +160,7 @@ fn scripts_get_one_object_and_people_their_words_apart() {
     folder.run("compare log.db again.csv --json").ok().json();
     let check = folder.run("check flat --json").ok();
     assert_eq!(check.json()["problems"].as_array().unwrap().len(), 0);
-    assert!(check.err.starts_with("flat: nothing is wrong. 3 rooms, 2 doors"), "{}", check.err);
+    assert!(check.err.starts_with("flat: no problems. 3 rooms, 2 doors"), "{}", check.err);
 
     folder.edit("flat/scenario.json", "\"days\": 0.01", "\"days\": 0");
     let wrong = folder.run("check flat --json");
@@ -184,7 +184,7 @@ fn quiet_is_quiet() {
 
 /// Words that print something, whatever is in the folder.
 fn talkative(folder: &Folder) -> Vec<String> {
-    folder.run("run flat --for 1m --quiet --out csv:log.csv --record r.json").ok();
+    folder.run("run flat --for 1m --quiet --out csv:log.csv --recording r.json").ok();
     // Some lines are left out, which is told on the other stream.
     folder.write("dirty.txt", "2009-03-02 07:12:03 M1 ON\nnonsense\n");
     let words = [
@@ -197,9 +197,9 @@ fn talkative(folder: &Folder) -> Vec<String> {
         "coverage flat --json",
         "compare dirty.txt dirty.txt",
         "compare dirty.txt dirty.txt --json",
-        "convert dirty.txt --to csv:a.csv --force",
+        "convert dirty.txt --out csv:a.csv --force",
         "density dirty.txt",
-        "density dirty.txt --against log.csv --json",
+        "density dirty.txt --compare log.csv --json",
         "day dirty.txt first",
         "completions bash",
         "schema schemas",

@@ -19,13 +19,13 @@ fn a_password_in_a_url_is_refused_and_never_told_again() {
         for words in [
             "run flat --for 1m --out URL",
             "run flat --for 1m --out csv:a.csv --truth URL",
-            "look URL",
+            "inspect URL",
             "compare URL log.csv",
             "density URL",
-            "convert URL --to csv:b.csv",
-            "convert log.csv --to URL",
+            "convert URL --out csv:b.csv",
+            "convert log.csv --out URL",
             "anonymise log.csv --out URL",
-            "label log.csv --truth URL --to csv:c.csv",
+            "label log.csv --truth URL --out csv:c.csv",
         ] {
             let done = folder.run(&words.replace("URL", &url));
             let told = format!("{}{}", done.out, done.err);

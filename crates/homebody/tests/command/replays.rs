@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 /// The flat, recorded.
 fn recorded() -> Folder {
     let folder = flat();
-    folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db --record recording.json").ok();
+    folder.run("run flat --for 10m --quiet --out csv:log.csv --truth truth.db --recording recording.json").ok();
     folder
 }
 
@@ -35,7 +35,7 @@ fn a_recording_replays_to_the_same_bytes() {
 #[test]
 fn a_stopped_run_replays_as_far_as_it_came() {
     let folder = flat();
-    let words = "run flat --control --paused --quiet --out csv:log.csv --record recording.json";
+    let words = "run flat --control --paused --quiet --out csv:log.csv --recording recording.json";
     folder.say(words, "step 33.3\nstop\n").ok();
     let json = folder.run("replay recording.json --json --out csv:again.csv").ok().json();
     assert_eq!((&json["agrees_with_recording"], &json["simulated_s"]), (&json!(true), &json!(33.3)));
@@ -71,7 +71,7 @@ fn a_changed_recording_is_refused() {
         ("/files/bob.keys.json", file("bob.keys.json", "right", "down"), "the replay differs from the recording"),
         ("/files/home.json", file("home.json", "0.05, 1.5", "0.05, 1.0"), "the replay differs from the recording"),
         // It cannot be lived.
-        ("/sha256", json!(""), "was not completed\n  hint: homebody run makes one"),
+        ("/sha256", json!(""), "was not completed\n  hint: homebody run writes one"),
         ("/length_us", json!(-1), "is no recording"),
         ("/length_us", json!(i64::MAX), "a run is at most 100 years long"),
         ("/seed", json!("seven"), "is no recording"),
@@ -111,12 +111,12 @@ fn a_recording_of_another_version_says_so() {
     folder.run("replay old.json --quiet --out csv:old.csv").ok();
     recording["seed"] = json!(8);
     folder.write("old.json", recording.to_string());
-    folder.run("replay old.json --quiet --force --out csv:old.csv").fails(2, "which version 0.0.1 made");
+    folder.run("replay old.json --quiet --force --out csv:old.csv").fails(2, "of version 0.0.1; this is version");
     // So is another build of the same version; the same build has made another recording.
     let version = folder.run("--version").ok().out;
     let version = version.trim().strip_prefix("homebody ").unwrap();
     let another = version.split('+').next().unwrap().to_owned() + "+00000000";
-    for (version, said) in [(another.as_str(), "+00000000 made; this is"), (version, "is not as the run wrote it")] {
+    for (version, said) in [(another.as_str(), "+00000000; this is version"), (version, "was changed after the run")] {
         recording["version"] = json!(version);
         folder.write("old.json", recording.to_string());
         folder.run("replay old.json --quiet --force --out csv:old.csv").fails(2, said);
@@ -126,7 +126,7 @@ fn a_recording_of_another_version_says_so() {
 #[test]
 fn what_is_no_file_of_a_recording_is_told_apart() {
     let folder = flat();
-    folder.run("replay nothing.json").fails(1, "there is no such recording\n  hint: homebody run makes one");
+    folder.run("replay nothing.json").fails(1, "there is no such recording\n  hint: homebody run writes one");
     folder.run("replay flat").fails(1, "it is a folder\n  hint: name the recording.json in it");
     folder.write("noise", [0xff, 0xfe, 0x00]);
     folder.run("replay noise").fails(1, "noise: ");
@@ -162,9 +162,9 @@ fn a_number_that_cannot_be_set_is_refused_with_its_place() {
     folder.run("run home --set gait.slowst=0.3").fails(2, "did you mean \"gait.slowest\"?");
     folder.run("run home --set gait.slowest=9").fails(2, "must be from 0.05 to 0.6");
     folder.run("run home --set gait.slowest").fails(2, "write NAME=VALUE");
-    folder.run("run home --set gait.slowest=slow").fails(2, "is no number");
+    folder.run("run home --set gait.slowest=slow").fails(2, "is not a number");
     let twice = "run home --set gait.slowest=0.25 --set need.thirst=3 --set gait.slowest=0.3 --set need.thirst=3";
-    let done = folder.run(twice).fails(2, "--set gait.slowest=0.25 and --set gait.slowest=0.3 set one number");
+    let done = folder.run(twice).fails(2, "--set gait.slowest=0.25 and --set gait.slowest=0.3 set the same parameter");
     assert!(done.err.contains("--set need.thirst=3 and --set need.thirst=3") && !folder.path("runs").exists());
     let text = folder.read("home/scenario.json");
     let with = |numbers: &str| text.replacen('{', &format!("{{\n  \"numbers\": {numbers},"), 1);
@@ -182,10 +182,10 @@ fn a_number_that_cannot_be_set_is_refused_with_its_place() {
 #[test]
 fn numbers_are_listed() {
     let folder = Folder::new();
-    let listed = folder.run("numbers gait").ok();
+    let listed = folder.run("parameters gait").ok();
     assert!(listed.out.lines().all(|line| line.starts_with("gait.")), "{}", listed.out);
     assert!(listed.out.contains("gait.slowest "), "{}", listed.out);
-    let json = folder.run("numbers --json").ok().json();
+    let json = folder.run("parameters --json").ok().json();
     let rows = json["numbers"].as_array().unwrap();
     let slowest = rows.iter().find(|row| row["name"] == "gait.slowest").unwrap();
     assert_eq!(
@@ -198,6 +198,6 @@ fn numbers_are_listed() {
         ("slowest", "hint: there are gait.slowest"),
         ("xyzzy", "hint: names begin with "),
     ] {
-        folder.run(&format!("numbers {asked}")).fails(2, said);
+        folder.run(&format!("parameters {asked}")).fails(2, said);
     }
 }

@@ -126,10 +126,10 @@ fn a_run_that_was_stopped_is_gone_on_with() {
 #[test]
 fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
     let (folder, _) = undisturbed("sqlite", "log.db");
-    let warning = "its run has not come to its end\n  hint: homebody run --resume runs/flat-2 goes on with it";
+    let warning = "its run is incomplete\n  hint: homebody run --resume runs/flat-2 completes it";
     let reads = ["day runs/flat-2 first", "compare runs/flat-2 runs/flat-1", "density runs/flat-2"];
     stopped(&folder);
-    for read in reads.into_iter().chain(["label runs/flat-2 --to csv:labelled.csv"]) {
+    for read in reads.into_iter().chain(["label runs/flat-2 --out csv:labelled.csv"]) {
         let said = folder.run(read).err;
         assert!(said.contains(warning), "{read}: {said}");
     }
@@ -137,10 +137,10 @@ fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
     let mut recording: Value = serde_json::from_str(&folder.read("runs/flat-1/recording.json")).unwrap();
     (recording["sha256"], recording["firings"]) = ("".into(), 0.into());
     folder.write("runs/flat-1/recording.json", recording.to_string());
-    let hint = "hint: homebody run --resume runs/flat-1 goes on with it first";
-    folder.run("label runs/flat-1 --to csv:killed.csv").fails(1, hint);
+    let hint = "hint: homebody run --resume runs/flat-1 completes it";
+    folder.run("label runs/flat-1 --out csv:killed.csv").fails(1, hint);
     folder.run("run --resume runs/flat-1 --quiet").ok();
-    for read in ["day runs/flat-1 first", "label runs/flat-1 --to csv:killed.csv"] {
+    for read in ["day runs/flat-1 first", "label runs/flat-1 --out csv:killed.csv"] {
         assert!(!folder.run(read).ok().err.contains("warning"), "{read}");
     }
 }
@@ -160,7 +160,7 @@ fn what_is_missing_of_a_whole_run_is_written_again() {
         folder.run("run --resume runs/flat-1").fails(2, "is complete: there is nothing to go on with");
     }
     let folder = flat();
-    folder.run("run flat --for 1h --residents 2 --quiet").ok();
+    folder.run("run flat --for 1h --members 2 --quiet").ok();
     let whole = left(&folder, "flat-1");
     for missing in ["log.db", "truth.db"] {
         fs::remove_file(folder.path(&format!("runs/flat-1/0002/{missing}"))).unwrap();
@@ -179,7 +179,7 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
     folder.write("tigerplace/conditions/low-mood.routine", "The person goes to bed 1 hour earlier.\n");
     let list = "name;routine;conditions;seed\nbea;late.routine;;\ncarl, or c;;low mood;7\ndora;;;\nemil;;;\n";
     folder.write("people.csv", list);
-    for who in ["--residents 4", "--profiles people.csv"] {
+    for who in ["--members 4", "--profiles people.csv"] {
         let live = format!("run tigerplace {who} --for 2d --quiet");
         let begun = Instant::now();
         folder.run(&live).ok();
@@ -215,7 +215,7 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
         let mut without: Value = serde_json::from_str(&list).unwrap();
         without["members"] = serde_json::json!([]);
         folder.write("runs/tigerplace-1/cohort.json", without.to_string());
-        folder.run("run --resume runs/tigerplace-1 --speed 10").fails(2, "as fast as they can");
+        folder.run("run --resume runs/tigerplace-1 --speed 10").fails(2, "as fast as possible");
         folder.run("run --resume runs/tigerplace-1 --quiet").ok();
         assert_eq!(folder.read("runs/tigerplace-1/cohort.json"), list);
         // The control: a member of another cohort is not passed off as one of this.
@@ -369,7 +369,7 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     running.kill();
 
     // A recording that is not complete is replayed once the run is; a file is in a folder.
-    let hint = "hint: homebody run --resume runs/flat-2 goes on with it first";
+    let hint = "hint: homebody run --resume runs/flat-2 completes it";
     folder.run("replay runs/flat-2/recording.json").fails(2, hint);
     let hint = "runs/flat-2/recording.json is a file\n  hint: name its folder, runs/flat-2";
     folder.run("run --resume runs/flat-2/recording.json").fails(1, hint);
@@ -380,10 +380,11 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     // An empty recording, and that of another scenario's run, which is put back.
     let recording = folder.read("runs/flat-2/recording.json");
     folder.write("runs/flat-2/recording.json", "");
-    let done =
-        folder.run("run --resume runs/flat-2").fails(2, "is no recording: it is empty\n  hint: without it nobody can");
-    assert!(done.err.contains("can still be read"));
-    folder.run("convert sqlite:runs/flat-2/log.db --to csv:read.csv").ok();
+    let done = folder
+        .run("run --resume runs/flat-2")
+        .fails(2, "is no recording: it is empty\n  hint: the run cannot be resumed");
+    assert!(done.err.contains("are still readable"));
+    folder.run("convert sqlite:runs/flat-2/log.db --out csv:read.csv").ok();
     let mut running = folder.start(&format!("run flat --for {SPAN} --seed 8 --quiet --control --paused"));
     running.say("step 20000\nstop\n");
     running.finish().ok();
@@ -429,7 +430,7 @@ fn a_member_that_is_none_is_moved_away() {
     let folder = Folder::new();
     folder.copy_scenario("tigerplace");
     folder.write("people.csv", "name,age\nanna,75\nbea,88\ncarl,\n");
-    for (who, member, other) in [("--residents 3", "0002", "0001"), ("--profiles people.csv", "bea", "anna")] {
+    for (who, member, other) in [("--members 3", "0002", "0001"), ("--profiles people.csv", "bea", "anna")] {
         folder.run(&format!("run tigerplace {who} --for 1d --quiet")).ok();
         let whole = left(&folder, "tigerplace-1");
         let place = format!("runs/tigerplace-1/{member}");
@@ -461,7 +462,10 @@ fn a_member_that_is_none_is_moved_away() {
             assert!(done.err.contains(&hint), "{}", done.err);
             fs::rename(folder.path(&place), folder.path("away")).unwrap();
             let told = folder.run("run --resume runs/tigerplace-1").ok().out;
-            assert!(told.starts_with("tigerplace: 3 lives, 2 of them complete before in "), "{told}");
+            assert!(
+                told.starts_with("tigerplace: simulated 3 members, 2 of them complete before this run in "),
+                "{told}"
+            );
             assert_eq!(differ(&folder, "tigerplace-1", &whole), Vec::<String>::new(), "{who}, {said}");
             let _ = fs::remove_dir_all(folder.path("away"));
             let _ = fs::remove_file(folder.path("away"));
@@ -489,7 +493,7 @@ fn said_at(spans: &[Vec<String>], who: &str, at: &str) -> String {
 
 /// Labels a run and joins it by hand, row by row. How many rows there are, and how many the truth caused.
 fn labelled_by_hand(folder: &Folder, run: &str) -> (usize, usize) {
-    folder.run(&format!("label runs/{run} --to sqlite:{run}.db")).ok();
+    folder.run(&format!("label runs/{run} --out sqlite:{run}.db")).ok();
     let truth = |sql: &str| cells(folder.query(&format!("runs/{run}/truth.db"), sql));
     let labelled =
         "SELECT seq, fired_at, sensor, value, resident, room, activity, cause, thing FROM labelled ORDER BY seq";
@@ -561,12 +565,12 @@ fn labels_of_another_run_are_refused() {
     let folder = flat();
     folder.run("run flat --for 30m --quiet").ok();
     folder.run("run flat --for 20m --quiet").ok();
-    folder.run("label runs/flat-2 runs/flat-1/truth.db --to csv:labelled.csv").fails(1, "it tells of row");
+    folder.run("label runs/flat-2 runs/flat-1/truth.db --out csv:labelled.csv").fails(1, "it tells of row");
     folder.edit("flat/home.json", "KitchenWall", "OtherWall");
     folder.run("run flat --for 30m --quiet").ok();
-    folder.run("label runs/flat-1 runs/flat-3/truth.db --to csv:labelled.csv").fails(1, "is of another sensor");
+    folder.run("label runs/flat-1 runs/flat-3/truth.db --out csv:labelled.csv").fails(1, "is of another sensor");
     for source in ["sqlite:runs/flat-1/log.db", "csv:runs/flat-1/log.db", "csv:runs/flat-1/truth.db"] {
-        folder.run(&format!("label runs/flat-1 --force --to {source}")).fails(1, "cannot become itself");
+        folder.run(&format!("label runs/flat-1 --force --out {source}")).fails(1, "is the input");
     }
     assert!(!folder.path("labelled.csv").exists());
 }

@@ -68,9 +68,9 @@ fn a_fleet_that_goes_for_long_takes_no_more_as_it_goes() {
     folder.copy_scenario("studio");
     folder.copy_scenario("tigerplace");
     let (lasts_s, homes) = (asked("HOMEBODY_SOAK_S", USUAL_S), asked("HOMEBODY_SOAK_HOMES", USUAL_HOMES));
-    let words = format!("--homes {homes} --from 2026-11-01T08:00 --speed 1000 --for {}s", lasts_s + 1);
-    let mut running =
-        folder.start(&format!("fleet studio tigerplace {words} --out jsonl:/dev/null --skew 2s --every 1s --quiet"));
+    let words = format!("--homes {homes} --start 2026-11-01T08:00 --speed 1000 --for {}s", lasts_s + 1);
+    let mut running = folder
+        .start(&format!("fleet studio tigerplace {words} --out jsonl:/dev/null --skew 2s --report-every 1s --quiet"));
     let seen = watched(&mut running, Duration::from_secs(lasts_s));
     running.finish().ok();
     assert!(seen.len() as u64 >= 5 * lasts_s, "it was looked at {} times", seen.len());

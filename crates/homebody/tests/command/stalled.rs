@@ -55,7 +55,7 @@ fn numbers(rows: &str) -> Vec<u64> {
 
 fn metrics(folder: &Folder) -> String {
     let said = folder.read("said");
-    let address = said.lines().find_map(|line| line.strip_prefix("numbers    http://")).unwrap();
+    let address = said.lines().find_map(|line| line.strip_prefix("metrics    http://")).unwrap();
     let mut stream = TcpStream::connect(address.trim_end_matches("/metrics")).unwrap();
     write!(
         stream,
@@ -74,8 +74,8 @@ fn a_reader_that_stands_still_stops_neither_the_homes_own_log_nor_a_signal() {
     folder.copy_scenario("studio");
     folder.edit("studio/logger.json", "casas:log.txt", "sqlite:log.db");
     let stored = || folder.stored_rows("home/log.db");
-    let words = format!("live studio --folder home --from 2024-11-01 --out jsonl:- {TIMEOUT}");
-    let (mut home, mut output) = unread(&folder, &format!("{words} --on-sink-down spool --metrics 0"));
+    let words = format!("live studio --folder home --start 2024-11-01 --out jsonl:- {TIMEOUT}");
+    let (mut home, mut output) = unread(&folder, &format!("{words} --on-unavailable spool --metrics 0"));
     folder.until("it is noticed", |folder| folder.read("said").contains("is away: it has not answered for 1 s"));
     let before = stored();
     folder.until("the home's own log goes on", |_| stored() > before + 5000);
@@ -106,7 +106,7 @@ fn a_signal_ends_a_run_before_it_is_noticed_that_nobody_reads() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
     folder.edit("studio/logger.json", "casas:log.txt", "sqlite:log.db");
-    let words = "live studio --folder home --from 2024-11-01 --out jsonl:- --destination-timeout 1h";
+    let words = "live studio --folder home --start 2024-11-01 --out jsonl:- --destination-timeout 1h";
     let (mut home, _output) = unread(&folder, words);
     folder.until("it has begun", |folder| folder.stored_rows("home/log.db") > 0);
     let stands = || {

@@ -24,7 +24,7 @@ fn undisturbed(folder: &Folder, span: &str) -> Vec<String> {
 fn killed(speed: &str, span: &str, after_ms: u64, whole: &[String]) {
     let folder = flat();
     let words = format!("run flat --for {span} --speed {speed} --out sqlite:log.db --truth truth.db");
-    let mut running = folder.start(&format!("{words} --out csv:log.csv --record r.json"));
+    let mut running = folder.start(&format!("{words} --out csv:log.csv --recording r.json"));
     folder.until("something is stored", |folder| folder.stored_rows("log.db") > 0);
     thread::sleep(Duration::from_millis(after_ms));
     assert!(running.is_alive(), "the run is too short");
@@ -36,7 +36,7 @@ fn killed(speed: &str, span: &str, after_ms: u64, whole: &[String]) {
         "the recording stands, and says that it is not complete"
     );
     // Our own readers take what is there, before anything else has put it in order.
-    folder.run("convert log.db --to csv:converted.csv").ok();
+    folder.run("convert log.db --out csv:converted.csv").ok();
     assert_eq!(folder.query("log.db", "PRAGMA integrity_check"), ["ok"]);
     assert_eq!(folder.query("truth.db", "PRAGMA integrity_check"), ["ok"]);
     let stored = rows(&folder, "log.db");
@@ -85,7 +85,7 @@ fn an_interrupted_run_ends_well() {
     for (signal, code, speed, more) in
         [("INT", 130, "50", ""), ("TERM", 143, "100", ""), ("INT", 130, "1", "--control --paused")]
     {
-        let words = "--out sqlite:log.db --out csv:log.csv --truth truth.db --record r.json --force";
+        let words = "--out sqlite:log.db --out csv:log.csv --truth truth.db --recording r.json --force";
         let _ = fs::remove_file(folder.path("log.db"));
         let mut running = folder.start(&format!("run flat --for 20m --speed {speed} {words} {more}"));
         // By what it has done itself, however long that takes: the other files are there from the run before.
@@ -152,7 +152,7 @@ fn the_last_line_of_an_interrupted_run_says_how_to_go_on() {
 #[test]
 fn an_interrupted_run_that_is_gone_on_with_says_how_to_go_on() {
     let folder = flat();
-    for who in ["", " --residents 2"] {
+    for who in ["", " --members 2"] {
         let run = if who.is_empty() { "flat-1" } else { "flat-2" };
         let log = if who.is_empty() { "flat-1/log.db" } else { "flat-2/0001/log.db" };
         let mut running = folder.start(&format!("run flat --for 1000d{who}"));
@@ -180,7 +180,7 @@ fn an_interrupted_run_that_is_gone_on_with_says_how_to_go_on() {
 fn an_interrupted_cohort_says_what_it_came_to() {
     let folder = Folder::new();
     folder.copy_scenario("tigerplace");
-    let live = "run tigerplace --residents 3 --for 2000d";
+    let live = "run tigerplace --members 3 --for 2000d";
     for (words, signal, code) in [("", "INT", 130), (" --json", "TERM", 143)] {
         let mut running = folder.start(&format!("{live}{words}"));
         let run = if words.is_empty() { "tigerplace-1" } else { "tigerplace-2" };
@@ -193,7 +193,7 @@ fn an_interrupted_cohort_says_what_it_came_to() {
         let done = running.finish_listening();
         assert_eq!(done.code, Some(code), "{}", done.err);
         if words.is_empty() {
-            assert!(done.out.starts_with("tigerplace: 3 lives, stopped in "), "{}", done.out);
+            assert!(done.out.starts_with("tigerplace: simulated 3 members, stopped in "), "{}", done.out);
             assert!(last_line(&done.out).ends_with("homebody run --resume runs/tigerplace-1"), "{}", done.out);
         } else {
             let json = done.json();
@@ -242,7 +242,7 @@ fn somebody_may_look_at_a_live_run() {
     watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
     // The watcher holds on to what it sees, and is in nobody's way; what it keeps beside the log is told.
     let done = running.finish().ok();
-    let told = "warning: another program is reading log.db: until it is done, log.db-wal is a part of it\n";
+    let told = "warning: another program is reading log.db: until it ends, log.db-wal is part of the database\n";
     assert_eq!(done.err, told);
     watcher.execute_batch("COMMIT").unwrap();
     drop(watcher);

@@ -19,7 +19,7 @@ fn rows_on_standard_output_are_alone_there() {
         assert_eq!(done.out, folder.read(name), "{url}");
         assert!(done.err.contains("rows"), "the summary goes to standard error: {}", done.err);
     }
-    let done = folder.run("convert log.csv --to jsonl:-").ok();
+    let done = folder.run("convert log.csv --out jsonl:-").ok();
     assert_eq!(done.out.lines().count() + 1, folder.read("log.csv").lines().count());
     let rows = done.out.lines().all(|line| line.starts_with("{\"seq\":") && line.ends_with('}'));
     assert!(rows && done.err.contains("jsonl:-: "), "{}", done.err);
@@ -51,16 +51,16 @@ fn a_reader_that_goes_away_ends_the_run_and_is_told() {
 #[test]
 fn what_is_packed_is_read_by_all_commands() {
     let folder = lived();
-    folder.run("convert log.csv --to csv:log.csv.gz").ok();
-    folder.run("convert log.csv.gz --to jsonl:log.jsonl.gz").ok();
+    folder.run("convert log.csv --out csv:log.csv.gz").ok();
+    folder.run("convert log.csv.gz --out jsonl:log.jsonl.gz").ok();
     let same = folder.run("compare log.csv log.jsonl.gz").ok();
     assert!(same.out.contains("the same") || !same.out.is_empty(), "{}", same.out);
-    let look = |name: &str| folder.run(&format!("look {name} --json")).ok().out.replace(name, "LOG");
+    let look = |name: &str| folder.run(&format!("inspect {name} --json")).ok().out.replace(name, "LOG");
     let strip = |text: String| text.lines().filter(|line| !line.contains("\"form\"")).collect::<Vec<_>>().join("\n");
     assert_eq!(strip(look("log.csv.gz")), strip(look("log.csv")));
     let whole = std::fs::read(folder.path("log.csv.gz")).unwrap();
     folder.write("cut.csv.gz", &whole[..whole.len() / 2]);
-    folder.run("look cut.csv.gz").fails(1, "cut.csv.gz: what is packed in it is damaged or cut short");
+    folder.run("inspect cut.csv.gz").fails(1, "cut.csv.gz: what is packed in it is damaged or cut short");
 }
 
 #[test]
@@ -69,26 +69,26 @@ fn columns_are_written_and_read_by_the_command() {
     let folder = flat();
     folder.run("run flat --for 3d --quiet --out csv:log.csv --out parquet:log.parquet --out parquet:lives --out arrow:log.arrow --truth parquet:truth").ok();
     for name in ["log.parquet", "lives", "log.arrow"] {
-        folder.run(&format!("convert {name} --to csv:back.csv --force")).ok();
+        folder.run(&format!("convert {name} --out csv:back.csv --force")).ok();
         // Instants are in UTC there, or local as the scenario has them.
         let sensors = |name: &str| -> Vec<String> {
             let cells = |line: &str| line.split(',').skip(2).collect::<Vec<_>>().join(",");
             folder.read(name).lines().skip(1).map(cells).collect()
         };
         assert_eq!(sensors("back.csv"), sensors("log.csv"), "{name}");
-        folder.run(&format!("look {name}")).ok();
+        folder.run(&format!("inspect {name}")).ok();
         folder.run(&format!("compare {name} log.csv")).ok();
     }
     let files = folder.files();
     assert!(files.iter().any(|name| name.starts_with("truth/movement/run=") && name.ends_with("/part-0.parquet")));
     folder.run("run flat --for 3d --quiet --out parquet:lives").fails(1, "exists already");
-    folder.run("convert lives --to parquet:lives --force").fails(1, "cannot become itself");
+    folder.run("convert lives --out parquet:lives --force").fails(1, "is the input");
     folder.run("run flat --for 3d --quiet --out parquet:lives --force").ok();
     assert_eq!(folder.files(), files);
     let whole = std::fs::read(folder.path("log.parquet")).unwrap();
     folder.write("cut.parquet", &whole[..whole.len() / 2]);
     folder
-        .run("look cut.parquet")
+        .run("inspect cut.parquet")
         .fails(2, "cut.parquet cannot be read as a log: it begins as Parquet, but is damaged or cut short");
 }
 

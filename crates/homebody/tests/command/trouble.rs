@@ -13,7 +13,7 @@ const SCHEMES: [&str; 3] = ["sqlite", "csv", "casas"];
 fn where_no_run_can_be_kept_another_place_is_named() {
     let folder = flat();
     folder.write("runs", "no folder");
-    let said = "hint: a run needs a folder that may be written; --out writes elsewhere";
+    let said = "hint: a run needs a folder that may be written; --out selects another place";
     folder.run("run flat --for 1m").fails(1, said);
     folder.run("run flat --for 1m --out csv:a.csv").ok();
 }
@@ -30,7 +30,7 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
             ("flat", 1, "flat is a folder\n  hint: name a file in it"),
             ("new", 2, "two outputs have the same file, ./new"),
         ] {
-            let also = if place == "new" { "--record ./new" } else { "--record new" };
+            let also = if place == "new" { "--recording ./new" } else { "--recording new" };
             // A century, had it begun.
             let words = format!("run flat --for 5000w --out {scheme}:{place} {also} --force");
             folder.run(&words).fails(code, said);
@@ -50,7 +50,7 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
     folder.run("new none/home").ok();
     folder.run("new file/home").fails(1, "file/home");
     folder.run("schema file").fails(1, "file: ");
-    folder.run("convert file --to csv:none2/log").fails(2, "file cannot be read as a log");
+    folder.run("convert file --out csv:none2/log").fails(2, "file cannot be read as a log");
     assert_eq!(folder.read("file"), "precious");
 }
 
@@ -58,7 +58,7 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
 fn without_a_folder_for_runs_there_is_no_run() {
     let folder = flat();
     folder.write("runs", "a file");
-    folder.run("run flat --for 5000w").fails(1, "--out writes elsewhere");
+    folder.run("run flat --for 5000w").fails(1, "--out selects another place");
     assert_eq!(folder.read("runs"), "a file");
 }
 
@@ -74,7 +74,7 @@ fn a_folder_that_may_not_be_written_says_so() {
         folder.run(&format!("run flat --for 1m --out {scheme}:{place}/log")).fails(1, said);
     }
     folder.run(&format!("run flat --for 1m --out csv:log.csv --truth {place}/log")).fails(1, said);
-    folder.run(&format!("run flat --for 1m --out csv:log.csv --record {place}/log")).fails(1, said);
+    folder.run(&format!("run flat --for 1m --out csv:log.csv --recording {place}/log")).fails(1, said);
     folder.run(&format!("coverage flat --svg {place}/log")).fails(1, said);
     folder.run(&format!("new {place}/log")).fails(1, &format!("{place}/log"));
     fs::set_permissions(folder.path("closed"), Permissions::from_mode(0o755)).unwrap();
@@ -98,14 +98,14 @@ fn where_no_room_is_left_nothing_is_half_written() {
         (24, "run flat --for 10d --out sqlite:log.db", "log.db: writing failed\n  hint: "),
         (64, "run flat --for 10d --out csv:log.csv", "log.csv: "),
         (64, "run flat --for 10d --out casas:log.txt", "log.txt: "),
-        (24, "run flat --for 10d --out csv:log.csv --out sqlite:log.db --truth truth.db --record r.json", "error: "),
+        (24, "run flat --for 10d --out csv:log.csv --out sqlite:log.db --truth truth.db --recording r.json", "error: "),
         (24, "run flat --for 10d", "runs/flat-1/"),
         (4, "coverage flat --svg map.svg", "map.svg: "),
         (1, "plan flat --svg plan.svg", "plan.svg: "),
         (4, "coverage flat --png map.png", "map.png: "),
         (1, "coverage flat --json=figures.json", "figures.json: "),
-        (4, "convert given.csv --to sqlite:log.db", "log.db.part: "),
-        (4, "convert given.csv --to csv:log.csv", "log.csv: "),
+        (4, "convert given.csv --out sqlite:log.db", "log.db.part: "),
+        (4, "convert given.csv --out csv:log.csv", "log.csv: "),
         (4, "new home", ".home.part/"),
     ] {
         cramped(&folder, kib, words).fails(1, said);
@@ -119,11 +119,11 @@ fn where_no_room_is_left_nothing_is_half_written() {
         assert!(schema["$schema"].is_string(), "{name}");
     }
     // Where the recording finds no room, nothing is begun.
-    cramped(&folder, 1, "run flat --for 1s --out casas:log.txt --record r.json").fails(1, "r.json: ");
+    cramped(&folder, 1, "run flat --for 1s --out casas:log.txt --recording r.json").fails(1, "r.json: ");
     assert!(!folder.path("log.txt").exists());
     assert!(!folder.files().iter().any(|name| name.starts_with("r.json")), "{:?}", folder.files());
     // Given room, all of it can be done.
-    cramped(&folder, 100_000, "run flat --for 1h --out sqlite:log.db --truth truth.db --record r.json --quiet").ok();
+    cramped(&folder, 100_000, "run flat --for 1h --out sqlite:log.db --truth truth.db --recording r.json --quiet").ok();
 }
 
 #[test]
@@ -132,7 +132,7 @@ fn where_there_are_no_threads_it_is_said() {
     let given = folder.files();
     for words in [
         "run flat --for 1s",
-        "run flat --for 1s --residents 2",
+        "run flat --for 1s --members 2",
         "run --resume flat",
         "replay r.json",
         "serve flat --no-open",
@@ -170,11 +170,11 @@ fn what_was_replaced_in_vain_is_still_there() {
 #[test]
 fn what_a_run_comes_from_is_never_replaced() {
     let folder = flat();
-    folder.run("run flat --for 60s --quiet --out csv:log.csv --record r.json").ok();
+    folder.run("run flat --for 60s --quiet --out csv:log.csv --recording r.json").ok();
     let given = ["flat/home.json", "r.json"].map(|name| folder.read(name));
     for words in [
         "run flat --out csv:flat/home.json",
-        "run flat/scenario.json --out csv:a.csv --record flat/../flat/home.json",
+        "run flat/scenario.json --out csv:a.csv --recording flat/../flat/home.json",
         "replay r.json --out casas:r.json",
         "replay r.json --truth r.json",
         "plan flat --png flat/home.json",
@@ -192,7 +192,7 @@ fn one_full_device_ends_the_run() {
     let folder = flat();
     let given = folder.files();
     for scheme in ["csv", "casas"] {
-        let words = format!("run flat --for 5000w --out {scheme}:/dev/full --out csv:log.csv --record r.json");
+        let words = format!("run flat --for 5000w --out {scheme}:/dev/full --out csv:log.csv --recording r.json");
         folder.run(&words).fails(1, "no space is left for /dev/full");
         assert_eq!(folder.files(), given);
     }

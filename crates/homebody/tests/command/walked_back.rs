@@ -18,7 +18,7 @@ fn report(folder: &Folder) -> Value {
 #[test]
 fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
     let folder = studio();
-    folder.run("translate log.db --home home --to walked").ok();
+    folder.run("locate log.db --home home --out walked").ok();
     let all = report(&folder)["explained"]["all"].clone();
     let [real, relived, matched] = ["real", "relived", "matched"].map(|key| all[key].as_f64().unwrap());
     assert!(real > 300.0 && matched / real > 0.8 && (relived - matched) / relived < 0.25, "{all}");
@@ -60,31 +60,31 @@ fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
     // What it has written is a scenario, and its run one that can be looked at.
     folder.run("check walked").ok();
     folder.run("day walked/run 2026-03-02 --json");
-    folder.run("translate log.db --home home --to walked").fails(1, "walked exists already");
+    folder.run("locate log.db --home home --out walked").fails(1, "walked exists already");
 }
 
 #[test]
 fn what_does_not_fit_is_said_with_its_share() {
     let folder = studio();
-    folder.run("convert log.db --to csv:log.csv").ok();
+    folder.run("convert log.db --out csv:log.csv").ok();
     let log = folder.read("log.csv").replace("M002", "M999");
     folder.write("strange.csv", &log);
-    let done = folder.run("translate strange.csv --home home --to walked").ok();
+    let done = folder.run("locate strange.csv --home home --out walked").ok();
     assert!(done.err.contains("% of the rows are of sensors that the home does not have: M999"), "{}", done.err);
     assert!(done.err.contains("nothing comes from bathroom motion"), "{}", done.err);
     let header = log.lines().next().unwrap();
     let of_attic: Vec<&str> = log.lines().filter(|line| line.contains("M999")).collect();
     folder.write("none.csv", format!("{header}\n{}\n", of_attic.join("\n")));
-    folder.run("translate none.csv --home home --to never").fails(2, "none of the log's sensors is one of the home's");
+    folder.run("locate none.csv --home home --out never").fails(2, "none of the log's sensors is one of the home's");
     folder.write("empty.csv", format!("{header}\n"));
-    folder.run("translate empty.csv --home home --to never").fails(2, "no rows");
+    folder.run("locate empty.csv --home home --out never").fails(2, "no rows");
     assert!(!folder.path("never").exists());
 }
 
 #[test]
 fn time_that_runs_backward_and_rows_that_come_twice_are_walked_back_all_the_same() {
     let folder = studio();
-    folder.run("convert log.db --to csv:log.csv").ok();
+    folder.run("convert log.db --out csv:log.csv").ok();
     let log = folder.read("log.csv");
     let mut lines: Vec<&str> = log.lines().collect();
     let middle = lines.len() / 2;
@@ -92,7 +92,7 @@ fn time_that_runs_backward_and_rows_that_come_twice_are_walked_back_all_the_same
     let again = lines[middle];
     lines.insert(middle, again);
     folder.write("mixed.csv", &(lines.join("\n") + "\n"));
-    folder.run("translate mixed.csv --home home --to walked").ok();
+    folder.run("locate mixed.csv --home home --out walked").ok();
     let all = report(&folder)["explained"]["all"].clone();
     assert!(all["matched"].as_f64().unwrap() / all["real"].as_f64().unwrap() > 0.8, "{all}");
 }
@@ -100,13 +100,13 @@ fn time_that_runs_backward_and_rows_that_come_twice_are_walked_back_all_the_same
 #[test]
 fn a_log_that_comes_in_pieces_says_where_everybody_is_as_it_does_at_once() {
     let folder = studio();
-    folder.run("convert log.db --to csv:log.csv").ok();
+    folder.run("convert log.db --out csv:log.csv").ok();
     let log = folder.read("log.csv");
-    let at_once = folder.say("translate csv:- --home home --follow", &log).ok();
+    let at_once = folder.say("locate csv:- --home home --follow", &log).ok();
     let told: Vec<&str> = at_once.out.lines().collect();
     assert!(told.len() > 20, "{}", at_once.out);
     assert!(told.iter().any(|line| line.contains("walter: surely in the ")), "{}", at_once.out);
-    let mut running = folder.start("translate csv:- --home home --follow --every 1");
+    let mut running = folder.start("locate csv:- --home home --follow --poll 1");
     let (first, rest) = log.split_at(log.len() / 2);
     running.say(first);
     std::thread::sleep(std::time::Duration::from_millis(1_500));
@@ -114,27 +114,27 @@ fn a_log_that_comes_in_pieces_says_where_everybody_is_as_it_does_at_once() {
     assert_eq!(running.finish().ok().out, at_once.out);
     // Where he is last is another thing than where he was in the middle.
     let half = &log[..first.rfind('\n').unwrap() + 1];
-    let told_of_half = folder.say("translate csv:- --home home --follow", half).ok().out;
+    let told_of_half = folder.say("locate csv:- --home home --follow", half).ok().out;
     assert!(at_once.out.starts_with(&told_of_half) && at_once.out != told_of_half);
-    let lines = folder.say("translate csv:- --home home --follow --json", &log).ok().out;
+    let lines = folder.say("locate csv:- --home home --follow --json", &log).ok().out;
     let lines: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!(lines.len(), told.len());
     assert!(lines.iter().all(|line| (0.0..=1.0).contains(&line["chance"].as_f64().unwrap())));
-    folder.say("translate - --home home --follow", &log).fails(2, "does not say in which form");
-    folder.run("translate log.csv --home home").fails(2, "--to <FOLDER>");
-    folder.run("translate log.csv --home home --to there --follow").fails(2, "cannot be used with");
-    folder.run("translate nothing.csv --home home --follow").fails(1, "nothing.csv");
+    folder.say("locate - --home home --follow", &log).fails(2, "standard input has no known form");
+    folder.run("locate log.csv --home home").fails(2, "--out <FOLDER>");
+    folder.run("locate log.csv --home home --out there --follow").fails(2, "cannot be used with");
+    folder.run("locate nothing.csv --home home --follow").fails(1, "nothing.csv");
 }
 
 #[cfg(unix)]
 #[test]
 fn a_file_that_grows_is_followed_until_a_signal_comes() {
     let folder = studio();
-    folder.run("convert log.db --to csv:log.csv").ok();
+    folder.run("convert log.db --out csv:log.csv").ok();
     let log = folder.read("log.csv");
     let end = log[..log.len() / 2].rfind('\n').unwrap() + 1;
     folder.write("grows.csv", &log[..end]);
-    let mut command = folder.command("translate grows.csv --home home --follow --every 1");
+    let mut command = folder.command("locate grows.csv --home home --follow --poll 1");
     let file = std::fs::File::create(folder.path("told")).unwrap();
     let mut child = command.stdout(file).spawn().unwrap();
     folder.until("the first half was told", |folder| !folder.read("told").is_empty());
@@ -144,6 +144,6 @@ fn a_file_that_grows_is_followed_until_a_signal_comes() {
     let status = std::process::Command::new("kill").args(["-TERM", &child.id().to_string()]).status();
     assert!(status.unwrap().success());
     assert_eq!(child.wait().unwrap().code(), Some(143));
-    let at_once = folder.say("translate csv:- --home home --follow", &log).ok().out;
+    let at_once = folder.say("locate csv:- --home home --follow", &log).ok().out;
     assert!(at_once.starts_with(&folder.read("told")) && folder.read("told").starts_with(&half));
 }

@@ -11,23 +11,29 @@ use serde_json::Value;
 const HEAD: &str = "\
 # Limits
 
-Made from the code by the test that `crates/homebody/tests/rules/limits.rs` holds.
+This page lists the limits on the input that Homebody reads and on the work that it does.
 
-Scenarios, recordings, logs and plans may be anybody's. So only plain files are read, each up to a size; what they name is read and
-written inside their own folder; and of everything that can be given often there is a most. Who goes beyond is told, with the place in
-the file. A scenario of your own may be larger: `--trust` reads its files whatever their size, and follows links out of its folder.
-`homebody run --out` writes to any place that you name.
+Scenarios, recordings, logs and plans may come from strangers. Therefore:
 
-## Of the files of a scenario
+- Homebody reads plain files only, each up to a limit of size.
+- Files that a scenario names are read and written inside its folder only.
+- Every list, text and count has an upper limit. Homebody reports a value beyond its limit, with the place in the file.
 
-How many items a list may have, how many keys an object, and how many characters a text.
+Pass `--trust` for a scenario of your own: Homebody then reads its files whatever their size, and follows links out of its folder.
+`homebody run --out` writes to any destination that you name.
+
+This page is made from the code by the test in `crates/homebody/tests/rules/limits.rs`.
+
+## Files of a scenario
+
+The largest number of items in a list, of keys in an object, and of characters in a text.
 ";
 
 const CODE: &str = "
-## Of the program
+## Program
 
-What bounds reading, checking, drawing and living besides. The name's first word says that it is the most that is taken, the largest or
-the longest.
+Limits of reading, checking, drawing and simulating. A name begins with `MOST`, `LARGEST`, `LONGEST` or `GREATEST`. The unit `1` is that
+of a count, a share or a factor.
 ";
 
 #[test]
@@ -99,7 +105,7 @@ fn document(files: &[File]) -> String {
         }
     }
     text += CODE;
-    text += "\n| name | at most | unit | what it is | where |\n|---|---|---|---|---|\n";
+    text += "\n| name | limit | unit | description | file |\n|---|---|---|---|---|\n";
     for Fixed { path, name, value, unit, what } in limits(files) {
         text += &format!("| `{name}` | `{}` | {unit} | {} | `{path}` |\n", cell(&value), cell(&what));
     }

@@ -16,6 +16,7 @@ mod messages;
 mod numbers;
 mod prose;
 mod purity;
+mod reference;
 mod rust;
 mod scenarios;
 mod source;

@@ -9,12 +9,12 @@ use homebody_core::numbers::Number;
 use homebody_kit::numbers;
 
 const HEAD: &str = "\
-# The numbers of the models
+# Parameters of the models
 
-Made from the code by the test that `crates/homebody/tests/rules/numbers.rs` holds; `homebody numbers` prints the first part.
+This page lists the parameters of Homebody's models, with their values, units and ranges, and the fixed constants of the program.
 
-A number that no paper and no manual gives is ours, and what a run comes to may hang on it. How much, a sensitivity analysis says:
-live the same scenario with the number at several values, and compare the logs.
+A value without a source in its description is our choice, and the results of a run may depend on it. To measure how much, do a
+sensitivity analysis: simulate the same scenario with several values of the parameter, and compare the logs.
 
 ```sh
 homebody run scenarios/tigerplace --for 28d --out sqlite:usual.db
@@ -24,16 +24,19 @@ for gap in 150 300 600; do
 done
 ```
 
-The seed is the same each time, so that what differs comes of the number. To tell that from what chance does anyway, compare runs
-of several seeds, too. A scenario sets numbers for good in its own file: `\"numbers\": { \"gait.slowest\": 0.25 }`. Recordings hold what
-was set.
+All runs have the same seed, so that the differences come from the parameter. To tell them from the effect of chance, compare runs with
+several seeds as well. To set a parameter in every run of a scenario, write it in `scenario.json`:
+`\"numbers\": { \"gait.slowest\": 0.25 }`. A recording contains the values that were set.
+
+`homebody parameters` prints the first part of this page. The page is made from the code by the test in
+`crates/homebody/tests/rules/numbers.rs`.
 ";
 
 const FIXED: &str = "\
-## Fixed
+## Fixed constants
 
-What is ours besides: tolerances, what words mean, how pictures look. They are not set for a run; most do not touch what is lived.
-[Limits](limits.md) have a page of their own. A unit is that of the name's end; `1` is a count, a share or a factor.
+Tolerances, meanings of words, and sizes in pictures that are our choice. They cannot be set for a run, and most do not affect a
+simulation. [Limits](limits.md) have their own page. The unit follows from the end of the name; `1` is a count, a share or a factor.
 ";
 
 /// Ends of names, and the units that they stand for.
@@ -61,6 +64,8 @@ const LIMITS: [&str; 4] = ["MOST", "LARGEST", "LONGEST", "GREATEST"];
 
 /// Files whose fields are keys of a scenario's files, with defaults of ours: they are set there.
 const FORMS: &str = "crates/homebody-core/src/scenario/";
+
+/// The beginning of the words in a comment that mark a value as the project's own choice.
 
 /// A constant that is a limit, or whose comment says that it is ours.
 #[derive(Debug, PartialEq)]
@@ -91,6 +96,7 @@ fn a_number_that_is_in_no_list_is_found() {
     let wrong = |text: &str| judged(&file(text)).1.len();
     assert_eq!(wrong("/// So many (ours).\nconst MOST: u32 = 3;\n"), 0);
     assert_eq!(wrong("/// So many (ours).\nfn most() -> u32 {\n"), 1);
+    assert_eq!(wrong("/// So many (our choice).\nfn most() -> u32 {\n"), 1);
     assert_eq!(wrong("// So many\n// at once (ours, after all).\nlet most = 3;\n"), 1);
     assert_eq!(wrong("let most = 3; // (ours)\n"), 1);
     assert_eq!(wrong("/// So many.\nconst MOST: u32 = 3;\n"), 0);
@@ -177,7 +183,7 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
             continue;
         }
         let said = std::mem::take(&mut comment);
-        let is_ours = has_word(&said.to_lowercase(), "ours");
+        let is_ours = ["ours", "our choice", "our estimate"].iter().any(|mark| has_word(&said.to_lowercase(), mark));
         let mut wanted = at - 1;
         while let Some((constant, next)) = constant(&lines, wanted) {
             let is_limit = constant.as_ref().is_some_and(|[name, ..]| is_limit(&file.path, name)) && !is_inner[wanted];
@@ -197,7 +203,9 @@ fn judged(file: &File) -> (Vec<Fixed>, Vec<String>) {
             wanted = next;
         }
         let is_key = file.path.starts_with(FORMS) && line.starts_with("pub ") && line.ends_with(',');
-        let is_loose = said.contains("(ours") && wanted == at - 1 && !is_key;
+        let is_loose = ["(ours", "(our choice", "(our estimate"].iter().any(|mark| said.contains(mark))
+            && wanted == at - 1
+            && !is_key;
         let is_beside = line.split_once("// ").is_some_and(|(_, beside)| beside.contains("(ours"));
         if is_loose || is_beside {
             wrong.push(format!("{}:{at}: make it a constant, or declare it with `numbers!`: {line}", file.path));
@@ -238,7 +246,10 @@ fn unit(name: &str, kind: &str) -> &'static str {
 /// What a comment says, without saying that it is ours.
 fn meaning(said: &str) -> String {
     let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
-    said.replace(" (ours)", "").replace("(ours: ", "(").replace("(ours, ", "(").replace("(ours; ", "(")
+    ["ours", "our choice", "our estimate"].iter().fold(said, |said, mark| {
+        let said = said.replace(&format!(" ({mark})"), "");
+        [": ", ", ", "; "].iter().fold(said, |said, end| said.replace(&format!("({mark}{end}"), "("))
+    })
 }
 
 /// The numbers that a file declares and that are not in the list, as being of this file.
@@ -256,14 +267,14 @@ fn unlisted(file: &File, known: &[Number]) -> Vec<String> {
 
 /// The whole document.
 fn document(known: &[Number], files: &[File]) -> String {
-    let mut text = format!("{HEAD}\n## Set for a run, or by a scenario\n");
+    let mut text = format!("{HEAD}\n## Parameters\n");
     let mut group = String::new();
     for number in known {
         let Number { name, value, unit, least, most, file, .. } = number;
         if *file != group {
             group = (*file).to_owned();
             text +=
-                &format!("\n`{file}`\n\n| name | value | unit | from | to | what it is |\n|---|---|---|---|---|---|\n");
+                &format!("\n`{file}`\n\n| key | value | unit | from | to | description |\n|---|---|---|---|---|---|\n");
         }
         text += &format!("| `{name}` | {value} | {unit} | {least} | {most} | {} |\n", cell(&number.meaning()));
     }
@@ -271,7 +282,7 @@ fn document(known: &[Number], files: &[File]) -> String {
     let mut group = String::new();
     for Fixed { path, name, value, unit, what } in fixed(files).filter(|one| !is_limit(&one.path, &one.name)) {
         if path != group {
-            text += &format!("\n`{path}`\n\n| name | value | unit | what it is |\n|---|---|---|---|\n");
+            text += &format!("\n`{path}`\n\n| name | value | unit | description |\n|---|---|---|---|\n");
             group = path;
         }
         text += &format!("| `{name}` | `{}` | {unit} | {} |\n", cell(&value), cell(&what));

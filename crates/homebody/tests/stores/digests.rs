@@ -228,7 +228,7 @@ fn cohort(folder: &Folder, name: &str) -> usize {
             "run",
             name,
             "--quiet",
-            "--residents",
+            "--members",
             "3",
             "--for",
             "3h",

@@ -268,7 +268,7 @@ fn a_truth_of_an_earlier_version_is_whole() {
     };
     older("outside; DROP TABLE home");
     is_whole(&folder, "older.db");
-    folder.run("label log.csv older.db --to csv:labelled.csv").ok();
+    folder.run("label log.csv older.db --out csv:labelled.csv").ok();
     for later in ["outside", "home"] {
         fs::remove_dir_all(folder.path(&format!("truth/{later}"))).unwrap();
     }

@@ -13,7 +13,7 @@ const LOGGER: &str = r#"{
 
 /// What sensors said, in the order in which it is told; times are told by some places in UTC and by some on the wall.
 fn said(folder: &Folder, place: &str) -> Vec<String> {
-    folder.run(&format!("convert {place} --to csv:read.csv --force")).ok();
+    folder.run(&format!("convert {place} --out csv:read.csv --force")).ok();
     let rows = folder.read("read.csv");
     rows.lines().skip(1).map(|row| row.split(',').skip(2).collect::<Vec<_>>().join(",")).collect()
 }
@@ -34,15 +34,15 @@ fn a_log_under_a_networks_names_is_read_without_a_mapping() {
         assert!(said(&folder, file.split_once(':').unwrap().1) == wanted, "{file} is not known by what is in it");
     }
     // The truth is labelled with, whatever the log is called.
-    folder.run("label parquet:set parquet:truth --to csv:labelled.csv").ok();
+    folder.run("label parquet:set parquet:truth --out csv:labelled.csv").ok();
     assert!(folder.read("labelled.csv").lines().count() == wanted.len() + 1);
     // The control: a table of a truth has instants and texts, too, and is no log.
     for table in ["act", "cause", "lost"] {
-        folder.run(&format!("convert parquet:truth/{table} --to csv:x.csv")).fails(2, "no columns of time");
+        folder.run(&format!("convert parquet:truth/{table} --out csv:x.csv")).fails(2, "no columns of time");
     }
     // The names of a mapping are meant where one is given.
     folder.write("other.json", r#"{ "columns": { "sensor": "payload", "value": "mote", "time": "heard" } }"#);
-    folder.run("convert log.parquet --mapping other.json --to csv:turned.csv").ok();
+    folder.run("convert log.parquet --mapping other.json --out csv:turned.csv").ok();
     assert!(folder.read("turned.csv").lines().nth(1).unwrap().contains(",ON,"), "{}", folder.read("turned.csv"));
 
     let Some(server) = Server::shared() else { return };
@@ -50,7 +50,7 @@ fn a_log_under_a_networks_names_is_read_without_a_mapping() {
     let url = server.url("postgres", &database, "");
     folder.run(&format!("{run} --out {url} --truth {url}")).ok();
     assert!(said(&folder, &url) == wanted, "the table of the only run is read");
-    folder.run(&format!("label {url} --to csv:labelled.csv --force")).ok();
+    folder.run(&format!("label {url} --out csv:labelled.csv --force")).ok();
     // Of runs in several tables the one that is named is read, in its table.
     let id = server.psql(&database, "SELECT run_id FROM homebody_run");
     folder.write("flat/logger.json", r#"{ "to": ["sqlite:log.db"] }"#);

@@ -27,7 +27,7 @@ fn a_fleet_goes_on_with_its_reports_and_its_rows() {
     let (folder, database) = (flat(), server.database("reported"));
     let url = server.url("postgres", &database, "");
     let fleet = format!(
-        "fleet flat --homes 3 --out {url} --from 2024-11-01 --speed 1000 --for 2s --every 1s --quiet --report r.jsonl --list homes.csv"
+        "fleet flat --homes 3 --out {url} --start 2024-11-01 --speed 1000 --for 2s --report-every 1s --quiet --report r.jsonl --list homes.csv"
     );
     folder.run(&fleet).ok();
     let rows = || server.psql(&database, "SELECT count(*), min(xmin::text) FROM firing WHERE seq = 0");
@@ -59,6 +59,6 @@ fn a_database_file_that_holds_more_than_a_run_is_kept() {
         let words = format!("run flat --for 20m --quiet {to} --out csv:other.csv --force");
         folder.run(&words).fails(1, "is a database that holds the table \"letters\"");
     }
-    folder.run("convert runs/none --to sqlite:log.db --force");
+    folder.run("convert runs/none --out sqlite:log.db --force");
     assert_eq!(folder.query("log.db", "SELECT text FROM letters"), ["dear"]);
 }

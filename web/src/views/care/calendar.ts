@@ -70,10 +70,10 @@ export function hasUsual(care: Pick<CareView, 'charts'>, day: string | null = nu
 export function described(cell: Cell): string {
   const parts = [inFull(cell.day)];
   if (cell.known === 'nobody_home') parts.push('away for most of the day');
-  if (cell.known === 'partly') parts.push('not known well enough');
+  if (cell.known === 'partly') parts.push('incomplete data');
   const alerts = (count: number) => `${count} ${count === 1 ? 'alert' : 'alerts'}`;
-  if (cell.open > 0) parts.push(`${alerts(cell.open)} not seen to`);
-  if (cell.seen > 0) parts.push(`${alerts(cell.seen)} seen to`);
+  if (cell.open > 0) parts.push(`${alerts(cell.open)} open`);
+  if (cell.seen > 0) parts.push(`${alerts(cell.seen)} acknowledged`);
   if (cell.odd > 0) parts.push(`${cell.odd} ${cell.odd === 1 ? 'thing' : 'things'} unusual`);
   if (cell.noted) parts.push('with a note');
   if (parts.length === 1) parts.push('nothing unusual');

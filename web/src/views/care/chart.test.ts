@@ -32,7 +32,7 @@ test('the ends of a chart are round', () => {
 test('one value, and none, are drawn all the same', () => {
   expect(drawn(chart([7])).values.length).toBe(1);
   expect(drawn(chart([null])).dots).toEqual([]);
-  expect(described(chart([null]))).toBe('Sleep: not known.');
+  expect(described(chart([null]))).toBe('Sleep: no data.');
 });
 
 test('values are said as people read them', () => {

@@ -91,7 +91,7 @@ export function drawn(chart: ChartView, width = WIDTH): Drawn {
 export function described(chart: ChartView): string {
   const known = chart.days.filter(({ value }) => value !== null);
   const last = known.at(-1);
-  if (!last) return `${chart.title}: not known.`;
+  if (!last) return `${chart.title}: no data.`;
   const usual = last.usual ? `, usual ${said(chart.unit, last.usual[0])} to ${said(chart.unit, last.usual[1])}` : '';
   return `${chart.title} on ${known.length} of ${chart.days.length} days; on ${inFull(last.day)} ${said(chart.unit, last.value!)}${usual}.`;
 }

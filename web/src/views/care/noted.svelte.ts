@@ -61,7 +61,7 @@ export class Noted {
       const isChanged = error instanceof Refused && error.status === CHANGED;
       const kept = isChanged ? await this.server.json<NoteView[]>(notesPath(run)).catch(() => this.kept) : this.kept;
       this.take(run, kept);
-      this.problem = isChanged ? `${said(error)} It is shown now; note yours again.` : `It could not be noted: ${said(error)}`;
+      this.problem = isChanged ? `${said(error)} The saved note is shown now. Enter yours again.` : `Cannot save the note: ${said(error)}`;
     }
   }
 

@@ -24,7 +24,7 @@ test('a month has whole weeks from Monday, and no day twice', () => {
   expect(months.map(({ title, weeks }) => [title, weeks.length])).toEqual([['February 2024', 1], ['March 2024', 2]]);
   const cells = months.flatMap(({ weeks }) => weeks.flatMap((week) => week.days)).filter((cell) => cell !== null);
   expect(cells.map(({ day }) => day)).toEqual(days(8).map(({ day }) => day));
-  expect(described(cells[5]!)).toBe('Saturday 2 March 2024, 1 alert not seen to, 1 alert seen to, with a note');
+  expect(described(cells[5]!)).toBe('Saturday 2 March 2024, 1 alert open, 1 alert acknowledged, with a note');
   expect(monthsOf({ days: [], alerts: [] }, [])).toEqual([]);
 });
 
@@ -56,8 +56,8 @@ test('what chance may make is about the same, and what is more is said in words'
   expect(words('clock', [22, 22, 22, 22, 22, 21.5, 21.5, 21.5, 21.5, 21.5]).words).toBe('30 minutes earlier');
   expect(words('times', [3, 3, 3, 3, 3, 2, 2, 2, 2, 2]).words).toBe('1.0 fewer a day');
   const few = words('times', [3, 3, null, null, null, 2, 2, 2, 2, 2]);
-  expect([few.words, few.is_more]).toEqual(['too few days to say', null]);
-  expect(words('times', [null, null, null, null, null, 2, 2, 2, 2, 2]).second.words).toBe('not known');
+  expect([few.words, few.is_more]).toEqual(['too few days', null]);
+  expect(words('times', [null, null, null, null, null, 2, 2, 2, 2, 2]).second.words).toBe('no data');
 });
 
 test('a note that another page has written meanwhile is shown, and nothing is lost', async () => {
@@ -76,7 +76,7 @@ test('a note that another page has written meanwhile is shown, and nothing is lo
   const done = noted.change(theirs, { note: 'mine' });
   expect(noted.of(theirs).note).toBe('mine');
   await done;
-  expect([noted.of(theirs).note, noted.problem]).toEqual(['theirs', 'Somebody else has. It is shown now; note yours again.']);
+  expect([noted.of(theirs).note, noted.problem]).toEqual(['theirs', 'Somebody else has. The saved note is shown now. Enter yours again.']);
   kept = [];
   await noted.change(theirs, { note: 'both' });
   expect(posted.at(-1)).toEqual({ before: theirs, note: { ...theirs, note: 'both' } });

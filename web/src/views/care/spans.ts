@@ -58,12 +58,12 @@ export function beside(care: Pick<CareView, 'charts'>, first: Span, second: Span
 function sideOf(chart: ChartView, { from, to }: Span): Side {
   const values = chart.days.flatMap(({ day, value }) => (value !== null && day >= from && day <= to ? [value] : []));
   const mean = values.length === 0 ? null : values.reduce((sum, value) => sum + value, 0) / values.length;
-  return { values, mean, words: mean === null ? 'not known' : said(chart.unit, mean) };
+  return { values, mean, words: mean === null ? 'no data' : said(chart.unit, mean) };
 }
 
 function difference(chart: ChartView, one: Side, other: Side): Pick<Beside, 'words' | 'is_more'> {
   if (one.mean === null || other.mean === null || Math.min(one.values.length, other.values.length) < LEAST_DAYS) {
-    return { words: 'too few days to say', is_more: null };
+    return { words: 'too few days', is_more: null };
   }
   const by = one.mean - other.mean;
   const error = Math.sqrt(variance(one.values, one.mean) / one.values.length + variance(other.values, other.mean) / other.values.length);

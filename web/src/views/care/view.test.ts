@@ -15,24 +15,24 @@ const care = (name: string, walks: WalksView = 'lived'): CareView => ({
   person: 'Ada',
   day: '2009-03-30',
   is_compared: true,
-  remarks: ['No sensor is at an entrance, so nothing is known of outings'],
+  remarks: ['Outings are unknown: no sensor is at an entrance'],
   walks,
   days: days.map((day) => ({
     day,
     known: day === '2009-03-10' ? 'nobody_home' : day === '2009-03-11' ? 'partly' : 'whole',
     told: day === '2009-03-10' ? [] : [
-      { measure: 'sleep', words: 'Slept 4.0 hours, less than usual (7.0 hours)', is_more: day >= '2009-03-28' ? false : null },
-      { measure: 'meals', words: `Meals in the kitchen: 3 times, as usual ${EVIL}`, is_more: null },
+      { measure: 'sleep', words: 'Slept for 4.0 hours, less than usual (7.0)', is_more: day >= '2009-03-28' ? false : null },
+      { measure: 'meals', words: `Had a meal in the kitchen 3 times, as usual ${EVIL}`, is_more: null },
     ],
   })),
   sentences: [
-    { words: 'On most nights of the last two weeks, Ada slept less than before.', numbers: 'So on 2 of 14 nights.', measure: 'sleep', is_change: true, days: ['2009-03-29', '2009-03-30'] },
-    { words: 'Every day of the last two weeks, Ada was out for 2 hours at most.', numbers: 'So on 14 of 14 days.', measure: 'time_out', is_change: false, days: [] },
+    { words: 'Less sleep than before on most nights of the last two weeks: 4.0 hours on average, previously 7.0.', numbers: 'On 2 of 14 nights.', measure: 'sleep', is_change: true, days: ['2009-03-29', '2009-03-30'] },
+    { words: 'Ada was out for at most 2 hours on every day of the last two weeks.', numbers: 'On 14 of 14 days; 1.2 hours on average.', measure: 'time_out', is_change: false, days: [] },
   ],
-  alerts: [{ day: '2009-03-29', rule: 'sleep', words: 'Much less sleep than usual, two days in a row', numbers: 'On average 4.0 hours; usually 7.0 hours.', measures: ['sleep'], days: ['2009-03-28', '2009-03-29'] }],
+  alerts: [{ day: '2009-03-29', rule: 'sleep', words: 'Less sleep than usual, two nights in a row', numbers: '4.0 hours, usually 7.0.', measures: ['sleep'], days: ['2009-03-28', '2009-03-29'] }],
   charts: [
     { measure: 'sleep', title: 'Sleep', unit: 'hours', little: 0.5, is_guess: false, days: days.map((day, index) => ({ day, value: day < '2009-03-16' ? 7 + (index % 2) * 0.2 : 4, usual: [6.5, 7.5] })) },
-    { measure: 'bedtime', title: 'To bed', unit: 'clock', little: 0.4, is_guess: false, days: days.map((day) => ({ day, value: 22.5, usual: null })) },
+    { measure: 'bedtime', title: 'Bedtime', unit: 'clock', little: 0.4, is_guess: false, days: days.map((day) => ({ day, value: 22.5, usual: null })) },
   ],
 });
 
@@ -92,12 +92,12 @@ test('of twins the menu says which was lived without what', async () => {
 
 test('a run that is being lived has no length in the menu', async () => {
   await begin('#/care/b', 'a');
-  expect([...document.querySelectorAll('#care-run option')].map((option) => option.textContent)).toEqual(['a · 2009-03-02, being lived', 'b · 2009-03-02, 30 days']);
+  expect([...document.querySelectorAll('#care-run option')].map((option) => option.textContent)).toEqual(['a · 2009-03-02, running', 'b · 2009-03-02, 30 days']);
 });
 
 test('the day, what has changed and what is worth a look are told in words', async () => {
   await begin();
-  for (const told of ['How Monday 30 March 2009 was', 'One thing was unusual', 'Slept 4.0 hours, less than usual', 'Ada slept less than before', '1 of 1 alert not seen to', 'nothing is known of outings']) {
+  for (const told of ['Latest day: Monday 30 March 2009', 'One thing was unusual', 'Slept for 4.0 hours, less than usual', 'Less sleep than before on most nights', '1 alert needs attention, 1 in all', 'Outings are unknown']) {
     expect(text()).toContain(told);
   }
   expect(document.querySelector('img')).toBeNull();
@@ -107,7 +107,7 @@ test('arrow keys go through the calendar by day and week, and the day that is op
   await begin();
   expect(cell().title).toBe('Monday 30 March 2009, 1 thing unusual');
   for (const [key, label] of [
-    ['ArrowLeft', 'Sunday 29 March 2009, 1 alert not seen to, 1 thing unusual'],
+    ['ArrowLeft', 'Sunday 29 March 2009, 1 alert open, 1 thing unusual'],
     ['ArrowUp', 'Sunday 22 March 2009, nothing unusual'],
     ['Home', 'Monday 16 March 2009, nothing unusual'],
     ['PageUp', 'Friday 20 February 2009, nothing unusual'],
@@ -123,7 +123,7 @@ test('arrow keys go through the calendar by day and week, and the day that is op
   expect(one('.opened h2').textContent).toBe('Sunday 22 March 2009');
   expect(window.location.hash).toBe('#/care/a@2009-03-22');
   expect(document.querySelectorAll('td button[tabindex="0"]').length).toBe(1);
-  for (const [label, told] of [['10 March', 'Nobody was at home for most of this day'], ['11 March', 'Too little is known of this day']] as const) {
+  for (const [label, told] of [['10 March', 'Away for most of this day'], ['11 March', 'Incomplete data']] as const) {
     one<HTMLButtonElement>(`td button[title*="${label}"]`).click();
     flushSync();
     expect(one('.opened').textContent).toContain(told);
@@ -143,9 +143,9 @@ test('an alert is seen to with a note, which is kept by the server, and so is on
     ['/api/runs/a/notes', { before: null, note: seen }],
     ['/api/runs/a/notes', { before: seen, note: { ...seen, note: 'a cold' } }],
   ]);
-  expect(text()).toContain('The one alert has been seen to');
-  expect(cell().title).toBe('Sunday 29 March 2009, 1 alert seen to, 1 thing unusual, with a note');
-  const ofDay = one<HTMLInputElement>('input[placeholder="note on this day"]');
+  expect(text()).toContain('The one alert is acknowledged');
+  expect(cell().title).toBe('Sunday 29 March 2009, 1 alert acknowledged, 1 thing unusual, with a note');
+  const ofDay = one<HTMLInputElement>('input[placeholder="Note on this day"]');
   ofDay.value = 'her son came';
   ofDay.dispatchEvent(new Event('change', { bubbles: true }));
   await settle();
@@ -167,40 +167,40 @@ test('a sentence opens down to its days, and leads to them walked', async () => 
 test('where nobody can be seen walking that is said, and a log is walked back on wish', async () => {
   await begin('#/care/b');
   expect(one<HTMLSelectElement>('#care-run').value).toBe('b');
-  expect(text()).toContain('Playback shows its sensors alone');
+  expect(text()).toContain('Playback shows its sensors only');
   answers['/api/runs/b/log'] = 'rows';
-  [...document.querySelectorAll('button')].find((button) => button.textContent === 'Walk its log back')!.click();
+  one<HTMLButtonElement>('.card .about button').click();
   await settle();
   expect(sent.map(([path]) => path)).toEqual(['/api/walk/b.db/b']);
   await unmount(view);
   answers['/api/logs'] = [{ name: 'c', log: 'c.csv' }];
   answers['/api/runs/c/care'] = care('c', 'no_home');
   await begin('#/care/c');
-  expect(text()).toContain('of no home that is known here');
+  expect(text()).toContain('has no floor plan');
   expect(document.querySelector('a[href^="#/playback"]')).toBeNull();
 });
 
 test('two spans stand side by side, and may be others', async () => {
   await begin();
-  const row = () => [...document.querySelectorAll('section[aria-label="Two spans"] tbody tr')].map((tr) => [...tr.children].filter((part) => !part.matches('.picture')).map((part) => part.textContent));
+  const row = () => [...document.querySelectorAll('section[aria-label="Compare two periods"] tbody tr')].map((tr) => [...tr.children].filter((part) => !part.matches('.picture')).map((part) => part.textContent));
   expect(row()[0]).toEqual(['Sleep', '4.0 h', '6.9 h', '2 hours 53 minutes less a day']);
-  expect(row()[1]).toEqual(['To bed', '22:30', '22:30', 'about the same']);
+  expect(row()[1]).toEqual(['Bedtime', '22:30', '22:30', 'about the same']);
   const [from] = document.querySelectorAll<HTMLInputElement>('input[type=date]');
   from!.value = '2009-03-29';
   from!.dispatchEvent(new Event('change', { bubbles: true }));
   flushSync();
-  expect(row()[0]!.at(-1)).toBe('too few days to say');
+  expect(row()[0]!.at(-1)).toBe('too few days');
 });
 
 test('without a usual nothing is called usual or unusual', async () => {
   const few = care('a');
   answers['/api/runs/a/care'] = { ...few, sentences: [], alerts: [], charts: few.charts.map((chart) => ({ ...chart, days: chart.days.map((day) => ({ ...day, usual: null })) })) };
   await begin();
-  expect(text()).toContain('What is usual is not known yet');
-  expect(text()).toContain('Too little is known to say what has changed');
-  expect(text()).not.toContain('All was as usual');
+  expect(text()).toContain('Not enough days yet to know the usual range');
+  expect(text()).toContain('Not enough days yet to compare');
+  expect(text()).not.toContain('Everything was as usual');
   // Neither good nor bad is drawn.
-  const drawn = () => [...one('[aria-label="How the day was"] ul').children].map((row) => row.className.match(/odd|unknown/)?.[0] ?? 'usual');
+  const drawn = () => [...one('[aria-label="Latest day"] ul').children].map((row) => row.className.match(/odd|unknown/)?.[0] ?? 'usual');
   expect(drawn()).toEqual(['odd', 'unknown']);
   await unmount(view);
   answers['/api/runs/a/care'] = care('a');
@@ -219,12 +219,12 @@ test('with an alert nothing is said to be as usual, or not to stand out, without
     return shown;
   };
   const without = await begun([]);
-  expect(without).toContain('All was as usual.');
-  expect(without).toContain('from the weeks before.');
+  expect(without).toContain('Everything was as usual.');
+  expect(without).toContain('against the weeks before.');
   const withOne = await begun([{ ...of.alerts[0]!, day: of.day! }]);
-  expect(withOne).not.toContain('All was as usual.');
-  expect(withOne).toContain('an alert of this day is under Worth a look');
-  expect(withOne).toContain('alerts of these days are under Worth a look');
+  expect(withOne).not.toContain('Everything was as usual.');
+  expect(withOne).toContain('An alert of this day is under Needs attention');
+  expect(withOne).toContain('Alerts of these days are under Needs attention');
   await begin();
 });
 
@@ -232,8 +232,8 @@ test('where too little lies before, nothing is said to be as before', async () =
   const alone = care('a');
   answers['/api/runs/a/care'] = { ...alone, is_compared: false, sentences: alone.sentences.filter((sentence) => !sentence.is_change) };
   await begin();
-  expect(text()).toContain('Too little is known to say what has changed');
-  expect(text()).not.toContain('stands out');
+  expect(text()).toContain('Not enough days yet to compare');
+  expect(text()).not.toContain('No change');
 });
 
 test('several alerts about sensors of one day are all told', async () => {
@@ -248,7 +248,7 @@ test('several alerts about sensors of one day are all told', async () => {
 test('of runs of which nothing is written yet the one before is shown, unless it is asked for', async () => {
   answers['/api/runs'] = [stored('lived'), stored('a')];
   await begin();
-  expect([one<HTMLSelectElement>('select').value, text().includes('Slept 4.0 hours'), document.querySelector('[role="alert"]')?.textContent ?? '']).toEqual(['a', true, '']);
+  expect([one<HTMLSelectElement>('select').value, text().includes('Slept for 4.0 hours'), document.querySelector('[role="alert"]')?.textContent ?? '']).toEqual(['a', true, '']);
   await unmount(view);
   await begin('#/care/lived');
   expect(text()).toContain('There is no such run.');
@@ -257,7 +257,7 @@ test('of runs of which nothing is written yet the one before is shown, unless it
 test('what goes wrong is said', async () => {
   answers = { '/api/runs': [], '/api/walk': null };
   await begin();
-  expect(text()).toContain('No run is stored yet');
+  expect(text()).toContain('No runs yet');
   const chosen = vi.fn();
   one<HTMLInputElement>('input[type="file"]').click = chosen;
   one<HTMLButtonElement>('p.about button').click();

@@ -119,7 +119,7 @@ export class Library {
       // A browser that keeps nothing has nothing to carry.
       await carryUnderlay(name, as, what).catch(() => {});
       if (what === 'name') this.deleted = this.deleted.map((deleted) => (deleted.before === name ? { ...deleted, before: as } : deleted));
-      this.tell(what === 'name' ? `${name} is called ${as} now.` : `${as} is a copy of ${name}, without its runs.`, false);
+      this.tell(what === 'name' ? `Renamed ${name} to ${as}.` : `Copied ${name} to ${as}, without its runs.`, false);
       await this.load();
       return null;
     } catch (error) {
@@ -159,7 +159,7 @@ export class Library {
       await this.load();
       return false;
     }
-    if (!hasPlace) this.tell(`${name} is back.`, false);
+    if (!hasPlace) this.tell(`Restored ${name}.`, false);
     await this.load();
     this.deleted = this.deleted.filter(({ aside }) => aside.key !== key);
     return true;

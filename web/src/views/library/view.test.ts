@@ -24,7 +24,7 @@ function answers(path: string, init: RequestInit): Response {
   if (init.method === 'DELETE') return Response.json({ key: `${path.split('/').at(-1)}~1` });
   if (refusal !== null && path.includes('/put-aside/')) return new Response(refusal, { status: 422 });
   if (path.startsWith('/api/library/logs/') || path.startsWith('/api/homes/')) return Response.json({ name: 'tm 1', remarks: [] });
-  if (path.endsWith('/copy')) return new Response('There is something called flat 2 here already.', { status: 422 });
+  if (path.endsWith('/copy')) return new Response('The name flat 2 is already in use here.', { status: 422 });
   if (init.method === 'POST' && path === '/api/library/homes/cottage') return Response.json({ name: 'cottage', remarks: [] });
   return Response.json(init.method === 'GET' ? card : 'flat');
 }
@@ -69,14 +69,14 @@ test('a home is drawn, with who lives there and what is wrong, and leads to its 
   const article = document.querySelector('article')!;
   expect(article.querySelector('polygon.room')).not.toBeNull();
   expect(article.textContent).toContain('agnes');
-  expect(article.querySelector('a.wrong')!.textContent).toContain('2 things');
+  expect(article.querySelector('a.wrong')!.textContent).toContain('2 problems');
   expect(article.querySelector('a.open')!.getAttribute('href')).toBe('/homes/flat/#/plan');
 });
 
 test('of a run that is being lived no length is told', async () => {
   card = { ...CARD, runs: 2, latest: ['flat-2', 'flat-1'].map(stored), goes_on: 'flat-2' };
   await open();
-  expect([...document.querySelectorAll('article li .quiet')].map((one) => one.textContent)).toEqual(['being lived', '3 days']);
+  expect([...document.querySelectorAll('article li .quiet')].map((one) => one.textContent)).toEqual(['running', '3 days']);
 });
 
 test('of twins it is said which was lived without what', async () => {
@@ -101,7 +101,7 @@ test('a home that is deleted leaves its place, from which it is put back', async
   expect([first!.style.minHeight, first!.contains(document.activeElement)]).toEqual(['321px', true]);
   expect(document.querySelector('.note')!.textContent!.trim()).toBe('');
   // What keeps it from being put back is said there.
-  refusal = 'There is something called flat here already.';
+  refusal = 'The name flat is already in use here.';
   second!.querySelector('button')!.click();
   await settled();
   expect(second!.querySelector('[role="alert"]')!.textContent).toBe(refusal);
@@ -114,10 +114,10 @@ test('a home that is deleted leaves its place, from which it is put back', async
   button('Dismiss').click();
   flushSync();
   expect(places()).toEqual(['flat', 'hut']);
-  button('Put back').click();
+  button('Restore').click();
   await settled();
   expect(asked).toContain('POST /api/library/put-aside/old~1 {}');
-  expect(document.querySelector('.note')!.textContent).toContain('old is back');
+  expect(document.querySelector('.note')!.textContent).toContain('Restored old');
 });
 
 test('homes that are deleted one after the other or at once keep their places, also beside one that is renamed or dismissed', async () => {
@@ -155,7 +155,7 @@ test('a copy has a name that is free, and why there is none is said in its dialo
   dialog.querySelector('form')!.dispatchEvent(new Event('submit', { bubbles: true, cancelable: true }));
   await settled();
   expect(asked).toContain('POST /api/library/homes/flat/copy {"name":"flat 2"}');
-  expect(dialog.querySelector('[role="alert"]')!.textContent).toContain('something called flat 2');
+  expect(dialog.querySelector('[role="alert"]')!.textContent).toContain('The name flat 2 is already in use');
   expect(dialog.open).toBe(true);
 });
 
@@ -166,22 +166,22 @@ test('a home is begun empty with a picture under its plan; of a file that is no 
   await open();
   const library = new Library(new Server('token', () => {}, async (path, init) => answers(path, init)));
   const begun = (type: string) => library.make('cottage', { kind: 'image', file: new File(['a picture'], 'cottage.png', { type }) });
-  expect(await begun('text/plain')).toBe('This is no PNG, JPEG or SVG file. Choose one of these.');
+  expect(await begun('text/plain')).toBe('This file is not a PNG, JPEG or SVG image.');
   expect([asked.filter((one) => one.startsWith('POST')), store.kept.size]).toEqual([[], 0]);
   expect(await begun('image/png')).toEqual({ name: 'cottage', remarks: [] });
   expect(asked).toContain('POST /api/library/homes/cottage {"from":"empty"}');
   expect(store.kept.get('cottage')).toMatchObject({ name: 'cottage.png', at: [5, 3.5], width_m: 7 });
   // One that the browser does not keep is made all the same, and says so.
   store.isFull = true;
-  expect(await begun('image/png')).toMatchObject({ remarks: [expect.stringContaining('does not keep the image')] });
+  expect(await begun('image/png')).toMatchObject({ remarks: [expect.stringContaining('cannot store the image')] });
 });
 
 test('a folder that cannot be written says so, and offers nothing that would fail', async () => {
-  await open({ trouble: 'Nothing can be changed here: read-only.', runs_beside: 3, more: 7 });
+  await open({ trouble: 'Cannot write to this folder: read-only.', runs_beside: 3, more: 7 });
   expect(document.querySelector('.trouble')!.textContent).toContain('read-only');
   for (const name of ['New home', 'Rename flat', 'Duplicate flat', 'Delete flat']) expect(button(name).disabled).toBe(true);
-  expect(document.body.textContent).toContain('3 runs lie');
-  expect(document.body.textContent).toContain('7 more are in the folder');
+  expect(document.body.textContent).toContain('3 runs in the folder');
+  expect(document.body.textContent).toContain('7 more homes are in the folder');
 });
 
 test('the log that a home was made from is walked through it by one button', async () => {
@@ -200,12 +200,12 @@ test('the log that a home was made from is walked through it by one button', asy
   expect(asked).toContain('POST /api/library/logs/tm%201/tm%201.csv');
   // The home is not left before it is asked what becomes of its log.
   expect(went).not.toHaveBeenCalled();
-  button('Walk the log it was made from').click();
+  button('Open the log in this home').click();
   await settled();
   expect(asked.at(-1)).toBe('POST /api/homes/tm%201/walk/tm%201.csv');
   expect(went.mock.calls).toEqual([['/homes/tm%201/#/playback']]);
   // Who has closed the dialog meanwhile is not led away.
-  button('Walk the log it was made from').click();
+  button('Open the log in this home').click();
   document.querySelector<HTMLDialogElement>('dialog[open]')!.open = false;
   await settled();
   expect([asked.filter((one) => one.includes('/walk/')).length, went.mock.calls.length]).toEqual([2, 1]);
@@ -214,7 +214,7 @@ test('the log that a home was made from is walked through it by one button', asy
 test('of a home in which nothing is drawn it is not said that something is wrong', async () => {
   card = { ...CARD, home: '{ "name": "home", "rooms": [] }' };
   await open();
-  expect(document.querySelector('article')!.textContent).toContain('Draw it');
+  expect(document.querySelector('article')!.textContent).toContain('Draw the plan');
   expect(document.querySelector('article .wrong')).toBeNull();
 });
 
@@ -226,7 +226,7 @@ test('why a name cannot be had goes once another is typed', async () => {
   dialog.querySelector('form')!.dispatchEvent(new SubmitEvent('submit', { bubbles: true, cancelable: true }));
   await settled();
   const problem = dialog.querySelector('[role="alert"]')!;
-  expect(problem.textContent).toBe('There is something called flat 2 here already.');
+  expect(problem.textContent).toBe('The name flat 2 is already in use here.');
   const field = dialog.querySelector('input')!;
   field.value = '';
   field.dispatchEvent(new Event('input', { bubbles: true }));

@@ -62,9 +62,9 @@ afterEach(async () => {
 test('a routine is shown with how it was understood', async () => {
   await begin();
   expect(editor().textContent).toContain('she gets up at about 06:45');
-  expect(region('How it was understood').textContent).toContain('she gets up at about 06:45');
+  expect(region('Interpretation').textContent).toContain('she gets up at about 06:45');
   expect(region('Problems').textContent).toContain('Every sentence is understood.');
-  expect(region('Conditions').textContent).toContain('Begins on day 9 (10 Mar 2009), moderate from day 15 (16 Mar 2009), and stays.');
+  expect(region('Conditions').textContent).toContain('Starts on day 9 (10 Mar 2009), moderate from day 15 (16 Mar 2009), and stays.');
 });
 
 test('what is wrong is underlined and told, and so is that the days are those of before', async () => {
@@ -72,24 +72,24 @@ test('what is wrong is underlined and told, and so is that the days are those of
   live.drafts.write('0.routine', ROUTINE.replace('gets up', 'wtches'));
   for (let turn = 0; turn < 12; turn++) await settle();
   expect(editor().querySelector('.cm-lintRange-error')!.textContent).toBe('wtches');
-  expect(region('How it was understood').textContent).not.toContain('about 06:45');
+  expect(region('Interpretation').textContent).not.toContain('about 06:45');
   expect(region('Problems').textContent).toContain('1 problem');
   expect(region('Problems').textContent).toContain('did you mean "watches television"?');
-  expect(region('Days').textContent).toContain('is not understood: these days are drawn as they were before.');
+  expect(region('Days').textContent).toContain('not understood. These days are shown as they were before the mistake.');
   expect(button('Go to line')).toBeTruthy();
-  expect([button('Watch it').disabled, button('Live all of it').disabled]).toEqual([true, true]);
+  expect([button('Watch run').disabled, button('Run all days').disabled]).toEqual([true, true]);
   // A problem that is older than the text is grey, and its button is dead.
   live.drafts.write('0.routine', `${ROUTINE.replace('gets up', 'wtches')}\n`);
   await settle(0);
-  expect([button('Write “watches television”').disabled, region('Problems').querySelector('ul')!.className]).toEqual([true, expect.stringContaining('old')]);
+  expect([button('Change to “watches television”').disabled, region('Problems').querySelector('ul')!.className]).toEqual([true, expect.stringContaining('old')]);
   for (let turn = 0; turn < 12; turn++) await settle();
-  expect([button('Write “watches television”').disabled, region('Problems').querySelector('ul')!.className]).toEqual([false, expect.not.stringContaining('old')]);
+  expect([button('Change to “watches television”').disabled, region('Problems').querySelector('ul')!.className]).toEqual([false, expect.not.stringContaining('old')]);
   live.drafts.write('0.routine', ROUTINE.replace('gets up', 'wtches'));
   for (let turn = 0; turn < 12; turn++) await settle();
-  button('Write “watches television”').click();
+  button('Change to “watches television”').click();
   flushSync();
   expect(live.drafts.text('0.routine')).toBe(ROUTINE.replace('gets up', 'watches television'));
-  button('Undo: Write').click();
+  button('Undo: Change to').click();
   expect(live.drafts.text('0.routine')).toBe(ROUTINE.replace('gets up', 'wtches'));
 });
 
@@ -97,7 +97,7 @@ test('a page that opens on a wrong line draws the days without it, and says whic
   const lines = ROUTINE.split('\n');
   const line = lines.findIndex((one) => one.includes('gets up')) + 1;
   await begin(fakeLives(['Agnes'], new Map([['0.routine', ROUTINE.replace('gets up', 'wtches')]])));
-  expect(region('Days').textContent).toContain(`Line ${line} is not understood: these days are drawn without it.`);
+  expect(region('Days').textContent).toContain(`Line ${line}: not understood. These days are shown without it.`);
   expect(options().length).toBeGreaterThan(0);
   expect(months().at(-1)!.draft.texts['0.routine']!.split('\n')).toEqual(lines.with(line - 1, ''));
   expect(live.drafts.unsaved).toEqual([]);
@@ -115,7 +115,7 @@ test('lines that are wrong are left out only of routines, and are named', () => 
 });
 
 test('where the days are not lived to their end, it is said until when', async () => {
-  const cut = 'The days are shown until 2026-01-05 09:00:50. To come so far has taken 5 seconds: too much happens.';
+  const cut = 'The days are shown up to 2026-01-05 09:00:50. The simulation stopped here after 5 seconds, because too much happens.';
   const whole = fakeLives();
   await begin(async (path, init) => {
     const answer = await whole(path, init);
@@ -131,15 +131,15 @@ test('a day is chosen by keys and told as a table', async () => {
   expect(options()).toHaveLength(28);
   expect(options()[6]).toContain('Clocks go forward by 1 h.');
   for (const key of ['ArrowDown', 'ArrowDown', 'Enter']) press(key, list);
-  expect(region('The day').textContent).toContain('Wed, 4 March 2009');
-  region('The day').querySelector('input')!.click();
+  expect(region('Selected day').textContent).toContain('Wed, 4 March 2009');
+  region('Selected day').querySelector('input')!.click();
   flushSync();
   expect(region('The day as a table').textContent).toContain('preparing breakfast');
   button('Next day').click();
   flushSync();
-  expect(region('The day').textContent).toContain('Thu, 5 March 2009');
+  expect(region('Selected day').textContent).toContain('Thu, 5 March 2009');
   press('Escape', list);
-  expect(region('The day')).toBeNull();
+  expect(region('Selected day')).toBeNull();
 });
 
 test('a condition is left out, and both lives are compared', async () => {
@@ -148,9 +148,9 @@ test('a condition is left out, and both lives are compared', async () => {
   [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('depression'))!.querySelector('input')!.click();
   for (let turn = 0; turn < 8; turn++) await settle();
   expect(months().at(-1)!.without).toEqual(['depression']);
-  expect(options()[20]).toMatch(/As it is written: sleep 8 h.*Without depression: sleep 6 h 30 min/);
+  expect(options()[20]).toMatch(/As written: sleep 8 h.*Without depression: sleep 6 h 30 min/);
   expect(options()[20]).not.toBe(before[20]);
-  button('Watch it').click();
+  button('Watch run').click();
   for (let turn = 0; turn < 3; turn++) await settle();
   // A run that is refused plays no other.
   expect(said).toEqual([{ say: 'start', driven: null, without: ['depression'], seed: null }]);
@@ -158,7 +158,7 @@ test('a condition is left out, and both lives are compared', async () => {
   await settle();
   expect([said.length, window.location.hash]).toEqual([1, '#/life']);
   said.length = 0;
-  button('Watch it').click();
+  button('Watch run').click();
   for (let turn = 0; turn < 3; turn++) await settle();
   live['hear']({ tell: 'run', run: madeUpRun() });
   await settle();
@@ -194,12 +194,12 @@ test('where all of it has been lived it can be played back', async () => {
   const told = () => document.querySelector('.generate')!.textContent!;
   live.frame = frame({ state: 'paused', now_us: 86_400_000_000 });
   flushSync();
-  expect(told()).toContain('both end cottage-1 at day 2 of 31; it is kept');
-  expect(button('Live all of it').title).toContain('cottage-1 ends at day 2 of 31 and is kept');
+  expect(told()).toContain('Both stop cottage-1 at day 2 of 31');
+  expect(button('Run all days').title).toContain('cottage-1 stops at day 2 of 31 and stays in Playback');
   live.frame = frame({});
   flushSync();
-  expect(told()).not.toContain('both end');
-  button('Live all of it').click();
+  expect(told()).not.toContain('Both stop');
+  button('Run all days').click();
   for (let turn = 0; turn < 3; turn++) await settle();
   live['hear']({ tell: 'run', run: madeUpRun() });
   await settle();
@@ -223,10 +223,10 @@ test('another resident is chosen', async () => {
 
 test('nobody who lives by a routine, and a routine that is not there', async () => {
   await begin(fakeLives([]));
-  expect(document.body.textContent).toContain('Nobody here lives by a routine');
+  expect(document.body.textContent).toContain('No resident has a routine');
   await unmount(view);
   await begin(fakeLives(['Agnes'], new Map()));
-  expect(document.body.textContent).toContain('The routine cannot be read');
+  expect(document.body.textContent).toContain('Cannot read the routine');
   expect(document.body.textContent).toContain('0.routine is missing');
 });
 

@@ -97,15 +97,15 @@ test('without a run it is said what is wrong, and a run is begun once that is me
   wire.onopen!();
   view = mount(LiveView, { target: document.body, props: { live } });
   const problem = { file: 'logger.json', line: 5, column: 3, width: 4, what: 'there is no sensor "hall motion"', hint: null };
-  const unbegun = { tell: 'unbegun', why: 'No run can be begun: something is wrong with the scenario.', problems: [problem] };
+  const unbegun = { tell: 'unbegun', why: 'Cannot start a run: the scenario has a problem.', problems: [problem] };
   wire.onmessage!({ data: JSON.stringify(unbegun) });
   flushSync();
   const card = () => document.querySelector('[aria-label="No run"]')!;
-  expect(card().textContent).toContain('No run can be begun');
+  expect(card().textContent).toContain('Cannot start a run');
   expect(card().textContent).toContain('there is no sensor');
   live.drafts.check = { problems: [], warnings: [] };
   flushSync();
-  expect(card().textContent).toContain('What was wrong is mended.');
+  expect(card().textContent).toContain('All problems are fixed.');
   wire.onmessage!({ data: JSON.stringify({ tell: 'run', run: madeUpRun(2, 18, 0) }) });
   flushSync();
   expect(card()).toBeNull();
@@ -131,8 +131,8 @@ test('what has been saved since the run began is told, and a run is begun anew o
   files('old');
   expect(said()).not.toContain('since this run began');
   files('new');
-  expect(said()).toContain('home.json has been saved since this run began: it goes by what they were.');
-  button('Begin anew').click();
+  expect(said()).toContain('home.json has been saved since this run started. The run still uses the old version.');
+  button('New run').click();
   expect(sent).toEqual([{ say: 'start', driven: null, without: [], seed: null }]);
 });
 
@@ -146,13 +146,13 @@ test('of a home whose files are gone it is said that they are, with a run and wi
   files('home.json');
   expect(said()).toBe('');
   files();
-  expect(said()).toContain('This home is gone');
-  expect(said()).toContain('The run that you see goes on, but no other can begin.');
+  expect(said()).toContain('The files of this home are no longer');
+  expect(said()).toContain('The current run continues, but no new run can start.');
   show({ state: 'over' });
   expect(said()).not.toContain('goes on, but');
   live.run = null;
   flushSync();
-  expect(said()).toContain('This home is gone');
+  expect(said()).toContain('The files of this home are no longer');
   files('home.json');
   expect(said()).toBe('');
 });
@@ -183,10 +183,10 @@ test('the menu of what is kept closes by Escape, by a press elsewhere and once s
   const press = (at: Element) => at.dispatchEvent(new PointerEvent('pointerdown', { bubbles: true }));
   const open = () => {
     menu.open = true;
-    button('Picture (PNG)').focus();
+    button('Image (PNG)').focus();
   };
   open();
-  press(button('Picture (PNG)'));
+  press(button('Image (PNG)'));
   expect(menu.open).toBe(true);
   key('keydown', 'Enter');
   expect(menu.open).toBe(true);
@@ -264,7 +264,7 @@ test('Space plays and pauses, and does nothing to a field', () => {
 });
 
 test('controls say what they are for', () => {
-  button('1 s on').click();
+  button('Step 1 s').click();
   button('100×').click();
   button('As fast').click();
   button('Sit').click();
@@ -292,24 +292,24 @@ test('a run begins with whom was chosen, and one that was stopped can be lived a
 
 test('what is chosen for the next run, and what is not saved yet, is said to wait', () => {
   const said = () => document.querySelector('[aria-label="Run"]')!.textContent!.replace(/\s+/g, ' ');
-  expect(said()).not.toContain('next new run');
+  expect(said()).not.toContain('Applies to');
   const who = document.querySelector<HTMLSelectElement>('#walks')!;
   who.value = '1';
   who.dispatchEvent(new Event('change', { bubbles: true }));
   flushSync();
-  expect(said()).toContain('holds from the next new run on');
+  expect(said()).toContain('Applies to the next run');
   expect(said()).not.toContain('not saved');
   live.drafts.write('home.json', '{}');
   flushSync();
-  expect(said()).toContain('home.json is not saved: a new run goes by what is on disk.');
+  expect(said()).toContain('home.json is not saved. A new run uses the version on disk.');
 });
 
 test('what becomes of the run that goes on is said, and what went wrong stays until it is read', () => {
   const said = () => document.querySelector('[aria-label="Run"]')!.textContent!.replace(/\s+/g, ' ');
-  expect(said()).not.toContain('A new run ends');
+  expect(said()).not.toContain('A new run stops');
   show({ now_us: 3_600e6 });
-  expect(said()).toContain(`A new run ends ${live.run!.id} where it is; it is kept, and listed in Playback.`);
-  expect(button('New run').title).toContain('is kept as far as it has come');
+  expect(said()).toContain(`A new run stops ${live.run!.id}, which stays in Playback.`);
+  expect(button('New run').title).toContain('which stays in Playback');
   live.note('The disk is full.', true);
   live.note('All is well.', false);
   vi.advanceTimersByTime(3_600_000);
@@ -367,7 +367,7 @@ test('a date and time is gone to across a change of clocks, and no farther than 
     flushSync();
   }
   expect(sent).toEqual([{ say: 'jump', to_us: 14 * hour - 60e6 }, { say: 'jump', to_us: 15 * hour }]);
-  expect(live.notes.map(({ text }) => text)).toEqual(['The run does not reach that time.']);
+  expect(live.notes.map(({ text }) => text)).toEqual(['That time is outside the run.']);
 });
 
 test('conditions are left out of the next run, and its seed may be as large as a number is exact', () => {
@@ -409,10 +409,10 @@ test('the table names the sensors, by what is stored of them as well, the newest
 });
 
 test('as a table the time line counts what the server has counted since the run began', () => {
-  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('as a table'))!.querySelector('input')!.click();
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('Table'))!.querySelector('input')!.click();
   show({ now_us: 9_000_000, told: 60, counts: [57, 3], firings: [firing(59, 9_000_000, 0)] });
   const table = document.querySelector('[aria-labelledby="strip-title"] table')!;
-  expect(table.querySelector('th[title]')!.getAttribute('title')).toBe('Since the run began');
+  expect(table.querySelector('th[title]')!.getAttribute('title')).toBe('Since the run started');
   expect([...table.querySelectorAll('tbody tr')].slice(0, 2).map((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent))).toEqual([['1', '57'], ['0', '3']]);
 });
 
@@ -424,7 +424,7 @@ test('of five hundred rows few are in the page', () => {
 
 test('firings are spoken of', () => {
   show({ now_us: 1, told: 1, firings: [firing(0, 1, 0)] });
-  expect(document.querySelector('[aria-live="polite"]')!.textContent).toBe(`Fired: ${live.run!.home.sensors[0]!.name}.`);
+  expect(document.querySelector('[aria-live="polite"]')!.textContent).toBe(`New events: ${live.run!.home.sensors[0]!.name}.`);
 });
 
 test('hostile names are text', () => {
@@ -458,7 +458,7 @@ test('a run that ended with its server is told of, with how far it came; one tha
   cut();
   const notes = told({ id: 'next' });
   expect(notes).toHaveLength(1);
-  expect(notes[0]).toMatch(new RegExp(`^The server was ended, and ${old} with it at .*\\d{4}, \\d\\d:55:00\\. It is kept that far and listed in Playback`));
+  expect(notes[0]).toMatch(new RegExp(`^The server stopped, and ${old} stopped with it at .*\\d{4}, \\d\\d:55:00\\. That part is saved and listed in Playback`));
   expect(notes[0]).toContain('--resume');
 });
 
@@ -474,14 +474,14 @@ test('a new run does not go on as fast as it goes because the one before did', (
 
 test('what is hatched leads to Playback, which has all of it', () => {
   show({ now_us: 90_000e6, told: 900, firings: [firing(899, 90_000e6 - 1)] });
-  button('All of it').click();
+  button('Show all').click();
   flushSync();
   expect(document.querySelector<HTMLAnchorElement>('.hatched a')!.getAttribute('href')).toBe(`#/playback/${encodeURIComponent(live.run!.id!)}`);
 });
 
 test('a click that reaches nobody is said so', () => {
   wire.onclose!({ code: 1006 });
-  button('1 s on').click();
+  button('Step 1 s').click();
   expect(live.status).toBe('lost');
   expect(live.notes.map((note) => note.bad)).toEqual([true]);
 });

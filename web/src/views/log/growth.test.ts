@@ -14,7 +14,7 @@ test('what is not lived yet is no data, and an hour without a firing is none', (
   const { density } = now;
   expect([countAt(density, 0, 0), countAt(density, 0, 1), countAt(density, 1, 0), countAt(density, 1, 1), countAt(density, 2, 0)]).toEqual([5, 0, 9, null, null]);
   expect(words(density, 0, 0)).toBe('Mon, 2 March 2009, 00 to 01 h: 5 firings');
-  expect(words(density, 0, 1)).toBe('Mon, 2 March 2009, 01 to 02 h: no firing');
+  expect(words(density, 0, 1)).toBe('Mon, 2 March 2009, 01 to 02 h: no firings');
   expect(words(density, 2, 7)).toBe('Wed, 4 March 2009, 07 to 08 h: no data');
   expect([now.number, now.leftOut]).toEqual([1, 4]);
   expect(now.fired).toEqual([[], [DAY + 5, DAY + 9], [DAY + 9]]);

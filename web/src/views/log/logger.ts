@@ -23,33 +23,33 @@ export const TABLE = 'firing';
 export const PLACE = 'sqlite:log.db';
 
 export const COLUMNS: { column: Column; usual: string; title: string; about: string }[] = [
-  { column: 'run', usual: 'run_id', title: 'Run', about: 'which run it is of' },
-  { column: 'seq', usual: 'seq', title: 'Number', about: 'counts the rows' },
-  { column: 'time', usual: 'fired_at', title: 'Time', about: 'when it was said' },
-  { column: 'sensor', usual: 'sensor', title: 'Sensor', about: 'its id, or its name' },
-  { column: 'value', usual: 'value', title: 'Message', about: 'what it said' },
+  { column: 'run', usual: 'run_id', title: 'Run', about: 'the id of the run' },
+  { column: 'seq', usual: 'seq', title: 'Number', about: 'number of the row' },
+  { column: 'time', usual: 'fired_at', title: 'Time', about: 'time of the event' },
+  { column: 'sensor', usual: 'sensor', title: 'Sensor', about: 'id or name of the sensor' },
+  { column: 'value', usual: 'value', title: 'Message', about: 'value of the event' },
 ];
 
 export const MESSAGES: { kind: Exclude<Messages, ''>; title: string; about: string; example: string; seconds: { key: string; label: string; usual: number } | null }[] = [
   {
-    kind: 'fire_only', title: 'Each firing is a row',
-    about: 'As X10 networks store it: a sensor that goes on seeing somebody fires again and again.', example: 'ON, ON, ON', seconds: null,
+    kind: 'fire_only', title: 'One row for each event',
+    about: 'As in X10 networks: a sensor repeats its event as long as it detects a person.', example: 'ON, ON, ON', seconds: null,
   },
   {
     kind: 'on_off', title: 'ON, then OFF',
-    about: 'As in CASAS homes: OFF comes once no firing has come for the hold; firings meanwhile prolong it.', example: 'ON, OFF',
-    seconds: { key: 'hold_s', label: 'Hold in seconds', usual: 4 },
+    about: 'As in CASAS homes: OFF follows when no event has come for the hold time. Each event restarts the hold time.', example: 'ON, OFF',
+    seconds: { key: 'hold_s', label: 'Hold time in seconds', usual: 4 },
   },
   {
     kind: 'occupancy', title: 'Occupancy: true, then false',
-    about: 'As Zigbee sensors report it: false comes once no firing has come for the timeout.', example: 'true, false',
+    about: 'As with Zigbee sensors: false follows when no event has come for the timeout.', example: 'true, false',
     seconds: { key: 'timeout_s', label: 'Timeout in seconds', usual: 90 },
   },
 ];
 
 export const TIMES: { time: string; title: string; example: string }[] = [
   { time: 'local', title: 'Local time', example: '2009-03-02 07:12:03.250000' },
-  { time: 'local_offset', title: 'Local time with its offset', example: '2009-03-02T07:12:03.250000-06:00' },
+  { time: 'local_offset', title: 'Local time with UTC offset', example: '2009-03-02T07:12:03.250000-06:00' },
   { time: 'utc', title: 'UTC', example: '2009-03-02T13:12:03.250000Z' },
   { time: 'epoch_s', title: 'Seconds since 1970', example: '1235999523.250000' },
   { time: 'epoch_ms', title: 'Milliseconds since 1970', example: '1235999523250' },

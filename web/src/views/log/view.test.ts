@@ -93,7 +93,7 @@ test('each field is a small change of the text, and the rows are asked for with 
   expect(written()).toBe(LOGGER.replace('  "table": "event",\n', ''));
   type('Time', 'at');
   type('Id of front door', 'D1');
-  choose('Kind of place 1', 'csv:');
+  choose('Kind of destination 1', 'csv:');
   expect(JSON.parse(written()!)).toEqual({ to: ['csv:log.csv'], ids: { bed: 'C1', 'front door': 'D1' }, messages: 'fire_only', columns: { time: 'at' } });
   await settle();
   expect(files.drafts('/api/rows')).toEqual({ 'logger.json': written() });
@@ -104,8 +104,8 @@ test('messages have their form, and remember what was asked of each', async () =
   const radio = (index: number) => document.querySelectorAll<HTMLInputElement>('input[type="radio"]')[index]!;
   radio(1).click();
   flushSync();
-  type('Hold in seconds', '2.5');
-  type('Hold in seconds', '');
+  type('Hold time in seconds', '2.5');
+  type('Hold time in seconds', '');
   radio(2).click();
   flushSync();
   expect(JSON.parse(written()!).messages).toEqual({ occupancy: { timeout_s: 90 } });
@@ -119,18 +119,18 @@ test('messages have their form, and remember what was asked of each', async () =
 
 test('the first rows are shown: a table of a database, the lines of a text', async () => {
   await begin();
-  const regions = [...document.querySelectorAll('[aria-label^="Rows of place"]')];
+  const regions = [...document.querySelectorAll('[aria-label^="Rows of destination"]')];
   expect([...regions[0]!.querySelectorAll('th')].map((cell) => cell.textContent)).toEqual(['run_id', 'ts']);
   expect(regions[1]!.querySelector('pre')!.textContent).toBe('07:12\tBed\tON');
 });
 
 test('where no row comes it is said of how many days', async () => {
   await begin({}, {}, { ...ROWS, places: [{ ...ROWS.places[0]!, rows: [] }] });
-  expect(document.body.textContent).toContain('No sensor says anything in the first three days.');
+  expect(document.body.textContent).toContain('No events in the first three days.');
 });
 
 test('where rows were not looked for to the end, it is said until when', async () => {
-  const cut = 'Rows are looked for until 2026-01-05 09:00:50. To come so far has taken 5 seconds: too much happens.';
+  const cut = 'Rows up to 2026-01-05 09:00:50 are shown. The simulation stopped here after 5 seconds, because too much happens.';
   await begin({}, {}, { ...ROWS, places: [{ ...ROWS.places[0]!, rows: [] }], cut });
   expect(document.body.textContent).toContain(cut);
   expect(document.body.textContent).not.toContain('No sensor says anything');
@@ -142,8 +142,8 @@ test('while something is wrong, the rows from before stay, and what is wrong is 
   rowsNow = { ...ROWS, places: [], problems: [problem] };
   type('Table', 'E!');
   await settle();
-  expect(document.body.textContent).toContain('These are the rows as they were before this');
-  expect(document.querySelectorAll('[aria-label^="Rows of place"]')).toHaveLength(2);
+  expect(document.body.textContent).toContain('Rows from before this problem');
+  expect(document.querySelectorAll('[aria-label^="Rows of destination"]')).toHaveLength(2);
 });
 
 test('a problem stands beside its field', async () => {
@@ -155,8 +155,8 @@ test('a problem stands beside its field', async () => {
   expect(field.getAttribute('aria-invalid')).toBe('true');
   expect(document.getElementById(field.getAttribute('aria-describedby')!)!.textContent).toContain('twice');
   expect(input('Id of front door').getAttribute('aria-invalid')).toBe('false');
-  expect(document.querySelector('[aria-label="The logger\'s file"]')!.textContent).toContain('odd');
-  expect(document.querySelector('[aria-label="The logger\'s file"]')!.textContent).not.toContain('elsewhere');
+  expect(document.querySelector('[aria-label="Logger file"]')!.textContent).toContain('odd');
+  expect(document.querySelector('[aria-label="Logger file"]')!.textContent).not.toContain('elsewhere');
 });
 
 test('a scenario without a logger’s file gets one with the first change, linked and saved together', async () => {
@@ -165,7 +165,7 @@ test('a scenario without a logger’s file gets one with the first change, linke
   await settle(3000);
   expect(document.body.textContent).toContain('The scenario has no logger');
   expect(live.drafts.unsaved).toEqual([]);
-  expect(input('Address of place 1').value).toBe('log.db');
+  expect(input('Address of destination 1').value).toBe('log.db');
   type('Table', 'event');
   expect(written()).toBe('{\n  "$schema": "../schemas/logger.schema.json",\n  "table": "event"\n}\n');
   expect(live.drafts.text('scenario.json')).toBe(SCENARIO.replace('"home.json"\n', '"home.json",\n  "logger": "logger.json"\n'));
@@ -199,7 +199,7 @@ test('changes are taken back and made again, the letters of a word together', as
 
 test('ids are numbered, pasted, and taken back at once', async () => {
   await begin();
-  button('Number 2').click();
+  button('Assign 2').click();
   flushSync();
   expect(JSON.parse(written()!).ids).toEqual({ bed: 'C1', 'hall motion': 'M001', 'front door': 'D001' });
   button('Undo').click();
@@ -215,18 +215,18 @@ test('ids are numbered, pasted, and taken back at once', async () => {
 
 test('a place is tried, and what was found is said', async () => {
   await begin();
-  button('Try').click();
+  button('Test').click();
   await settle(50);
   expect(document.querySelector('.result')!.textContent).toContain('It can be written.');
-  type('Address of place 1', '/nowhere/log.db');
+  type('Address of destination 1', '/nowhere/log.db');
   expect(document.querySelector('.result')!.textContent!.trim()).toBe('');
-  button('Try').click();
+  button('Test').click();
   await settle(50);
   expect(document.querySelector('.result')!.textContent).toContain('the folder does not exist');
-  button('Add a place').click();
+  button('Add destination').click();
   flushSync();
   expect(JSON.parse(written()!).to).toEqual(['sqlite:/nowhere/log.db', 'sqlite:log.db']);
-  button('Remove place 1').click();
+  button('Remove destination 1').click();
   flushSync();
   expect(JSON.parse(written()!).to).toEqual(['sqlite:log.db']);
 });
@@ -234,13 +234,13 @@ test('a place is tried, and what was found is said', async () => {
 test('a text that is not JSON is mended as text', async () => {
   await begin({ 'logger.json': '{ "to": ' });
   expect(input('Table')).toBeNull();
-  type('The file’s text', '{}');
+  type('File text', '{}');
   expect(input('Table').value).toBe('');
 });
 
 test('the log of the run is seen to grow, in a drawing and in words', async () => {
   await begin();
-  expect(document.body.textContent).toContain('1,234 firings so far');
+  expect(document.body.textContent).toContain('1,234 events so far');
   const map = document.querySelector<HTMLElement>('[role="application"]')!;
   map.focus();
   for (const key of ['ArrowRight', 'ArrowDown']) map.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));

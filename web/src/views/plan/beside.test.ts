@@ -63,7 +63,7 @@ test('two layouts that were compared are shown no longer than they are what they
   expect([table(), told()]).toEqual([[count, count - 1], '']);
   editor.undo();
   flushSync();
-  expect([table(), told()]).toEqual([[], 'The home has changed since they were compared. Compare them again.']);
+  expect([table(), told()]).toEqual([[], 'The home has changed since this comparison. Compare again.']);
   await compare();
   expect([table(), told()]).toEqual([[count, count], '']);
   // What is saved is another layout, too.

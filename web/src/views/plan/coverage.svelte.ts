@@ -35,7 +35,7 @@ export class Coverage {
         if (home) this.alone = single?.coverage ?? null;
       },
       () => (this.trouble = ''),
-      (why) => ([this.trouble, this.stale] = [`What the sensors see cannot be counted: ${why}`, true]),
+      (why) => ([this.trouble, this.stale] = [`Cannot calculate the coverage: ${why}`, true]),
     );
   }
 

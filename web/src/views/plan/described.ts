@@ -16,6 +16,6 @@ export function described(of: Element | [At, At], units: Units): string {
   if (size) parts.push(`${length(size[0], units)} × ${length(size[1], units)}`);
   if (at) parts.push(`${length(at[0], units)} east, ${length(at[1], units)} north`);
   const facing = number(of.value.facing_deg);
-  if (facing !== null) parts.push(`looks ${windOf(facing)} (${facing}° from east)`);
+  if (facing !== null) parts.push(`faces ${windOf(facing)} (${facing}° from east)`);
   return parts.join(' · ');
 }

@@ -33,7 +33,7 @@ test('what looks for movement becomes another device, and nothing else does', ()
     else if (value.kind === 'ceiling_motion') expect(changed.sensors[index]).toEqual({ ...value, preset: 'fibaro' });
     else expect(changed.sensors[index]).toEqual(value);
   }
-  expect(aboutDevice(fibaro)).toBe(`Z-Wave, 2.4 m high, ${fibaro.field_deg[0]}° by ${fibaro.field_deg[1]}°, ${fibaro.reach_m} m far, again after 8 s`);
+  expect(aboutDevice(fibaro)).toBe(`Z-Wave, mounted 2.4 m high, field ${fibaro.field_deg[0]}° by ${fibaro.field_deg[1]}°, range ${fibaro.reach_m} m, repeats after 8 s`);
 });
 
 test('a layout that was kept is put back into the text of now', () => {

@@ -28,10 +28,10 @@ export function becomes(elements: Element[], device: Device): Change[] {
 export function aboutDevice({ network, height_m, field_deg, reach_m, refire_s }: Device): string {
   const [least, most] = refire_s;
   const again = least === most ? `${least}` : `${least} to ${most}`;
-  return `${network === '' ? '' : `${network}, `}${height_m} m high, ${field_deg[0]}° by ${field_deg[1]}°, ${reach_m} m far, again after ${again} s`;
+  return `${network === '' ? '' : `${network}, `}mounted ${height_m} m high, field ${field_deg[0]}° by ${field_deg[1]}°, range ${reach_m} m, repeats after ${again} s`;
 }
 
 /** Where the numbers of a device are from. */
 export function sourcesOf({ sources }: Device): string {
-  return `Height: ${sources.height}. Field: ${sources.field}. Reach: ${sources.reach}. Timing: ${sources.timing}.`;
+  return `Height: ${sources.height}. Field: ${sources.field}. Range: ${sources.reach}. Timing: ${sources.timing}.`;
 }

@@ -90,9 +90,9 @@ test('the back of a piece is its side at a wall, and the front is across', () =>
 });
 
 test('what stands in something else is told, but for what belongs there', () => {
-  expect(overlapsOf(flat).map((one) => told(one, 'metric'))).toEqual(['bed reaches 0.10 m into a wall']);
+  expect(overlapsOf(flat).map((one) => told(one, 'metric'))).toEqual(['bed overlaps a wall by 0.10 m']);
   const crowded = home(FLAT.replace('"at": [3, 0.4]', '"at": [1.5, 1.8]').replace('"at": [1, 2]', '"at": [1.2, 1.8]'));
-  expect(overlapsOf(crowded).map((one) => told(one, 'metric'))).toEqual(['bed reaches 0.75 m into stove']);
+  expect(overlapsOf(crowded).map((one) => told(one, 'metric'))).toEqual(['bed overlaps stove by 0.75 m']);
   const chairs = '{ "furniture": [{ "name": "chair", "at": [1, 1], "size_m": [0.5, 0.5], "height_m": 0.9 }, { "name": "table", "at": [1, 1.3], "size_m": [1, 1], "height_m": 0.7 }, { "name": "rug", "at": [1, 1], "size_m": [2, 2], "height_m": 0.02 }] }';
   expect(overlapsOf(home(chairs))).toEqual([]);
 });
@@ -100,11 +100,11 @@ test('what stands in something else is told, but for what belongs there', () => 
 test('a problem is what hardly anybody means: not what may stand on another, hang above it, or be drawn to the middle of a wall', () => {
   const mistakes = (text: string) => mistakesOf(home(text)).map((one) => told(one, 'metric'));
   const crowded = FLAT.replace('"at": [3, 0.4]', '"at": [1.5, 1.8]').replace('"at": [1, 2]', '"at": [1.2, 1.8]');
-  expect(mistakes(crowded)).toEqual(['bed reaches 0.75 m into stove']);
+  expect(mistakes(crowded)).toEqual(['bed overlaps stove by 0.75 m']);
   // Its bed goes to the middle of a wall.
   expect(overlapsOf(flat)).toHaveLength(1);
   expect(mistakes(FLAT)).toEqual([]);
-  expect(mistakes(FLAT.replace('"at": [1, 2]', '"at": [0.94, 2]'))).toEqual(['bed reaches 0.16 m into a wall']);
+  expect(mistakes(FLAT.replace('"at": [1, 2]', '"at": [0.94, 2]'))).toEqual(['bed overlaps a wall by 0.16 m']);
   const piece = (name: string, at: number[], size_m: number[], height_m: number) => ({ name, at, size_m, height_m });
   const kitchen = [piece('Cooker', [1, 1], [0.6, 0.62], 0.85), piece('Box 2', [1, 1], [0.6, 0.58], 1.615), piece('Kitchen upper cabinet', [1.1, 1], [0.6, 0.54], 2.3), piece('Plant 9', [1, 1], [0.15, 0.13], 1.06)];
   const text = JSON.stringify({ furniture: kitchen });
@@ -117,13 +117,13 @@ test('a problem is what hardly anybody means: not what may stand on another, han
   // Through a wall nothing hangs.
   const wall = [{ from: [0, 0], to: [3, 0], thickness_m: 0.2 }];
   const shelf = (y: number) => JSON.stringify({ walls: wall, furniture: [piece('Box', [1, y], [1, 0.5], 0.9)] });
-  expect([mistakes(shelf(0.2)), mistakes(shelf(0.1))]).toEqual([[], ['Box reaches 0.25 m into a wall']]);
+  expect([mistakes(shelf(0.2)), mistakes(shelf(0.1))]).toEqual([[], ['Box overlaps a wall by 0.25 m']]);
 });
 
 test('an angle has the point of the compass beside it', () => {
   const facing = (deg: number) => home(FLAT.replace('"facing_deg": 0', `"facing_deg": ${deg}`)).byId.get('sensors/0')!;
   expect([0, 90, -90, 222].map((deg) => described(facing(deg), 'metric').split(' · ').at(-1))).toEqual(
-    ['looks east (0° from east)', 'looks north (90° from east)', 'looks south (-90° from east)', 'looks south-west (222° from east)'],
+    ['faces east (0° from east)', 'faces north (90° from east)', 'faces south (-90° from east)', 'faces south-west (222° from east)'],
   );
   expect(described([[0, 0], [0, 2]], 'metric')).toBe('2.00 m at 90° (north)');
 });

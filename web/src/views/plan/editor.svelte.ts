@@ -140,12 +140,12 @@ export class Editor {
       if (this.text !== text || this.file === null) return alone();
       if (texts[this.file] === undefined) {
         alone();
-        if (is_shared) this.said = 'Renamed only here: another has this name, and sentences may mean that one.';
+        if (is_shared) this.said = 'Renamed only here. Another element has the same name, and other files may refer to that one.';
         return;
       }
       this.writeAll(texts);
       const files = new Set(mentions.map(({ file }) => file).filter((file) => file !== this.file));
-      this.said = `Renamed${files.size > 0 ? `, in ${[...files].join(', ').slice(0, 200)} as well` : ''}.`;
+      this.said = `Renamed${files.size > 0 ? `, also in ${[...files].join(', ').slice(0, 200)}` : ''}.`;
     } catch {
       alone();
     }

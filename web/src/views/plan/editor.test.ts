@@ -125,7 +125,7 @@ test('walls are clicked one after the other, and end where they meet one that is
   // The next space is filled by the next click, and one that is a room already is not filled twice.
   const rooms = () => JSON.parse(editor.text!).rooms.length;
   click(editor, editor.home!, [5.3, 0.5], snapping);
-  expect([rooms(), editor.one!.value.name, editor.said, editor.tool.tool]).toEqual([3, 'room 2', 'This is room 2 already.', 'fill']);
+  expect([rooms(), editor.one!.value.name, editor.said, editor.tool.tool]).toEqual([3, 'room 2', 'This space is already room 2.', 'fill']);
   click(editor, editor.home!, [4.5, 2.5], snapping);
   expect([rooms(), editor.one!.value.name, editor.said]).toEqual([4, 'room 3', '']);
 });
@@ -144,7 +144,7 @@ test('a camera is put up at the wall that is near and looks into the room, and w
 test('a room is clicked corner by corner and closed at the first', () => {
   editor.hold({ tool: 'room' });
   finish(editor, editor.home!);
-  expect(editor.said).toBe('A room needs three corners or more.');
+  expect(editor.said).toBe('A room needs at least three corners.');
   for (const at of [[7, 0], [9, 0], [9, 2], [7.001, 0.001]] as [number, number][]) click(editor, editor.home!, at, { tolerance_m: 0.1, grid_m: 0.05 });
   expect(editor.one!.value).toEqual({ name: 'room 2', outline: [[7, 0], [9, 0], [9, 2]] });
   expect(editor.tool.tool).toBe('select');

@@ -8,9 +8,9 @@ import { type View, toScreen } from '../../plan/transform';
 import type { CoverageView } from '../../wire';
 
 export const MODES = [
-  { id: 'count', title: 'Seen by how many' },
+  { id: 'count', title: 'Number of sensors' },
   { id: 'dead', title: 'Dead zones only' },
-  { id: 'alone', title: 'The chosen sensor alone' },
+  { id: 'alone', title: 'Selected sensor only' },
   { id: 'off', title: 'Off' },
 ] as const;
 

@@ -54,14 +54,14 @@ test('after two points a number goes to how far apart they are, and what came of
   editor.hold({ tool: 'scale' });
   click(editor, editor.home!, [1, 5], null);
   flushSync();
-  expect([field('Their real distance'), promptOf(editor)]).toEqual([null, 'Click two points of the image whose distance you know.']);
+  expect([field('Real distance'), promptOf(editor)]).toEqual([null, 'Click two points of the image with a known distance.']);
   click(editor, editor.home!, [5, 5], null);
   flushSync();
-  expect(document.activeElement).toBe(field('Their real distance'));
-  expect(promptOf(editor)).toBe('Type under Image how far apart the two points really are.');
-  type('Their real distance', '8');
+  expect(document.activeElement).toBe(field('Real distance'));
+  expect(promptOf(editor)).toBe('Type the real distance of the two points under Image.');
+  type('Real distance', '8');
   expect([underlay.lies.width_m, underlay.lies.at, editor.tool.tool, editor.canUndo]).toEqual([20, [9, 5], 'select', true]);
-  expect(document.activeElement!.textContent).toBe('Set its scale by two points');
+  expect(document.activeElement!.textContent).toBe('Set scale with two points');
   const { text } = editor;
   void underlay.lie({ opacity: 0.9 });
   editor.undo();
@@ -74,13 +74,13 @@ test('two points that are the same scale nothing: two others are asked for', () 
   editor.hold({ tool: 'scale' });
   for (let twice = 0; twice < 2; twice++) click(editor, editor.home!, [1, 5], null);
   flushSync();
-  type('Their real distance', '8');
+  type('Real distance', '8');
   expect([underlay.lies.width_m, editor.canUndo, editor.tool.tool, editor.drawn]).toEqual([10, false, 'scale', []]);
-  expect(editor.said).toBe('Both points are the same: click two others.');
+  expect(editor.said).toBe('Both points are the same. Click two different points.');
 });
 
 test('numbers of the image are steps beside those of the home, and another image is left where it lies', async () => {
-  type('Turn of the image', '90');
+  type('Rotation of the image', '90');
   editor.add('places', { name: 'here', at: [1, 1] });
   type('Width of the image', '12');
   type('Width of the image', '12');

@@ -123,10 +123,10 @@ export function newSensor(home: Home, kind: SensorKind, at: At, targets: Targets
       // A camera that sleeps needs whoever wakes it: the sensors of its room that see movement.
       const wakers = of(home, 'sensors').filter(({ value }) => (value.kind === 'motion' || value.kind === 'ceiling_motion') && inRoom(home, value, room));
       const woken = wakers.length > 0 ? { woken_by: wakers.map(({ name }) => name) } : { always: true };
-      return room ? { kind, name: named(room.name), at: mounted.at, facing_deg: wrapped(mounted.normal_deg), ...woken } : `Click into the room that the ${word} looks at.`;
+      return room ? { kind, name: named(room.name), at: mounted.at, facing_deg: wrapped(mounted.normal_deg), ...woken } : `Click the room that the ${word} watches.`;
     }
     case 'room':
-      return room ? { kind, name: named(room.name), room: room.name } : `Click into the room that the ${word} sensor measures.`;
+      return room ? { kind, name: named(room.name), room: room.name } : `Click the room that the ${word} sensor measures.`;
     case 'thing': {
       const thing = thingAt(home, kind, at);
       return thing ? { kind, name: named(thing.name), on: thing.name } : `Click ${SENSOR_KINDS[kind].bearers.map((bearer) => BEARERS[bearer]).join(' or ')} for the ${word} sensor.`;
@@ -139,8 +139,8 @@ type Bearer = (typeof SENSOR_KINDS)[SensorKind]['bearers'][number];
 const BEARERS: Record<Bearer, string> = {
   door: 'a door',
   furniture: 'a piece of furniture',
-  enterable: 'a piece of furniture in which people can be',
-  lamp: 'the floor of a room for its lamp',
+  enterable: 'a piece of furniture that residents can sit or lie on',
+  lamp: 'the floor of a room, for its lamp',
 };
 
 /** What a sensor can hang on, in the order in which it is looked for. */

@@ -85,14 +85,14 @@ test('all kinds of sensors and all furniture can be put into the home, under nam
   }
   expect(newSensor(flat, 'contact', [4.05, 1.4], targets, null)).toMatchObject({ on: 'bath door' });
   expect(newSensor(flat, 'bed', [5, 2.5], targets, null)).toMatch(/^Click .* for the bed sensor\.$/);
-  expect(newSensor(flat, 'light', [9, 9], targets, null)).toMatch(/^Click into the room/);
+  expect(newSensor(flat, 'light', [9, 9], targets, null)).toMatch(/^Click the room/);
   expect(newPiece(flat, PIECES[0]!, [1, 1])).toMatchObject({ name: 'bed 2', enterable: true });
   expect(freshName(flat, 'Window')).toBe('Window 2');
 });
 
 test('fields come from the schema, with their bounds, units and what holds without them', () => {
   const fields = new Map(fieldsOf(flat.byId.get('sensors/0')!).map((field) => [field.path.at(-1), field]));
-  expect(fields.get('facing_deg')).toMatchObject({ form: 'number', unit: '°', required: true, bounds: { least: -360, most: 360 }, label: 'Looks to, from east' });
+  expect(fields.get('facing_deg')).toMatchObject({ form: 'number', unit: '°', required: true, bounds: { least: -360, most: 360 }, label: 'Direction, from east' });
   expect(fields.get('reach_m')).toMatchObject({ form: 'number', unit: 'm', required: false, fallback: 10 });
   expect(fields.get('field_deg')).toMatchObject({ form: 'numbers', fallback: [145, 50] });
   expect(fields.get('at')).toMatchObject({ form: 'numbers', unit: 'm', words: ['East', 'North'] });
@@ -102,7 +102,7 @@ test('fields come from the schema, with their bounds, units and what holds witho
   const role = fieldsOf(flat.byId.get('furniture/0')!).find(({ path }) => path.at(-1) === 'role')!;
   expect(role).toMatchObject({ form: 'choice', label: 'Role', required: false, fallback: undefined });
   expect(role.form === 'choice' && role.options.slice(0, 2).map(({ value, title, about }) => [value, title, about])).toEqual([
-    ['', 'as its name says', ''], ['bed', 'bed', 'Where somebody sleeps.'],
+    ['', 'from its name', ''], ['bed', 'bed', 'A place to sleep.'],
   ]);
   expect(fieldsOf(flat.byId.get('rooms/0')!).map(({ form }) => form)).toEqual(['text', 'corners', 'text', 'number']);
   expect(fieldsOf(flat.byId.get('sensors/1')!).map(({ form }) => form)).toEqual(['text', 'bearer', 'list', 'number', 'numbers', 'numbers', 'number']);
@@ -111,7 +111,7 @@ test('fields come from the schema, with their bounds, units and what holds witho
   expect(camera.get('pixels')).toMatchObject({ form: 'numbers', words: ['Columns', 'Rows'], unit: '', fallback: [160, 120] });
   expect(camera.get('frames_per_s')).toMatchObject({ form: 'number', label: 'Frames', unit: 'a second', fallback: 5 });
   const notice = fields.get('notice')!;
-  expect(notice.form === 'way' && notice.options[0]).toMatchObject({ value: '', title: 'as its device does' });
+  expect(notice.form === 'way' && notice.options[0]).toMatchObject({ value: '', title: 'as the device does' });
   expect(homeFields().map(({ path }) => path)).toEqual([['name'], ['about'], ['latitude_deg']]);
   for (const list of ['rooms', 'walls', 'doors', 'furniture', 'places'] as const) expect(fieldsOf(of(flat, list)[0]!).length).toBeGreaterThan(0);
 });
@@ -133,9 +133,9 @@ test('problems are led back to the elements they mean', () => {
 test('many pieces that stand in something are one row with a list', () => {
   const sofas = (count: number) => home(JSON.stringify({ furniture: Array.from({ length: count }, (_, index) => ({ name: `sofa ${index}`, at: [index, 0], size_m: [1.2, 1], enterable: true })) }));
   const rows = (count: number) => listed(sofas(count), 'home.json', null, null, 'metric');
-  expect(rows(4).map(({ what, each }) => [what, each])).toEqual([0, 1, 2].map((index) => [`sofa ${index} reaches 0.20 m into sofa ${index + 1}`, undefined]));
+  expect(rows(4).map(({ what, each }) => [what, each])).toEqual([0, 1, 2].map((index) => [`sofa ${index} overlaps sofa ${index + 1} by 0.20 m`, undefined]));
   const [row, ...more] = rows(40);
-  expect([row!.what, row!.warning, more]).toEqual(['39 pieces of furniture stand in others or in walls', true, []]);
+  expect([row!.what, row!.warning, more]).toEqual(['39 pieces of furniture overlap each other or walls', true, []]);
   expect(row!.each!.map(({ element }) => element.name).slice(0, 2)).toEqual(['sofa 0', 'sofa 1']);
 });
 

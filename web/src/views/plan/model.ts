@@ -54,7 +54,7 @@ export const IN_WALL_M = 0.01;
 export function readHome(text: string): Home | Fault {
   const root = tree(text);
   if (isFault(root)) return root;
-  if (root.type !== 'object') return { what: 'the home must be an object in braces', offset: root.offset };
+  if (root.type !== 'object') return { what: 'the file must contain a JSON object', offset: root.offset };
   const value: Value = {};
   const elements: Element[] = [];
   for (const property of root.children ?? []) {

@@ -224,14 +224,14 @@ export function handlesOf(element: Element, off_m: number): Handle[] {
   if (corners) return points(element.value[corners])!.map((at, index) => ({ key: `${corners}/${index}`, label: `corner ${index + 1}`, shape: 'point', at }));
   const [at, size] = [atOf(element), point(element.value.size_m)];
   if ((element.value.kind === 'motion' || element.value.kind === 'camera') && at) {
-    return [{ key: 'aim', label: 'where it looks', shape: 'aim', at: add(at, times(direction(number(element.value.facing_deg) ?? 0), off_m)) }];
+    return [{ key: 'aim', label: 'direction', shape: 'aim', at: add(at, times(direction(number(element.value.facing_deg) ?? 0), off_m)) }];
   }
   if (element.list !== 'furniture' || !at || !size) return [];
   const deg = number(element.value.turn_deg) ?? 0;
   const form = formOf(element)!;
   const top = add(at, times(direction(deg + 90), size[1] / 2 + off_m * 0.6));
   return [
-    ...form.map((at, index): Handle => ({ key: `size/${index}`, label: `corner ${index + 1}, for its size`, shape: 'size', at })),
+    ...form.map((at, index): Handle => ({ key: `size/${index}`, label: `corner ${index + 1}, to resize`, shape: 'size', at })),
     { key: 'turn', label: 'turn', shape: 'turn', at: top },
   ];
 }

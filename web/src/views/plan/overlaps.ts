@@ -82,5 +82,5 @@ function reach(outline: At[], normal: At): At {
 /** In a sentence. */
 export function told({ piece, other, deep_m }: Overlap, units: Units): string {
   const into = other.list === 'walls' ? 'a wall' : titleOf(other).slice(0, 80);
-  return `${titleOf(piece).slice(0, 80)} reaches ${length(deep_m, units)} into ${into}`;
+  return `${titleOf(piece).slice(0, 80)} overlaps ${into} by ${length(deep_m, units)}`;
 }

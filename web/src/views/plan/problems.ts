@@ -30,9 +30,9 @@ function overlapping(home: Home, file: string, units: Units): Listed[] {
   const each = mistakesOf(home).map((overlap) => ({ element: overlap.piece, what: told(overlap, units) }));
   const warning = { file, width: 1, warning: true };
   if (each.length > MOST_ROWS) {
-    return [{ ...warning, line: 0, column: 0, what: `${new Set(each.map(({ element }) => element)).size} pieces of furniture stand in others or in walls`, hint: 'it keeps nobody from living here; move them, or turn them', element: null, each }];
+    return [{ ...warning, line: 0, column: 0, what: `${new Set(each.map(({ element }) => element)).size} pieces of furniture overlap each other or walls`, hint: 'runs still work; move or turn the pieces', element: null, each }];
   }
-  return each.map(({ element, what }) => ({ ...warning, ...lineOf(home.text, element.offset), what, hint: 'move one of them, or turn it', element }));
+  return each.map(({ element, what }) => ({ ...warning, ...lineOf(home.text, element.offset), what, hint: 'move or turn one of them', element }));
 }
 
 function elementAt(home: Home, { line, column }: ProblemView): Element | null {

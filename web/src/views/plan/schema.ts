@@ -76,16 +76,16 @@ const WORDS: Record<string, string[]> = {
 const METRES = new Set(['at', 'from', 'to']);
 
 const LABELS: Record<string, string> = {
-  at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Looks to, from east', enterable: 'People can be in it', outside: 'Leads outside',
-  level: 'Sees', preset: 'Timing as of', first_fire_s: 'First firing', refire_s: 'Next firings',
+  at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Direction, from east', enterable: 'Residents can use it', outside: 'Leads outside',
+  level: 'Sees', preset: 'Timing of device', first_fire_s: 'First event', refire_s: 'Next events',
   notice: 'Notices',
 };
 
 /** What choices are called, where the file's word alone tells little. */
 const CHOICES: Record<string, string> = {
   'level paper': 'any change in a beam', 'level sensitivity': 'large changes only', 'level zones': 'changes between zones',
-  'notice ': 'as its device does', 'notice all': 'every movement', 'notice chance': 'by chance',
-  'role ': 'as its name says',
+  'notice ': 'as the device does', 'notice all': 'every movement', 'notice chance': 'by chance',
+  'role ': 'from its name',
   ...Object.fromEntries(DEVICES.map(({ key, name }) => [`preset ${key}`, name])),
 };
 

@@ -14,26 +14,26 @@ const LOW_M = 0.1;
 
 const PROMPTS: Record<Tool['tool'], string> = {
   select: '',
-  wall: 'Click where the wall begins, then where it ends, or type a length and an arrow key; the next one begins there. Escape ends.',
-  room: 'Click the corners of the room in order, or type lengths and arrow keys; Enter or a click on the first one closes it.',
-  fill: 'Click into a space that walls enclose: it becomes a room, and the next click makes the next. Escape ends.',
-  door: 'Click a wall where the door is to be.',
-  place: 'Click where people are to stand.',
-  furniture: 'Click where it is to stand.',
+  wall: 'Click where the wall starts, then where it ends, or type a length and press an arrow key. The next wall starts there. Escape ends.',
+  room: 'Click the corners of the room in order, or type lengths and press arrow keys. Enter, or a click on the first corner, closes the room.',
+  fill: 'Click a space enclosed by walls to make it a room. Click again for the next room. Escape ends.',
+  door: 'Click the wall where the door goes.',
+  place: 'Click where people stand.',
+  furniture: 'Click where it stands.',
   sensor: '',
-  scale: 'Click two points of the image whose distance you know.',
+  scale: 'Click two points of the image with a known distance.',
 };
 
 const MOUNTS: Record<Mount, string> = {
-  wall: 'Click near a wall: the sensor is put up there and looks into the room.',
+  wall: 'Click near a wall. The sensor is mounted there and faces the room.',
   ceiling: 'Click the middle of the area that the sensor sees from the ceiling.',
-  thing: 'Click what the sensor hangs on or lies in.',
-  room: 'Click into the room that the sensor measures.',
-  free: 'Click near a wall: the camera is put up there and looks into the room. Without Snap it hangs where you click.',
+  thing: 'Click the element that carries the sensor.',
+  room: 'Click the room that the sensor measures.',
+  free: 'Click near a wall. The camera is mounted there and faces the room. Without Snap it is mounted where you click.',
 };
 
 export function promptOf({ tool, drawn }: Pick<Editor, 'tool' | 'drawn'>): string {
-  if (tool.tool === 'scale' && drawn.length === 2) return 'Type under Image how far apart the two points really are.';
+  if (tool.tool === 'scale' && drawn.length === 2) return 'Type the real distance of the two points under Image.';
   return tool.tool === 'sensor' ? MOUNTS[SENSORS[tool.kind]] : PROMPTS[tool.tool];
 }
 
@@ -133,13 +133,13 @@ export function click(editor: Editor, home: Home, at: At, snapping: Snapping | n
     case 'fill': {
       const outline = enclosed(wallsOf(home), at);
       if (outline === null) {
-        editor.said = 'No walls enclose this spot. Close the gap between them, or draw the room by its corners.';
+        editor.said = 'No walls enclose this spot. Close the gap between the walls, or draw the room corner by corner.';
         return;
       }
       const there = of(home, 'rooms').find((room) => isSame(formOf(room) ?? [], outline, at));
       if (there) {
         editor.select([there.id]);
-        editor.said = `This is ${titleOf(there).slice(0, 80)} already.`;
+        editor.said = `This space is already ${titleOf(there).slice(0, 80)}.`;
       } else editor.add('rooms', { name: freshName(home, 'room'), outline });
       // A plan has several rooms: with the arrow the next click would select nothing, and the next name would be the home's.
       return;
@@ -181,7 +181,7 @@ export function finish(editor: Editor, home: Home): void {
   const { tool, drawn } = editor;
   if (tool.tool === 'room') {
     if (drawn.length < 3 || Math.abs(area(drawn)) < 0.01) {
-      editor.said = 'A room needs three corners or more.';
+      editor.said = 'A room needs at least three corners.';
       return;
     }
     editor.add('rooms', { name: freshName(home, 'room'), outline: drawn });

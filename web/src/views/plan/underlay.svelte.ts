@@ -54,12 +54,12 @@ export class Underlay {
   /** A file that somebody has chosen comes to lie on a place, as large as fits between these sides. */
   async choose(file: File, at: At, [width_m, height_m]: At): Promise<void> {
     this.problem = '';
-    if (!TYPES.includes(file.type)) this.problem = 'This is no PNG, JPEG or SVG file. Choose one of these.';
+    if (!TYPES.includes(file.type)) this.problem = 'This file is not a PNG, JPEG or SVG image.';
     else if (file.size > MOST_BYTES) this.problem = 'This file is larger than 50 MB. Choose a smaller image.';
     else if (await this.load(file, file.name)) {
       this.lies = { ...this.lies, at: exact(at), width_m: rounded(Math.min(width_m, height_m / this.tallness)), turn_deg: 0 };
       await this.keep();
-    } else this.problem = 'The browser cannot read this image. Save it as PNG and choose that.';
+    } else this.problem = 'The browser cannot read this image. Save it as PNG and try again.';
   }
 
   /** The picture, or that there is none, is kept for a home that has just been made. */
@@ -142,7 +142,7 @@ export class Underlay {
     try {
       await inStore('readwrite', (store) => store.put(kept, home));
     } catch {
-      this.problem = 'The browser does not keep the image: choose it again next time.';
+      this.problem = 'The browser cannot store the image. Choose it again next time.';
     }
   }
 }

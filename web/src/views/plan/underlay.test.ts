@@ -32,7 +32,7 @@ test('a picture is kept by the home’s name, as large as fits', async () => {
 test('a picture that a full store does not keep is said so', async () => {
   store.isFull = true;
   await underlay.choose(picture(), [1, 2], [8, 8]);
-  expect([underlay.name, underlay.problem]).toEqual(['plan.png', 'The browser does not keep the image: choose it again next time.']);
+  expect([underlay.name, underlay.problem]).toEqual(['plan.png', 'The browser cannot store the image. Choose it again next time.']);
   expect(store.closed).toBe(store.opened);
 });
 

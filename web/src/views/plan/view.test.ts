@@ -127,7 +127,7 @@ test('a thing whose name another has is renamed only here, which is said', async
     type('Name', name);
     await settle();
     expect(text()).toBe(FLAT.replaceAll('"room motion"', JSON.stringify(name)));
-    expect(document.body.textContent!.includes('Renamed only here: another has this name')).toBe(is_shared);
+    expect(document.body.textContent!.includes('Renamed only here. Another element has the same name')).toBe(is_shared);
     is_shared = true;
   }
 });
@@ -142,8 +142,8 @@ test('what speaks of a thing that is deleted is told, and goes as well on reques
   click('Element');
   click('Delete');
   await settle();
-  expect(document.querySelector('[role="alertdialog"]')!.textContent).toContain('One line still speaks of what you have deleted');
-  click('Remove it as well');
+  expect(document.querySelector('[role="alertdialog"]')!.textContent).toContain('One line still refers to what you deleted');
+  click('Remove it too');
   expect(live.drafts.text('logger.json')).toBe('{"ids":{}}');
   expect(document.querySelector('[role="alertdialog"]')).toBeNull();
   click('Undo');
@@ -152,7 +152,7 @@ test('what speaks of a thing that is deleted is told, and goes as well on reques
 });
 
 test('what has one answer is mended by a button', async () => {
-  const mend = { what: 'Remove the 2 ids of sensors that are gone', texts: { 'logger.json': '{"ids":{}}' } };
+  const mend = { what: 'Remove the 2 ids of deleted sensors', texts: { 'logger.json': '{"ids":{}}' } };
   await begin(FLAT, { '/api/mends': () => [mend] });
   files.texts['logger.json'] = '{"ids":{"a":"1","b":"2"}}';
   files.check = { problems: [{ file: 'logger.json', line: 1, column: 8, width: 3, what: 'there is no sensor "a"', hint: null }], warnings: [] };
@@ -177,7 +177,7 @@ test('a hint that has one answer is a button, and that is one step', async () =>
   click('Problems');
   expect(document.querySelector('.hint')!.textContent).toBe('give it a bed');
   expect(document.querySelector('a[href^="#/life"]')).toBeNull();
-  click('Put “cot”');
+  click('Add “cot”');
   expect(value().furniture[2]).toEqual(bed);
   click('Undo');
   expect(text()).toBe(FLAT);
@@ -196,7 +196,7 @@ test('the sensors that wake a camera are a list of names', async () => {
   pick.dispatchEvent(new Event('change', { bubbles: true }));
   flushSync();
   expect(value().sensors[5].woken_by).toEqual(['room motion', 'old motion', 'bath motion']);
-  for (const name of ['old motion', 'room motion', 'bath motion']) click(`Take ${name} out of: Woken by`);
+  for (const name of ['old motion', 'room motion', 'bath motion']) click(`Remove ${name} from: Woken by`);
   expect(value().sensors[5]).not.toHaveProperty('woken_by');
   expect(text()).not.toContain('null');
 });
@@ -230,7 +230,7 @@ test('a tool is used without a mouse', async () => {
   await begin(FLAT);
   plan().focus();
   key('w');
-  expect(said()).toContain('Click where the wall begins');
+  expect(said()).toContain('Click where the wall starts');
   key('Enter');
   for (let press = 0; press < 9; press++) key('ArrowRight');
   key('Enter');
@@ -330,7 +330,7 @@ test('what is pressed and moved is dragged, and let go it is one step', async ()
   // A press that hardly moves is a click, and one on nothing selects nothing.
   mouse('pointerdown', 10, 10);
   mouse('pointerup', 11, 10);
-  expect(document.querySelector('#tab-panel h2')!.textContent).toBe('The home');
+  expect(document.querySelector('#tab-panel h2')!.textContent).toBe('Home');
 });
 
 test('numbers are typed in the chosen units, and what cannot be is said', async () => {
@@ -339,9 +339,9 @@ test('numbers are typed in the chosen units, and what cannot be is said', async 
   click('room motion');
   click('Element');
   type('Place: north', '1.75');
-  type('Looks to, from east', '-30');
+  type('Direction, from east', '-30');
   expect(value().sensors[0]).toMatchObject({ at: [0.12, 1.75], facing_deg: -30 });
-  type('Looks to, from east', '900');
+  type('Direction, from east', '900');
   expect(value().sensors[0].facing_deg).toBe(-30);
   expect(document.querySelector('[role="alert"]')!.textContent).toContain('From -360 to 360.');
   type('Field: across', '110');
@@ -386,7 +386,7 @@ test('what the sensors see is in figures, and is old while there is a problem, w
   key('PageDown');
   key('ArrowLeft');
   await settle();
-  expect(document.body.textContent).toContain('These figures are as of before');
+  expect(document.body.textContent).toContain('These figures are out of date');
   click('Problems');
   expect(document.body.textContent).toContain('move it');
   click('Show stove');
@@ -404,7 +404,7 @@ test('a problem that keeps no sensor from seeing leaves what is seen as it is', 
   key('ArrowLeft');
   await settle();
   expect(document.querySelector('tbody')!.textContent).toContain('All');
-  expect(document.body.textContent).not.toContain('as of before');
+  expect(document.body.textContent).not.toContain('out of date');
   expect(document.querySelector('#tab-problems')!.textContent).toContain('1');
 });
 
@@ -417,13 +417,13 @@ test('what mends a problem is done once: its button is dead until the home is ch
   await settle();
   click('Problems');
   const count = () => value().furniture.filter(({ name }: { name: string }) => name === 'toilet').length;
-  click('Put “toilet” into “bath”');
-  expect([count(), button('Put “toilet” into “bath”').disabled]).toEqual([1, true]);
-  click('Put “toilet” into “bath”');
+  click('Add “toilet” to “bath”');
+  expect([count(), button('Add “toilet” to “bath”').disabled]).toEqual([1, true]);
+  click('Add “toilet” to “bath”');
   expect(count()).toBe(1);
   files.check = { problems: [], warnings: [] };
   await settle();
-  expect(button('Put “toilet”')).toBeUndefined();
+  expect(button('Add “toilet”')).toBeUndefined();
 });
 
 test('what is drawn over the image is named among its fields', async () => {
@@ -445,16 +445,16 @@ test('suggested sensors take the places of those of their kind, which are named,
     '/api/suggest': () => ({ problems: [], refused: null, sensors: JSON.stringify(fresh), steps: [{ sensor: 'new motion', score: 0.99964, reached: [{ goal: 'falls', score: 0.99964, value: 0.99964, unit: 'of the floor' }, { goal: 'depression', score: 0, value: 28, unit: 'days until found' }] }], whole: null, own: null }),
     '/api/forget': forget,
   });
-  click('Parts');
+  click('Install');
   await settle();
-  click('Suggest places');
+  click('Suggest sensors');
   await settle();
-  expect(document.querySelector('[aria-label="What is suggested"]')!.textContent).toContain('1 sensor of the 6 that you asked for: another one adds nothing.');
-  expect(document.querySelector('#suggest-goes')!.textContent!.replaceAll(/\s+/g, ' ').trim()).toBe('Put in their place, that makes 5 sensors: room motion goes; the 4 others stay.');
+  expect(document.querySelector('[aria-label="Suggested sensors"]')!.textContent).toContain('1 sensor of 6: more sensors add nothing.');
+  expect(document.querySelector('#suggest-goes')!.textContent!.replaceAll(/\s+/g, ' ').trim()).toBe('Replace: 5 sensors in all. Removed: room motion. Kept: 4 sensors.');
   // Not all of it is seen.
-  expect([...document.querySelectorAll('[aria-label="What is suggested"] strong')].map((one) => one.textContent)).toEqual(['99.9 %', '99.9 %', '0.0 %']);
-  expect([...document.querySelectorAll('[aria-label="What is suggested"] ul > li')].map((one) => one.textContent)).toEqual(['Most of the floor: 99.9 % (of where somebody can stand)', 'Depression: 0.0 % (not found within four weeks)']);
-  click('Put them in place of the motion sensor of now');
+  expect([...document.querySelectorAll('[aria-label="Suggested sensors"] strong')].map((one) => one.textContent)).toEqual(['99.9 %', '99.9 %', '0.0 %']);
+  expect([...document.querySelectorAll('[aria-label="Suggested sensors"] ul > li')].map((one) => one.textContent)).toEqual(['Most of the floor: 99.9 % (of the floor with room to stand)', 'Depression: 0.0 % (not found within four weeks)']);
+  click('Replace the current motion sensor');
   await settle();
   expect(value().sensors.map(({ name }: { name: string }) => name)).toEqual(['bed sensor', 'bath contact', 'room light', 'bath motion', 'new motion']);
   expect(forget).toHaveBeenCalledWith(expect.objectContaining({ kind: 'sensor', names: ['room motion'] }));
@@ -479,7 +479,7 @@ test('a sensor alone is asked for with a home that has no other', async () => {
 test('a file that is no JSON is told of and not touched, and drawn again once it is mended', async () => {
   const broken = FLAT.replace('"walls": [', '"walls": [[[');
   await begin(broken);
-  expect(document.body.textContent).toMatch(/home\.json cannot be drawn/);
+  expect(document.body.textContent).toMatch(/home\.json cannot be shown/);
   expect(document.body.textContent).toMatch(/Line \d+, column \d+/);
   key('z', { ctrlKey: true });
   key('v', { ctrlKey: true });
@@ -492,7 +492,7 @@ test('a file that is no JSON is told of and not touched, and drawn again once it
 
 test('a scenario without a home says how to name one', async () => {
   await begin(null);
-  expect(document.body.textContent).toContain('names no file of a home');
+  expect(document.body.textContent).toContain('has no home file');
 });
 
 test('names from the file are text and nothing else', async () => {

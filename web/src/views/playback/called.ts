@@ -16,7 +16,7 @@ export function withoutOf({ without }: Pick<StoredView, 'without'>): string {
 
 /** How long a run is; of one that is being lived nobody knows how long it will be. */
 export function lengthOf({ name, days }: Pick<StoredView, 'name' | 'days'>, goesOn: string | null): string {
-  if (name === goesOn) return 'being lived';
+  if (name === goesOn) return 'running';
   return days === 1 ? '1 day' : `${days} days`;
 }
 

@@ -5,13 +5,13 @@ import type { Find, FindWhat, FoundView, HitView, PlaybackView } from '../../wir
 
 /** How each is asked for, with hours and a length that people mostly mean. */
 export const ASKED: Record<FindWhat, { title: string; of: string | null; between: [number, number] | null; least_min: number }> = {
-  room: { title: 'somebody is in', of: 'Room', between: [0, 6], least_min: 0 },
+  room: { title: 'a person is in', of: 'Room', between: [0, 6], least_min: 0 },
   on: { title: 'is on or open', of: 'Sensor', between: null, least_min: 30 },
-  still: { title: 'nothing stirs', of: null, between: [8, 20], least_min: 180 },
-  doing: { title: 'somebody does', of: 'Activity', between: null, least_min: 0 },
-  fall: { title: 'somebody falls', of: null, between: null, least_min: 0 },
-  seen_fall: { title: 'cameras see a fall', of: null, between: null, least_min: 0 },
-  lost: { title: 'a message is lost', of: null, between: null, least_min: 0 },
+  still: { title: 'no movement', of: null, between: [8, 20], least_min: 180 },
+  doing: { title: 'activity is', of: 'Activity', between: null, least_min: 0 },
+  fall: { title: 'a person falls', of: null, between: null, least_min: 0 },
+  seen_fall: { title: 'a fall seen by cameras', of: null, between: null, least_min: 0 },
+  lost: { title: 'a lost message', of: null, between: null, least_min: 0 },
   alert: { title: 'an alert', of: null, between: null, least_min: 0 },
 };
 
@@ -56,9 +56,9 @@ export class Finding {
     if (found === null) return '';
     if (this.isOfCameras) {
       const true_ = hits.filter(({ is_fall }) => is_fall).length;
-      return `Falls by cameras: ${hits.length - true_}${this.run.has_truth ? `, by the truth: ${true_}` : ''}`;
+      return `Falls seen by cameras: ${hits.length - true_}${this.run.has_truth ? `, in the ground truth: ${true_}` : ''}`;
     }
-    return found.all === 1 ? 'Once' : `${found.all.toLocaleString('en-GB')} times`;
+    return found.all === 1 ? 'Once:' : `${found.all.toLocaleString('en-GB')} times:`;
   }
 
   /** What may be asked for of this kind. */
@@ -83,7 +83,7 @@ export class Finding {
     const { what, name, between, least_min } = this;
     const of = ASKED[what].of === null ? null : name;
     if (between !== null && between[0] === between[1]) {
-      [this.found, this.problem] = [null, 'From and to are different times of a day.'];
+      [this.found, this.problem] = [null, 'The two hours must differ.'];
       return;
     }
     const query: Find = {

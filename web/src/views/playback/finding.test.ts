@@ -54,8 +54,8 @@ test('what cameras take for a fall and what the truth tells of are counted apart
   const words = ['anna: by the truth: has fallen, hall', 'by one camera: lies on the ground', 'anna: by the truth: has fallen, hall'];
   const { made } = finding({ hits: words.map((words, index) => ({ ...hits[index]!, is_fall: index !== 1, words })), all: 3, remarks: [] });
   await made.find();
-  expect(made.counted).toBe('3 times');
+  expect(made.counted).toBe('3 times:');
   made.choose('seen_fall');
   await made.find();
-  expect([made.counted, made.title]).toEqual(['Falls by cameras: 1, by the truth: 2', '']);
+  expect([made.counted, made.title]).toEqual(['Falls seen by cameras: 1, in the ground truth: 2', '']);
 });

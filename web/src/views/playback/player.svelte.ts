@@ -294,5 +294,5 @@ export class Player {
 }
 
 function said(error: unknown): string {
-  return error instanceof Refused ? error.message : 'The run cannot be shown: what the server sent is not understood.';
+  return error instanceof Refused ? error.message : 'Cannot show the run: cannot read the answer of the server.';
 }

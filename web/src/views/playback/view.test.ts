@@ -61,7 +61,7 @@ test('zooming and looking elsewhere leave the clock and the address as they are'
   window.location.hash = '#/playback/cottage@2009-03-04T08:00:00';
   await begin(['cottage'], (name) => storedRun(name, 30));
   const [time, address] = [said(), window.location.hash];
-  const line = document.querySelector('[aria-label^="Time line"]')!;
+  const line = document.querySelector('.line[aria-label^="Timeline"]')!;
   press('a', line);
   for (let turn = 0; turn < 8; turn++) press('+', line);
   for (let turn = 0; turn < 20; turn++) press('ArrowRight', line);
@@ -135,7 +135,7 @@ test('who is where is told in words, and not with the truth hidden', async () =>
   const now = () => document.querySelector('[aria-label="At this time"]')!.textContent!;
   expect(now()).toContain('Agnes');
   expect(now()).toContain('cooking');
-  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('Show the truth'))!.querySelector('input')!.click();
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('Show ground truth'))!.querySelector('input')!.click();
   flushSync();
   expect(now()).not.toContain('Agnes');
 });
@@ -145,8 +145,8 @@ test('a run that is being lived is said to be, wherever its length would be', as
   const titles = () => [...document.querySelectorAll('#first-run option')].map((option) => option.textContent);
   const text = () => document.body.textContent!.replace(/\s+/g, ' ');
   await begin(undefined, make, {}, 'cottage-2');
-  expect(titles()).toEqual(['cottage-2 · 2009-03-02, being lived', 'cottage-1 · 2009-03-02, 3 days']);
-  expect(text()).toContain('This run is still being lived: what is stored of it so far is shown. Stop it in Live to play all of it back.');
+  expect(titles()).toEqual(['cottage-2 · 2009-03-02, running', 'cottage-1 · 2009-03-02, 3 days']);
+  expect(text()).toContain('This run is still running; you see the days stored so far. Stop it in Live to play back all of it.');
   expect(text()).not.toContain('no rows yet');
   expect(text()).not.toContain('of 3');
   expect(slider('Time in the run').getAttribute('aria-valuetext')).toBe('2 March, 00:00:00, day 1');
@@ -155,22 +155,22 @@ test('a run that is being lived is said to be, wherever its length would be', as
   for (let turn = 0; turn < 5; turn++) await settle();
   expect(text()).toContain('no rows yet');
   expect(text()).toContain('Day 1 of 3');
-  expect(text()).not.toContain('still being lived');
+  expect(text()).not.toContain('still running');
 });
 
 test('a run that has a name has it beside what it leads to', async () => {
   await begin(undefined, undefined, { 'cottage-2': { about: { title: 'out and back', note: '' } } });
   const summary = () => document.querySelector('.keep summary')!.textContent;
-  expect(summary()).toBe('out and back · name, note, how it was made');
+  expect(summary()).toBe('out and back · name, note and details');
   choose('#first-run', 'cottage-1');
   for (let turn = 0; turn < 5; turn++) await settle();
-  expect(summary()).toBe('Name, note, how it was made');
+  expect(summary()).toBe('Name, note and details');
 });
 
 test('a run without truth says so and has no activities to go to', async () => {
   await begin(['alone'], (name) => storedRun(name, 2, { has_truth: false, spans: [] }));
   expect(button('Next activity')).toBeUndefined();
-  expect(document.body.textContent).toContain('(there is none)');
+  expect(document.body.textContent).toContain('(none stored)');
 });
 
 test('a second run is shown beside the first', async () => {
@@ -216,7 +216,7 @@ test('a run that is not there is told', async () => {
 test('where no run is stored it is said how to have one, and nothing is to be chosen', async () => {
   await begin([]);
   const waiting = document.querySelector('.waiting')!;
-  expect(waiting.textContent).toContain('No run is stored yet.');
+  expect(waiting.textContent).toContain('No runs yet.');
   const chosen = vi.fn();
   document.querySelector<HTMLInputElement>('input[type="file"]')!.click = chosen;
   waiting.querySelector('button')!.click();
@@ -249,22 +249,22 @@ test('a log that was walked back says where everybody may be, how likely that is
   await settle();
   expect(now()).toContain(`${home.rooms[4]!.name} 60 %`);
   expect(now()).toContain(`${home.rooms[2]!.name} 30 %, out 10 %`);
-  expect(document.body.textContent).toContain('How sure it is');
-  expect(document.body.textContent).not.toContain('Show the truth');
-  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('as walked back'))!.querySelector('input')!.click();
+  expect(document.body.textContent).toContain('Certainty:');
+  expect(document.body.textContent).not.toContain('Show ground truth');
+  [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('Show located people'))!.querySelector('input')!.click();
   await settle();
   expect(now()).not.toContain('60 %');
-  expect(document.body.textContent).not.toContain('How sure it is');
-  expect(document.querySelector('#first-run option')!.textContent).toContain('week.csv, walked back');
+  expect(document.body.textContent).not.toContain('Certainty:');
+  expect(document.querySelector('#first-run option')!.textContent).toContain('week.csv, people located');
 });
 
 test('what a log holds, and how real it is, is shown from the commands’ pages, without what could run', async () => {
   await begin(['week', 'other'], (name) => (name === 'week' ? walkedRun(name) : storedRun(name)));
   const page = () => document.querySelector('.page')?.shadowRoot?.querySelector('body');
-  button('What this log holds').click();
+  button('Log summary').click();
   for (let turn = 0; turn < 3; turn++) await settle();
   expect(page()!.textContent).toContain('look of week');
-  button('How real it is').click();
+  button('Realism check').click();
   for (let turn = 0; turn < 3; turn++) await settle();
   // Beside what was lived again, at first.
   expect(page()!.textContent).toContain('realism/week of week');

@@ -42,7 +42,7 @@ export class Walking {
   async open(log: File, run: string | null, ofNoHome = false): Promise<void> {
     this.problem = '';
     if (log.size > LARGEST_BYTES) {
-      this.problem = `${log.name} is larger than ${LARGEST_BYTES >> 20} MB. Open a part of it, or use homebody translate.`;
+      this.problem = `${log.name} is larger than ${LARGEST_BYTES >> 20} MB. Open a part of it, or use homebody locate.`;
       return;
     }
     if (log.size === 0) {
@@ -83,7 +83,7 @@ export class Walking {
     this.goes = this.isGoingOn;
     if (this.goes) this.timer = setTimeout(() => void this.look(asked), EVERY_MS);
     else if (went && view !== null) {
-      if (view.state === 'failed') this.problem = `${view.log} cannot be opened: ${view.problem ?? ''}`;
+      if (view.state === 'failed') this.problem = `Cannot open ${view.log}: ${view.problem ?? ''}`;
       else if (view.run !== null) this.ondone(view.run);
     }
   }

@@ -59,8 +59,8 @@ test('what another page has opened is seen, and what was over before is not open
 test('why a log cannot be opened is said', async () => {
   answers = [view({ state: 'failed', problem: 'none of the sensors is one of the home’s\n  hint: ids' })];
   await walking.open(log(), null);
-  expect(walking.problem).toContain('week.csv cannot be opened: none of the sensors');
-  refuses = 'other.csv is being walked back: wait for it, or stop it.';
+  expect(walking.problem).toContain('Cannot open week.csv: none of the sensors');
+  refuses = 'Homebody is locating people in other.csv. Wait for it, or stop it.';
   await walking.open(log(), null);
   expect([walking.problem, walking.isGoingOn]).toEqual([refuses, false]);
 });

@@ -23,10 +23,10 @@ use rapier2d::pipeline::{QueryFilter, QueryPipeline};
 /// something, a cast is at its weakest.
 const CLEARANCE_M: f32 = 0.005;
 
-/// Corners nearer than this are one (ours): a tenth of a millimetre is nothing to a body.
+/// Distance below which corners are one (our choice): a tenth of a millimetre does not affect a body.
 const SAME_CORNER_M: f32 = 1e-4;
 
-/// Enough for a way that bends round two things, or a push out of both.
+/// Largest number of turns around obstacles: enough to bend round two things, or to be pushed out of both.
 const MOST_TURNS: usize = 4;
 
 /// What a slide leads away from the wall, as a part of its length, so that the next cast along the

@@ -100,7 +100,7 @@ fn solid_name(home: &HomeFile, solid: &Solid) -> String {
 
 /// A piece of a wall by the rooms on its sides; nothing where they are several on both.
 fn wall_name(home: &HomeFile, piece: &[Point]) -> Option<String> {
-    /// So far off a wall is the room that it bounds, in metres (our choice).
+    /// Distance from a wall to the room that it bounds, in metres (our choice).
     const BESIDE_M: f64 = 0.15;
     // The corners run along the wall, then across.
     let &[a, b, c, d] = piece else { return None };

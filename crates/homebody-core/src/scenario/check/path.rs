@@ -132,13 +132,13 @@ crate::messages! {
     }
 }
 
-/// Who walks slower does not arrive when that was meant (ours): at this speed a room takes several minutes.
+/// Lowest speed of a walk that still arrives when intended (our choice): at this speed a room takes several minutes.
 const LEAST_SPEED_MPS: f64 = 0.01;
 
-/// Nobody makes more moves a second (ours): with more, the truth has too many rows to be of use.
+/// Largest number of moves a second (our choice): with more, the truth has too many rows to be useful.
 const MOST_MOVES_PER_S: f64 = 100.0;
 
-/// Repetitions with no more moves than this in all may be of any speed (ours).
+/// Largest number of moves of repetitions with any speed (our choice).
 const FEW_MOVES: f64 = 1_000.0;
 
 /// Shorter ways may take no time at all, rounded to microseconds.

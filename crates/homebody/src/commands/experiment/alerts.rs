@@ -18,35 +18,34 @@ use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// Lives people with and without conditions, and says how soon alerts come after a condition has begun, for how many, and how
-/// often they come for nothing.
+/// Measure how early alerts find conditions, and false alarms
 ///
-/// Each lives in the apartment of the template `older-adult` and differs from the others as people do. One in nine has no
-/// condition; the others each show one of those that come with the program from day 61 on: mild, moderate or severe, in turn.
-/// Conditions grow for as long as they are known to: infections for days, depression for weeks. Alerts are those of
-/// `homebody alerts`, by the log alone.
+/// Homebody simulates people with and without conditions in the apartment of the template `older-adult`, with variations as between
+/// people. One in nine has no condition. Each of the others has one of the program's conditions from day 61 on, mild, moderate or
+/// severe in turn. Conditions build up over their known time: infections over days, depression over weeks. The alerts are those of
+/// `homebody alerts`, from the log alone.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment alerts --people 200
   homebody experiment alerts --people 36 --rules rules.json --json alerts.json
   homebody experiment alerts --layouts --png curves.png
 
-JSON has \"rows\", each with condition, rule, sensitivity, lead_days and false_alarms_per_week, with intervals of 95 %; and
-\"curves\" for other numbers of standard deviations.")]
+JSON has \"rows\", each with condition, rule, sensitivity, lead_days and false_alarms_per_week, with 95 %
+confidence intervals; and \"curves\" for other numbers of standard deviations.")]
 pub struct Arguments {
-    /// How many people
-    #[arg(long, default_value_t = 200, value_parser = clap::value_parser!(u32).range(9..=100_000))]
+    /// Number of people
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(9..=100_000))]
     people: u32,
-    /// How many days each lives
-    #[arg(long, default_value_t = 120, value_parser = clap::value_parser!(u32).range(90..=3660))]
+    /// Days of each person
+    #[arg(long, value_name = "N", default_value_t = 120, value_parser = clap::value_parser!(u32).range(90..=3660))]
     days: u32,
-    /// The number all randomness comes from
-    #[arg(long, default_value_t = 1)]
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// Say as well how much later people are found with faults, with one motion sensor a room, and with each sensor taken away
+    /// Also measure the delay with sensor faults, with one motion sensor per room, and without each sensor
     #[arg(long)]
     layouts: bool,
-    /// The rules, instead of the usual ones
+    /// Alert rules instead of the default ones
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     #[command(flatten)]
@@ -135,7 +134,7 @@ impl fmt::Display for Layout {
         match self {
             Layout::AsItIs => f.write_str("all sensors"),
             Layout::WithFaults => f.write_str("all sensors, with every fault"),
-            Layout::OneInEachRoom(kept) => write!(f, "{} motion sensors, one a room", kept.len()),
+            Layout::OneInEachRoom(kept) => write!(f, "{} motion sensors, one per room", kept.len()),
             Layout::Without(sensor) => write!(f, "without {sensor}"),
         }
     }
@@ -178,8 +177,8 @@ fn curves(curves: &[Curve]) -> String {
             .collect(),
     };
     let lines: Vec<TotalsLine> = curves.iter().map(line).collect();
-    let axes = ["false alarms a week of one person", "share found within 28 days"];
-    totals_chart("Found, and alarmed for nothing, by number of standard deviations", axes, &lines, None)
+    let axes = ["false alarms per person and week", "share found within 28 days"];
+    totals_chart("Found conditions and false alarms, by number of standard deviations", axes, &lines, None)
 }
 
 /// What was found, as words.
@@ -220,16 +219,13 @@ impl fmt::Display for Found {
                 days(row.lead_days)
             )?;
         }
-        writeln!(f, "\n{:51} a week of one person (95 %)", "false alarms")?;
+        writeln!(f, "\n{:51} per person and week (95 %)", "false alarms")?;
         for idle in false_alarms {
             let [low, high] = idle.per_week_95;
             writeln!(f, "{:51} {:.3} ({low:.3}-{high:.3})", idle.rule, idle.per_week)?;
         }
-        writeln!(
-            f,
-            "\nThe rules that are control charts, by method, with at most one false alarm in five weeks of one person\n"
-        )?;
-        writeln!(f, "{:12} {:>5} {:>13} {:>6} {:>8}", "method", "k", "false a week", "found", "days")?;
+        writeln!(f, "\nControl charts by method, with at most one false alarm per person in five weeks\n")?;
+        writeln!(f, "{:12} {:>5} {:>13} {:>6} {:>8}", "method", "k", "false/week", "found", "days")?;
         for OfMethod { method, adequacy } in &self.quality.methods {
             let Adequacy { k_sd, false_alarms_per_week, found, days, .. } = adequacy;
             writeln!(f, "{method:12} {k_sd:>5} {false_alarms_per_week:>13.2} {found:>6.2} {days:>8.1}")?;
@@ -243,11 +239,11 @@ impl Found {
         if self.layouts.is_empty() {
             return Ok(());
         }
-        writeln!(f, "\nWith at most one false alarm in five weeks of one person:\n")?;
+        writeln!(f, "\nWith at most one false alarm per person in five weeks:\n")?;
         writeln!(
             f,
             "{:32} {:>5} {:>13} {:>6} {:>8} {:>22}",
-            "layout", "k", "false a week", "found", "days", "later, days (95 %)"
+            "layout", "k", "false/week", "found", "days", "later, days (95 %)"
         )?;
         for OfLayout { layout, adequacy, later_days, later_95: [low, high] } in &self.layouts {
             let Adequacy { k_sd, false_alarms_per_week, found, days, .. } = adequacy;

@@ -7,24 +7,24 @@ use homebody_experiment::claims::{CLAIMS, Case, Experiment, Row};
 use homebody_kit::Error;
 use rayon::prelude::*;
 
-/// What is said is lived, or told before the run: a table of claims.
+/// Measure whether simulations follow the sentences of routines
 ///
-/// Each case puts some sentences over a calm life and measures in the truth what their words say: how often, when, for how
-/// long, how far. A claim is lived if it is measured so, told if the program says before the run that it is not, and else
-/// neither. The exit code is 0 only if none is neither.
+/// Each case adds sentences to a calm routine, and measures their claims in the ground truth: how often, when, how long, how far. A
+/// claim is "lived" if the measure agrees, "told" if Homebody warns before the run that it does not, and "neither" otherwise. The
+/// exit code is 0 only without a claim that is neither.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment claims
   homebody experiment claims --days 120 --seed 3 --json claims.json
 
-JSON has \"claims\", each with form, text, claim, expected, measured and verdict, and the line of its case in the table of
-claims; and how many are \"lived\", \"told\" and \"neither\".")]
+JSON has \"claims\", each with form, text, claim, expected, measured, verdict and the line of its case in
+the table of claims; and the numbers of \"lived\", \"told\" and \"neither\".")]
 pub struct Arguments {
-    /// How many days each case lives, where it says no other
-    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(i32).range(60..=3660))]
+    /// Days of a case that sets none
+    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(i32).range(60..=3660))]
     days: i32,
-    /// The number all randomness comes from
-    #[arg(long, default_value_t = 11)]
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 11)]
     seed: u64,
     #[command(flatten)]
     figures: Figures,
@@ -39,7 +39,7 @@ impl Arguments {
         answer.give(&experiment, [])?;
         match experiment.neither {
             0 => Ok(()),
-            neither => Err(Failure::usage(format!("{neither} claims are neither lived nor told before the run"))),
+            neither => Err(Failure::usage(format!("{neither} claims fail without a warning before the run"))),
         }
     }
 }

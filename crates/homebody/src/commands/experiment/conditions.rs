@@ -5,20 +5,20 @@ use crate::commands::answer::Figures;
 use crate::failure::Failure;
 use homebody_experiment::claims::{CONDITIONS, Case, Conditions};
 
-/// What conditions do to a life, beside the sizes that their sources cite.
+/// Compare the effects of conditions with published sizes
 ///
-/// Each condition is lived by one who is else the same as a twin who does not show it. What changes is measured in the truth, and
-/// told beside what was published, or what was taken where nothing was.
+/// Homebody simulates a person with a condition and a twin without it, measures the differences in the ground truth, and compares
+/// them with published sizes, or else with our estimate.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment conditions
   homebody experiment conditions --seed 3 --json conditions.json
 
-JSON has \"conditions\", each with the condition, what is measured, the size that is expected, its source, what was measured, and
-whether it lies within.")]
+JSON has \"conditions\", each with the condition, the measure, the expected size, its source, the measured
+size, and whether it is in range.")]
 pub struct Arguments {
-    /// The number all randomness comes from
-    #[arg(long, default_value_t = 11)]
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 11)]
     seed: u64,
     #[command(flatten)]
     figures: Figures,

@@ -17,22 +17,21 @@ use homebody_kit::Error;
 use homebody_routine::household::Household;
 use rayon::prelude::*;
 
-/// Generated older adults lived at home, beside what was published of real ones.
+/// Compare simulated older adults with published figures
 ///
-/// Each lives an ordinary life in the apartment of the template `older-adult`, and differs from the others as people do.
-/// Sleep, toilet, meals, use of time, ways and what the sensors say are measured, and held against published figures. The
-/// first day is left out.
+/// Each person has the routine and the apartment of the template `older-adult`, with variations as between people. Homebody measures
+/// sleep, toilet visits, meals, use of time, walks and events, and compares them with published figures. The first day does not count.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment daily-life --people 20 --days 14 --png people.png")]
+#[command(after_long_help = "Example:\n  homebody experiment daily-life --people 20 --days 14 --png people.png")]
 pub struct Arguments {
-    /// How many people
-    #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    /// Number of people
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     people: u32,
-    /// How many days each lives; the first is left out
-    #[arg(long, default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=3660))]
+    /// Days of each person; the first does not count
+    #[arg(long, value_name = "N", default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=3660))]
     days: u32,
-    /// The number all randomness comes from
-    #[arg(long, default_value_t = 2012)]
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 2012)]
     seed: u64,
     #[command(flatten)]
     answer: Answer,

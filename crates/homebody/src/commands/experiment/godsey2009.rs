@@ -5,12 +5,14 @@ use crate::failure::Failure;
 use homebody_experiment::godsey2009::{Experiment, LENGTH_S};
 use homebody_picture::{Activity, Reference, TotalsLine, firing_chart, totals_chart};
 
-/// One sensor, one person, three paces, two distances: the paper's own experiment.
+/// Repeat the experiment of Godsey & Skubic 2009 with one sensor
+///
+/// One person walks past one motion sensor at three speeds and two distances.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment godsey2009 --json figures.json --svg firings.svg")]
+#[command(after_long_help = "Example:\n  homebody experiment godsey2009 --json figures.json --svg firings.svg")]
 pub struct Arguments {
-    /// The number all randomness comes from
-    #[arg(long, default_value_t = 2009)]
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 2009)]
     seed: u64,
     #[command(flatten)]
     answer: Answer,
@@ -48,10 +50,5 @@ fn totals(experiment: &Experiment) -> String {
         })
         .collect();
     let published = Reference { label: "published".into(), total: experiment.published.firings as f64 };
-    totals_chart(
-        "Firings in all, by length of the walk",
-        ["length of the walk, m", "firings"],
-        &lines,
-        Some(&published),
-    )
+    totals_chart("Total firings by length of the walk", ["length of the walk, m", "firings"], &lines, Some(&published))
 }

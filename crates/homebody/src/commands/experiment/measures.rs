@@ -12,25 +12,25 @@ use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// Measures days by the logs of homes, and says how far that is from what residents did.
+/// Measure the errors of homebody measures
 ///
-/// Homes are those of templates with one resident, one after the other, each with a life of its own. Each is lived twice: with
-/// a link that loses nothing, and with every fault on.
+/// Homebody compares the measures from logs with those from the ground truth. Homes are those of templates with one resident in turn,
+/// each with its own seed. Each home has two logs: one without losses, and one with every sensor fault.
 ///
-/// With --data it measures logs of real homes instead, and holds what their sensors tell beside the activities that they note.
+/// With --data, it compares the measures from sensors of real homes with the activities that their logs note.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment measures
   homebody experiment measures --homes 8 --days 14 --json measures.json
   homebody experiment measures --data OrdonezA_Sensors.txt --data kasterenSenseData.txt")]
 pub struct Arguments {
-    /// How many homes and lives
-    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    /// Number of homes
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
-    /// How many days of each
-    #[arg(long, default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=366))]
+    /// Days of each home
+    #[arg(long, value_name = "N", default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=366))]
     days: u32,
-    /// A log of a real home that notes activities, instead of homes that are lived; may be given several times
+    /// Log of a real home with activities, instead of simulated homes; repeatable
     #[arg(long, value_name = "LOG", conflicts_with_all = ["homes", "days"])]
     data: Vec<String>,
     #[command(flatten)]
@@ -101,8 +101,8 @@ impl Arguments {
             let told = Measures::told(&read.name, &notes, begin..end);
             let told = told.ok_or_else(|| {
                 let hint =
-                    "homebody look LOG tells what a log notes; docs/reference/logs.md says where activities are looked for";
-                Failure::usage(format!("{log}: it notes no activity that any measure is about\n  hint: {hint}"))
+                    "homebody inspect LOG lists its activities; docs/reference/logs.md says where Homebody looks for them";
+                Failure::usage(format!("{log}: no measure is about its activities\n  hint: {hint}"))
             })?;
             Ok(OfRealLog { name: read.name.clone(), errors: beside(&heard, &told) })
         };
@@ -115,7 +115,7 @@ fn table(f: &mut fmt::Formatter, errors: &[Error]) -> fmt::Result {
     writeln!(
         f,
         "  {:18} {:8} {:>6} {:>10} {:>8} {:>11} {:>10} {:>7}",
-        "measure", "unit", "days", "truly", "bias", "mean error", "90 % error", "r"
+        "measure", "unit", "days", "true", "bias", "mean error", "90 % error", "r"
     )?;
     for error in errors {
         let Error { measure, unit, days, mean_true, bias, mean_error, p90_error, correlation, .. } = error;
@@ -130,8 +130,8 @@ fn table(f: &mut fmt::Formatter, errors: &[Error]) -> fmt::Result {
 
 impl fmt::Display for OfLogs {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(f, "Measures of {} days by logs, beside what residents did\n", self.days)?;
-        for (link, errors) in [("a link that loses nothing", &self.clean), ("every fault on", &self.faults)] {
+        writeln!(f, "Measures of {} days from logs, compared with the ground truth\n", self.days)?;
+        for (link, errors) in [("no losses", &self.clean), ("every sensor fault", &self.faults)] {
             writeln!(f, "With {link}")?;
             table(f, errors)?;
         }
@@ -141,7 +141,7 @@ impl fmt::Display for OfLogs {
 
 impl fmt::Display for OfRealLogs {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(f, "Measures by the sensors of real homes, beside what people wrote down\n")?;
+        writeln!(f, "Measures from sensors of real homes, compared with noted activities\n")?;
         for OfRealLog { name, errors } in &self.logs {
             writeln!(f, "{name}")?;
             table(f, errors)?;

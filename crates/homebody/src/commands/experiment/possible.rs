@@ -14,21 +14,22 @@ use homebody_routine::routine::Kind;
 use rayon::prelude::*;
 use std::path::PathBuf;
 
-/// Lives scenarios and counts what cannot be: two on one spot, somebody who walks through somebody, visits to nobody, meals
-/// that are eaten before they are cooked, what ends before it begins.
+/// Count impossible events in simulations
 ///
-/// Without a scenario, all templates are lived. The exit code is 0 only where nothing impossible happened.
+/// These are two people in one spot or walking through each other, visits to an empty home, meals eaten before they are cooked, and
+/// intervals that end before they begin. Without a scenario, Homebody simulates all templates. The exit code is 0 only without
+/// impossible events.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment possible
   homebody experiment possible my-home --days 365 --json")]
 pub struct Arguments {
-    /// The scenarios' folders; all templates without any
+    /// Scenario folders; all templates without any
     scenarios: Vec<PathBuf>,
-    /// How many days each is lived
-    #[arg(long, default_value_t = 90, value_parser = clap::value_parser!(u32).range(1..=3660))]
+    /// Days of each scenario
+    #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u32).range(1..=3660))]
     days: u32,
-    /// Print the figures as one JSON object
+    /// Print one JSON object
     #[arg(long)]
     json: bool,
     #[command(flatten)]
@@ -63,7 +64,7 @@ impl Arguments {
         if possible.is_clean() {
             return Ok(());
         }
-        Err(Failure::Io("in these lives something happened that cannot be".into()))
+        Err(Failure::Io("the simulations have impossible events".into()))
     }
 }
 

@@ -18,22 +18,23 @@ use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// Real homes of the CASAS collection, beside the life of the template `older-adult` sensed by units like theirs.
+/// Compare real homes of CASAS with a simulated home
 ///
-/// The logs are not part of this program: casas_hh111_week1/hh111week1.csv and casas_tm000/tm000.multiday_absence.txt in the
-/// folder. The numbers of sensors and manners were set with the figures of both in view, so this says how near they come,
-/// and not how they would fare beside a home that nobody has looked at. Homes and lives differ: no copy can be expected.
+/// The simulated log is that of the template `older-adult` with sensors of the same make. The real logs are not part of this program:
+/// casas_hh111_week1/hh111week1.csv and casas_tm000/tm000.multiday_absence.txt in the folder. The parameters of sensors and movement
+/// were set with both logs in view, so the result is a fit, not a test on unseen homes. Homes and residents differ, so a perfect match
+/// is not possible.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment realism --data casas --json realism.json")]
+#[command(after_long_help = "Example:\n  homebody experiment realism --data casas --json realism.json")]
 pub struct Arguments {
-    /// The folder that the folders of the logs are in
-    #[arg(long, value_name = "DIR")]
+    /// Folder with the folders of the logs
+    #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
-    /// How many days are lived
-    #[arg(long, default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=366))]
+    /// Days to simulate
+    #[arg(long, value_name = "N", default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=366))]
     days: u32,
-    /// The number all randomness comes from
-    #[arg(long, default_value_t = 2012)]
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 2012)]
     seed: u64,
     #[command(flatten)]
     answer: Answer,

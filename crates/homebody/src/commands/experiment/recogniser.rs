@@ -9,30 +9,30 @@ use homebody_log::places::can_be_written;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// Activities in a real flat, recognised by who has learnt from simulated days alone, beside who has learnt from the flat's own.
+/// Train a recogniser on simulated days, and test it on a real flat
 ///
-/// The flat is home A of the data set "ADLs Recognition Using Binary Sensors" (Ordonez et al. 2013), which is not part of this
-/// program: uci_adl_ordonez/OrdonezA_Sensors.txt and OrdonezA_ADLs.txt in the folder. A routine is written from the first half of its
-/// days; recognisers are judged on the second half, which nothing else has seen.
+/// Homebody compares it with a recogniser that is trained on real days of the flat. The flat is home A of the data set "ADLs
+/// Recognition Using Binary Sensors" (Ordonez et al. 2013), which is not part of this program: uci_adl_ordonez/OrdonezA_Sensors.txt and
+/// OrdonezA_ADLs.txt in the folder. The routine comes from the first half of its days; the test uses the second half only.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment recogniser --data uci
   homebody experiment recogniser --data uci --seeds 20 --days 56 --json recogniser.json")]
 pub struct Arguments {
-    /// The folder that the folder of the data set is in, or that folder
-    #[arg(long, value_name = "DIR")]
+    /// Folder of the data set, or the folder above it
+    #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
-    /// How many times it is done, each with other simulated days and another draw of real ones
-    #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    /// Number of repetitions, each with other simulated days and another draw of real ones
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
     seeds: u32,
-    /// How many days are simulated each time
-    #[arg(long, default_value_t = 28, value_parser = clap::value_parser!(u32).range(3..=366))]
+    /// Simulated days of each repetition
+    #[arg(long, value_name = "N", default_value_t = 28, value_parser = clap::value_parser!(u32).range(3..=366))]
     days: u32,
-    /// Write the figures into a file as JSON; - prints them
+    /// Write the result to FILE as JSON; - prints it
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Replace a file that exists
-    #[arg(long)]
+    /// Replace an existing file
+    #[arg(short, long)]
     force: bool,
 }
 

@@ -10,23 +10,23 @@ use homebody_kit::{OpenScenario, Source};
 use serde::Serialize;
 use std::fmt;
 
-/// Lives routines, summarises their logs alone, and holds each sentence of the summaries against the routine.
+/// Compare summaries of logs with the routines behind them
 ///
-/// Homes are those of templates with one resident, one after the other, each with a routine that is drawn: times of getting up and
-/// going to bed, visits to the bathroom at night, showers, meals, outings, and a change after four weeks. The last
-/// two weeks of six are summarised.
+/// Homes are those of templates with one resident in turn, each with a random routine: times of getting up and going to bed, bathroom
+/// visits at night, showers, meals, outings, and a change after four weeks. Homebody simulates six weeks, summarises the last two from
+/// the log, and checks each sentence.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment round-trip
   homebody experiment round-trip --homes 40 --json round-trip.json
 
-JSON has how many sentences are \"checkable\", how many of them \"agree\", and all \"sentences\".")]
+JSON has the numbers of \"checkable\" sentences and of those that \"agree\", and all \"sentences\".")]
 pub struct Arguments {
-    /// How many homes and routines
-    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    /// Number of homes and routines
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
-    /// The number of the first routine
-    #[arg(long, default_value_t = 1)]
+    /// Seed of the first routine
+    #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     #[command(flatten)]
     figures: Figures,
@@ -89,14 +89,14 @@ impl fmt::Display for RoundTrip {
         let share = 100.0 * *agree as f64 / (*checkable).max(1) as f64;
         writeln!(
             f,
-            "{homes} routines lived for {days} days: {} sentences by the logs, {checkable} of them checkable",
+            "{homes} routines of {days} days: {} sentences from the logs, {checkable} of them checkable",
             sentences.len()
         )?;
-        writeln!(f, "{agree} agree with the routine ({share:.0} %); {true_by_life} are true by what was done\n")?;
+        writeln!(f, "{agree} agree with the routine ({share:.0} %); {true_by_life} agree with the ground truth\n")?;
         let mut measures: Vec<&str> = sentences.iter().map(|held| held.measure).collect();
         measures.sort_unstable();
         measures.dedup();
-        writeln!(f, "{:18} {:>10} {:>10} {:>7} {:>12}", "measure", "sentences", "checkable", "agree", "true by life")?;
+        writeln!(f, "{:18} {:>10} {:>10} {:>7} {:>12}", "measure", "sentences", "checkable", "agree", "by truth")?;
         for measure in measures {
             let of: Vec<&Held> = sentences.iter().filter(|held| held.measure == measure).collect();
             let checkable = of.iter().filter(|held| held.by_routine.is_some()).count();
@@ -106,7 +106,7 @@ impl fmt::Display for RoundTrip {
         }
         let others: Vec<&Held> = sentences.iter().filter(|held| held.agrees() == Some(false)).collect();
         if !others.is_empty() {
-            writeln!(f, "\nWhat does not agree:")?;
+            writeln!(f, "\nSentences that do not agree:")?;
         }
         for held in others {
             writeln!(f, "  {}\n    {}", held.sentence, held.why.as_deref().unwrap_or_default())?;

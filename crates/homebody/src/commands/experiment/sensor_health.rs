@@ -7,20 +7,20 @@ use homebody_experiment::sensor_health::{Case, KINDS, Planted, case, faulty};
 use serde::Serialize;
 use std::fmt;
 
-/// Plants faults in sensors, and says what is found of them by the logs of their homes alone.
+/// Measure how well homebody sensor-faults finds faults
 ///
-/// Homes are those of templates, one after the other, each with a life of its own and with four faults, each of another
-/// motion sensor; every second home has the other four kinds.
+/// Homes are those of templates in turn, each with its own seed and four faults, each in another motion sensor; every second home has
+/// the other four kinds.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment sensor-health
   homebody experiment sensor-health --homes 5 --days 21 --json sensor-health.json")]
 pub struct Arguments {
-    /// How many homes and lives
-    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    /// Number of homes
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
-    /// How many days of each
-    #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(7..=366))]
+    /// Days of each home
+    #[arg(long, value_name = "N", default_value_t = 14, value_parser = clap::value_parser!(u32).range(7..=366))]
     days: u32,
     #[command(flatten)]
     figures: Figures,
@@ -90,13 +90,13 @@ impl SensorHealth {
 
 impl fmt::Display for SensorHealth {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(f, "Faults of sensors, by the logs of {} days alone\n", self.days)?;
+        writeln!(f, "Sensor faults found from the logs of {} days\n", self.days)?;
         writeln!(f, "{:<18} {:>7} {:>6} {:>6} {:>10}", "fault", "planted", "found", "named", "days late")?;
         for Kind { kind, planted, found, named, late_days } in &self.kinds {
             let late = late_days.map_or("-".into(), |late| format!("{late:.1}"));
             writeln!(f, "{kind:<18} {planted:>7} {found:>6} {named:>6} {late:>10}")?;
         }
         let per_year = self.false_alarms as f64 / self.sensor_days.max(1) as f64 * 365.0;
-        writeln!(f, "\nfalse alarms: {}, {per_year:.2} a year of each sensor", self.false_alarms)
+        writeln!(f, "\nfalse alarms: {}, {per_year:.2} per sensor and year", self.false_alarms)
     }
 }

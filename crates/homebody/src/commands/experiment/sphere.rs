@@ -12,21 +12,21 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// A real house whose sensors and whose resident's room were recorded, beside the same walks simulated.
+/// Compare a real house of the SPHERE challenge with its simulation
 ///
-/// The recordings are those of the SPHERE challenge (Twomey et al. 2016), which are not part of this program:
-/// folders that each hold location_0.csv, annotations_0.csv and pir.csv.
+/// Homebody simulates the recorded walks of the resident, and compares the motion sensors. The recordings (Twomey et al. 2016) are not
+/// part of this program: folders with location_0.csv, annotations_0.csv and pir.csv each.
 #[derive(clap::Args)]
-#[command(after_help = "Example:\n  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
+#[command(after_long_help = "Example:\n  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
 pub struct Arguments {
-    /// The folder of the recordings, or one that holds it as `train`
-    #[arg(long, value_name = "DIR")]
+    /// Folder of the recordings, or the folder above it if it is called `train`
+    #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
-    /// Another model of the house than the program's own, the template `sphere-house`
+    /// Another model of the house; the template `sphere-house` without it
     #[arg(long, value_name = "SCENARIO")]
     house: Option<PathBuf>,
-    /// The number all randomness comes from
-    #[arg(long, default_value_t = 2016)]
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 2016)]
     seed: u64,
     #[command(flatten)]
     answer: Answer,
@@ -81,7 +81,7 @@ fn recordings(data: &Path) -> Result<Vec<(String, AnnotatedRun)>, Failure> {
     }
     match bad {
         0 => Ok(recordings),
-        bad => Err(Failure::Usage(format!("{bad} of {} recordings cannot be understood", folders.len()))),
+        bad => Err(Failure::Usage(format!("cannot parse {bad} of {} recordings", folders.len()))),
     }
 }
 

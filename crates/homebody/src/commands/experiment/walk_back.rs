@@ -12,21 +12,21 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt;
 
-/// Lives homes, and says where everybody was by their logs alone: beside the truth, and beside two simpler ways.
+/// Measure how well homebody locate finds residents from logs
 ///
-/// Homes are those of templates, one after the other, each with a life of its own; the last of five has two residents and
-/// a cat. Each is walked back twice: with a link that loses nothing, and with every fault on. The inference knows the home, how
-/// its sensors answer, and nothing of the lives.
+/// Homebody compares the located rooms with the ground truth, and with two simpler methods. Homes are those of templates in turn, each
+/// with its own seed; the last of five has two residents and a cat. Each home has two logs: one without losses, and one with every
+/// sensor fault. The method knows the home and its sensors, and nothing of the routines.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody experiment walk-back
   homebody experiment walk-back --homes 5 --days 3 --json walk-back.json")]
 pub struct Arguments {
-    /// How many homes and lives
-    #[arg(long, default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    /// Number of homes
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
-    /// How many days of each
-    #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=366))]
+    /// Days of each home
+    #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=366))]
     days: u32,
     #[command(flatten)]
     figures: Figures,
@@ -124,11 +124,7 @@ pub(super) fn every_fault(scenario: &Scenario, home: usize, (from_day, days): (f
 
 impl fmt::Display for WalkBack {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        writeln!(
-            f,
-            "Where people were, by the logs of {} days alone; shares of the time in the right room\n",
-            self.days
-        )?;
+        writeln!(f, "Residents located from the logs of {} days; shares of the time in the right room\n", self.days)?;
         writeln!(
             f,
             "{:<18} {:>4} {:>6} {:>6}  {:>6} {:>6} {:>6} {:>6}  {:>6} {:>6} {:>6}  {:>6} {:>8}",
@@ -182,7 +178,7 @@ impl fmt::Display for WalkBack {
             let mean = |of: fn(&Case) -> f64| cases.iter().map(|case| of(case)).sum::<f64>() / cases.len() as f64;
             writeln!(
                 f,
-                "{what:<24} right {:.3}, live {:.3}, by the last firing {:.3}, by rooms alone {:.3}, visits found {:.3}",
+                "{what:<24} right {:.3}, live {:.3}, by the last event {:.3}, by rooms alone {:.3}, visits found {:.3}",
                 mean(|case| case.room_right),
                 mean(|case| case.room_right_live),
                 mean(|case| case.last_firing_right),

@@ -1,4 +1,4 @@
-//! `homebody fleet`: thousands of homes on the world's clock, to see what a back end bears.
+//! `homebody fleet`: thousands of homes in real time, to load a back end.
 
 pub mod told;
 
@@ -7,7 +7,7 @@ use super::replacing::Replacing;
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::length::span;
-use crate::print::{tell, write_file};
+use crate::print::{counted, tell, write_file};
 use crate::signals::Signals;
 use crate::start::Start;
 use crate::watched::Watched;
@@ -25,97 +25,100 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use told::{Telling, bar};
 
-/// Lives thousands of homes on the world's clock from one process, to see what a back end bears.
+/// Load a back end with thousands of homes in real time
 ///
-/// Each home has a life of its own: its number and the seed decide it, whatever else is asked for here. Of several scenarios each home
-/// has one, in turn. It is said every few seconds how many messages there are and how late they come, and at the end for the whole.
+/// One process simulates all homes. The seed and the number of a home decide its events; no other option changes them. With several
+/// scenarios, homes take them in turn. Homebody reports the message rate and the delays every few seconds, and the totals at the end.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody fleet scenarios/tigerplace --homes 1000 --out 'mqtt://localhost/load?discovery=off' --for 10min
   homebody fleet scenarios/tigerplace --homes 500 --out postgresql://ann@localhost/homes --report report.jsonl
-  homebody fleet scenarios/studio scenarios/tigerplace --homes 50 --out jsonl:- --storm 'every 5min for 30s' | consumer
+  homebody fleet scenarios/studio scenarios/tigerplace --homes 50 --out jsonl:- --outages 'every 5min for 30s' | consumer
   homebody fleet scenarios/tigerplace --homes 200 --out jsonl:fleet.jsonl --skew 2s --churn 'stay 30min gone 5min' --list homes.csv
 
 {EXIT_CODES},
-129, 130 or 143 it was ended by SIGHUP, SIGINT or SIGTERM."))]
+129, 130 or 143 SIGHUP, SIGINT or SIGTERM ended it."))]
 pub struct Arguments {
-    /// The scenarios' folders, or their scenario.json; home 1 has the first, home 2 the second, and so on in turn
+    /// Scenario folders, or their scenario.json files; homes take them in turn
     #[arg(required = true, value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
     #[command(flatten)]
     trust: Trust,
-    /// How many homes
-    #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=MOST_HOMES as i64))]
+    /// Number of homes
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST_HOMES as i64))]
     homes: u32,
-    /// The number of the first home, where other fleets live those before it
-    #[arg(long, value_name = "NUMBER", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=MOST_HOMES as i64))]
-    first: u32,
-    /// Tell this place: mqtt://HOST/PREFIX, postgresql://USER@HOST/DATABASE, jsonl:FILE or jsonl:-; may be given several times
-    #[arg(long, value_name = "URL", required = true)]
+    /// Number of the first home, to split one fleet over several processes
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=MOST_HOMES as i64))]
+    first_home: u32,
+    /// Send messages to this destination: mqtt://HOST/PREFIX, postgresql://USER@HOST/DATABASE, jsonl:FILE or jsonl:-; repeatable
+    #[arg(short, long, value_name = "DESTINATION", required = true)]
     out: Vec<Url>,
-    /// From when on homes are lived: now, today, 2026-11-01 or 2026-11-01T08:00, on the clock of the home. What lies before now is lived
-    /// as fast as it goes
+    /// Start of the simulation in the home's local time: now, today, 2026-11-01 or 2026-11-01T08:00
+    ///
+    /// Homebody simulates the time before now as fast as possible.
     #[arg(long, value_name = "TIME", default_value = "now")]
-    from: Start,
-    /// Go this many times as fast as life from then on, 0.1 to 1000, instead of by the world's clock
-    #[arg(long, value_name = "TIMES", value_parser = speed)]
+    start: Start,
+    /// Simulated seconds per second from the start on, 0.1 to 1000, instead of real time
+    #[arg(long, value_name = "FACTOR", value_parser = speed)]
     speed: Option<f64>,
-    /// How long it tells by the world's clock, such as 10min; without it until somebody stops it
-    #[arg(long = "for", value_name = "TIME", value_parser = span)]
+    /// Real duration, such as 10min; without it, the fleet runs until you stop it
+    #[arg(long = "for", value_name = "DURATION", value_parser = span)]
     lasts: Option<Micros>,
-    /// The number all randomness comes from, instead of the first scenario's
+    /// Seed of all random numbers; the first scenario's without it
     #[arg(long)]
     seed: Option<u64>,
-    /// Leave out a condition that a routine shows; may be given several times
+    /// Leave out a condition of the routines; repeatable
     #[arg(long, value_name = "CONDITION")]
     without: Vec<String>,
-    /// The network of all homes is away again and again, and then all of them report at once: 'every 5min for 30s'
+    /// Network outages of all homes, such as 'every 5min for 30s'; all homes report at once after each
     #[arg(long, value_name = "WHEN", value_parser = storms)]
-    storm: Option<Storms>,
-    /// The clock of each home is off by up to so much, either way
-    #[arg(long, value_name = "TIME", value_parser = span)]
+    outages: Option<Storms>,
+    /// Largest error of a home's clock, either way, such as 2s
+    #[arg(long, value_name = "DURATION", value_parser = span)]
     skew: Option<Micros>,
-    /// Homes come and go; these are averages: 'stay 30min gone 5min'
-    #[arg(long, value_name = "HOW", value_parser = churn)]
+    /// Homes connect and disconnect: average times, such as 'stay 30min gone 5min'
+    #[arg(long, value_name = "TIMES", value_parser = churn)]
     churn: Option<Churn>,
-    /// What becomes of the fleet while a place is away: it ends with an error, or waits for the place, for a day at most
-    #[arg(long, value_name = "WHAT", value_enum, default_value_t)]
-    on_sink_down: WhenAway,
+    /// Action while a destination is unavailable
+    #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
+    on_unavailable: WhenAway,
     #[command(flatten)]
     deadline: DestinationTimeout,
-    /// How often it says how it goes
-    #[arg(long, value_name = "TIME", default_value = "5s", value_parser = span)]
-    every: Micros,
-    /// Write all reports into this file, a JSON object a line; the last is on the whole
+    /// Time between two reports
+    #[arg(long, value_name = "DURATION", default_value = "5s", value_parser = span)]
+    report_every: Micros,
+    /// Write all reports to this file, one JSON object a line; the last has the totals
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
-    /// Write the homes into this CSV file: scenario, seed and run of each, and how much its clock is ahead
+    /// Write a CSV file with the scenario, seed, run and clock error of each home
     #[arg(long, value_name = "FILE")]
     list: Option<PathBuf>,
     #[command(flatten)]
     watched: Watched,
     #[command(flatten)]
     replacing: Replacing,
-    /// Say nothing but errors
-    #[arg(long)]
+    /// Print errors only
+    #[arg(short, long)]
     quiet: bool,
-    /// Print the report on the whole as one JSON object on standard output
+    /// Print the totals as one JSON object on standard output
     #[arg(long)]
     json: bool,
 }
 
-/// What becomes of a fleet while a place is away.
+/// Action while a destination is unavailable.
 #[derive(Clone, Copy, Default, PartialEq, clap::ValueEnum)]
 enum WhenAway {
+    /// End the fleet with an error
     #[default]
     Error,
+    /// Wait for the destination, for a day at most
     Retry,
 }
 
-/// For so long a place is waited for (ours).
+/// Longest wait for a destination (our choice).
 const RETRY_FOR: Duration = Duration::from_secs(86_400);
 
-/// Who begins this long before now is faster than life for a while (ours): homes take their time to be made.
+/// A fleet that starts this long before now is faster than real time at first (our choice): making homes takes time.
 const BEFORE_NOW: i64 = 600 * SECOND;
 
 fn speed(text: &str) -> Result<f64, String> {
@@ -126,7 +129,7 @@ fn speed(text: &str) -> Result<f64, String> {
 /// Outages as people write them.
 fn storms(text: &str) -> Result<Storms, String> {
     let [every, lasts] = two_spans(text, ["every", "for"]).ok_or("write 'every 5min for 30s'")?;
-    Storms::new(every?, lasts?).ok_or_else(|| "an outage is shorter than the time from one to the next".into())
+    Storms::new(every?, lasts?).ok_or_else(|| "an outage must be shorter than the time between two".into())
 }
 
 /// How homes come and go, as people write it.
@@ -135,7 +138,7 @@ fn churn(text: &str) -> Result<Churn, String> {
     let (stays, away) = (stays?, away?);
     match stays.min(away) >= SECOND {
         true => Ok(Churn { stays, away }),
-        false => Err("no home comes or goes for less than a second".into()),
+        false => Err("a home stays, or is gone, for a second at least".into()),
     }
 }
 
@@ -156,7 +159,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
         if self.json && self.out.iter().any(Url::is_output) {
-            let hint = "leave --json out, or write the reports into --report FILE";
+            let hint = "leave out --json, or write the reports to a file: --report FILE";
             return Err(Failure::usage(format!(
                 "rows and the report cannot both go to standard output\n  hint: {hint}"
             )));
@@ -171,7 +174,7 @@ impl Arguments {
         if !self.quiet && self.speed.is_none() {
             let ahead = |opened: &OpenScenario| how_far_ahead(&opened.scenario().calendar);
             if let Some(ahead) = scenarios.iter().find_map(ahead) {
-                tell(format_args!("homes say nothing before {ahead}"));
+                tell(format_args!("homes send nothing before {ahead}"));
             }
         }
         let fleet = self.make(scenarios)?;
@@ -182,13 +185,13 @@ impl Arguments {
         let look = self.watched.begin_fleet(&names.join(", "))?;
         let mut telling = Telling::begin(self.quiet, self.json, report, look);
         run.patience = Patience {
-            retry_for: if self.on_sink_down == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO },
+            retry_for: if self.on_unavailable == WhenAway::Retry { RETRY_FOR } else { Duration::ZERO },
             answers_within: Some(self.deadline.within()),
             cancel: signals.cancel().clone(),
             tell: (!self.quiet).then(|| Arc::new(|news: &News| tell(news)) as _),
         };
         run.lasts = self.lasts.map(duration);
-        run.every = duration(self.every);
+        run.every = duration(self.report_every);
         let mut failed = None;
         let last = fleet.live(run, |lived| {
             if let Err(error) = telling.hear(lived) {
@@ -208,7 +211,7 @@ impl Arguments {
         for path in &self.scenarios {
             let opened = self.trust.source(path)?.open();
             match opened {
-                Ok(opened) => all.push(self.from.of(&opened)?),
+                Ok(opened) => all.push(self.start.of(&opened)?),
                 Err(Error::Problems(Problems(found))) => problems.extend(found),
                 Err(error) => return Err(error.into()),
             }
@@ -233,20 +236,20 @@ impl Arguments {
         let setup = FleetSetup {
             scenarios,
             homes: self.homes,
-            first: self.first,
+            first: self.first_home,
             seed: self.seed,
             without: self.without.clone(),
             speed: self.speed,
             skew: self.skew.unwrap_or(0),
             churn: self.churn,
-            storms: self.storm,
+            storms: self.outages,
         };
         let fleet = setup.make(|made| bar.set_position(made as u64));
         bar.finish_and_clear();
         let fleet = fleet?;
         if !self.quiet {
-            let homes = told::counted(self.homes.into());
-            tell(format_args!("{homes} homes made in {:.1} s; Ctrl-C ends them", begun.elapsed().as_secs_f64()));
+            let homes = counted(self.homes.into(), "home", "homes");
+            tell(format_args!("made {homes} in {:.1} s; press Ctrl-C to stop", begun.elapsed().as_secs_f64()));
         }
         Ok(fleet)
     }
@@ -264,7 +267,7 @@ fn reports_in(path: &Path) -> Option<Vec<u8>> {
     text.split(|&byte| byte == b'\n').filter(|line| !line.is_empty()).all(is_report).then_some(text)
 }
 
-/// The largest file of reports that a fleet adds to; a report every five seconds takes a year to fill half of it.
+/// Largest size of the file of reports that a fleet appends to. A report every five seconds fills half of it in a year.
 const LARGEST_REPORTS_BYTES: u64 = 8 << 30;
 
 /// Opens the file of reports: a new one, or the one that the same command left, to add to it.

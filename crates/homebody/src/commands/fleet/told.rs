@@ -2,9 +2,8 @@
 
 use crate::commands::lived::span_in_words;
 use crate::failure::Failure;
-use crate::print::{print_json, tell, tell_with};
+use crate::print::{counted, grouped, print_json, tell, tell_with};
 use crate::prometheus::{Numbers, label};
-use homebody_core::problem;
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::fleet::{FleetLived, FleetOf, FleetReport, OfDestination};
 use homebody_log::fresh::FreshFile;
@@ -29,7 +28,7 @@ pub struct Telling {
     told_at: Instant,
 }
 
-/// How often it is said how far a fleet is behind that has not begun (ours).
+/// Time between two notes of a fleet that catches up (our choice).
 const BEHIND_TOLD: Duration = Duration::from_secs(10);
 
 impl Telling {
@@ -45,7 +44,7 @@ impl Telling {
                 self.caught_up_s = self.caught_up_s.max(behind_s);
                 if self.bar.is_hidden() && !self.is_quiet && self.told_at.elapsed() >= BEHIND_TOLD {
                     self.told_at = Instant::now();
-                    tell(format_args!("not begun: {}", on_the_way(behind_s, waiting)));
+                    tell(format_args!("starting: {}", on_the_way(behind_s, waiting)));
                 }
                 if !self.bar.is_hidden() {
                     self.bar.set_message(on_the_way(behind_s, waiting));
@@ -55,7 +54,7 @@ impl Telling {
             FleetLived::Begun => {
                 self.bar.finish_and_clear();
                 if !self.is_quiet && self.caught_up_s >= 1.0 {
-                    tell(format_args!("{} caught up with", span(self.caught_up_s)));
+                    tell(format_args!("caught up: simulated the {} before now", span(self.caught_up_s)));
                 }
             }
             FleetLived::Report(report) => {
@@ -77,8 +76,8 @@ impl Telling {
         }
         if report.failed > 0 {
             tell(format_args!(
-                "warning: in {} homes somebody decided what nobody can do: they ended there",
-                report.failed
+                "warning: {} stopped early: a routine asked for something impossible",
+                counted(report.failed as u64, "home", "homes")
             ));
         }
         if self.is_json {
@@ -117,7 +116,7 @@ pub fn bar(is_quiet: bool, what: &str, length: Option<u64>) -> ProgressBar {
 
 /// What is still to be done before a fleet begins. Once it is no longer behind the clock, it waits for the places that it tells.
 fn on_the_way(behind_s: f64, waiting: usize) -> String {
-    let waiting = format!("{} on their way", messages_of(waiting as u64));
+    let waiting = format!("{} in transit", messages_of(waiting as u64));
     if behind_s >= 1.0 { format!("{} behind the clock, {waiting}", span(behind_s)) } else { waiting }
 }
 
@@ -128,15 +127,15 @@ fn span(s: f64) -> String {
 /// What is said every few seconds.
 fn line(report: &FleetReport) -> String {
     let FleetReport { late_median_ms, late_99_ms, late_most_ms, behind_s, .. } = report;
-    let mut line = format!("{} homes", counted(report.homes as u64));
+    let mut line = format!("{} homes", grouped(report.homes as u64));
     // A string takes whatever is written to it.
     let _ = write!(line, "  {:.0} messages/s", report.messages_per_s);
     let _ = write!(line, "  late {} median, {} 99 %, {} most", ms(*late_median_ms), ms(*late_99_ms), ms(*late_most_ms));
     if *behind_s >= 0.1 || report.waiting > 0 {
-        let _ = write!(line, "  {} behind, {} waiting", seconds(*behind_s), counted(report.waiting as u64));
+        let _ = write!(line, "  {} behind, {} waiting", seconds(*behind_s), grouped(report.waiting as u64));
     }
     if report.ahead_s < 1.0 {
-        let _ = write!(line, "  lived {} ahead", seconds(report.ahead_s));
+        let _ = write!(line, "  simulated {} ahead", seconds(report.ahead_s));
     }
     if let Some(memory) = report.memory_mb {
         let _ = write!(line, "  {memory:.0} MB");
@@ -159,35 +158,18 @@ fn line(report: &FleetReport) -> String {
 /// What is said before the last of these lines.
 fn whole(report: &FleetReport) -> String {
     let FleetReport { running_s, messages, homes_in_all, storms, .. } = report;
-    let storms = if *storms > 0 {
-        format!(", {}", problem::counted(*storms as usize, "outage", "outages"))
-    } else {
-        String::new()
-    };
-    let homes = counted(*homes_in_all as u64);
+    let storms = if *storms > 0 { format!(", {}", counted(*storms, "outage", "outages")) } else { String::new() };
+    let homes = grouped(*homes_in_all as u64);
     let mut text =
-        format!("in all     {} from {homes} homes in {}{storms}", messages_of(*messages), seconds(*running_s));
+        format!("total      {} from {homes} homes in {}{storms}", messages_of(*messages), seconds(*running_s));
     for destination in &report.destinations {
-        let _ = write!(text, "\ntold       {} {}", destination.place, messages_of(destination.messages));
+        let _ = write!(text, "\nsent       {} {}", destination.place, messages_of(destination.messages));
     }
     text
 }
 
 fn messages_of(count: u64) -> String {
-    format!("{} message{}", counted(count), if count == 1 { "" } else { "s" })
-}
-
-/// A number with a comma before each three digits.
-pub fn counted(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
+    counted(count, "message", "messages")
 }
 
 fn ms(ms: f64) -> String {
@@ -215,20 +197,20 @@ pub fn list(of: &FleetOf) -> String {
 pub fn numbers(scenario: &str, report: &FleetReport) -> String {
     let mut numbers = Numbers::of(scenario);
     let mut one = |name: &str, help: &str, value: f64| numbers.add(name, "gauge", help, [(String::new(), value)]);
-    one("homebody_homes", "Homes that are there.", report.homes as f64);
-    one("homebody_messages_per_second", "Messages told a second.", report.messages_per_s);
-    one("homebody_behind_seconds", "How long what waits the longest has been due.", report.behind_s);
-    one("homebody_ahead_seconds", "How far homes are lived ahead of the clock.", report.ahead_s);
+    one("homebody_homes", "Homes that are online.", report.homes as f64);
+    one("homebody_messages_per_second", "Messages sent a second.", report.messages_per_s);
+    one("homebody_behind_seconds", "Age of the oldest message that is due and not sent.", report.behind_s);
+    one("homebody_ahead_seconds", "How far homes are simulated ahead of the clock.", report.ahead_s);
     let late = [("0.5", report.late_median_ms), ("0.99", report.late_99_ms), ("1", report.late_most_ms)];
     let late = late.map(|(share, ms)| (label("quantile", share), ms / 1000.0));
-    numbers.add("homebody_late_seconds", "gauge", "How late messages are told, since the last report.", late);
+    numbers.add("homebody_late_seconds", "gauge", "Delay of messages since the last report.", late);
     let of = |value: fn(&OfDestination) -> u64| {
         report.destinations.iter().map(move |one| (label("destination", &one.place), value(one)))
     };
-    let retries = "How often a call to a destination was made again.";
+    let retries = "Repeated calls to a destination.";
     numbers.add("homebody_retries_total", "counter", retries, of(|one| one.retries));
-    numbers.add("homebody_waiting", "gauge", "Messages that are due and not told.", of(|one| one.waiting as u64));
-    let up = "Whether a destination is there.";
+    numbers.add("homebody_waiting", "gauge", "Messages that are due and not sent.", of(|one| one.waiting as u64));
+    let up = "1 if a destination is reachable, else 0.";
     numbers.add("homebody_destination_up", "gauge", up, of(|one| u64::from(!one.is_away)));
     numbers.text
 }
@@ -248,16 +230,16 @@ mod tests {
         };
         assert_eq!(
             line(&report),
-            "12,345 homes  612 messages/s  late 0.4 ms median, 31 ms 99 %, 0.0 ms most  lived 0.0 s ahead"
+            "12,345 homes  612 messages/s  late 0.4 ms median, 31 ms 99 %, 0.0 ms most  simulated 0.0 s ahead"
         );
         let numbers = numbers("a\"b", &report);
         assert!(numbers.contains("homebody_late_seconds{scenario=\"a\\\"b\",quantile=\"0.99\"} 0.031\n"), "{numbers}");
-        assert_eq!((counted(7), counted(1_000), counted(1_234_567)), ("7".into(), "1,000".into(), "1,234,567".into()));
+        assert_eq!((grouped(7), grouped(1_000), grouped(1_234_567)), ("7".into(), "1,000".into(), "1,234,567".into()));
     }
 
     #[test]
     fn who_is_not_behind_waits_for_places() {
-        assert_eq!(on_the_way(11_160.0, 1), "3.1 hours behind the clock, 1 message on their way");
-        assert_eq!(on_the_way(0.0, 1_200), "1,200 messages on their way");
+        assert_eq!(on_the_way(11_160.0, 1), "3.1 hours behind the clock, 1 message in transit");
+        assert_eq!(on_the_way(0.0, 1_200), "1,200 messages in transit");
     }
 }

@@ -1,4 +1,4 @@
-//! `homebody routine check`: everything that is wrong with routines.
+//! `homebody routine check`: the problems of routines.
 
 use crate::commands::check::load_and_say;
 use crate::commands::scenario::Chosen;
@@ -10,33 +10,34 @@ use homebody_kit::{Difference, LiveRun, OpenScenario};
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
-/// Reports everything that is wrong with the routines of a scenario and the conditions that they show: each at its word,
-/// with what was expected and the nearest known name.
+/// Report all problems of the routines of a scenario
+///
+/// Each problem of a routine or a condition has its word, what Homebody expected there, and the nearest known name.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody routine check scenarios/tigerplace
   homebody routine check my-home/scenario.json --json
   homebody routine check scenarios/tigerplace --lived --days 60 --json lived.json
 
-With --lived, JSON has \"sentences\": those whose lives differ from their words, each with resident, file, line, text,
-what was expected, what was lived, and whether that was told before the run.")]
+With --lived, JSON has \"sentences\" that the simulation did not follow, each with resident, file, line,
+text, the expected and the simulated value, and whether Homebody warned before the run.")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// Print the problems, or with --lived the sentences, as one JSON object; or write them into a file
+    /// Print the problems, or with --lived the sentences, as JSON; or write them to FILE
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
-    /// Live the scenario, and list the sentences whose lives differ from their words
+    /// Simulate the scenario, and list the sentences that it did not follow
     #[arg(long)]
     lived: bool,
-    /// With --lived, how many days to live; the scenario's without it
-    #[arg(long, requires = "lived", value_parser = clap::value_parser!(u32).range(1..=36_525))]
+    /// Days to simulate with --lived; the scenario's without it
+    #[arg(long, value_name = "N", requires = "lived", value_parser = clap::value_parser!(u32).range(1..=36_525))]
     days: Option<u32>,
-    /// With --lived, the number all randomness comes from, instead of the scenario's
-    #[arg(long, requires = "lived")]
+    /// Seed of all random numbers with --lived; the scenario's without it
+    #[arg(long, value_name = "N", requires = "lived")]
     seed: Option<u64>,
-    /// Replace a file that exists
-    #[arg(long, requires = "json")]
+    /// Replace an existing file
+    #[arg(short, long, requires = "json")]
     force: bool,
 }
 
@@ -44,7 +45,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let to_output = self.json.as_deref() == Some(Path::new("-"));
         if !to_output && self.json.is_some() && !self.lived {
-            return Err(Failure::usage("a file of JSON holds lives\n  hint: add --lived, or write --json alone"));
+            return Err(Failure::usage("--json FILE needs --lived\n  hint: add --lived, or use --json without a file"));
         }
         let opened = load_and_say(self.scenario.source(), to_output && !self.lived, |_| Vec::new())?;
         if self.lived {
@@ -56,16 +57,16 @@ impl Arguments {
             let Some(routine) = household.routine(index) else { continue };
             routines += 1;
             tell(format_args!(
-                "{}: nothing is wrong. {} has {}, {} and {}.",
+                "{}: no problems. {} has {}, {} and {}.",
                 routine.file,
                 resident.file.name,
                 counted(routine.habits.len(), "habit", "habits"),
                 counted(routine.rules.len(), "rule", "rules"),
-                counted(routine.changes.len(), "change to come", "changes to come"),
+                counted(routine.changes.len(), "later change", "later changes"),
             ));
         }
         if routines == 0 {
-            tell(format_args!("{}: nobody lives by a routine here.", scenario.file.name));
+            tell(format_args!("{}: no resident has a routine.", scenario.file.name));
         }
         Ok(())
     }
@@ -89,11 +90,11 @@ impl Arguments {
 /// The sentences whose lives differ from their words, each in two lines.
 pub fn in_words(sentences: &[Difference]) -> String {
     if sentences.is_empty() {
-        return "What is said is lived: no sentence differs.\n".to_owned();
+        return "The simulation followed every sentence.\n".to_owned();
     }
     let line = |of: &Difference| {
         let said = of.text.split_whitespace().collect::<Vec<_>>().join(" ");
-        format!("{}:{}: {said}\n  expected: {}; lived: {}\n", of.file, of.line, of.expected, of.lived)
+        format!("{}:{}: {said}\n  expected: {}; simulated: {}\n", of.file, of.line, of.expected, of.lived)
     };
     sentences.iter().map(line).collect()
 }

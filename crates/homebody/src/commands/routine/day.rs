@@ -1,4 +1,4 @@
-//! `homebody routine day`: one day, lived and told.
+//! `homebody routine day`: one simulated day.
 
 use crate::commands::answer::Answer;
 use crate::commands::scenario::Chosen;
@@ -11,24 +11,24 @@ use homebody_kit::LiveRun;
 use homebody_log::{Activity, Life, Log};
 use homebody_picture::{DayChart, day_chart};
 
-/// Lives a scenario as far as a day and says what was done on it, and in which rooms.
+/// Simulate a day and show activities and rooms, with a chart
 ///
-/// It is the very day that a run of the scenario has: another seed is another day.
+/// The day is the same as in a run of the scenario with the same seed.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody routine day scenarios/tigerplace
   homebody routine day scenarios/tigerplace-depression 2009-06-01 --svg day.svg
   homebody routine day scenarios/tigerplace-depression 2009-06-01 --without depression")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// The day, such as 2009-03-02; the run's second without it, as the first begins in the night
+    /// Date, such as 2009-03-02; the second day of the run without it, because the first begins at night
     #[arg(value_name = "DATE")]
     date: Option<jiff::civil::Date>,
-    /// The number all randomness comes from, instead of the scenario's
-    #[arg(long)]
+    /// Seed of all random numbers; the scenario's without it
+    #[arg(long, value_name = "N")]
     seed: Option<u64>,
-    /// Leave out a condition that a routine shows; may be given several times
+    /// Leave out a condition of the routine; repeatable
     #[arg(long, value_name = "CONDITION")]
     without: Vec<String>,
     #[command(flatten)]
@@ -46,15 +46,15 @@ impl Arguments {
         let date = self.date.unwrap_or_else(|| first.saturating_add(jiff::Span::new().days(1)));
         let day = (date - first).get_days();
         if !(0..36_525).contains(&day) {
-            let what = format!("{} begins on {first} and has no {date}", scenario.file.name);
-            return Err(Failure::usage(format!("{what}\n  hint: name a day within a hundred years of its beginning")));
+            let what = format!("{} starts on {first} and has no {date}", scenario.file.name);
+            return Err(Failure::usage(format!("{what}\n  hint: name a day within a hundred years of its start")));
         }
         let (begin, end) = (scenario.calendar.instant(day, 0), scenario.calendar.instant(day + 1, 0));
         let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed)).length(end).without(&self.without);
         let run = run.start()?;
         let mut lives = Lived::new(&run);
         lives.live(run, begin, wall)?;
-        let name = format!("{}, lived", scenario.file.name);
+        let name = format!("{}, simulated", scenario.file.name);
         let day = Day::of(&name, &Log::default(), &lives.lives, None, date);
         answer.give(&day, [&|| day_chart(&DayChart::of(&day))])
     }

@@ -1,4 +1,4 @@
-//! `homebody routine explain`: how routines were understood.
+//! `homebody routine explain`: the interpretation of routines.
 
 use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
@@ -6,17 +6,18 @@ use crate::print::{print_json, print_text};
 use homebody_routine::explain::explain;
 use serde_json::json;
 
-/// Says how each sentence of the routines of a scenario was understood, and of the conditions that they show: in a table
-/// (how likely, when, for how long) and in words.
+/// Explain how Homebody reads each sentence of the routines
+///
+/// For each sentence of a routine or a condition, a table has probability, time and duration, and a sentence says the same in words.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody routine explain scenarios/tigerplace
   homebody routine explain scenarios/tigerplace --unsaid
   homebody routine explain my-home --json")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// Add what is not said, and goes as it usually does
+    /// Add the defaults for what the routine does not mention
     #[arg(long)]
     unsaid: bool,
     /// Print one JSON object
@@ -33,8 +34,8 @@ impl Arguments {
             (0..scenario.residents.len()).filter(|_| self.unsaid).filter_map(|resident| household.unsaid(resident));
         let all: Vec<_> = routines.chain(household.conditions().values().cloned()).chain(unsaid).collect();
         if all.is_empty() {
-            let what = format!("{}: nobody lives by a routine here", scenario.file.name);
-            return Err(Failure::usage(format!("{what}\n  hint: link one as a resident's driver")));
+            let what = format!("{}: no resident has a routine", scenario.file.name);
+            return Err(Failure::usage(format!("{what}\n  hint: name one as \"driver\" of a resident")));
         }
         if self.json {
             return print_json(&json!({ "routines": all.iter().map(explain).collect::<Vec<_>>() }));

@@ -1,4 +1,4 @@
-//! `homebody routine`: what is wrong with a routine, how it was understood, and a day that is lived by it.
+//! `homebody routine`: the problems of a routine, its interpretation, and a day of it.
 
 mod check;
 mod day;
@@ -7,14 +7,14 @@ mod explain;
 use crate::failure::Failure;
 use clap::Subcommand;
 
-/// Checks, explains and tries routines: lives in plain language.
+/// Check, explain and try routines, days in plain language
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
+#[command(after_long_help = "Examples:
   homebody routine check scenarios/tigerplace
   homebody routine explain scenarios/tigerplace-depression
   homebody routine day scenarios/tigerplace 2009-03-03 --png day.png
 
-The language is described in docs/reference/routine-language.md.")]
+docs/reference/routine-language.md describes the language.")]
 pub struct Arguments {
     #[command(subcommand)]
     question: Question,
@@ -22,11 +22,8 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 enum Question {
-    /// Report everything that is wrong with the routines of a scenario, each at its word
     Check(check::Arguments),
-    /// Say how each sentence was understood: how likely, when, for how long
     Explain(explain::Arguments),
-    /// Live a day and say what was done, with a chart
     Day(day::Arguments),
 }
 

@@ -34,10 +34,9 @@ impl Asked {
                 Some(camera) if !cameras.contains(&camera) => cameras.push(camera),
                 Some(_) => {}
                 None => {
-                    let meant =
-                        nearest(name, all()).map_or(String::new(), |one| format!("{one:?} was probably meant; "));
+                    let meant = nearest(name, all()).map_or(String::new(), |one| format!("did you mean {one:?}? "));
                     let all = all().collect::<Vec<_>>().join(", ");
-                    wrong.push(format!("no camera is called {name:?}\n  hint: {meant}there are {all}"));
+                    wrong.push(format!("no camera is called {name:?}\n  hint: {meant}the cameras are {all}"));
                 }
             }
         }
@@ -48,7 +47,7 @@ impl Asked {
             let at = text.map(|text| kept.scenario.calendar.written(text).ok_or(text)).transpose();
             at.unwrap_or_else(|text| {
                 let hint = "write 2025-06-03T03:12:05, or 03:12:05 for a time of the first 24 hours";
-                wrong.push(format!("{text:?} is no time\n  hint: {hint}"));
+                wrong.push(format!("{text:?} is not a time\n  hint: {hint}"));
                 None
             })
         };
@@ -56,15 +55,19 @@ impl Asked {
         if let (Some(from), Some(to)) = (from, to)
             && from >= to
         {
-            let hint = "--to is later than --from";
-            wrong.push(format!("nothing lies between {} and {}\n  hint: {hint}", clock(kept, from), clock(kept, to)));
+            let hint = "--to must be later than --from";
+            wrong.push(format!(
+                "there is no time between {} and {}\n  hint: {hint}",
+                clock(kept, from),
+                clock(kept, to)
+            ));
         }
         if !wrong.is_empty() {
             return Err(Failure::Usage(wrong.join("\n")));
         }
         let there = kept.silhouettes.span()?;
         let (first, last) = there.ok_or_else(|| {
-            Failure::usage("no camera has seen anybody\n  hint: a run that goes on may have pictures later")
+            Failure::usage("no camera has seen a person\n  hint: an unfinished run may have pictures later")
         })?;
         let begin = from.unwrap_or(first);
         let end = to.or(strip.map(|long| begin + long + 1)).unwrap_or(last + 1);
@@ -89,14 +92,14 @@ impl Asked {
         let [begin, end] = [self.span.start, self.span.end].map(|at| clock(kept, at));
         let before = kept.silhouettes.last_before(self.span.start)?;
         let after = kept.silhouettes.next_from(self.span.end)?;
-        let near = [("before it the last is of", before), ("after it the first is of", after)];
+        let near = [("the last one before is at", before), ("the next one after is at", after)];
         let near = near.into_iter().filter_map(|(words, at)| Some(format!("{words} {}", clock(kept, at?))));
         let mut hints: Vec<String> = near.collect();
         if self.cameras.len() < kept.silhouettes.cameras.len() {
-            hints.push("other cameras may have seen somebody meanwhile".into());
+            hints.push("other cameras may have silhouettes in this time".into());
         }
         let names: Vec<&str> = self.files.iter().map(|file| file.name.as_str()).collect();
-        let what = format!("{} kept no silhouette from {begin} to {end}", names.join(", "));
+        let what = format!("{}: no silhouettes from {begin} to {end}", names.join(", "));
         Ok(Failure::usage(format!("{what}\n  hint: {}", hints.join("; "))))
     }
 }

@@ -1,4 +1,4 @@
-//! `homebody silhouettes`: what a run's cameras have kept, as pictures, as a film, and as figures.
+//! `homebody silhouettes`: the stored silhouettes of a run's cameras, as pictures, a film or a table.
 
 mod asked;
 mod outputs;
@@ -20,49 +20,50 @@ use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// How far apart the moments of a strip are, unless it is said.
+/// Default time between two moments of a strip.
 const STRIP_EVERY: Micros = 1_000_000;
 
-/// Shows the silhouettes that a run's cameras have kept: no other picture of anybody exists.
+/// Export the silhouettes of a run's cameras: pictures, film or table
 ///
-/// Without an output it says how many there are, of which cameras, and when. --png and --svg draw moments side by side, a row for
-/// each camera. --out writes all of them, by what the name ends in: .apng is a film in which the cameras are side by side, which
-/// browsers show; .csv and .jsonl are what each silhouette is like, a row or an object each: its box, its middle, its direction,
-/// how much longer than wide it is, and where and how high a body is by this camera alone; any other name is a new folder with a
-/// PNG of each, in folders by camera.
+/// Silhouettes are the only pictures that a simulated camera stores. Without an output, Homebody prints their number by camera and their
+/// times. --png and --svg draw moments side by side, with a row for each camera.
+///
+/// --out writes all silhouettes, by the extension: .apng is a film with the cameras side by side, which browsers show. .csv and .jsonl
+/// have a row for each silhouette: box, centre, direction, elongation, and the position and height of the body by this camera alone.
+/// Any other name is a new folder of PNG files, in folders by camera.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
+#[command(after_long_help = format!("Examples:
   homebody silhouettes runs/cameras-1
   homebody silhouettes runs/cameras-1 --from 2025-06-03T03:12 --every 0.5s --frames 8 --png fall.png
   homebody silhouettes runs/cameras-1 --from 2025-06-03T03:12 --to 2025-06-03T03:14 --out fall.apng
   homebody silhouettes runs/cameras-1 --camera 'camera east' --every 1m --out features.csv --out pictures
 
-A film leaves out what lies between two pictures but for a second.
+A film shortens gaps between two pictures to a second.
 
 {EXIT_CODES}."))]
 pub struct Arguments {
-    /// The folder of a run whose home has cameras
+    /// Folder of a run with cameras
     run: String,
-    /// Only this camera; may be said several times
+    /// Only this camera; repeatable
     #[arg(long, value_name = "NAME")]
     camera: Vec<String>,
-    /// From when on: a date and time such as 2025-06-03T03:12:05, or a time of day of the run's first 24 hours
+    /// First moment: a date and time such as 2025-06-03T03:12:05, or a time in the first 24 hours of the run
     #[arg(long, value_name = "TIME")]
     from: Option<String>,
-    /// Until when
+    /// Last moment
     #[arg(long, value_name = "TIME")]
     to: Option<String>,
-    /// Take pictures so far apart instead of all; those of a strip are 1s apart
-    #[arg(long, value_name = "SPAN", value_parser = span)]
+    /// Time between two pictures; without it, all pictures, and 1s for --png and --svg
+    #[arg(long, value_name = "DURATION", value_parser = span)]
     every: Option<Micros>,
-    /// How many moments --png and --svg draw
-    #[arg(long, value_name = "COUNT", default_value_t = 8, value_parser = clap::value_parser!(u8).range(1..=64))]
+    /// Number of moments in --png and --svg
+    #[arg(long, value_name = "N", help_heading = "Output", default_value_t = 8, value_parser = clap::value_parser!(u8).range(1..=64))]
     frames: u8,
-    /// Write them: FILE.apng, FILE.csv, FILE.jsonl or a new folder; may be said several times
-    #[arg(long, value_name = "PLACE")]
+    /// Write FILE.apng, FILE.csv, FILE.jsonl or a new folder; repeatable
+    #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Vec<PathBuf>,
-    /// How many pixels wide and high each pixel of a camera is, in films and pictures
-    #[arg(long, value_name = "TIMES", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=32))]
+    /// Pixels of the output for each pixel of a camera, each way
+    #[arg(long, value_name = "N", help_heading = "Output", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=32))]
     scale: u32,
     #[command(flatten)]
     answer: Answer,
@@ -240,12 +241,12 @@ impl fmt::Display for Answered {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let pictures = counted(self.pictures as usize, "silhouette", "silhouettes");
         let instants = counted(self.instants as usize, "instant", "instants");
-        writeln!(f, "{}: {pictures} of {instants}; no other picture exists", self.name)?;
+        writeln!(f, "{}: {pictures} at {instants}", self.name)?;
         for CameraTold { name, columns, rows, frames_per_s, pictures, first, last } in &self.cameras {
-            write!(f, "  {name}, {columns} x {rows}, {frames_per_s} a second: ")?;
+            write!(f, "  {name}, {columns} x {rows}, {frames_per_s} per second: ")?;
             match (first, last) {
-                (Some(first), Some(last)) => writeln!(f, "{pictures}, from {first} to {last}")?,
-                _ => writeln!(f, "none")?,
+                (Some(first), Some(last)) => writeln!(f, "{pictures}, {first} to {last}")?,
+                _ => writeln!(f, "0")?,
             }
         }
         for Written { path, what } in &self.written {

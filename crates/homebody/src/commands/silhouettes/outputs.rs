@@ -19,13 +19,13 @@ use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// No film has more frames (ours): ten minutes of five a second.
+/// Most frames of a film (our choice): ten minutes of five a second.
 const MOST_FRAMES: u64 = 3000;
 
-/// No folder gets more pictures (ours): systems become slow with more.
+/// Most pictures of a folder (our choice): systems become slow with more.
 const MOST_PICTURES: u64 = 200_000;
 
-/// A frame of a film is shown no longer than this, whatever lies between it and the next.
+/// Longest time that a frame of a film is shown, whatever the time to the next.
 const LONGEST_FRAME: Micros = SECOND;
 
 /// What a place is to become.
@@ -72,17 +72,17 @@ fn form(path: &Path) -> Result<Form, String> {
         "csv" => Ok(Form::Csv),
         "jsonl" => Ok(Form::JsonLines),
         "png" | "svg" => Err(format!(
-            "--out {name} is no film\n  hint: --{extension} {name} draws moments side by side; {} is a film",
+            "--out {name} is not a film\n  hint: --{extension} {name} draws moments side by side; --out {} writes a film",
             path.with_extension("apng").display()
         )),
         "gif" | "mp4" | "webm" | "avi" | "mkv" | "mov" | "json" | "jpg" | "jpeg" | "webp" | "tsv" | "txt" => {
-            let hint = "films are .apng, features .csv or .jsonl; any other name is a folder of pictures";
-            Err(format!("--out {name}: no {extension} is written\n  hint: {hint}"))
+            let hint = "use .apng for a film, .csv or .jsonl for a table; any other name is a folder of pictures";
+            Err(format!("--out {name}: cannot write .{extension}\n  hint: {hint}"))
         }
         _ => {
             let is_full = path.is_file() || path.read_dir().is_ok_and(|mut entries| entries.next().is_some());
             let hint = "name a new or an empty folder";
-            if is_full { Err(format!("{name} is no empty folder\n  hint: {hint}")) } else { Ok(Form::Folder) }
+            if is_full { Err(format!("{name} is not an empty folder\n  hint: {hint}")) } else { Ok(Form::Folder) }
         }
     }
 }
@@ -140,7 +140,7 @@ impl<'a> Outputs<'a> {
                 Form::Csv | Form::JsonLines => continue,
             };
             if count > most {
-                let hint = "choose less by --from and --to, --camera, or --every 1s";
+                let hint = "select fewer with --from and --to, --camera, or --every 1s";
                 let path = path.display();
                 return Err(Failure::usage(format!(
                     "{path} would have {count} {what}, at most {most}\n  hint: {hint}"

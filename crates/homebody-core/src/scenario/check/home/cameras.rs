@@ -9,10 +9,10 @@ use crate::scenario::home::{HomeFile, SensorFile};
 use crate::sensors::camera::CameraFile;
 use crate::sensors::messages::SensorMessage;
 
-/// A camera that sees less of the floor, as a share of its picture, looks at nothing (ours).
+/// Share of a camera's picture with floor below which the camera sees nothing useful (our choice).
 const LEAST_FLOOR: f64 = 0.05;
 
-/// Floor that is further off is not looked at, in metres (ours): a body there is some pixels high.
+/// Distance beyond which the floor is left out, in metres (our choice): a body there is some pixels high.
 const FAR_M: f32 = 12.0;
 
 /// Checks what does not depend on the building.

@@ -9,10 +9,10 @@ use crate::scenario::home::HomeFile;
 /// Outlines measured from both sides of a wall never agree better than this.
 const OVERLAP_TOLERANCE_M2: f64 = 0.01;
 
-/// The rooms of a home have no more corners together (ours): to look for overlaps takes time with the square of their number.
+/// Largest number of corners of all rooms (our choice): the search for overlaps takes time with the square of it.
 const MOST_CORNERS: usize = 5_000;
 
-/// No more overlaps of a home are looked for (ours).
+/// Largest number of overlaps that are searched for (our choice).
 const MOST_OVERLAPS: usize = 200;
 
 pub fn check(report: &mut Report, home: &HomeFile) {

@@ -9,10 +9,11 @@ use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
 use crate::sensors::messages::SensorMessage;
 use crate::sensors::motion::LENS_OFF_WALL_M;
 
-/// The beams of all sensors together that a run can follow (ours): as many as the most sensors have by default.
+/// Largest number of beams of all sensors together (our choice): as many as the largest number of sensors has by
+/// default.
 const MOST_BEAMS: u32 = 32_768;
 
-/// An area that goes so far beyond a wall, along so much of it, reaches through it (ours).
+/// Smallest depth and length of the part beyond a wall of an area that reaches through it (our choice).
 const REACH_THROUGH_M: f64 = 0.05;
 
 /// The lines that a sensor sees along: beams, the zones of all rows, or the sides of an area.

@@ -10,7 +10,8 @@ use crate::scenario::home::{DoorFile, HomeFile, WallFile};
 const LEAST_LENGTH_M: f64 = 0.001;
 const LEAST_DOOR_M: f64 = 0.05;
 
-/// More of either are no home (ours): looking for ways takes longer and longer.
+/// Largest numbers of meetings of walls, and of things in walls, in a home (our choice): the search for ways takes
+/// longer and longer.
 const MOST_MEETINGS: usize = 20_000;
 const MOST_IN_WALLS: usize = 2_000;
 

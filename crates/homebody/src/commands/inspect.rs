@@ -1,4 +1,4 @@
-//! `homebody look`: what a log holds.
+//! `homebody inspect`: the contents of a log.
 
 use super::answer::Answer;
 use super::read_log::{Mapped, go_on};
@@ -14,41 +14,42 @@ use homebody_log::places::can_be_written;
 use homebody_picture::{density_map, look_map, look_page};
 use std::path::{Path, PathBuf};
 
-/// Says and draws what a log holds: its span, its sensors with what they are taken for and how often they speak, and what is
-/// odd: silences, sensors that are dead or stuck, messages that are repeated or missing, lines that are not understood.
+/// Describe a log: its sensors, its days and its oddities
 ///
-/// The picture has a row for each sensor and a column for each day; beside it comes the density map, where the log has motion
-/// sensors.
+/// The report has the time span, each sensor with its kind and its event count, and oddities: silences, dead or stuck sensors,
+/// repeated or missing messages, and lines that Homebody cannot parse.
+///
+/// The picture has a row for each sensor and a column for each day. A log with motion sensors also gets a density map.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
-  homebody look casas:aruba.txt
-  homebody look runs/tigerplace-1 --png look.png
-  homebody look week.csv --home scenarios/tigerplace --sensors sensors.csv --json look.json --html look.html
+#[command(after_long_help = format!("Examples:
+  homebody inspect casas:aruba.txt
+  homebody inspect runs/tigerplace-1 --png log.png
+  homebody inspect week.csv --home scenarios/tigerplace --sensors sensors.csv --json log.json --html log.html
 
-Repeated are ONs after an ON, missing those before an OFF without one. Dead is what says nothing for
-two days or more before the log ends, and for three times as long as ever before; stuck is a motion
-sensor that is on for 6 h, or 50 readings of one number over a day.
+An ON after an ON is repeated; an OFF without an ON has a missing ON. A sensor is dead if it sends
+nothing for the last two days or more, and for three times its longest earlier silence. A motion sensor
+is stuck if it is on for 6 h; a sensor of readings is stuck after 50 equal values over a day.
 
-Each sensor is taken for motion, contact, used, reading or other by the best evidence: the kind in a
-sensors.csv in the log's folder (id,kind is enough), the log's source, the home, the values, the name,
-and last a guess by how long it is on. A state such as unavailable, and a gap of the recorder, end
-what was on; a state that is restored after it is no firing, and nothing is missing before it.
+The kind of a sensor is motion, contact, used, reading or other. Homebody takes it from the first of:
+a sensors.csv in the log's folder (columns id,kind), the log's source, the home, the values, the name,
+the length of its ONs. A state such as unavailable, and a gap of the recorder, end an ON; the restored
+state after it counts neither as an event nor as a missing message.
 
 {EXIT_CODES}."))]
 pub struct Arguments {
     #[command(flatten)]
     log: Mapped,
-    /// Say how the sensors fit the home of this scenario: which it does not have, which say nothing, which are another kind
+    /// Compare the sensors with the home of this scenario: unknown, silent, or of another kind
     #[arg(long, value_name = "SCENARIO")]
     home: Option<PathBuf>,
-    /// A table with the columns id and name, which tells what the home calls the log's sensors
+    /// CSV file with the columns id and name: the home's names of the log's sensors
     #[arg(long, value_name = "FILE")]
     sensors: Option<PathBuf>,
-    /// The home's time zone, for logs in UTC; a run knows its own
+    /// The home's time zone, for a log in UTC; a run has its own
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
-    /// Write everything as one page with pictures, which needs no other file
-    #[arg(long, value_name = "FILE")]
+    /// Write the report as one HTML page with pictures
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     html: Option<PathBuf>,
     #[command(flatten)]
     answer: Answer,
@@ -63,7 +64,7 @@ impl Arguments {
         self.answer.check(["", DENSITY], &sources)?;
         let look = self.look(&named)?;
         if let Some(run) = named.unfinished() {
-            tell(format_args!("warning: {}: its run has not come to its end\n  hint: {}", named.name, go_on(&run)));
+            tell(format_args!("warning: {}: its run is incomplete\n  hint: {}", named.name, go_on(&run)));
         }
         let drawn = self.html.is_some() || self.answer.draws();
         let density = if drawn { self.density() } else { None };

@@ -1,4 +1,4 @@
-//! `homebody measure`: what somebody has been doing, day by day.
+//! `homebody measures`: measures of daily life, day by day.
 
 use super::answer::Answer;
 use super::density::no_map;
@@ -14,29 +14,29 @@ use homebody_picture::measures_picture;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 
-/// Says and draws what somebody has been doing, day by day: time in bed and sleep, visits to the bathroom, showers, meals,
-/// outings, visitors, ways and how fast they were walked, sitting, density, and how even the days are.
+/// Compute daily measures: sleep, bathroom, meals, outings, gait
 ///
-/// The log of a run knows the rooms of its sensors and how far apart they are, --home tells those of another; without it names
-/// tell rooms, and speeds in metres a second are not known. A night counts
-/// to the day on which it ends. With --resident the same is taken
-/// from what a resident did, where the truth of the run is there.
+/// The measures are time in bed and sleep, bathroom visits, showers, meals, outings, visitors, walks and walking speed, sitting,
+/// motion density, and the regularity of days. A night counts for the day on which it ends.
+///
+/// A run knows the rooms of its sensors and their distances; --home sets them for another log. Without it, names decide the rooms, and
+/// walking speed is unknown. With --resident, the measures come from the ground truth instead of the log.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
-  homebody measure runs/tigerplace-1 --png measures.png
-  homebody measure casas:tm000.txt --csv measures.csv
-  homebody measure log.csv --home scenarios/tigerplace --json
-  homebody measure runs/tigerplace-1 --out sqlite:care.db --out fhir:observations.json
+#[command(after_long_help = format!("Examples:
+  homebody measures runs/tigerplace-1 --png measures.png
+  homebody measures casas:tm000.txt --csv measures.csv
+  homebody measures log.csv --home scenarios/tigerplace --json
+  homebody measures runs/tigerplace-1 --out care.db --out fhir:observations.json
 
-What each measure is, with its unit and its source, stands in \"measures\" of the JSON and in
-docs/reference/measures.md. Of what is not known a day has no value.
+\"measures\" in the JSON and docs/reference/measures.md define each measure, with its unit and its
+source. A day has no value for an unknown measure.
 
 {EXIT_CODES}."))]
 pub struct Arguments {
     #[command(flatten)]
     measured: Measured,
-    /// Write a table with a row for each day and a column for each measure
-    #[arg(long, value_name = "FILE")]
+    /// Write a CSV file with a row for each day and a column for each measure
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     csv: Option<PathBuf>,
     #[command(flatten)]
     programs: ForPrograms,
@@ -83,17 +83,17 @@ fn records(measures: &Measures) -> Records {
 /// A log that is measured.
 #[derive(clap::Args)]
 pub struct Measured {
-    /// A log: a file, the folder of a run or of a data set, or FORM:FILE
+    /// Log: a file, a run folder, a data set folder, or FORM:FILE
     log: String,
     #[command(flatten)]
     how: HowRead,
-    /// The scenario with the home of the log, which tells which room each sensor is in
+    /// Scenario with the home of the log, for the rooms of its sensors
     #[arg(long, value_name = "SCENARIO")]
     home: Option<PathBuf>,
-    /// Take the measures from what this resident did, as the truth of the run tells it, instead of from the log
+    /// Measure what this resident did by the ground truth, instead of the log
     #[arg(long, value_name = "NAME")]
     resident: Option<String>,
-    /// The home's time zone, for logs in UTC; a run knows its own
+    /// The home's time zone, for a log in UTC; a run has its own
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
 }
@@ -116,14 +116,12 @@ impl Measured {
         let Some(home) = &self.home else { return Ok(read) };
         let placed = read.place_in(&homebody_kit::Source::at(home)?.scenario()?);
         let (log, home, sensors) = (&self.log, home.display(), read.log.sensors.len());
-        let hint = format!("homebody look {log} --home {home} tells what each has");
+        let hint = format!("homebody inspect {log} --home {home} lists the sensors of both");
         if placed == 0 {
-            return Err(Failure::usage(format!("{log}: none of its sensors is one of this home\n  hint: {hint}")));
+            return Err(Failure::usage(format!("{log}: this home has none of its sensors\n  hint: {hint}")));
         }
         if placed * 2 < sensors {
-            tell(format_args!(
-                "warning: {log}: only {placed} of its {sensors} sensors are of this home\n  hint: {hint}"
-            ));
+            tell(format_args!("warning: {log}: this home has only {placed} of its {sensors} sensors\n  hint: {hint}"));
         }
         Ok(read)
     }
@@ -142,10 +140,12 @@ fn lived(read: &LogWithRun, resident: &str) -> Result<Measures, Failure> {
     let Some(life) = read.lives.iter().find(|life| life.resident == resident) else {
         let known: Vec<&str> = read.lives.iter().map(|life| life.resident.as_str()).collect();
         let hint = match known.is_empty() {
-            true => "there is no truth beside this log; homebody run writes one".to_owned(),
+            true => "this log has no ground truth; homebody run writes one".to_owned(),
             false => format!("the residents are {}", known.join(", ")),
         };
-        return Err(Failure::usage(format!("--resident {resident:?}: the truth has no such resident\n  hint: {hint}")));
+        return Err(Failure::usage(format!(
+            "--resident {resident:?}: the ground truth has no such resident\n  hint: {hint}"
+        )));
     };
     let of_log = read.rows_span().map(|(first, last)| first..last + 1);
     let recorded = read.recorded.clone().or(of_log).unwrap_or(0..0);

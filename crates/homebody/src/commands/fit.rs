@@ -1,4 +1,4 @@
-//! `homebody calibrate`: a scenario fitted to the log of its home.
+//! `homebody fit`: a scenario fitted to the log of its home.
 
 use super::read_log::{HowRead, read_log};
 use super::scenario::Trust;
@@ -18,42 +18,44 @@ use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
 
-/// Fits a scenario to the log of its home: the timing of its sensors, the rhythm of who lives there, how much they move and turn, how
-/// their days differ, and which messages come twice or get lost. Then it is lived, and held against days that it was not fitted to.
+/// Fit a scenario to the log of its home, and evaluate the fit
 ///
-/// The home is that of a scenario in which one person lives; its sensors have the names of the log, or its logger.json says their ids.
-/// What a log cannot tell stays as the scenario has it: walls, furniture, what sensors reach and how much they miss.
+/// Homebody fits the timing of the sensors, the rhythm of the resident, how much the resident moves and turns, how days differ, and
+/// the shares of repeated and lost messages. It simulates the fitted scenario and compares it with days that it did not use.
+///
+/// The scenario has one resident. Its sensors have the names of the log, or its logger.json maps their ids. Walls, furniture and
+/// everything else that a log does not show stay as in the scenario.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
-  homebody calibrate week.csv --home my-home --to fitted
-  homebody calibrate casas:month.txt --home my-home --days 2016-07-01..2016-07-14 --to fitted
-  homebody calibrate runs/older-adult-1 --home scenarios/older-adult --to fitted --json
+#[command(after_long_help = format!("Examples:
+  homebody fit week.csv --home my-home --out fitted
+  homebody fit casas:month.txt --home my-home --training-days 2016-07-01..2016-07-14 --out fitted
+  homebody fit runs/older-adult-1 --home scenarios/older-adult --out fitted --json
 
-In the new folder:
+Files in the new folder:
   scenario.json   the fitted scenario, with its home, its logger, its link and its routine
   fitted.routine  the rhythm in sentences: homebody routine explain fitted
-  report.json     what was fitted, and each measure of homebody realism on unseen days
+  report.json     the fitted values, and each measure of homebody realism on the test days
 
-Each measure stands beside the same of the seen days, which is how near the home is to itself, and of the
-scenario as it was.
+The report compares the test days with the fitted scenario, with the training days (how much the home
+differs from itself), and with the scenario before the fit.
 
 {EXIT_CODES}."))]
 pub struct Arguments {
-    /// The log: the folder of its run or of a data set, a file, or FORM:FILE
+    /// Log: a file, a run folder, a data set folder, or FORM:FILE
     log: String,
     #[command(flatten)]
     how: HowRead,
-    /// The folder of a scenario whose home the log is of
+    /// Scenario with the home of the log
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
-    /// The days that it is fitted to, the last included; the first half without it. It is judged on the others
+    /// First and last training day; the first half of the log without it. The other days are test days
     #[arg(long, value_name = "FROM..TO", value_parser = days)]
-    days: Option<(Date, Date)>,
-    /// The folder to create
-    #[arg(long, value_name = "FOLDER")]
-    to: PathBuf,
-    /// The time zone of the home, for a log in UTC; the scenario's own without it
-    #[arg(long)]
+    training_days: Option<(Date, Date)>,
+    /// New folder for the fitted scenario
+    #[arg(short, long, value_name = "FOLDER")]
+    out: PathBuf,
+    /// The home's time zone, for a log in UTC; the scenario's without it
+    #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     /// Print the report as one JSON object
     #[arg(long)]
@@ -67,7 +69,7 @@ fn days(text: &str) -> Result<(Date, Date), String> {
     let dates = text.split_once("..").map(|(from, to)| (from.trim().parse::<Date>(), to.trim().parse::<Date>()));
     match dates {
         Some((Ok(from), Ok(to))) if from <= to => Ok((from, to)),
-        Some((Ok(_), Ok(_))) => Err("the second day is before the first".into()),
+        Some((Ok(_), Ok(_))) => Err("the last day is before the first".into()),
         _ => Err("write two days such as 2016-07-01..2016-07-14".into()),
     }
 }
@@ -102,8 +104,8 @@ struct Row {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        if self.to.exists() {
-            let what = format!("{} exists already\n  hint: name a folder that does not", self.to.display());
+        if self.out.exists() {
+            let what = format!("{} exists already\n  hint: name a new folder", self.out.display());
             return Err(Failure::Io(what));
         }
         let home = self.trust.source(&self.home)?.open()?;
@@ -121,7 +123,7 @@ impl Arguments {
             measures: self.measures(&read.log, &parts, &home, &calibration)?,
             fitted: calibration.fitted.clone(),
         };
-        begin(&self.to, |part, _| {
+        begin(&self.out, |part, _| {
             for (name, text) in &calibration.files {
                 let path = part.join(name);
                 path.parent().map_or(Ok(()), std::fs::create_dir_all).map_err(|error| Failure::io(&path, error))?;
@@ -134,7 +136,7 @@ impl Arguments {
             return print_json(&report);
         }
         print_text(&report.to_string())?;
-        tell(format_args!("{} is ready.\n  homebody run {0}\n  homebody routine explain {0}", self.to.display()));
+        tell(format_args!("{} is ready.\n  homebody run {0}\n  homebody routine explain {0}", self.out.display()));
         Ok(())
     }
 
@@ -144,7 +146,7 @@ impl Arguments {
         let whole = recorded.cloned().or_else(|| rows().min().zip(rows().max()).map(|(first, last)| first..last + 1));
         let whole = whole.ok_or_else(|| Failure::Usage(format!("{}: the log has no rows", self.log)))?;
         let (first, last) = (whole.start.div_euclid(DAY), (whole.end - 1).div_euclid(DAY) + 1);
-        let seen = match self.days {
+        let seen = match self.training_days {
             None => first..first + (last - first) / 2,
             Some((from, to)) => midnight(from).div_euclid(DAY)..midnight(to).div_euclid(DAY) + 1,
         };
@@ -153,8 +155,8 @@ impl Arguments {
         if count < LEAST_DAYS || unseen < 1 {
             let count = counted(count.max(0) as usize, "day", "days");
             let why = format!(
-                "{}: {count} to be fitted to, and {} besides\n  hint: it has {} to {}; fitting takes {LEAST_DAYS} days and \
-                 more, and judging another",
+                "{}: {count} for training and {} for the test\n  hint: the log has {} to {}; a fit needs {LEAST_DAYS} training \
+                 days or more, and a test day",
                 self.log,
                 unseen.max(0),
                 date_of(whole.start),
@@ -188,8 +190,8 @@ impl Arguments {
             })
         };
         let fitted = against("the fitted scenario", &lived(&open, SEED, LIVED_DAYS)?, None)?;
-        let own = against("the days that it is fitted to", &seen, Some(&parts.seen))?;
-        let before = against("the scenario as it was", &lived(home, SEED, LIVED_DAYS)?, None)?;
+        let own = against("the training days", &seen, Some(&parts.seen))?;
+        let before = against("the scenario before the fit", &lived(home, SEED, LIVED_DAYS)?, None)?;
         let rows = fitted.measures().into_iter().zip(own.measures()).zip(before.measures());
         let value = |measure: Measure| measure.value;
         Ok(rows
@@ -204,7 +206,7 @@ impl Arguments {
     }
 }
 
-/// Fewer days tell no rhythm (ours).
+/// Fewest days for a rhythm (our choice).
 const LEAST_DAYS: Micros = 3;
 
 /// The two parts of a log, as instants on the clock on the wall.
@@ -245,27 +247,27 @@ impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Report { log, seen_days, unseen_days, fitted, measures } = self;
         let [real, ours] = fitted.firings_an_hour;
-        writeln!(f, "{log}, fitted to {}, judged on {}\n", seen_days.join(" to "), unseen_days.join(" to "))?;
+        writeln!(f, "{log}, fitted to {}, tested on {}\n", seen_days.join(" to "), unseen_days.join(" to "))?;
         writeln!(f, "{}", fitted.timing.all)?;
         writeln!(
             f,
-            "messages that come twice {:.2} %, that are missing {:.2} %",
+            "repeated messages {:.2} %, missing messages {:.2} %",
             100.0 * fitted.timing.repeated,
             100.0 * fitted.timing.missing
         )?;
         writeln!(
             f,
-            "firings an hour: up {:.1} (fitted {:.1}), in bed {:.1} (fitted {:.1})",
+            "events an hour: up {:.1} (fitted {:.1}), in bed {:.1} (fitted {:.1})",
             real.up, ours.up, real.in_bed, ours.in_bed
         )?;
         writeln!(
             f,
-            "movement {:.2} times the usual, turning {:.2} times, days differ by {:.2}\n",
+            "movement {:.2} times the default, turning {:.2} times, spread of days {:.2}\n",
             fitted.movement, fitted.turning, fitted.day_spread
         )?;
         sights(f, &fitted.sights)?;
         fitted.routine.iter().try_for_each(|sentence| writeln!(f, "  {sentence}"))?;
-        writeln!(f, "\n{:<18} {:>8} {:>10} {:>8}", "unseen days against", "fitted", "seen days", "before")?;
+        writeln!(f, "\n{:<18} {:>8} {:>10} {:>8}", "test days against", "fitted", "training", "before")?;
         for row in measures {
             let told = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.3}"));
             let [fitted, own, before] = [row.fitted, row.seen_days, row.before].map(told);

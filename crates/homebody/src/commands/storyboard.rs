@@ -1,4 +1,4 @@
-//! `homebody strip`: moments of a recorded run side by side.
+//! `homebody storyboard`: moments of a recorded run side by side.
 
 use super::answer::Answer;
 use crate::failure::Failure;
@@ -11,23 +11,24 @@ use homebody_log::places::RECORDING;
 use homebody_picture::film_strip;
 use std::path::PathBuf;
 
-/// Lives a recorded run again and shows moments of it as a film strip: where everybody is and went, what they used, and which
-/// sensors fired.
+/// Draw moments of a run as a strip of pictures
+///
+/// Homebody replays the run. Each picture shows the residents, their paths, the furniture that they used and the sensors that fired.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
-  homebody strip runs/dark-hall-1 18:40 --every 5s --png strip.png
-  homebody strip runs/tigerplace-1 2009-03-03T07:00 --every 30s --frames 9 --png morning.png")]
+#[command(after_long_help = "Examples:
+  homebody storyboard runs/dark-hall-1 18:40 --every 5s --png strip.png
+  homebody storyboard runs/tigerplace-1 2009-03-03T07:00 --every 30s --frames 9 --png morning.png")]
 pub struct Arguments {
-    /// A run's folder, or its recording
+    /// Run folder, or its recording
     run: PathBuf,
-    /// The first moment: a date and time such as 2026-01-12T18:40:05, or a time of day of the run's first 24 hours
+    /// First moment: a date and time such as 2026-01-12T18:40:05, or a time in the first 24 hours of the run
     #[arg(value_name = "FROM")]
     from: String,
-    /// How far apart the moments are
-    #[arg(long, value_name = "SPAN", default_value = "10s", value_parser = span)]
+    /// Time between two pictures
+    #[arg(long, value_name = "DURATION", default_value = "10s", value_parser = span)]
     every: Micros,
-    /// How many moments there are
-    #[arg(long, value_name = "COUNT", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=60))]
+    /// Number of pictures
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=60))]
     frames: u8,
     #[command(flatten)]
     answer: Answer,
@@ -44,7 +45,10 @@ impl Arguments {
         let length = recorded.recording().length_us;
         if first >= length {
             let [begin, end] = [0, length].map(|at| calendar.wall_clock(at));
-            return Err(Failure::usage(format!("the run has no {}\n  hint: it goes from {begin} to {end}", self.from)));
+            return Err(Failure::usage(format!(
+                "the run has no {}\n  hint: it lasts from {begin} to {end}",
+                self.from
+            )));
         }
         let fits = (length - first - 1) / self.every + 1;
         let count = usize::from(self.frames).min(usize::try_from(fits).unwrap_or(usize::MAX));
@@ -69,7 +73,7 @@ impl Arguments {
     fn first(&self, calendar: &Calendar) -> Result<Micros, Failure> {
         let wrong = || {
             let hint = "write 2026-01-12T18:40:05, or 18:40:05 for a time of the first 24 hours";
-            Failure::usage(format!("{:?} is no time\n  hint: {hint}", self.from))
+            Failure::usage(format!("{:?} is not a time\n  hint: {hint}", self.from))
         };
         let at = calendar.written(&self.from).ok_or_else(wrong)?;
         if at < 0 { Err(Failure::usage(format!("{} is before the run begins", self.from))) } else { Ok(at) }

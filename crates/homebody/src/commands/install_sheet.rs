@@ -1,4 +1,4 @@
-//! `homebody parts`: what is put up in a home.
+//! `homebody install-sheet`: the sensors of a home, for the installer.
 
 use super::answer::Answer;
 use super::scenario::Chosen;
@@ -13,26 +13,26 @@ use homebody_log::places::can_be_written;
 use homebody_picture::{coverage_map, installing, pdf};
 use std::path::PathBuf;
 
-/// Lists the sensors of a home for who puts them up: device, place by distances from two walls, mounting height, where it looks.
+/// List the sensors of a home for the installer, with positions
 ///
-/// With --beside, two layouts of sensors: what each sees, and in what they differ. With --pdf, sheets to print: the plan with what the
-/// sensors see, coverage and legend, then the list.
+/// Each line has the device, its distances from two walls, its mounting height and its direction. --compare sets two layouts side by
+/// side: what each sees, and their differences. --pdf writes sheets to print: the plan with coverage and legend, then the list.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
-  homebody parts scenarios/tigerplace
-  homebody parts my-home --csv parts.csv --pdf sheet.pdf
-  homebody parts my-home --beside my-home-with-six --json")]
+#[command(after_long_help = "Examples:
+  homebody install-sheet scenarios/tigerplace
+  homebody install-sheet my-home --csv sensors.csv --pdf sheet.pdf
+  homebody install-sheet my-home --compare my-home-with-six --json")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// Another scenario, whose sensors are held against these
+    /// Compare with the sensors of this scenario
     #[arg(long, value_name = "SCENARIO")]
-    beside: Option<PathBuf>,
-    /// Write the list as comma-separated values
-    #[arg(long, value_name = "FILE")]
+    compare: Option<PathBuf>,
+    /// Write the list as CSV
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     csv: Option<PathBuf>,
-    /// Write sheets to print
-    #[arg(long, value_name = "FILE")]
+    /// Write sheets to print as PDF
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
     pdf: Option<PathBuf>,
     #[command(flatten)]
     answer: Answer,
@@ -43,7 +43,7 @@ impl Arguments {
         let source = self.scenario.source()?;
         let scenario = source.scenario()?;
         let mut sources = source.paths(&scenario);
-        let other = match &self.beside {
+        let other = match &self.compare {
             None => None,
             Some(path) => {
                 let source = Source::at(path)?;
@@ -61,7 +61,7 @@ impl Arguments {
             let pages = installing(home, &coverage::of_home(home, build, STEP_M), &parts);
             let bytes = pdf(&home.name, &pages).map_err(|error| Failure::Io(error.to_string()))?;
             write_file(path, &bytes, self.answer.replaces())?;
-            tell(format_args!("{} is written", path.display()));
+            tell(format_args!("wrote {}", path.display()));
         }
         let map = || {
             let seen = coverage::of_home(home, build, STEP_M);

@@ -1,4 +1,4 @@
-//! `homebody numbers`: the numbers that the models are made of.
+//! `homebody parameters`: the parameters of the models.
 
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
@@ -8,18 +8,20 @@ use homebody_kit::numbers;
 use serde_json::json;
 use std::collections::BTreeSet;
 
-/// Lists the numbers that the models of people, sensors and the link are made of, with units and ranges. Each can be set for a
-/// run, or in a scenario's own file under "numbers".
+/// List the parameters of the models, with units and ranges
+///
+/// The models are those of people, sensors and the link. `homebody run --set` changes a parameter for a run, and "numbers" in
+/// scenario.json for a scenario.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
-  homebody numbers
-  homebody numbers gait
-  homebody numbers activity.reading --json
+#[command(after_long_help = "Examples:
+  homebody parameters
+  homebody parameters gait
+  homebody parameters activity.reading --json
   homebody run scenarios/tigerplace --set gait.slowest=0.25")]
 pub struct Arguments {
-    /// Only those whose names begin with this, such as gait
+    /// Only parameters whose names begin with this, such as gait
     group: Option<String>,
-    /// Print them as one JSON object
+    /// Print one JSON object
     #[arg(long)]
     json: bool,
 }
@@ -29,10 +31,7 @@ impl Arguments {
         let (all, group) = (numbers(), self.group.unwrap_or_default());
         let found: Vec<&Number> = all.iter().filter(|number| is_in(&number.name, &group)).collect();
         if found.is_empty() {
-            return Err(Failure::Usage(format!(
-                "no number's name begins with {group:?}\n  hint: {}",
-                hint(&group, &all)
-            )));
+            return Err(Failure::Usage(format!("no parameter begins with {group:?}\n  hint: {}", hint(&group, &all))));
         }
         if self.json {
             return print_json(&json!({ "numbers": found.into_iter().map(row).collect::<Vec<_>>() }));
@@ -65,7 +64,7 @@ fn hint(asked: &str, all: &[Number]) -> String {
     }
 }
 
-/// How many names a hint has (ours).
+/// Most names in a hint (our choice).
 const FEW: usize = 5;
 
 /// Whether a name is this, or begins with it at one of its dots.

@@ -1,4 +1,4 @@
-//! `homebody health`: what is wrong with the sensors of a home.
+//! `homebody sensor-faults`: the faults of a home's sensors.
 
 use super::answer::Figures;
 use super::read_log::{HowRead, read_log};
@@ -9,29 +9,30 @@ use crate::progress;
 use homebody_kit::health;
 use std::path::PathBuf;
 
-/// Says what is wrong with the sensors of a home, by its log alone: which are stuck, dead or weak, lose messages, fire for no
-/// reason, look elsewhere than the plan says, or have a clock that is off, and since when.
+/// Detect sensor faults from the log of a home
 ///
-/// The log is walked back through the plan, and each sensor is held against where people were by all of them, and by all
-/// others. What a sensor notices is compared with what it noticed on its other days, so that a log of two weeks or more tells
-/// most.
+/// Homebody reports sensors that are stuck, dead or weak, lose messages, fire without cause, look in another direction than the plan
+/// says, or have a wrong clock, and since when.
+///
+/// It locates the residents from the log, and compares each sensor with the path from all sensors and from all other sensors. It
+/// also compares each sensor with its own other days; a log of two weeks or more gives the best result.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
-  homebody health runs/tigerplace-1 --home scenarios/tigerplace
-  homebody health casas:spring.txt --home my-home --json health.json
+#[command(after_long_help = format!("Examples:
+  homebody sensor-faults runs/tigerplace-1 --home scenarios/tigerplace
+  homebody sensor-faults casas:spring.txt --home my-home --json faults.json
 
-`homebody experiment sensor-health` plants faults and says how many of them are found.
+`homebody experiment sensor-health` measures how many simulated faults it finds.
 
 {EXIT_CODES}."))]
 pub struct Arguments {
-    /// The log: a file, the folder of a run, or sqlite:FILE, csv:FILE or casas:FILE
+    /// Log: a file, a run folder, a data set folder, or FORM:FILE
     log: String,
     #[command(flatten)]
     how: HowRead,
-    /// The folder of a scenario whose home the log is of
+    /// Scenario with the home of the log
     #[arg(long, value_name = "SCENARIO")]
     home: PathBuf,
-    /// The time zone of the home, for a log in UTC; the scenario's own without it
+    /// The home's time zone, for a log in UTC; the scenario's without it
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]

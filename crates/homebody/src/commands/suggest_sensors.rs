@@ -1,9 +1,9 @@
-//! `homebody place`: where sensors go.
+//! `homebody suggest-sensors`: where to mount sensors.
 
 use super::alerts::rules;
 use super::answer::Answer;
 use super::devices::device;
-use super::parts::build;
+use super::install_sheet::build;
 use super::scenario::Chosen;
 use crate::failure::Failure;
 use crate::progress::bar;
@@ -20,41 +20,42 @@ use std::fmt;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
-/// Proposes where sensors go, one after the other, and says what each additional one buys.
+/// Suggest where to mount sensors, and what each sensor adds
 ///
-/// People live in the home by the routine of its first resident, each a little differently: some with the conditions that are to be
-/// seen, from day 61 on, and some without any. The home has a motion sensor in each room, one above each seat, the shower and the
-/// toilet, a sensor in each bed and a contact on each door out. Of these the one is taken whose log alone tells most of what
-/// is to be seen, then the one that adds most, and so on; two where one adds nothing; in the end others go for them that tell
-/// more. Beside them stands what the sensors tell that the home has. This takes about a minute for `scenarios/tigerplace`.
+/// Homebody simulates people in the home with the routine of its first resident, each with variations: some with the conditions of
+/// --goals from day 61 on, some without. Candidates are a motion sensor in each room, one above each seat, the shower and the toilet,
+/// a sensor in each bed and a contact on each outer door. Homebody picks the sensor whose log scores best on the goals, then the one
+/// that adds most, and so on (two at once where one adds nothing), and finally exchanges sensors that others beat. The report also
+/// scores the sensors that the home has. scenarios/tigerplace takes about a minute.
 #[derive(clap::Args)]
-#[command(after_help = "Examples:
-  homebody place scenarios/tigerplace --sensors 6
-  homebody place scenarios/tigerplace --to-see depression,night-bathroom,falls --sensors 8 --png proposed.png
-  homebody place my-home --to-see urinary-tract-infection,meals --sensors 4 --json
-  homebody place my-home --to-see falls --sensors 5 --device fibaro
+#[command(after_long_help = "Examples:
+  homebody suggest-sensors scenarios/tigerplace --count 6
+  homebody suggest-sensors scenarios/tigerplace --goals depression,night-bathroom,falls --count 8 --png proposed.png
+  homebody suggest-sensors my-home --goals urinary-tract-infection,meals --count 4 --json
+  homebody suggest-sensors my-home --goals falls --count 5 --device fibaro
 
-What can be seen: a condition that comes with the program; a measure of homebody measure, such as meals or time-out;
-night-bathroom; falls, by the share of the floor that is seen. JSON has \"sensors\", as home.json takes them, and \"steps\".")]
+Goals: a condition that comes with the program; a measure of homebody measures, such as meals or
+time-out; night-bathroom; falls, by the share of the floor that sensors see. JSON has \"sensors\", as
+home.json takes them, and \"steps\".")]
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// What is to be seen, with commas between
+    /// Purpose of the sensors: conditions, measures, night-bathroom, falls; separated by commas
     #[arg(long, value_name = "GOALS", value_delimiter = ',', default_value = "depression,night-bathroom,falls")]
-    to_see: Vec<String>,
-    /// How many sensors there may be
-    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u16).range(1..=64))]
-    sensors: u16,
-    /// How many people live in the home
-    #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(4..=1000))]
+    goals: Vec<String>,
+    /// Largest number of sensors
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u16).range(1..=64))]
+    count: u16,
+    /// Number of simulated people
+    #[arg(long, value_name = "N", default_value_t = 24, value_parser = clap::value_parser!(u32).range(4..=1000))]
     people: u32,
-    /// The number all randomness comes from
-    #[arg(long, default_value_t = 1)]
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// What the motion sensors are to be, by the name that homebody devices has, such as fibaro
+    /// Device of the motion sensors, by its name in homebody devices, such as fibaro
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// The rules of alerts, instead of the usual ones
+    /// Alert rules instead of the default ones
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     #[command(flatten)]
@@ -67,10 +68,10 @@ impl Arguments {
         let scenario = source.open()?;
         let answer = self.answer.check([""], &scenario.paths())?;
         let rules = rules(self.rules.as_deref())?;
-        let goals = goals(&self.to_see)?;
+        let goals = goals(&self.goals)?;
         let device = self.device.as_deref().map(device).transpose()?;
         let home = &scenario.scenario().home;
-        let (people, sensors, seed) = (self.people, usize::from(self.sensors), self.seed);
+        let (people, sensors, seed) = (self.people, usize::from(self.count), self.seed);
         let build = build(scenario.scenario());
         let ask = Ask { goals: &goals, sensors, people, seed, rules: &rules, device, build, step_m: STEP_M };
         let opened = || Ok(Opened { scenario: scenario.scenario().clone(), household: scenario.household().clone() });
@@ -110,9 +111,9 @@ impl Progress {
                 }
                 shown.set_position(sensors as u64);
                 shown.set_message(match trying {
-                    Trying::OneMore => "one more",
-                    Trying::TwoMore => "two more at once",
-                    Trying::Another => "others instead",
+                    Trying::OneMore => "adding one",
+                    Trying::TwoMore => "adding two",
+                    Trying::Another => "exchanging",
                 });
             }
         }
@@ -129,7 +130,7 @@ fn goals(names: &[String]) -> Result<Vec<Goal>, Failure> {
         let conditions: Vec<&str> = CONDITIONS.iter().map(|(name, _)| *name).collect();
         let measures: Vec<&str> = MEASURES.iter().map(|measure| measure.name).collect();
         Failure::Usage(format!(
-            "--to-see: there is no {}\n  hint: name conditions ({}), measures ({}), night-bathroom or falls",
+            "--goals: there is no {}\n  hint: name conditions ({}), measures ({}), night-bathroom or falls",
             unknown.join(", no "),
             conditions.join(", "),
             measures.join(", ")
@@ -149,10 +150,10 @@ struct Found {
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Some(first) = self.proposed.placed.steps.first() else {
-            let hint = if self.asked == 1 { " by itself; ask for more than one" } else { "" };
-            return writeln!(f, "No sensor tells anything of what is to be seen{hint}.");
+            let hint = if self.asked == 1 { " by itself; try a larger --count" } else { "" };
+            return writeln!(f, "No sensor helps with the goals{hint}.");
         };
-        writeln!(f, "Where sensors go, the most telling first\n")?;
+        writeln!(f, "Suggested sensors, the most useful first\n")?;
         write!(f, "{:>2}  {:32} {:>6}", "", "sensor", "score")?;
         for Reached { goal, .. } in &first.goals {
             write!(f, " {goal:>24}")?;
@@ -161,7 +162,7 @@ impl fmt::Display for Found {
         write!(f, "{:>2}  {:32} {:>6}", "", "", "0 to 1")?;
         for Reached { unit, goal, .. } in &first.goals {
             let is_error = MEASURES.iter().any(|measure| measure.name == *goal);
-            let what = if is_error { format!("{unit} wrong a day") } else { (*unit).to_owned() };
+            let what = if is_error { format!("error, {unit} a day") } else { (*unit).to_owned() };
             write!(f, " {what:>24}")?;
         }
         writeln!(f)?;
@@ -180,11 +181,11 @@ impl fmt::Display for Found {
             row(f, "", &format!("{} for {}", swap.come, swap.gone), &swap.layout)?;
         }
         if let Some(own) = &self.proposed.own {
-            row(f, "", &format!("the {} that the home has", own.sensors.len()), own)?;
+            row(f, "", &format!("the home's own {}", own.sensors.len()), own)?;
         }
         let count = self.proposed.placed.steps.len();
         if count < self.asked {
-            writeln!(f, "\n{count} of the {} sensors that were asked for: another one adds nothing.", self.asked)?;
+            writeln!(f, "\n{count} of {} sensors: another one adds nothing.", self.asked)?;
         }
         match self.proposed.own.as_ref().zip(self.proposed.placed.last()) {
             Some((own, proposed)) if own.score < proposed.score => write_why_less(f, own, proposed),
@@ -196,14 +197,14 @@ impl fmt::Display for Found {
 /// Says on which goals the home's own sensors score less than the proposed ones, and why more sensors may do so.
 fn write_why_less(f: &mut fmt::Formatter, own: &Layout, proposed: &Layout) -> fmt::Result {
     let (all, few) = (own.sensors.len(), proposed.sensors.len());
-    writeln!(f, "\nThe {all} sensors that the home has score less than the {few} that are proposed:")?;
+    writeln!(f, "\nThe home's own {all} sensors score less than the {few} suggested ones:")?;
     let goals = own.goals.iter().zip(&proposed.goals);
     for (own, proposed) in goals.filter(|(own, proposed)| own.score < proposed.score) {
-        writeln!(f, "  {}: {:.2} beside {:.2} {}", own.goal, own.value, proposed.value, own.unit)?;
+        writeln!(f, "  {}: {:.2} instead of {:.2} {}", own.goal, own.value, proposed.value, own.unit)?;
     }
     writeln!(
         f,
-        "The proposed sensors were chosen for these goals. More sensors make more measures possible, and alerts watch each of\n\
-         them: to keep false alarms as rare, alerts wait for larger changes, so that people are found later."
+        "The suggested sensors were chosen for these goals. More sensors allow more measures, and alerts watch each measure.\n\
+         To keep false alarms as rare, alerts then wait for larger changes, and find people later."
     )
 }

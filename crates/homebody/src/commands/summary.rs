@@ -1,8 +1,8 @@
-//! `homebody summarise`: days in words.
+//! `homebody summary`: days in words.
 
 use super::answer::Figures;
 use super::for_programs::{ForPrograms, row};
-use super::measure::Measured;
+use super::measures::Measured;
 use super::read_log::{HowRead, read_log};
 use crate::failure::{EXIT_CODES, Failure};
 use homebody_analysis::summaries::{About, Sentence, Summary, of_summaries, summarise};
@@ -10,29 +10,29 @@ use homebody_log::records::Records;
 use serde::Serialize;
 use std::fmt;
 
-/// Says in sentences how somebody has been doing of late: what has changed first, then how things are.
+/// Summarise recent days in sentences, changes first
 ///
-/// Each sentence is about one measure of homebody measure: on so many of the last days it was so. Of all that is true, that is
-/// told which says most. Days away and days that are not whole do not count.
+/// Each sentence is about one measure of homebody measures, on the last days of the log. Of all true sentences, Homebody picks the
+/// most informative. Days away and incomplete days do not count.
 #[derive(clap::Args)]
-#[command(after_help = format!("Examples:
-  homebody summarise runs/tigerplace-depression-1
-  homebody summarise casas:tm000.txt --for experts --last 28
-  homebody summarise runs/tigerplace-1 --beside runs/tigerplace-depression-1 --json
+#[command(after_long_help = format!("Examples:
+  homebody summary runs/tigerplace-depression-1
+  homebody summary casas:tm000.txt --audience experts --last 28
+  homebody summary runs/tigerplace-1 --compare runs/tigerplace-depression-1 --json
 
 {EXIT_CODES}."))]
 pub struct Arguments {
     #[command(flatten)]
     measured: Measured,
-    /// How many of the last days it is about
+    /// Number of days, counted back from the end of the log
     #[arg(long, value_name = "DAYS", default_value_t = 14, value_parser = clap::value_parser!(u16).range(5..=366))]
     last: u16,
-    /// For whom: carers, or experts, who get the numbers
-    #[arg(long = "for", value_enum, value_name = "WHOM", default_value_t = Reader::Carers)]
-    reader: Reader,
-    /// Another log: how far its summary is from this one, from 0 to 1, after Wilbik and Keller
+    /// Audience of the sentences
+    #[arg(long, value_enum, value_name = "READER", default_value_t = Reader::Carers)]
+    audience: Reader,
+    /// Compare with the summary of this log: a distance from 0 to 1, after Wilbik and Keller
     #[arg(long, value_name = "LOG")]
-    beside: Option<String>,
+    compare: Option<String>,
     #[command(flatten)]
     programs: ForPrograms,
     #[command(flatten)]
@@ -42,7 +42,9 @@ pub struct Arguments {
 /// Who reads a summary.
 #[derive(Clone, Copy, clap::ValueEnum)]
 enum Reader {
+    /// Plain sentences
     Carers,
+    /// Sentences with figures
     Experts,
 }
 
@@ -55,7 +57,7 @@ impl Arguments {
         let subject = self.measured.subject(&read);
         let about = About { subject: &subject, last: self.last.into() };
         let summary = summarise(&measures, about);
-        let distance = match &self.beside {
+        let distance = match &self.compare {
             None => None,
             Some(other) => {
                 let read = read_log(other, None, &HowRead::default())?;
@@ -64,7 +66,7 @@ impl Arguments {
             }
         };
         self.programs.store(&records(&summary), &Default::default, self.figures.replaces())?;
-        let told = Told { summary, distance, reader: self.reader };
+        let told = Told { summary, distance, reader: self.audience };
         match self.programs.is_printed() {
             true => answer.give_to_files(&told, [], &String::new),
             false => answer.give(&told, []),
@@ -111,15 +113,9 @@ struct Told {
 
 impl fmt::Display for Told {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self.reader {
-            Reader::Carers => write!(f, "{}", self.summary)?,
-            Reader::Experts => {
-                self.summary.remarks.iter().try_for_each(|remark| writeln!(f, "{remark}."))?;
-                self.summary.sentences.iter().try_for_each(|sentence| writeln!(f, "{}", sentence.expert))?;
-            }
-        }
+        self.summary.write(f, matches!(self.reader, Reader::Experts))?;
         match self.distance {
-            Some(distance) => writeln!(f, "\nDistance from the other summary: {distance:.2} of 1"),
+            Some(distance) => writeln!(f, "\nDistance to the other summary: {distance:.2} (0 to 1)"),
             None => Ok(()),
         }
     }
