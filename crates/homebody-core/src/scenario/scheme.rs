@@ -277,6 +277,10 @@ impl Scheme {
             let at = without_password(at);
             let is_text = place.to_ascii_lowercase().ends_with(".txt");
             return Err(nowhere(match (nearest(scheme, SCHEMES.map(|row| row.name)), SchemeRow::of_path(place)) {
+                (Some(near), _) if at.is_empty() => {
+                    let form = SchemeRow::named(near).map_or("FILE", |row| row.at);
+                    format!("did you mean \"{near}:{form}\"?")
+                }
                 (Some(near), _) => format!("did you mean \"{near}:{at}\"?"),
                 (None, Some(row)) => format!("did you mean \"{}:{told}\"?", row.name),
                 (None, None) if is_text => format!("did you mean \"casas:{told}\", or \"csv:{told}\"?"),
