@@ -386,7 +386,7 @@ def scenario(what: str | PathLike[str] | Mapping[str, object], *, trusted: bool 
     <homebody.Scenario tigerplace: margaret; ...
     >>> hb.scenario("tigerplce")
     Traceback (most recent call last):
-    homebody.errors.ScenarioError: there is no template "tigerplce"
+    homebody.errors.ScenarioError: no template is called "tigerplce"
     ...
     """
     if isinstance(what, Mapping):

@@ -117,5 +117,5 @@ def test_what_no_body_can_do_and_no_answer_is_are_told() -> None:
         lived(Silent)
     with pytest.raises(TypeError, match="driver"):
         lived(7)
-    with pytest.raises(hb.ScenarioError, match="nobody called"):
+    with pytest.raises(hb.ScenarioError, match="no resident is called"):
         hb.scenario("tigerplace").run(days=1, drivers={"nobody": Pacing})  # type: ignore[dict-item]

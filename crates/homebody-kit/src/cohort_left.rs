@@ -6,6 +6,7 @@ use crate::cohort_members::{Member, MemberLived, Members};
 use crate::cohort_place::CohortPlace;
 use crate::error::Error;
 use crate::recording_file;
+use homebody_core::messages::Diagnose;
 use homebody_core::recording::Recording;
 use rayon::prelude::*;
 use std::path::Path;
@@ -51,7 +52,7 @@ impl Cohort {
             Err(Error::NoRecording { .. }) => Ok(None),
             Err(error) => {
                 let [told, known] = [here, place.path()].map(|path| path.display().to_string());
-                Err(wrong(error.to_string().replace(&told, &known)))
+                Err(wrong(error.diagnostic().what.replace(&told, &known)))
             }
             Ok(left) if self.is_of(&left, member, index) => Ok(Some(left)),
             Ok(_) => Err(wrong(format!("{}: it is of another cohort", there(&path).display()))),

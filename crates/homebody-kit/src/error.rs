@@ -65,14 +65,19 @@ homebody_core::messages! {
             path: PathBuf,
             /// The reason.
             why: String,
-        } error "not-a-recording" ("{} is not a recording: {why}", path.display());
+        } error "not-a-recording" ("{} is not a recording: {why}", path.display())
+            hint ("name the recording.json of a run");
         /// The run has not ended, or was killed, so its recording has no digest of the whole run.
         Unfinished {
             /// The recording.
             path: PathBuf,
             /// The folder to resume: the run's own or its cohort's.
             folder: Option<PathBuf>,
-        } error "incomplete-run" ("the run of {} is not complete", path.display());
+        } error "incomplete-run" ("the run of {} is not complete", path.display())
+            advice (Some(match folder {
+                Some(folder) => format!("homebody run --resume {} resumes it; replay it after that", folder.display()),
+                None => "homebody run writes the recording of a complete run".into(),
+            }));
         /// A driver of another program moved a resident in this run. The recording does not contain that driver.
         OwnDrivers {
             /// The recording.

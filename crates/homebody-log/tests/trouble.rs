@@ -2,6 +2,7 @@
 
 mod stage;
 
+use homebody_core::messages::Diagnose;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::SECOND;
 use homebody_log::{How, LogError, Logger};
@@ -149,7 +150,7 @@ fn a_locked_database_is_told() {
     let replaced = stage::open(std::slice::from_ref(&url), &LoggerFile::default(), true);
     assert!(matches!(replaced, Err(LogError::Busy { .. })));
     let error = stage::store(logger, &stage::firings(3), 1).unwrap_err();
-    assert!(error.to_string().contains("is locked by another program"), "{error}");
+    assert!(matches!(error, LogError::Locked { .. }), "{error}");
     fs::write(&path, "").unwrap();
     let other = Connection::open(&path).unwrap();
     other.execute_batch("BEGIN IMMEDIATE").unwrap();
@@ -183,8 +184,6 @@ fn a_committed_row_stays_when_the_database_is_locked_later() {
 #[test]
 fn an_error_names_its_place() {
     let error = LogError::Exists { place: "runs/log.db".into() };
-    assert_eq!(
-        error.to_string(),
-        "runs/log.db exists already\n  hint: name another place, or allow that what is there is replaced"
-    );
+    let message = error.diagnostic();
+    assert_eq!((message.code, &message.data["place"]), ("log::exists", &"runs/log.db".into()));
 }

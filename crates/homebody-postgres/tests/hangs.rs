@@ -69,7 +69,7 @@ fn a_half_open_connection_ends_a_run_that_does_not_wait() {
     let database = server.database("half_open_error");
     let (proxy, to) = behind(server, &database);
     let (error, took) = ended(to, run(1), &firings(ROWS), |is_stalled| proxy.stall(is_stalled));
-    assert!(error.to_string().contains("does not answer") && took < SOON / 2, "{took:?}: {error}");
+    assert!(error.to_string().contains("has not answered") && took < SOON / 2, "{took:?}: {error}");
     proxy.stall(false);
     let rows: u64 = server.psql(&database, "SELECT count(*) FROM firing").parse().unwrap();
     assert!(rows < ROWS, "the control: without a spool it lacks rows");

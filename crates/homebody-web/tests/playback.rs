@@ -243,8 +243,8 @@ fn damaged_files_are_told_and_no_path_leads_out() {
         refused
     };
     for (file, text) in [
-        ("log.db", "no database"),
-        ("truth.db", "no database"),
+        ("log.db", "not a database"),
+        ("truth.db", "not a database"),
         ("recording.json", "{"),
         (
             "recording.json",

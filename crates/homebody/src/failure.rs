@@ -43,6 +43,16 @@ impl Failure {
         Failure::Coded(Box::new(message.diagnostic()), 2)
     }
 
+    /// The same failure with another hint.
+    pub fn advising(self, hint: &str) -> Failure {
+        match self {
+            Failure::Coded(message, code) => {
+                Failure::Coded(Box::new(Diagnostic { hint: Some(hint.to_owned()), ..*message }), code)
+            }
+            other => other,
+        }
+    }
+
     /// A file that cannot be read or written, by its message.
     pub fn file(message: impl Diagnose) -> Failure {
         Failure::Coded(Box::new(message.diagnostic()), 1)

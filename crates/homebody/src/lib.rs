@@ -25,7 +25,7 @@ use failure::{EXIT_CODES, Failure};
 use homebody_core::problem::{Diagnostic, counted};
 use homebody_core::scenario::scheme::without_password;
 use homebody_kit::{TRUST, VERSION};
-use print::{LogFormat, tell, tell_as};
+use print::{LogFormat, tell, tell_as, tell_with};
 use std::ffi::OsString;
 
 /// Simulate homes with sensors and their older residents.
@@ -142,7 +142,8 @@ fn report(failure: &Failure) -> u8 {
     match failure {
         Failure::Problems(problems) => {
             let said = problems.render().replace(TRUST, &format!("{TRUST}, by --trust"));
-            tell(format_args!("{said}\n{}", counted(problems.0.len(), "problem", "problems")));
+            let text = format!("{said}\n{}", counted(problems.0.len(), "problem", "problems"));
+            tell_with(text, "diagnostics", problems);
             2
         }
         Failure::Usage(what) => {
@@ -154,7 +155,7 @@ fn report(failure: &Failure) -> u8 {
             1
         }
         Failure::Coded(message, code) => {
-            tell(format_args!("{}", in_full(message)));
+            tell_with(in_full(message), "diagnostics", &[message]);
             *code
         }
         Failure::Signal(code) => *code,

@@ -101,9 +101,14 @@ pub fn tell_as(form: LogFormat) {
 
 /// What is told as an object.
 fn as_json(text: &str, now: Timestamp) -> serde_json::Value {
-    let levels = [("error: ", "error"), ("warning: ", "warning"), ("note: ", "info")];
-    let named = levels.iter().find_map(|(begins, level)| Some((text.strip_prefix(begins)?, *level)));
-    let (message, level) = named.unwrap_or((text, "info"));
+    let levels = [("error", "error"), ("warning", "warning"), ("note", "info")];
+    // A code may stand between the level and the text.
+    let after = |text: &'_ str| match text.strip_prefix('[').and_then(|code| code.split_once("]: ")) {
+        Some((_, text)) => Some(text.to_owned()),
+        None => text.strip_prefix(": ").map(str::to_owned),
+    };
+    let named = levels.iter().find_map(|(begins, level)| Some((after(text.strip_prefix(begins)?)?, *level)));
+    let (message, level) = named.unwrap_or((text.to_owned(), "info"));
     serde_json::json!({ "time": now.to_string(), "level": level, "message": message })
 }
 
@@ -133,6 +138,8 @@ mod tests {
             (&object["message"], &object["time"]),
             (&"the \"hall\"\nis dark".into(), &"1970-01-01T00:00:00Z".into())
         );
+        let coded = told("error[log::exists]: a.csv already exists");
+        assert_eq!((&coded["message"], &coded["level"]), (&"a.csv already exists".into(), &"error".into()));
         assert_eq!((told("error: no")["level"].as_str(), told("so")["level"].as_str()), (Some("error"), Some("info")));
         assert!(!told("two\nlines").to_string().contains('\n'));
     }

@@ -120,7 +120,7 @@ fn a_run_goes_into_a_bucket_and_comes_back() {
     let mut command = folder.command(&words);
     command.env("AWS_ENDPOINT", format!("http://127.0.0.1:{port}")).env("AWS_REGION", "us-east-1");
     command.env("AWS_ACCESS_KEY_ID", "ann").env("AWS_SECRET_ACCESS_KEY", SECRET);
-    Done::new(&words, command.output().unwrap()).fails(1, "does not answer");
+    Done::new(&words, command.output().unwrap()).fails(1, "has not answered for");
 }
 
 #[test]
@@ -177,7 +177,7 @@ fn a_cohort_goes_into_a_bucket_as_into_a_folder_and_goes_on_there() {
     // Nothing is replaced, whatever it is; one that is complete is not gone on with.
     store.run(&folder, &format!("{run}s3://bucket/whole")).fails(1, "a cohort was begun there");
     store.run(&folder, "run --resume s3://bucket/whole").fails(2, "is complete");
-    store.run(&folder, "run --resume s3://bucket/nowhere").fails(1, "there is no such recording");
+    store.run(&folder, "run --resume s3://bucket/nowhere").fails(1, "kit::no-recording");
     // Killed on its way, it has members as wholes, and goes on to the same bytes.
     let mut child = store.command(&folder, &format!("{run}s3://bucket/died")).spawn().unwrap();
     let begun = Instant::now();

@@ -4,7 +4,7 @@ use super::lived::{Output, live};
 use crate::failure::Failure;
 use crate::pace::Asked;
 use crate::signals::Signals;
-use homebody_kit::{Error, Recorded};
+use homebody_kit::Recorded;
 use std::path::PathBuf;
 
 /// Repeat a recorded run, and verify each event
@@ -24,20 +24,8 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
-        let recorded = Recorded::open(&self.recording).map_err(|error| match error {
-            Error::NoRecording { .. } => Failure::Io(format!("{error}{MADE}")),
-            Error::Recording { .. } => Failure::usage(format!("{error}{MADE}")),
-            Error::Unfinished { folder: Some(ref folder), .. } => {
-                let go_on = format!("homebody run --resume {} resumes it; replay it after that", folder.display());
-                Failure::usage(format!("{error}\n  hint: {go_on}"))
-            }
-            Error::Unfinished { .. } => Failure::usage(format!("{error}{MADE} of a complete run")),
-            error => error.into(),
-        })?;
+        let recorded = Recorded::open(&self.recording)?;
         let recorded = recorded.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         live(recorded.start(), None, &self.output, &signals)
     }
 }
-
-/// What to do where there is no recording.
-const MADE: &str = "\n  hint: homebody run writes one";

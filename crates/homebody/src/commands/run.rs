@@ -151,12 +151,10 @@ fn all_different(numbers: &[(String, f64)]) -> Result<(), Failure> {
 /// The failure of `--resume`, with a hint.
 fn not_resumed(error: Error) -> Failure {
     match error {
-        Error::NoRecording { .. } => {
-            Failure::Io(format!("{error}\n  hint: name the folder of an interrupted run or cohort"))
-        }
-        Error::Recording { .. } => Failure::usage(format!(
-            "{error}\n  hint: the run cannot be resumed without its recording; its logs are still readable, and homebody run starts a new run"
-        )),
+        Error::NoRecording { .. } => Failure::from(error).advising("name the folder of an interrupted run or cohort"),
+        Error::Recording { .. } => Failure::from(error).advising(
+            "the run cannot be resumed without its recording; its logs are still readable, and homebody run starts a new run",
+        ),
         error => error.into(),
     }
 }

@@ -56,7 +56,7 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
         let words = format!("--speed 60 --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true {more}");
         let (status, said) = stopped(&folder, &format!("run flat --for {SPAN} {words}"), (broker, says));
         assert_eq!(status.code(), Some(130), "{said}");
-        let [why, hint] = [" was away when the run was stopped: no broker listens there;", "--resume runs/flat-1"];
+        let [why, hint] = [" was away when the run stopped: no broker listens there;", "--resume runs/flat-1"];
         assert!(said.contains(why) && said.contains(hint), "{said}");
         assert_eq!(said.matches("warning: ").count(), usize::from(says.is_some()), "it is said once: {said}");
         let is_back = |line: &str| line.ends_with(" is back") && !line.starts_with(' ');

@@ -104,7 +104,7 @@ fn what_is_there_is_not_begun_again() {
     fs::create_dir(folder.path("empty")).unwrap();
     let given = folder.files();
     for place in ["full", "file", "empty", ".", "typo/..", "full/."] {
-        folder.run(&format!("new {place}")).fails(1, "exists already\n  hint: name a folder that does not");
+        folder.run(&format!("new {place}")).fails(1, "kit::exists");
     }
     assert_eq!(folder.files(), given);
 }

@@ -74,12 +74,12 @@ fn a_log_without_silhouettes_and_rules_that_are_wrong_are_told() {
     let folder = Folder::new();
     folder.copy_scenario("studio");
     folder.run("run studio --quiet --for 1d").ok();
-    folder.run("falls runs/studio-1").fails(2, "no silhouettes beside it");
+    folder.run("falls runs/studio-1").fails(2, "kit::no-silhouettes");
     folder.write("rules.json", folder.run("falls --show-rules").ok().out.replace("\"high\" }", "\"tall\" }"));
     folder.run("falls runs/studio-1 --rules rules.json").fails(2, "has no term \"tall\"");
     folder.run("falls").fails(2, "LOG");
-    folder.run("find runs/studio-1 seen-fall").fails(2, "no silhouettes beside it");
-    folder.run("silhouettes runs/studio-1").fails(2, "no silhouettes beside it");
+    folder.run("find runs/studio-1 seen-fall").fails(2, "kit::no-silhouettes");
+    folder.run("silhouettes runs/studio-1").fails(2, "kit::no-silhouettes");
 }
 
 /// Three cameras that look at somebody for so long.
@@ -135,7 +135,7 @@ fn silhouettes_become_a_film_tables_and_pictures() {
     // Three cameras and two gaps of three pixels.
     assert_eq!(size("film.apng"), ((3 * 160 + 6) * 2, 240, Some(instants[0].parse().unwrap())));
     // What is there is not replaced in silence.
-    folder.run("silhouettes runs/postures-1 --out film.apng").fails(1, "exists already");
+    folder.run("silhouettes runs/postures-1 --out film.apng").fails(1, "log::exists");
     folder.run("silhouettes runs/postures-1 --out pictures").fails(2, "is not an empty folder");
     folder.run("silhouettes runs/postures-1 --out film.apng --force --camera south-east --every 1s").ok();
 }

@@ -245,12 +245,12 @@ fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
     assert!(!folder.path("runs").exists());
     // It begins where nothing is, but for what is hidden.
     folder.write("mine/mine.txt", "mine");
-    folder.run("run flat --members 2 --for 1m --out csv:mine").fails(1, "mine holds mine.txt already");
+    folder.run("run flat --members 2 --for 1m --out csv:mine").fails(1, "[kit::not-empty]: mine already contains mine.txt");
     folder.write("new/.hidden", "");
     folder.run("run flat --members 2 --for 1m --quiet --out csv:new").ok();
     folder
         .run("run flat --members 2 --for 1m --quiet --out csv:new")
-        .fails(1, "a cohort was begun there: go on with it");
+        .fails(1, "kit::not-empty");
 }
 
 #[test]
@@ -270,7 +270,7 @@ fn of_a_brief_truth_the_tables_with_few_rows_are_kept_and_replay_has_the_others(
     folder.run("doctor runs/studio-1/0001").ok();
     folder.run("day runs/studio-1/0001 first").ok();
     let log = "label runs/studio-1/0001 --out csv:labelled.csv";
-    folder.run(log).fails(1, "leaves out the table \"cause\", as the truths of large cohorts do");
+    folder.run(log).fails(1, "[log::table-left-out]");
     folder.run("replay runs/studio-1/0001/recording.json --out csv:log.csv --truth again.db").ok();
     let rooms = |place: &str| folder.query(place, "SELECT resident, at, room FROM room ORDER BY rowid");
     assert_eq!(rooms("again.db"), rooms("runs/studio-1/0001/truth.db"));

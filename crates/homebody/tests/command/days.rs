@@ -140,18 +140,18 @@ fn a_day_or_a_log_that_is_not_there_is_refused() {
         ("day runs/flat-1 2009-02-30", 2, "write a date such as 2009-03-02, or first or last"),
         ("day runs/flat-1 monday", 2, "write a date such as 2009-03-02, or first or last"),
         ("day runs/flat-1", 2, "required arguments were not provided"),
-        ("day nowhere first", 1, "nowhere does not exist"),
-        ("day nonsense.txt first", 2, "cannot be read as a log"),
+        ("day nowhere first", 1, "[log::not-found]: nowhere"),
+        ("day nonsense.txt first", 2, "log::not-a-log"),
         ("day empty.txt first", 2, "it is empty"),
         ("day runs/flat-1 first --time-zone Mars/Olympus", 2, "Mars/Olympus"),
-        ("density nowhere", 1, "nowhere does not exist"),
+        ("density nowhere", 1, "[log::not-found]: nowhere"),
         ("density room.txt", 2, "no sensor in it tells of motion"),
         ("density empty.txt", 2, "it is empty"),
         ("density runs/flat-1 --days 0", 2, "1..=3660"),
         ("density runs/flat-1 --away-after 30", 2, "write a number with its unit"),
         ("density runs/flat-1 --from 2", 2, "write a date"),
-        ("density runs/flat-1 --compare nowhere", 1, "nowhere does not exist"),
-        ("density runs/flat-1 --csv a.txt --svg a.txt", 2, "two outputs have the same file"),
+        ("density runs/flat-1 --compare nowhere", 1, "[log::not-found]: nowhere"),
+        ("density runs/flat-1 --csv a.txt --svg a.txt", 2, "log::same-file"),
         ("density runs/flat-1 --csv runs/flat-1/log.db --force", 1, "which cannot replace it"),
         ("density room.txt --compare runs/flat-1 --csv runs/flat-1/log.db --force", 1, "which cannot replace it"),
         ("density runs/flat-1 --svg runs/flat-1/recording.json --force", 1, "which cannot replace it"),
@@ -197,10 +197,10 @@ fn a_cohort_is_no_log_and_its_members_are() {
     let folder = flat();
     folder.run("run flat --members 2 --for 1m --quiet").ok();
     for command in ["density", "compare runs/flat-1/0001", "convert --out csv:a.csv"] {
-        let hint = "each member has a log of their own\n  hint: name one of them, such as runs/flat-1/0001";
+        let hint = "each member has its own log\n  hint: name a member, such as runs/flat-1/0001";
         folder.run(&format!("{command} runs/flat-1")).fails(2, hint);
     }
     folder.run("day runs/flat-1 first").fails(2, "runs/flat-1 is a cohort");
-    folder.run("day flat first").fails(1, "flat is a folder without a log\n  hint: name the log itself");
+    folder.run("day flat first").fails(1, "[kit::no-log]: the folder flat");
     folder.run("compare runs/flat-1/0001 runs/flat-1/0002").ok();
 }

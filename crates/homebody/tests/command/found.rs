@@ -25,10 +25,10 @@ fn what_is_looked_for_is_told_with_its_times_and_what_leads_nowhere_is_refused()
     folder.run("convert runs/tigerplace-1 --out csv:alone.csv").ok();
     let alone = folder.run("find alone.csv still --min-duration 30m").ok().out;
     assert!(alone.contains("Nobody knows whether anybody was at home"), "{alone}");
-    folder.run("find alone.csv fall").fails(2, "without the truth of a run");
+    folder.run("find alone.csv fall").fails(2, "find::needs-truth");
 
     ask("room batroom").fails(2, "\"bathroom\" was probably meant");
-    ask("on").fails(2, "it is not said which sensor is looked for");
+    ask("on").fails(2, "find::no-name");
     ask("room bathroom --between 7-7").fails(2, "are no hours of a day");
     ask("room bathroom --min-duration long").fails(2, "write a number with its unit");
     ask("flying").fails(2, "invalid value");

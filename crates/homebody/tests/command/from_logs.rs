@@ -140,9 +140,9 @@ fn what_is_wrong_is_told_at_once_and_nothing_is_written() {
     folder
         .run("new flat --from-log codes.txt --image plan.gif --known 0,0=0,0 --known 9,0=9,0")
         .fails(2, "it is no picture in PNG or JPEG");
-    folder.run("new flat --from-log nothing.txt").fails(1, "nothing.txt does not exist");
+    folder.run("new flat --from-log nothing.txt").fails(1, "[log::not-found]: nothing.txt");
     assert!(!folder.path("flat").exists());
     folder.write("home.txt", log());
     folder.run("new flat --from-log home.txt").ok();
-    folder.run("new flat --from-log home.txt").fails(1, "flat exists already");
+    folder.run("new flat --from-log home.txt").fails(1, "[kit::exists]: flat");
 }

@@ -92,7 +92,7 @@ fn who_goes_on_with_somebody_elses_run_writes_nowhere_else() {
     let secret = folder.sha256("secret.json");
     fs::remove_file(folder.path("runs/flat-1/log.db")).unwrap();
     symlink("../../secret.json", folder.path("runs/flat-1/log.db")).unwrap();
-    folder.run("run --resume runs/flat-1").fails(1, "leads out of the run's folder");
+    folder.run("run --resume runs/flat-1").fails(1, "log::leads-out");
     assert_eq!(folder.sha256("secret.json"), secret);
 }
 
@@ -134,7 +134,7 @@ fn no_link_beside_a_log_leads_what_is_written_elsewhere() {
     fs::remove_dir(folder.path("runs/flat-1/logs")).unwrap();
     fs::create_dir(folder.path("elsewhere")).unwrap();
     symlink("../../elsewhere", folder.path("runs/flat-1/logs")).unwrap();
-    folder.run("run --resume runs/flat-1").fails(1, "leads out of the run's folder");
+    folder.run("run --resume runs/flat-1").fails(1, "log::leads-out");
     assert!(!folder.files().iter().any(|file| file.starts_with("elsewhere/") && file != "elsewhere/"));
 }
 
@@ -157,12 +157,12 @@ fn who_goes_on_with_somebody_elses_cohort_writes_nowhere_else() {
     folder.write("runs/flat-1/0001/recording.json", &unfinished);
     fs::remove_file(folder.path("runs/flat-1/0001/log.db")).unwrap();
     symlink("../../../secret.json", folder.path("runs/flat-1/0001/log.db")).unwrap();
-    folder.run("run --resume runs/flat-1").fails(1, "leads out of the run's folder");
+    folder.run("run --resume runs/flat-1").fails(1, "log::leads-out");
     // A member that is a link.
     fs::rename(folder.path("runs/flat-1/0001"), folder.path("elsewhere")).unwrap();
     fs::remove_file(folder.path("elsewhere/log.db")).unwrap();
     symlink("../../elsewhere", folder.path("runs/flat-1/0001")).unwrap();
-    folder.run("run --resume runs/flat-1").fails(1, "leads out of the run's folder");
+    folder.run("run --resume runs/flat-1").fails(1, "log::leads-out");
     assert_eq!(folder.sha256("secret.json"), secret);
     assert!(!folder.path("elsewhere/log.db").exists());
     assert_eq!(folder.read("runs/flat-1/cohort.json"), list);
@@ -244,7 +244,7 @@ fn a_pipe_is_told_as_a_pipe() {
     pipe("runs/flat-1/log.db");
     folder
         .run("run --resume runs/flat-1")
-        .fails(1, "runs/flat-1/log.db is a pipe, a device or a folder\n  hint: it is no file");
+        .fails(1, "[log::not-regular]: runs/flat-1/log.db");
     fs::remove_file(folder.path("flat/home.json")).unwrap();
     pipe("flat/home.json");
     folder.run("check flat").fails(2, "it is no plain file, but a device or a pipe");

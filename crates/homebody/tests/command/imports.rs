@@ -244,7 +244,7 @@ fn what_is_there_stays_and_what_fails_leaves_nothing() {
     folder.write("old.sh3d", plan("<level id='a' name='Ground floor' elevation='0'/>"));
     folder.write("mine/home.json", "precious");
     let given = folder.files();
-    folder.run("import flat.sh3d mine").fails(1, "mine exists already\n  hint: name a folder that does not");
+    folder.run("import flat.sh3d mine").fails(1, "[kit::exists]: mine");
     folder.run("import none.sh3d new").fails(1, "none.sh3d: ");
     folder.run("import . new").fails(1, ".: ");
     folder

@@ -184,7 +184,7 @@ fn truth_never_leaks() {
     assert_eq!(folder.query("a-log.db", columns), expected);
     // One file cannot be both, however it is named.
     for truth in ["b.db", "./flat/../b.db"] {
-        folder.run(&format!("run flat --out sqlite:b.db --truth {truth} --force")).fails(2, "have the same file");
+        folder.run(&format!("run flat --out sqlite:b.db --truth {truth} --force")).fails(2, "log::same-file");
     }
     assert!(!folder.files().contains(&"b.db".into()));
 }

@@ -73,11 +73,11 @@ fn a_truth_of_texts_labels_as_a_database_does() {
     folder.edit("texts.room.csv", "resident,at,room", "resident,at,place");
     folder
         .run("label log.csv csv:texts.csv --out csv:x.csv")
-        .fails(1, "texts.room.csv has no truth: no column \"room\"");
+        .fails(1, "texts.room.csv has no ground truth: no column \"room\"");
     fs::remove_file(folder.path("texts.off.csv")).unwrap();
     folder
         .run("label log.csv csv:texts.csv --out csv:x.csv")
-        .fails(1, "csv:texts.csv has no truth: no file texts.off.csv");
+        .fails(1, "csv:texts.csv has no ground truth: no file texts.off.csv");
     assert!(!folder.path("x.csv").exists());
 }
 
@@ -96,11 +96,11 @@ fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
     Connection::open(folder.path("other.db")).unwrap().execute_batch("CREATE TABLE cause (row)").unwrap();
     folder.write("text.txt", "no truth at all, but a text that is long enough to be looked at");
     for (truth, said) in [
-        ("empty.db", "has no truth: no table \"cause\", no table \"off\""),
-        ("other.db", "has no truth: no column \"firing\" of \"cause\""),
-        ("text.txt", "text.txt has no truth: it is no database"),
-        ("none.db", "none.db does not exist"),
-        ("casas:log.csv", "has no truth"),
+        ("empty.db", "has no ground truth: no table \"cause\", no table \"off\""),
+        ("other.db", "has no ground truth: no column \"firing\" of \"cause\""),
+        ("text.txt", "text.txt has no ground truth: it is no database"),
+        ("none.db", "[log::not-found]: none.db"),
+        ("casas:log.csv", "has no ground truth"),
     ] {
         let said = folder.run(&format!("label log.csv {truth} --out csv:x.csv")).fails(1, said).err;
         assert!(said.contains("\n  hint: "), "{said}");
@@ -163,7 +163,7 @@ fn a_run_without_rows_yet_is_told_as_such() {
             .filter(|words| folder.path(&format!("runs/flat-1/{name}")).exists() || !words.contains("LOG"))
         {
             let words = words.replace("LOG", name).replace("RUN", "runs/flat-1");
-            let said = "the run in runs/flat-1 has no rows yet\n  hint: homebody run --resume runs/flat-1 resumes it";
+            let said = "[kit::no-rows]: the run in runs/flat-1";
             folder.run(&words).fails(1, said);
         }
         fs::remove_file(folder.path("runs/flat-1/truth.db")).unwrap();
@@ -199,8 +199,8 @@ fn no_file_of_a_run_is_replaced() {
     ];
     fs::create_dir(folder.path("runs/flat-1/x")).unwrap();
     for to in if cfg!(unix) { &files[..] } else { &files[..4] } {
-        folder.run(&format!("convert elsewhere.csv --out {to} --force")).fails(1, "is a file of the run in ");
-        let said = if to.ends_with(".db") { "is the input" } else { "is a file of the run in " };
+        folder.run(&format!("convert elsewhere.csv --out {to} --force")).fails(1, "log::file-of-run");
+        let said = if to.ends_with(".db") { "is the input" } else { "log::file-of-run" };
         folder.run(&format!("label runs/flat-1 --out {to} --force")).fails(1, said);
     }
     fs::remove_dir(folder.path("runs/flat-1/x")).unwrap();
@@ -213,7 +213,7 @@ fn no_file_of_a_run_is_replaced() {
     folder.write("flat/logger.json", logger.to_string());
     let mut running = folder.start("run flat --for 10m --quiet --control --paused");
     folder.until("the run is begun", |folder| folder.path("runs/flat-2/recording.json").exists());
-    folder.run("convert elsewhere.csv --out csv:runs/flat-2/own/name.csv").fails(1, "is a file of the run in ");
+    folder.run("convert elsewhere.csv --out csv:runs/flat-2/own/name.csv").fails(1, "log::file-of-run");
     running.say("stop\n");
     running.finish().ok();
     assert!(folder.path("runs/flat-2/own/name.csv").exists());
@@ -225,10 +225,10 @@ fn a_log_and_the_tables_of_a_truth_have_files_of_their_own() {
     let before = folder.files();
     folder
         .run("run flat --for 5m --quiet --out csv:t.room.csv --truth csv:./t.csv")
-        .fails(2, "two outputs have the same file");
+        .fails(2, "log::same-file");
     assert_eq!(folder.files(), before);
     folder.write("t.cause.csv", "somebody's");
-    folder.run("run flat --for 5m --quiet --out csv:t.csv --truth csv:t.csv").fails(1, "t.cause.csv exists already");
+    folder.run("run flat --for 5m --quiet --out csv:t.csv --truth csv:t.csv").fails(1, "[log::exists]: t.cause.csv");
     assert_eq!(folder.read("t.cause.csv"), "somebody's");
     fs::remove_file(folder.path("t.cause.csv")).unwrap();
     // Of one name, but of files of their own.

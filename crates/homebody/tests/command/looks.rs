@@ -36,13 +36,13 @@ fn what_a_log_holds_is_told_as_figures_words_and_pictures() {
             && folder.read("look.svg").contains("Rows of each sensor by day")
     );
     // Nothing is replaced that is there, and nothing is written then.
-    folder.run("inspect log.txt --html look.html").fails(1, "look.html exists already");
+    folder.run("inspect log.txt --html look.html").fails(1, "[log::exists]: look.html");
     folder.write("empty.txt", "");
     folder.run("inspect empty.txt").fails(2, "it is empty");
     assert!(folder.run("inspect casas:empty.txt").ok().out.contains("0 rows of 0 sensors"));
     folder.run("inspect casas:empty.txt --svg empty.svg").ok();
     assert!(folder.read("empty.svg").contains("There is no row."));
-    folder.run("inspect none.txt").fails(1, "none.txt does not exist");
+    folder.run("inspect none.txt").fails(1, "[log::not-found]: none.txt");
     folder.write("junk.bin", "\u{0}\u{1},\u{2}\n");
     folder.run("inspect junk.bin").fails(2, "it is neither a text nor a database");
     folder.run("convert junk.bin --out csv:junk.csv").fails(2, "it is neither a text nor a database");
@@ -86,7 +86,7 @@ fn a_mapping_names_another_networks_table() {
     folder.run("convert odd.csv --mapping logger.json --out casas:log.txt").ok();
     assert_eq!(folder.read("log.txt"), "2009-03-02 07:00:00.000000\tM1\t5\n2009-03-02 07:00:09.000000\tM1\t0\n");
     folder.write("wrong.json", r#"{ "colums": {} }"#);
-    folder.run("inspect odd.csv --mapping wrong.json").fails(2, "wrong.json is no logger.json: unknown field `colums`");
+    folder.run("inspect odd.csv --mapping wrong.json").fails(2, "[log::invalid-mapping]: wrong.json is not a valid logger.json: unknown field `colums`");
 }
 
 #[test]

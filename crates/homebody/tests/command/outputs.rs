@@ -96,14 +96,14 @@ fn nothing_is_overwritten_unasked() {
     for (words, written) in WRITES {
         for kept in ["precious", ""] {
             folder.write("kept", kept);
-            folder.run(words).fails(1, "kept exists already\n  hint: --force replaces it");
+            folder.run(words).fails(1, "[log::exists]: kept");
             assert_eq!(folder.read("kept"), kept, "{words}");
             fs::remove_file(folder.path("kept")).unwrap();
             assert_eq!(folder.files(), given, "{words}");
         }
         // A link that leads nowhere is something, too.
         symlink("nowhere", folder.path("kept")).unwrap();
-        folder.run(words).fails(1, "kept exists already");
+        folder.run(words).fails(1, "[log::exists]: kept");
         assert!(folder.path("kept").is_symlink() && !folder.path("nowhere").exists(), "{words}");
         fs::remove_file(folder.path("kept")).unwrap();
 
@@ -118,7 +118,7 @@ fn nothing_is_overwritten_unasked() {
     }
     // Looked at before anything is reckoned.
     folder.write("figure-totals.svg", "precious");
-    folder.run("experiment godsey2009 --svg figure.svg").fails(1, "figure-totals.svg exists already");
+    folder.run("experiment godsey2009 --svg figure.svg").fails(1, "[log::exists]: figure-totals.svg");
     assert!(!folder.path("figure.svg").exists());
 }
 
@@ -170,7 +170,7 @@ fn scripts_get_one_object_and_people_their_words_apart() {
     // What fails otherwise says nothing to scripts but its code.
     folder.run("run flat --json").fails(2, "scenario.json:5:11:");
     folder.run("check nowhere --json").fails(1, "there is no such scenario");
-    folder.run("compare log.db nowhere --json").fails(1, "nowhere does not exist");
+    folder.run("compare log.db nowhere --json").fails(1, "[log::not-found]: nowhere");
 }
 
 #[test]

@@ -71,10 +71,10 @@ fn a_changed_recording_is_refused() {
         ("/files/bob.keys.json", file("bob.keys.json", "right", "down"), "the replay differs from the recording"),
         ("/files/home.json", file("home.json", "0.05, 1.5", "0.05, 1.0"), "the replay differs from the recording"),
         // It cannot be lived.
-        ("/sha256", json!(""), "was not completed\n  hint: homebody run writes one"),
-        ("/length_us", json!(-1), "is no recording"),
+        ("/sha256", json!(""), "kit::incomplete-run"),
+        ("/length_us", json!(-1), "kit::not-a-recording"),
         ("/length_us", json!(i64::MAX), "a run is at most 100 years long"),
-        ("/seed", json!("seven"), "is no recording"),
+        ("/seed", json!("seven"), "kit::not-a-recording"),
         ("/entry", json!("other.json"), "its scenario \"other.json\" is not among its files"),
         ("/files/home.json", json!("{"), "home.json:1:"),
         ("/files", json!({}), "its scenario \"scenario.json\" is not among its files"),
@@ -90,9 +90,9 @@ fn a_changed_recording_is_refused() {
     }
     let text = folder.read("recording.json");
     for (text, said) in [
-        (&text[..text.len() / 2], "is no recording"),
-        ("", "is no recording"),
-        ("[]", "is no recording"),
+        (&text[..text.len() / 2], "kit::not-a-recording"),
+        ("", "kit::not-a-recording"),
+        ("[]", "kit::not-a-recording"),
         (&text.replacen('{', "{ \"other\": 1,", 1), "unknown field `other`"),
     ] {
         folder.write("changed.json", text);
@@ -126,11 +126,11 @@ fn a_recording_of_another_version_says_so() {
 #[test]
 fn what_is_no_file_of_a_recording_is_told_apart() {
     let folder = flat();
-    folder.run("replay nothing.json").fails(1, "there is no such recording\n  hint: homebody run writes one");
+    folder.run("replay nothing.json").fails(1, "kit::no-recording");
     folder.run("replay flat").fails(1, "it is a folder\n  hint: name the recording.json in it");
     folder.write("noise", [0xff, 0xfe, 0x00]);
     folder.run("replay noise").fails(1, "noise: ");
-    folder.run("replay flat/scenario.json").fails(2, "is no recording");
+    folder.run("replay flat/scenario.json").fails(2, "kit::not-a-recording");
     assert!(!folder.path("runs").exists());
 }
 

@@ -118,7 +118,7 @@ fn a_run_that_was_stopped_is_gone_on_with() {
         stopped(&folder);
         assert!(!differ(&folder, "flat-2", &whole).is_empty());
         goes_on_to(&folder, &whole, scheme);
-        folder.run("run --resume runs/flat-2").fails(2, "is complete: there is nothing to go on with");
+        folder.run("run --resume runs/flat-2").fails(2, "kit::complete");
     }
 }
 
@@ -157,7 +157,7 @@ fn what_is_missing_of_a_whole_run_is_written_again() {
             folder.run("run --resume runs/flat-1 --quiet").ok();
             assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{scheme}, {missing}");
         }
-        folder.run("run --resume runs/flat-1").fails(2, "is complete: there is nothing to go on with");
+        folder.run("run --resume runs/flat-1").fails(2, "kit::complete");
     }
     let folder = flat();
     folder.run("run flat --for 1h --members 2 --quiet").ok();
@@ -167,7 +167,7 @@ fn what_is_missing_of_a_whole_run_is_written_again() {
         folder.run("run --resume runs/flat-1 --quiet").ok();
         assert_eq!(differ(&folder, "flat-1", &whole), Vec::<String>::new(), "{missing}");
     }
-    folder.run("run --resume runs/flat-1").fails(2, "is complete: there is nothing to go on with");
+    folder.run("run --resume runs/flat-1").fails(2, "kit::complete");
 }
 
 /// Both kinds of cohorts, the listed one with texts that only its rows name.
@@ -185,7 +185,7 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
         folder.run(&live).ok();
         let (whole, took) = (left(&folder, "tigerplace-1"), begun.elapsed());
         assert!(whole.len() > 4 * 4);
-        folder.run("run --resume runs/tigerplace-1").fails(2, "is complete: there is nothing to go on with");
+        folder.run("run --resume runs/tigerplace-1").fails(2, "kit::complete");
         // Half of the kills for each kind, evenly from before the first member on.
         let count = kills().div_ceil(2).max(4);
         let mut on_their_way = 0;
@@ -234,7 +234,7 @@ fn one_program_at_a_time_lives_a_run() {
     let whole = left(&folder, "flat-1");
     let mut running = folder.start(&format!("run flat --for {SPAN} --quiet --control --paused"));
     folder.until("the run is begun", |folder| folder.path("runs/flat-2/recording.json").exists());
-    folder.run("run --resume runs/flat-2").fails(1, "another program is writing into");
+    folder.run("run --resume runs/flat-2").fails(1, "log::busy");
     running.say("step 20000\nstop\n");
     running.finish().ok();
     goes_on_to(&folder, &whole, "of two programs");
@@ -249,7 +249,7 @@ fn who_stops_it_again_and_earlier_loses_nothing() {
         let before = left(&folder, "flat-2");
         let mut again = folder.start("run --resume runs/flat-2 --quiet --control --paused");
         again.say("step 2000\nstop\n");
-        again.finish().fails(1, "has come further than this time");
+        again.finish().fails(1, "log::not-yet");
         assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "{scheme}");
         goes_on_to(&folder, &whole, scheme);
     }
@@ -274,8 +274,8 @@ fn what_was_changed_is_not_gone_on_with() {
     stopped(&folder);
     let recording = folder.read("runs/flat-2/recording.json");
     folder.write("runs/flat-2/recording.json", recording.replace("\"version\": \"", "\"version\": \"9."));
-    folder.run("run --resume runs/flat-2").fails(2, "was begun by version 9.");
-    folder.run("run --resume runs/flat-9").fails(1, "there is no such recording");
+    folder.run("run --resume runs/flat-2").fails(2, "error[kit::other-version]: version 9.");
+    folder.run("run --resume runs/flat-9").fails(1, "kit::no-recording");
     folder.run("run flat --resume runs/flat-2").fails(2, "cannot be used with");
 }
 
@@ -291,7 +291,7 @@ fn a_file_of_something_else_is_not_replaced() {
         ("it is the database of something else", &database("CREATE TABLE photo (name TEXT)")),
         ("it is the database of something else", &database("CREATE TABLE run (name TEXT)")),
         ("it holds another run", &database("CREATE TABLE run (run_id TEXT); INSERT INTO run VALUES ('seven')")),
-        ("it is no database, or a damaged one: put back what was there", &|path| fs::write(path, "a diary").unwrap()),
+        ("log::not-a-database", &|path| fs::write(path, "a diary").unwrap()),
     ];
     // One that was stopped, whose truth is written anew, and one that was killed.
     for is_killed in [false, true] {
@@ -347,16 +347,16 @@ fn what_was_killed_at_once_is_begun_anew() {
         if !part.is_empty() {
             folder.write(&format!("runs/flat-1/{part}"), "{ \"version\": ");
         }
-        let said = "the run in runs/flat-1 was ended before anything of it was stored";
+        let said = "[kit::nothing-to-resume]: the run in runs/flat-1";
         let done = folder.run("run --resume runs/flat-1").fails(1, said);
-        let hint = "hint: there is nothing to go on with: remove the folder, and begin the run anew";
+        let hint = "hint: delete the folder, and start the run again";
         assert!(done.err.contains(hint), "{}", done.err);
         fs::remove_dir_all(folder.path("runs/flat-1")).unwrap();
         folder.run("run flat --for 1m --quiet").ok();
         fs::remove_dir_all(folder.path("runs/flat-1")).unwrap();
     }
     // The control: a folder of something else is none of a run.
-    folder.run("run --resume flat").fails(1, "there is no such recording");
+    folder.run("run --resume flat").fails(1, "kit::no-recording");
 }
 
 /// Each hint is followed, and works.
@@ -369,11 +369,11 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     running.kill();
 
     // A recording that is not complete is replayed once the run is; a file is in a folder.
-    let hint = "hint: homebody run --resume runs/flat-2 completes it";
+    let hint = "hint: homebody run --resume runs/flat-2 resumes it";
     folder.run("replay runs/flat-2/recording.json").fails(2, hint);
-    let hint = "runs/flat-2/recording.json is a file\n  hint: name its folder, runs/flat-2";
+    let hint = "runs/flat-2/recording.json is a file, and a folder was expected\n  hint: name its folder, runs/flat-2";
     folder.run("run --resume runs/flat-2/recording.json").fails(1, hint);
-    folder.run("run --resume flat/home.json").fails(1, "flat/home.json is a file, and no run or cohort has left it");
+    folder.run("run --resume flat/home.json").fails(1, "[kit::not-a-folder]: flat/home.json");
     goes_on_to(&folder, &whole, "after a kill");
     folder.run("replay runs/flat-2/recording.json --quiet --out csv:again.csv").ok();
 
@@ -382,7 +382,7 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     folder.write("runs/flat-2/recording.json", "");
     let done = folder
         .run("run --resume runs/flat-2")
-        .fails(2, "is no recording: it is empty\n  hint: the run cannot be resumed");
+        .fails(2, "is not a recording: it is empty\n  hint: the run cannot be resumed");
     assert!(done.err.contains("are still readable"));
     folder.run("convert sqlite:runs/flat-2/log.db --out csv:read.csv").ok();
     let mut running = folder.start(&format!("run flat --for {SPAN} --seed 8 --quiet --control --paused"));
@@ -440,7 +440,7 @@ fn a_member_that_is_none_is_moved_away() {
                 fs::remove_dir_all(folder.path(&place)).unwrap();
                 folder.write(&place, "a file");
             }),
-            ("is no recording: it is empty", &|| folder.write(&recording, "")),
+            ("is not a recording: it is empty", &|| folder.write(&recording, "")),
             ("it is of another cohort", &|| {
                 folder.write(&recording, folder.read(&format!("runs/tigerplace-1/{other}/recording.json")));
             }),
@@ -458,7 +458,7 @@ fn a_member_that_is_none_is_moved_away() {
         for (said, spoil) in others {
             spoil();
             let done = folder.run("run --resume runs/tigerplace-1").fails(2, said);
-            let hint = format!("hint: move {place} away; then this member is lived anew");
+            let hint = format!("hint: move {place} away");
             assert!(done.err.contains(&hint), "{}", done.err);
             fs::rename(folder.path(&place), folder.path("away")).unwrap();
             let told = folder.run("run --resume runs/tigerplace-1").ok().out;

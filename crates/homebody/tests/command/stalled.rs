@@ -83,7 +83,7 @@ fn a_reader_that_stands_still_stops_neither_the_homes_own_log_nor_a_signal() {
     let up = "homebody_destination_up{scenario=\"studio\",destination=\"jsonl:-\"} 0";
     assert!(seen.contains(up), "{seen}");
     assert_eq!(stop(&folder, &mut home), Some(143), "{}", folder.read("said"));
-    assert!(folder.read("said").contains("was away when the run was stopped"), "{}", folder.read("said"));
+    assert!(folder.read("said").contains("was away when the run stopped"), "{}", folder.read("said"));
     let mut first = String::new();
     output.read_to_string(&mut first).unwrap();
     let first = numbers(&first);
@@ -126,7 +126,7 @@ fn a_reader_that_stands_still_ends_a_run_that_does_not_wait_and_a_slow_one_does_
     let (mut run, _output) = unread(&folder, &format!("run studio --for 60d --out jsonl:- {TIMEOUT}"));
     let status = run.0.wait().unwrap();
     let said = folder.read("said");
-    assert!(status.code() == Some(1) && said.contains("jsonl:- does not answer"), "{status}: {said}");
+    assert!(status.code() == Some(1) && said.contains("jsonl:- has not answered for"), "{status}: {said}");
     // The control: who takes longer than that for all of it, and a little all the time, gets all of it.
     let (mut run, mut output) = unread(&folder, &format!("run studio --for 2d --out jsonl:- {TIMEOUT}"));
     let (begun, mut all, mut piece) = (Instant::now(), Vec::new(), [0; 4096]);

@@ -81,7 +81,7 @@ fn columns_are_written_and_read_by_the_command() {
     }
     let files = folder.files();
     assert!(files.iter().any(|name| name.starts_with("truth/movement/run=") && name.ends_with("/part-0.parquet")));
-    folder.run("run flat --for 3d --quiet --out parquet:lives").fails(1, "exists already");
+    folder.run("run flat --for 3d --quiet --out parquet:lives").fails(1, "log::exists");
     folder.run("convert lives --out parquet:lives --force").fails(1, "is the input");
     folder.run("run flat --for 3d --quiet --out parquet:lives --force").ok();
     assert_eq!(folder.files(), files);
@@ -89,7 +89,7 @@ fn columns_are_written_and_read_by_the_command() {
     folder.write("cut.parquet", &whole[..whole.len() / 2]);
     folder
         .run("inspect cut.parquet")
-        .fails(2, "cut.parquet cannot be read as a log: it begins as Parquet, but is damaged or cut short");
+        .fails(2, "cannot read cut.parquet as a log: it begins as Parquet, but is damaged or cut short");
 }
 
 /// A store elsewhere is told as such, and no folder is made that is called so.

@@ -13,7 +13,7 @@ const SCHEMES: [&str; 3] = ["sqlite", "csv", "casas"];
 fn where_no_run_can_be_kept_another_place_is_named() {
     let folder = flat();
     folder.write("runs", "no folder");
-    let said = "hint: a run needs a folder that may be written; --out selects another place";
+    let said = "hint: run in a folder that you may write, or pass --out to write elsewhere";
     folder.run("run flat --for 1m").fails(1, said);
     folder.run("run flat --for 1m --out csv:a.csv").ok();
 }
@@ -25,10 +25,10 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
     let given = folder.files();
     for scheme in SCHEMES {
         for (place, code, said) in [
-            ("none/log", 1, "the folder of none/log does not exist\n  hint: create it, or correct the path"),
-            ("file/log", 1, "the folder of file/log does not exist"),
+            ("none/log", 1, "[log::no-folder]: the folder of none/log"),
+            ("file/log", 1, "[log::no-folder]: the folder of file/log"),
             ("flat", 1, "flat is a folder\n  hint: name a file in it"),
-            ("new", 2, "two outputs have the same file, ./new"),
+            ("new", 2, "[log::same-file]: two destinations are the same file: ./new"),
         ] {
             let also = if place == "new" { "--recording ./new" } else { "--recording new" };
             // A century, had it begun.
@@ -38,19 +38,19 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
         }
     }
     for (words, said) in [
-        ("--out csv:a.csv --truth none/truth.db", "the folder of none/truth.db does not exist"),
-        ("--out csv:a.csv --record none/r.json", "the folder of none/r.json does not exist"),
+        ("--out csv:a.csv --truth none/truth.db", "[log::no-folder]: the folder of none/truth.db"),
+        ("--out csv:a.csv --record none/r.json", "[log::no-folder]: the folder of none/r.json"),
         ("--out csv:a.csv --truth flat", "flat is a folder"),
-        ("--truth none/truth.db", "the folder of none/truth.db does not exist"),
+        ("--truth none/truth.db", "[log::no-folder]: the folder of none/truth.db"),
     ] {
         folder.run(&format!("run flat --for 5000w {words}")).fails(1, said);
         assert_eq!(folder.files(), given, "{words}");
     }
-    folder.run("coverage flat --svg map.svg --json=none/a.json").fails(1, "the folder of none/a.json does not exist");
+    folder.run("coverage flat --svg map.svg --json=none/a.json").fails(1, "[log::no-folder]: the folder of none/a.json");
     folder.run("new none/home").ok();
     folder.run("new file/home").fails(1, "file/home");
     folder.run("schema file").fails(1, "file: ");
-    folder.run("convert file --out csv:none2/log").fails(2, "file cannot be read as a log");
+    folder.run("convert file --out csv:none2/log").fails(2, "[log::not-a-log]: cannot read file");
     assert_eq!(folder.read("file"), "precious");
 }
 
@@ -58,7 +58,7 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
 fn without_a_folder_for_runs_there_is_no_run() {
     let folder = flat();
     folder.write("runs", "a file");
-    folder.run("run flat --for 5000w").fails(1, "--out selects another place");
+    folder.run("run flat --for 5000w").fails(1, "pass --out to write elsewhere");
     assert_eq!(folder.read("runs"), "a file");
 }
 
@@ -69,7 +69,7 @@ fn a_folder_that_may_not_be_written_says_so() {
     fs::set_permissions(folder.path("closed"), Permissions::from_mode(0o555)).unwrap();
     let may_all = fs::write(folder.path("closed/probe"), "").is_ok();
     // Nobody may make a file here, not even who may all.
-    let (place, said) = if may_all { ("/proc", "/proc/log") } else { ("closed", "closed/log may not be written") };
+    let (place, said) = if may_all { ("/proc", "/proc/log") } else { ("closed", "[log::write-denied]: cannot write closed/log") };
     for scheme in SCHEMES {
         folder.run(&format!("run flat --for 1m --out {scheme}:{place}/log")).fails(1, said);
     }
@@ -95,7 +95,7 @@ fn where_no_room_is_left_nothing_is_half_written() {
     folder.run("run flat --quiet --for 1h --out csv:given.csv").ok();
     let given = folder.files();
     for (kib, words, said) in [
-        (24, "run flat --for 10d --out sqlite:log.db", "log.db: writing failed\n  hint: "),
+        (24, "run flat --for 10d --out sqlite:log.db", "[log::write-failed]: cannot write to the database log.db"),
         (64, "run flat --for 10d --out csv:log.csv", "log.csv: "),
         (64, "run flat --for 10d --out casas:log.txt", "log.txt: "),
         (24, "run flat --for 10d --out csv:log.csv --out sqlite:log.db --truth truth.db --recording r.json", "error: "),
@@ -144,7 +144,7 @@ fn where_there_are_no_threads_it_is_said() {
     }
     let mut experiment = folder.command("experiment daily-life --people 2 --days 2");
     let output = experiment.env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
-    Done::new("experiment", output).fails(1, "there is no thread to live on");
+    Done::new("experiment", output).fails(1, "kit::no-threads");
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn what_was_replaced_in_vain_is_still_there() {
     let signs = || ["log.db", "truth.db"].map(|name| folder.sha256(name));
     let (before, files) = (signs(), folder.files());
     let over = "run flat --for 1h --out sqlite:log.db --truth truth.db --force --quiet";
-    cramped(&folder, 4, over).fails(1, "log.db: ");
+    cramped(&folder, 4, over).fails(1, "log.db");
     folder.run(&format!("{over} --out csv:no/folder.csv")).fails(1, "folder.csv");
     folder.write("flat/logger.json", r#"{ "ids": { "KitchenWall": "a b", "BedroomWall": "AB" } }"#);
     folder.run(&format!("{over} --out casas:log.txt")).fails(2, "would both be");
@@ -180,7 +180,7 @@ fn what_a_run_comes_from_is_never_replaced() {
         "plan flat --png flat/home.json",
         "coverage flat --json=flat/home.json",
     ] {
-        folder.run(&format!("{words} --force")).fails(1, "is read by this command");
+        folder.run(&format!("{words} --force")).fails(1, "log::is-source");
     }
     assert_eq!(["flat/home.json", "r.json"].map(|name| folder.read(name)), given);
     let said = folder.run("replay r.json --out csv:again.csv").ok().out;
@@ -193,7 +193,7 @@ fn one_full_device_ends_the_run() {
     let given = folder.files();
     for scheme in ["csv", "casas"] {
         let words = format!("run flat --for 5000w --out {scheme}:/dev/full --out csv:log.csv --recording r.json");
-        folder.run(&words).fails(1, "no space is left for /dev/full");
+        folder.run(&words).fails(1, "[log::disk-full]: no space left to write /dev/full");
         assert_eq!(folder.files(), given);
     }
     folder.run("run flat --for 1s --out sqlite:/dev/full").fails(1, "no file that a database can be in");
@@ -228,7 +228,7 @@ fn two_programs_never_write_one_file() {
             "--out csv:other --record r.json --force".into(),
         ] {
             let said = folder.run(&format!("run flat --for 1m --seed 9 {other}"));
-            said.fails(1, "another program is writing into ");
+            said.fails(1, "log::busy");
             assert_eq!(files(), begun, "{other}");
         }
         running.say("resume\n");
@@ -248,7 +248,7 @@ fn a_database_in_use_is_left_alone() {
     let files = folder.files();
     let user = Connection::open(folder.path("log.db")).unwrap();
     user.execute_batch("BEGIN IMMEDIATE").unwrap();
-    let said = "log.db is locked by another program\n  hint: close that program, or write to another file";
+    let said = "[log::locked]: another program has locked log.db";
     folder.run("run flat --for 2m --quiet --out sqlite:log.db --force").fails(1, said);
     user.execute_batch("ROLLBACK").unwrap();
     drop(user);
@@ -265,7 +265,7 @@ fn a_database_locked_midway_keeps_what_was_stored() {
     let user = Connection::open(folder.path("log.db")).unwrap();
     user.busy_timeout(std::time::Duration::from_secs(5)).unwrap();
     user.execute_batch("BEGIN IMMEDIATE").unwrap();
-    running.finish().fails(1, "log.db is locked by another program");
+    running.finish().fails(1, "[log::locked]: another program has locked log.db");
     user.execute_batch("ROLLBACK").unwrap();
     drop(user);
     assert!(folder.stored_rows("log.db") > 0);

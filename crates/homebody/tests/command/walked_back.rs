@@ -60,7 +60,7 @@ fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
     // What it has written is a scenario, and its run one that can be looked at.
     folder.run("check walked").ok();
     folder.run("day walked/run 2026-03-02 --json");
-    folder.run("locate log.db --home home --out walked").fails(1, "walked exists already");
+    folder.run("locate log.db --home home --out walked").fails(1, "[kit::exists]: walked");
 }
 
 #[test]

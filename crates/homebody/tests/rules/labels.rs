@@ -8,7 +8,8 @@ use homebody_core::activity::ACTIVITIES;
 const TABLE: [&str; 2] = ["crates/homebody-core/src/activity.rs", "web/src/activities.ts"];
 
 /// Words that are labels, too, and mean something else where they stand.
-const OTHER_MEANINGS: [(&str, &str, &str); 16] = [
+const OTHER_MEANINGS: [(&str, &str, &str); 17] = [
+    ("crates/homebody-analysis/src/summaries/topics.rs", "pacing", "a measure"),
     ("crates/homebody-core/src/doors.rs", "laundry", "a room"),
     ("crates/homebody-core/src/sensed.rs", "reading", "what a sensor measures"),
     ("crates/homebody-core/src/role.rs", "laundry", "a room"),

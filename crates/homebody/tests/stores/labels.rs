@@ -39,7 +39,7 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
     // What is missing is told, all of it.
     std::fs::remove_file(folder.path("columns.off.arrow")).unwrap();
     std::fs::remove_file(folder.path("columns.room.arrow")).unwrap();
-    let said = folder.run("label log.csv arrow:columns.arrow --out csv:x.csv").fails(1, "has no truth").err;
+    let said = folder.run("label log.csv arrow:columns.arrow --out csv:x.csv").fails(1, "has no ground truth").err;
     assert!(said.contains("no file columns.off.arrow, no file columns.room.arrow"), "{said}");
     folder.run("label log.csv mqtt://127.0.0.1/homes --out csv:x.csv").fails(1, "such a place keeps none");
 
@@ -55,7 +55,7 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
         folder.run(&format!("label log.csv {truth} --out csv:x.csv")).fails(1, "has the truth of several runs").err;
     assert!(said.contains(&format!("?run={id}")) || said.contains(&id), "{said}");
     same(&format!("{truth}&run={id}"));
-    folder.run(&format!("label log.csv {truth}&run=7 --out csv:x.csv")).fails(1, "has no truth of the run 7");
+    folder.run(&format!("label log.csv {truth}&run=7 --out csv:x.csv")).fails(1, "has no ground truth of the run 7");
     // The control: the truth of the other run is refused, or gives other labels.
     let other = server.psql(&database, &format!("SELECT run_id FROM truth.homebody_run WHERE run_id <> {id}"));
     let labelled = folder.run(&format!("label log.csv {truth}&run={other} --out csv:found.csv --force"));

@@ -44,7 +44,7 @@ fn a_fleet_goes_on_with_its_reports_and_its_rows() {
     assert_eq!(sensors.trim(), "3");
     // The control: a file of something else is not taken for reports.
     folder.write("r.jsonl", "my notes\n");
-    folder.run(&fleet).fails(1, "r.jsonl exists already");
+    folder.run(&fleet).fails(1, "[log::exists]: r.jsonl");
     assert_eq!(folder.read("r.jsonl"), "my notes\n");
 }
 
