@@ -63,7 +63,7 @@ test('what is wrong stands beside its field, and a place outside the run is told
   await page.getByText('Homebody can write there').waitFor();
   await page.getByLabel('Address of destination 1').fill('/nowhere/at/all/log.db');
   await page.getByRole('button', { name: 'Test' }).click();
-  await page.getByText("no file name inside the run's folder").first().waitFor();
+  await page.getByText("is not a file name inside the run's folder").first().waitFor();
   while (await page.getByRole('button', { name: 'Undo' }).isEnabled()) await page.getByRole('button', { name: 'Undo' }).click();
   while (await page.getByRole('button', { name: 'Redo' }).isEnabled()) await page.getByRole('button', { name: 'Redo' }).click();
   await page.getByLabel('Address of destination 1').fill('log.db');

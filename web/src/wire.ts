@@ -829,7 +829,11 @@ what: string,
  */
 texts: { [key in string]: string }, };
 
-export type ProblemView = { file: string, 
+export type ProblemView = { 
+/**
+ * The stable code, such as `home::rooms-overlap`.
+ */
+code?: string, file: string, 
 /**
  * From 1; 0 where the file as a whole is meant.
  */

@@ -32,6 +32,7 @@ pub mod scenario;
 pub mod messages;
 pub mod catalogue;
 pub mod problem;
+pub mod problems;
 
 // The home, what its sensors are, and what they see in it.
 pub mod home;

@@ -1,6 +1,7 @@
 //! The messages of the program, each with a stable code: declared in one place per area by [`crate::messages!`], listed by `homebody explain`,
 //! and written into one snapshot for readers.
 
+use crate::geometry::Point;
 pub use crate::problem::{Diagnose, Severity};
 pub use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -47,6 +48,12 @@ data_as_json!(String, bool, u8, u16, u32, u64, usize, i64, f64);
 impl Datum for &str {
     fn datum(&self) -> Value {
         Value::from(*self)
+    }
+}
+
+impl Datum for Point {
+    fn datum(&self) -> Value {
+        Value::from(vec![self.x, self.y])
     }
 }
 

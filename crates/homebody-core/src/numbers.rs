@@ -9,6 +9,56 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+crate::messages! {
+    /// Problems with parameters of models that a scenario sets.
+    pub enum ParameterMessage in "parameter" {
+        /// The models have no parameter with this name. A name has an area and a word, such as `gait.slowest`.
+        Unknown {
+            /// The name.
+            name: String,
+            /// The most similar known name.
+            nearest: Option<String>,
+        } error "unknown" ("there is no parameter {name:?}")
+            advice (Some(match nearest {
+                Some(near) => format!("did you mean {near:?}?"),
+                None => "list the parameters with: homebody parameters".into(),
+            }));
+        /// A parameter is a finite number.
+        NotANumber {
+            /// The name.
+            name: String,
+            /// The value that the model has without a setting.
+            usual: f64,
+            /// The smallest value.
+            least: f64,
+            /// The largest value.
+            most: f64,
+        } error "not-a-number" ("{name:?} is set to a value that is not a number")
+            hint ("set it from {least} to {most}; its usual value is {usual}");
+        /// The models give sensible results for a range of values only. `homebody parameters NAME` explains the parameter and its range.
+        OutOfRange {
+            /// The name.
+            name: String,
+            /// The value.
+            value: f64,
+            /// The unit, such as `m/s`; `1` for shares, factors and counts.
+            unit: &'static str,
+            /// The value that the model has without a setting.
+            usual: f64,
+            /// The smallest value.
+            least: f64,
+            /// The largest value.
+            most: f64,
+        } error "out-of-range" ("{name:?} must be from {least} to {most}, but is {value}{of_unit}", of_unit = shown(unit))
+            hint ("set it from {least} to {most}; its usual value is {usual}");
+    }
+}
+
+/// A unit behind a value.
+fn shown(unit: &str) -> String {
+    if unit == "1" { String::new() } else { format!(" {unit}") }
+}
+
 /// A number of a model that a scenario may set otherwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {
@@ -125,29 +175,25 @@ impl Numbers {
     }
 }
 
-/// What is wrong with setting a number, if anything is, and what to do about it.
-pub fn wrong(known: &[Number], name: &str, value: f64) -> Option<(String, String)> {
+/// The problem with setting a number to a value; `None` for a valid setting.
+pub fn wrong(known: &[Number], name: &str, value: f64) -> Option<ParameterMessage> {
     let Some(number) = known.iter().find(|number| number.name == name) else {
-        let hint = match nearest(name, known.iter().map(|number| &*number.name)) {
-            Some(near) => format!("did you mean {near:?}?"),
-            None => "`homebody parameters` lists those that can be set".to_owned(),
-        };
-        return Some((format!("there is no number {name:?}"), hint));
+        let nearest = nearest(name, known.iter().map(|number| &*number.name)).map(str::to_owned);
+        return Some(ParameterMessage::Unknown { name: name.to_owned(), nearest });
     };
-    let Number { unit, least, most, .. } = *number;
-    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
-    let what = match value {
-        _ if value.is_nan() => format!("{name:?} is set to what is no number"),
-        _ if value < least => format!("{name:?} is {value}{unit}, and must be at least {least}"),
-        _ if value > most => format!("{name:?} is {value}{unit}, and must be at most {most}"),
-        _ => return None,
-    };
-    Some((what, format!("its own value is {}; set it from {least} to {most}", number.value)))
+    let Number { value: usual, unit, least, most, .. } = *number;
+    let name = name.to_owned();
+    if value.is_nan() {
+        return Some(ParameterMessage::NotANumber { name, usual, least, most });
+    }
+    let is_within = (least..=most).contains(&value);
+    (!is_within).then_some(ParameterMessage::OutOfRange { name, value, unit, usual, least, most })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::Diagnose;
 
     numbers! {
         /// Nobody walks
@@ -178,19 +224,16 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_set_is_refused_with_what_can() {
-        let wrong = |name, value| wrong(&known(), name, value);
+    fn refuses_unknown_parameters_and_values_out_of_range() {
+        let wrong = |name, value| wrong(&known(), name, value).map(|message| message.diagnostic());
         assert_eq!(wrong("gait.slowest", 0.6), None);
-        let (what, hint) = wrong("gait.slowst", 0.1).unwrap();
-        assert_eq!(
-            (what.as_str(), hint.as_str()),
-            ("there is no number \"gait.slowst\"", "did you mean \"gait.slowest\"?")
-        );
-        assert!(wrong("weather", 1.0).unwrap().1.contains("homebody parameters"));
-        let (what, hint) = wrong("gait.slowest", 0.7).unwrap();
-        assert_eq!(what, "\"gait.slowest\" is 0.7 m/s, and must be at most 0.6");
-        assert_eq!(hint, "its own value is 0.2; set it from 0.05 to 0.6");
-        assert!(wrong("gait.share", -0.1).unwrap().0.ends_with("is -0.1, and must be at least 0"));
-        assert!(wrong("gait.share", f64::NAN).is_some());
+        let unknown = wrong("gait.slowst", 0.1).unwrap();
+        assert_eq!((unknown.code, &unknown.data["nearest"]), ("parameter::unknown", &"gait.slowest".into()));
+        assert!(wrong("weather", 1.0).unwrap().hint.unwrap().contains("homebody parameters"));
+        let large = wrong("gait.slowest", 0.7).unwrap();
+        assert_eq!((large.code, &large.data["most"]), ("parameter::out-of-range", &0.6.into()));
+        assert!(large.what.ends_with("0.7 m/s"), "{}", large.what);
+        assert_eq!(wrong("gait.share", -0.1).unwrap().code, "parameter::out-of-range");
+        assert_eq!(wrong("gait.share", f64::NAN).unwrap().code, "parameter::not-a-number");
     }
 }

@@ -8,9 +8,10 @@ use crate::deed::{Deed, Failure, FromOutside};
 use crate::home::plan::Plan;
 use crate::ids::{ResidentId, SensorId, ThingId};
 use crate::numbers::Numbers;
-use crate::problem::{MOST_PER_FILE, Problem, Problems, readable};
+use crate::problem::{Diagnose, MOST_PER_FILE, Problem, readable};
+use crate::problems::Problems;
 use crate::scenario::load::Scenario;
-use crate::scenario::nearest::nearest;
+use crate::scenario::nearest::{nearest, some_names, suggestion};
 use crate::time::{DAY, LONGEST, Micros, SECOND, micros};
 
 crate::numbers! {
@@ -34,12 +35,86 @@ const LONGEST_LIE: Micros = DAY;
 /// The least and the most between what a stuck sensor repeats.
 const REPEATS: std::ops::RangeInclusive<Micros> = SECOND / 10..=DAY;
 
-/// Largest number of names in the hint for an unknown name (our choice).
-const SHOWN: usize = 12;
+crate::messages! {
+    /// Problems with actions from outside the home: a thing is used, a sensor fails, a resident falls.
+    pub enum OutsideMessage in "outside" {
+        /// The home has no thing, sensor or resident with this name. Upper and lower case count.
+        Unknown {
+            /// The kind: `thing`, `sensor` or `resident`.
+            kind: &'static str,
+            /// The name.
+            name: String,
+            /// The most similar known name.
+            nearest: Option<String>,
+            /// Some of the known names.
+            known: Vec<String>,
+        } error "unknown-name" ("there is no {kind} {name:?}")
+            advice (suggestion(nearest, known));
+        /// The time of an action in a recording is in microseconds since the start of the run.
+        NotInRun {
+            /// The time, in microseconds.
+            at_us: Micros,
+        } error "not-in-run" ("the time of the action, {at_us} µs, is outside the run")
+            hint ("give at_us in microseconds since the start of the run");
+        /// A fault of a sensor has an end after its begin, or lasts until the end of the run.
+        EndsTooSoon error "fault-ends-too-soon" ("a fault must end after it begins")
+            hint ("give a duration above 0, or no duration");
+        /// A resident lies on the floor for a second at least and for a day at most.
+        LyingTime {
+            /// The time, in microseconds.
+            lies_us: Micros,
+        } error "lying-time" ("a resident cannot lie on the floor for {lies_us} µs")
+            hint ("give a time from a second to a day");
+        /// The battery of a sensor fades for a time, and is empty then. With 0 it is empty at once.
+        BatteryFading {
+            /// The time, in microseconds.
+            fades_us: Micros,
+        } error "battery-fading" ("a battery cannot fade for {fades_us} µs")
+            hint ("give a time from 0 to the longest run");
+        /// A stuck sensor repeats its last message at intervals, or is silent.
+        RepeatInterval {
+            /// The interval, in microseconds.
+            every_us: Micros,
+        } error "repeat-interval" ("a stuck sensor cannot repeat its message every {every_us} µs")
+            hint ("give 0.1 s to a day, or no interval for a silent sensor");
+        /// A bad link loses a share of all messages, in millionths.
+        LostShare {
+            /// The share, in millionths.
+            lost_ppm: u32,
+        } error "lost-share" ("a link cannot lose {lost_ppm} of a million messages")
+            hint ("give at most 1000000");
+        /// A recording holds a limited number of actions from outside, and each costs time in a replay.
+        TooMany {
+            /// The largest number.
+            most: usize,
+        } error "too-many-actions" ("the recording has more than {most} actions from outside");
+        /// The thing is already in the state that the action asks for.
+        AlreadySo {
+            /// The state.
+            state: &'static str,
+        } error "already-so" ("the thing is already {state}")
+            hint ("the action is not needed");
+        /// A resident falls where they are, so they have to be at home.
+        NotAtHome error "not-at-home" ("the resident is not at home")
+            hint ("wait until they come back");
+        /// The driver of the resident decides what happens after a fall. Only drivers of routines know falls.
+        CannotFall error "cannot-fall" ("the resident cannot fall")
+            hint ("choose a resident with a routine");
+    }
+}
+
+impl OutsideMessage {
+    fn unknown<'n>(kind: &'static str, name: &str, known: impl Iterator<Item = &'n str> + Clone) -> OutsideMessage {
+        let nearest = nearest(name, known.clone()).map(str::to_owned);
+        OutsideMessage::Unknown { kind, name: name.to_owned(), nearest, known: some_names(known) }
+    }
+}
 
 /// Why something cannot be done.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
+    /// The code of the message, such as `outside::not-at-home`; empty for a reason without one.
+    pub code: &'static str,
     /// Why, in words for people.
     pub why: String,
     /// What to do instead.
@@ -49,18 +124,14 @@ pub struct Refusal {
 impl Refusal {
     /// For this reason.
     pub fn new(why: impl Into<String>, hint: impl Into<String>) -> Refusal {
-        Refusal { why: readable(why.into()), hint: readable(hint.into()) }
+        Refusal { code: "", why: readable(why.into()), hint: readable(hint.into()) }
     }
+}
 
-    fn unknown<'n>(what: &str, name: &str, known: impl Iterator<Item = &'n str> + Clone) -> Refusal {
-        let hint = match nearest(name, known.clone()) {
-            Some(near) => format!("did you mean {near:?}?"),
-            None => {
-                let some: Vec<String> = known.take(SHOWN).map(|known| format!("{known:?}")).collect();
-                format!("there are such as {}", some.join(", "))
-            }
-        };
-        Refusal::new(format!("there is no {what} {name:?}"), hint)
+impl From<OutsideMessage> for Refusal {
+    fn from(message: OutsideMessage) -> Refusal {
+        let problem = message.diagnostic();
+        Refusal { code: problem.code, ..Refusal::new(problem.what, problem.hint.unwrap_or_default()) }
     }
 }
 
@@ -74,27 +145,34 @@ pub(crate) enum Known {
 
 impl Known {
     /// Finds what a deed names among what there is, and looks at its numbers.
-    pub fn of(deed: &Deed, at: Micros, plan: &Plan, sensors: &[&str], residents: &[&str]) -> Result<Known, Refusal> {
+    pub fn of(
+        deed: &Deed,
+        at: Micros,
+        plan: &Plan,
+        sensors: &[&str],
+        residents: &[&str],
+    ) -> Result<Known, OutsideMessage> {
         match deed {
             Deed::Use { thing, on } => {
                 let known = plan.things.iter().map(|thing| thing.name.as_str());
-                let index = plan.thing(thing).ok_or_else(|| Refusal::unknown("thing", thing, known))?;
+                let index = plan.thing(thing).ok_or_else(|| OutsideMessage::unknown("thing", thing, known))?;
                 Ok(Known::Use { thing: ThingId::of(index), on: *on })
             }
             Deed::Fail { sensor, failure, until_us } => {
                 let index = sensors.iter().position(|known| known == sensor);
-                let index = index.ok_or_else(|| Refusal::unknown("sensor", sensor, sensors.iter().copied()))?;
+                let index = index.ok_or_else(|| OutsideMessage::unknown("sensor", sensor, sensors.iter().copied()))?;
                 possible(*failure)?;
                 if until_us.is_some_and(|until| until <= at || until > 2 * LONGEST) {
-                    return Err(Refusal::new("a fault ends after it begins", "say a time above 0, or none"));
+                    return Err(OutsideMessage::EndsTooSoon);
                 }
                 Ok(Known::Fail { sensor: SensorId::of(index), failure: *failure, until: *until_us })
             }
             Deed::Fall { resident, lies_us } => {
                 let index = residents.iter().position(|known| known == resident);
-                let index = index.ok_or_else(|| Refusal::unknown("resident", resident, residents.iter().copied()))?;
+                let names = residents.iter().copied();
+                let index = index.ok_or_else(|| OutsideMessage::unknown("resident", resident, names))?;
                 if !(SECOND..=LONGEST_LIE).contains(lies_us) {
-                    return Err(Refusal::new("nobody lies there so long", "say from a second to a day"));
+                    return Err(OutsideMessage::LyingTime { lies_us: *lies_us });
                 }
                 Ok(Known::Fall { resident: ResidentId::of(index), lies: *lies_us })
             }
@@ -102,42 +180,43 @@ impl Known {
     }
 }
 
-fn possible(failure: Failure) -> Result<(), Refusal> {
-    let (is_possible, hint) = match failure {
-        Failure::Battery { fades_us } => ((0..=LONGEST).contains(&fades_us), "a battery fades for a time from 0 on"),
-        Failure::Stuck { every_us } => {
-            (every_us.is_none_or(|every| REPEATS.contains(&every)), "a sensor repeats itself every 0.1 s to a day")
+fn possible(failure: Failure) -> Result<(), OutsideMessage> {
+    match failure {
+        Failure::Battery { fades_us } if !(0..=LONGEST).contains(&fades_us) => {
+            Err(OutsideMessage::BatteryFading { fades_us })
         }
-        Failure::FallsOff => (true, ""),
-        Failure::BadLink { lost_ppm } => (lost_ppm <= 1_000_000, "no more is lost than all"),
-    };
-    if is_possible { Ok(()) } else { Err(Refusal::new("no sensor fails like this", hint)) }
+        Failure::Stuck { every_us: Some(every_us) } if !REPEATS.contains(&every_us) => {
+            Err(OutsideMessage::RepeatInterval { every_us })
+        }
+        Failure::BadLink { lost_ppm } if lost_ppm > 1_000_000 => Err(OutsideMessage::LostShare { lost_ppm }),
+        _ => Ok(()),
+    }
 }
 
-/// What is wrong with what a recording says was done from outside to a run of this scenario; `file` is what the recording is
-/// called.
+/// The problems of the actions from outside in the recording of a run of this scenario; `file` is the name of the recording.
 pub fn check(done: &[FromOutside], scenario: &Scenario, residents: &[String], file: &str) -> Problems {
     let sensors: Vec<&str> = scenario.home.sensors.iter().map(|sensor| sensor.name()).collect();
     let residents: Vec<&str> = residents.iter().map(String::as_str).collect();
     let plan = scenario.home.plan();
     let mut problems = Vec::new();
     if done.len() > MOST_DEEDS {
-        problems.push(Problem::of_file(file, format!("more than {MOST_DEEDS} things are done from outside"), None));
+        problems.push(Problem::of_file(file, OutsideMessage::TooMany { most: MOST_DEEDS }, None));
     }
     for (number, FromOutside { at_us, deed }) in done.iter().take(MOST_DEEDS).enumerate() {
-        // One that is wrong throughout costs no more than anybody reads.
+        // A recording with very many problems costs no more than those that are shown.
         if problems.len() > MOST_PER_FILE {
             break;
         }
-        let mut wrong = |refusal: Refusal| {
-            let what = format!("what is done from outside, number {}: {}", number + 1, refusal.why);
-            problems.push(Problem::of_file(file, what, Some(refusal.hint)));
+        let mut wrong = |message: OutsideMessage| {
+            let problem = message.diagnostic();
+            let what = format!("action {} from outside: {}", number + 1, problem.what);
+            problems.push(Problem::of_file(file, Problem { what, ..problem }, None));
         };
         if !(0..=LONGEST).contains(at_us) {
-            wrong(Refusal::new("its instant is in no run", "at_us counts from the run's start, in microseconds"));
+            wrong(OutsideMessage::NotInRun { at_us: *at_us });
         }
-        if let Err(refusal) = Known::of(deed, *at_us, plan, &sensors, &residents) {
-            wrong(refusal);
+        if let Err(message) = Known::of(deed, *at_us, plan, &sensors, &residents) {
+            wrong(message);
         }
     }
     Problems::truncated(&problems)

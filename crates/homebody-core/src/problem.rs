@@ -1,5 +1,6 @@
 //! What is wrong with what a user wrote: all of it at once, each with its place and a hint.
 
+pub use crate::problems::Problems;
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt;
@@ -86,30 +87,6 @@ const BEFORE_HINT: &str = "\n  hint: ";
 /// Largest length of a message, in bytes (our choice). A longer one, such as one with a long quotation, is cut.
 const LONGEST_MESSAGE_BYTES: usize = 600;
 
-/// Everything that is wrong, in the order of files and places.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Problems(pub Vec<Problem>);
-
-impl Problems {
-    /// Of each file, whose problems stand together, no more than anybody reads, and how many more there are.
-    pub fn truncated(problems: &[Problem]) -> Problems {
-        let mut kept = Vec::new();
-        for of_file in problems.chunk_by(|a, b| a.file == b.file) {
-            kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
-            if of_file.len() > MOST_PER_FILE {
-                let what = format!("there are {} more problems", of_file.len() - MOST_PER_FILE);
-                kept.push(Problem::of_file(&of_file[0].file, what, None));
-            }
-        }
-        Problems(kept)
-    }
-
-    /// All problems as plain text, each with its source line and carets under the place.
-    pub fn render(&self) -> String {
-        self.0.iter().map(Problem::render).collect::<Vec<_>>().join("\n")
-    }
-}
-
 impl Diagnostic {
     /// A message that is about no file, with the data that it quotes.
     pub fn new(
@@ -144,7 +121,8 @@ impl Diagnostic {
         }
     }
 
-    fn render(&self) -> String {
+    /// The message as plain text with its source line and carets under the place.
+    pub fn render(&self) -> String {
         let mut text = format!("{}\n", self.headline());
         if let Some(excerpt) = &self.excerpt {
             text += &format!("{:>5} | {}\n", self.line, excerpt.text);
@@ -232,29 +210,6 @@ impl Excerpt {
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}{}", self.position(), self.text())
-    }
-}
-
-impl fmt::Display for Problems {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        for (index, problem) in self.0.iter().enumerate() {
-            if index > 0 {
-                writeln!(f)?;
-            }
-            write!(f, "{problem}")?;
-        }
-        Ok(())
-    }
-}
-
-impl std::error::Error for Problems {}
-
-impl Diagnose for Problems {
-    fn diagnostic(&self) -> Diagnostic {
-        match &self.0[..] {
-            [one] => one.clone(),
-            _ => self.to_string().into(),
-        }
     }
 }
 

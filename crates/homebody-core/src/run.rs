@@ -13,7 +13,7 @@ use crate::home::sun::Sun;
 use crate::home::{Build, Home};
 use crate::ids::{ResidentId, RoomId, SensorId, ThingId};
 use crate::link::{self, Link};
-use crate::outside::{Known, Refusal};
+use crate::outside::{Known, OutsideMessage, Refusal};
 use crate::scenario::link::Span;
 use crate::scenario::load::{self, Scenario};
 use crate::scene::{Presence, Scene};
@@ -405,15 +405,15 @@ impl Run {
     pub fn can_be_done(&self, deed: &Deed) -> Result<(), Refusal> {
         match self.known(self.now(), deed)? {
             Known::Use { thing, on } if self.will_be_on(thing) == on => {
-                let what = if on { "open, or on," } else { "closed, or off," };
-                Err(Refusal::new(format!("it is {what} already"), "nothing is to be done"))
+                let state = if on { "open or on" } else { "closed or off" };
+                Err(OutsideMessage::AlreadySo { state }.into())
             }
             Known::Fall { resident, lies } => self.can_fall(resident, lies),
             _ => Ok(()),
         }
     }
 
-    fn known(&self, at: Micros, deed: &Deed) -> Result<Known, Refusal> {
+    fn known(&self, at: Micros, deed: &Deed) -> Result<Known, OutsideMessage> {
         let sensors: Vec<&str> = self.sensors().iter().map(|sensor| sensor.name.as_str()).collect();
         let names = self.names();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
@@ -423,12 +423,12 @@ impl Run {
     fn can_fall(&self, resident: ResidentId, lies: Micros) -> Result<(), Refusal> {
         let around = self.surroundings(resident);
         if around.body().is_none() {
-            return Err(Refusal::new("they are not at home", "wait until they have come back"));
+            return Err(OutsideMessage::NotAtHome.into());
         }
         // Whether a driver can is known once it has.
         match self.driver(resident).is_some_and(|driver| driver.copy().falls(&around, lies)) {
             true => Ok(()),
-            false => Err(Refusal::new("they cannot fall", "only who lives by a routine falls")),
+            false => Err(OutsideMessage::CannotFall.into()),
         }
     }
 

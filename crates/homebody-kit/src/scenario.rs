@@ -189,7 +189,7 @@ impl OpenScenario {
         }
         let known = numbers();
         let wrong = set.iter().filter_map(|(name, &value)| numbers::wrong(&known, name, value));
-        let problem = |(what, hint)| Problem::of_file(self.name(), what, Some(hint));
+        let problem = |message| Problem::of_file(self.name(), message, None);
         let problems: Vec<Problem> = wrong.map(problem).collect();
         if !problems.is_empty() {
             return Err(Error::Problems(Problems(problems)));

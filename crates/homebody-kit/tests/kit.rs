@@ -253,19 +253,19 @@ fn a_driver_that_decides_what_nobody_can_do_is_named() {
     );
     type Answer = fn(Micros) -> Next;
     let odd: [(Answer, &str); 8] = [
-        (|now| segment(now, now, MotionState::Away), "a segment that ends at 0 s"),
-        (|now| segment(now, now - SECOND, MotionState::Away), "a segment that ends at -1 s"),
-        (|now| segment(now + 1, now + SECOND, MotionState::Away), "a segment that begins at"),
+        (|now| segment(now, now, MotionState::Away), "its segment ends at 0 s"),
+        (|now| segment(now, now - SECOND, MotionState::Away), "its segment ends at -1 s"),
+        (|now| segment(now + 1, now + SECOND, MotionState::Away), "its segment begins at another time"),
         (|now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(60.0, 4.0) }), "outside the home"),
         (
             |now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(f64::NAN, 4.0) }),
-            "a number that is none, for the place",
+            "an invalid number for the place",
         ),
         (
             |now| segment(now, now + SECOND, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m: -1.0 }),
-            "a number that is none, for the amplitude",
+            "an invalid number for the amplitude",
         ),
-        (|_| Next::Use(ThingUse { thing: ThingId(1000), on: true }), "the use of thing 1000"),
+        (|_| Next::Use(ThingUse { thing: ThingId(1000), on: true }), "it uses thing 1000"),
         (|_| Next::Activity(None), "answers that take no time"),
     ];
     for (answer, told) in odd {
@@ -300,7 +300,7 @@ fn what_happened_before_a_driver_went_wrong_is_handed_on() {
             Err(error) => break error,
         }
     };
-    assert!(error.to_string().contains("asked at 5400 s"), "{error}");
+    assert!(error.to_string().contains("failed at 5400 s"), "{error}");
     assert!(firings > 100 && movements == 2, "{firings} firings, {movements} movements");
     assert_eq!(end, 5400 * SECOND);
 }

@@ -190,7 +190,7 @@ fn who_falls_lies_where_they_are_and_gets_up() {
     assert_eq!(told.len(), wishes.len());
     let out = told.iter().filter(|told| told.is_err()).count();
     assert!(out < told.len() / 2, "{told:?}");
-    assert!(told.iter().flat_map(|told| told.as_ref().err()).all(|refusal| refusal.why.contains("not at home")));
+    assert!(told.iter().flat_map(|told| told.as_ref().err()).all(|refusal| refusal.code == "outside::not-at-home"));
     let truth = folder(&lived).join("truth.db");
     let fallen = count(&truth, "SELECT count(*) FROM activity WHERE name = 'fallen'");
     assert_eq!(fallen as usize, told.len() - out, "each fall is told");
@@ -208,40 +208,41 @@ fn who_falls_lies_where_they_are_and_gets_up() {
 }
 
 #[test]
-fn what_cannot_be_done_is_refused_and_changes_nothing() {
+fn refuses_impossible_actions_and_changes_nothing() {
     let temporary = TempDir::new().unwrap();
     let wrong = [
-        (on("front dor", true), "no thing", "front door"),
-        (on("front door", false), "already", ""),
-        (fails("hall", Failure::FallsOff, None), "no sensor", ""),
-        (fails("bed sensor", Failure::FallsOff, Some(0)), "ends after", ""),
-        (fails("bed sensor", Failure::Stuck { every_us: Some(1) }, None), "no sensor fails like this", "0.1 s"),
-        (Wish::Fall { resident: "bob".into(), lies: None }, "no resident", "margaret"),
-        (Wish::Fall { resident: "margaret".into(), lies: Some(1) }, "so long", ""),
+        (on("front dor", true), "outside::unknown-name", "front door"),
+        (on("front door", false), "outside::already-so", ""),
+        (fails("hall", Failure::FallsOff, None), "outside::unknown-name", ""),
+        (fails("bed sensor", Failure::FallsOff, Some(0)), "outside::fault-ends-too-soon", ""),
+        (fails("bed sensor", Failure::Stuck { every_us: Some(1) }, None), "outside::repeat-interval", "0.1 s"),
+        (Wish::Fall { resident: "bob".into(), lies: None }, "outside::unknown-name", "margaret"),
+        (Wish::Fall { resident: "margaret".into(), lies: Some(1) }, "outside::lying-time", ""),
     ];
     let wishes: Vec<(i64, Wish)> = wrong.iter().map(|(wish, ..)| (2, wish.clone())).collect();
     let (lived, told) = live(&temporary.path().join("a"), 0.5, &wishes, None);
-    for ((wish, why, hint), told) in wrong.iter().zip(&told) {
+    for ((wish, code, hint), told) in wrong.iter().zip(&told) {
         let refusal = told.as_ref().expect_err("refused");
-        assert!(refusal.why.contains(why) && refusal.hint.contains(hint), "{wish:?}: {refusal:?}");
+        assert_eq!(refusal.code, *code, "{wish:?}");
+        assert!(refusal.hint.contains(hint), "{wish:?}: {refusal:?}");
     }
     let (plain, _) = live(&temporary.path().join("b"), 0.5, &[], None);
     assert_eq!(bytes(&folder(&lived)), bytes(&folder(&plain)));
 }
 
 #[test]
-fn a_recording_that_says_what_cannot_be_done_is_refused_in_words() {
+fn refuses_a_recording_with_impossible_actions() {
     let temporary = TempDir::new().unwrap();
     let (lived, _) = live(temporary.path(), 0.5, &[(2, on("front door", true))], None);
     let recording = folder(&lived).join("recording.json");
     let text = fs::read_to_string(&recording).unwrap();
-    for (from, to, why) in [
-        ("\"thing\": \"front door\"", "\"thing\": \"back door\"", "no thing"),
-        ("\"at_us\": ", "\"at_us\": -", "its instant is in no run"),
+    for (from, to, code) in [
+        ("\"thing\": \"front door\"", "\"thing\": \"back door\"", "outside::unknown-name"),
+        ("\"at_us\": ", "\"at_us\": -", "outside::not-in-run"),
     ] {
         assert!(text.contains(from), "{text}");
         fs::write(&recording, text.replacen(from, to, 1)).unwrap();
         let Err(Error::Problems(problems)) = Recorded::open(&recording) else { panic!("{to} is accepted") };
-        assert!(problems.render().contains(why), "{}", problems.render());
+        assert_eq!(problems.0[0].code, code, "{}", problems.render());
     }
 }

@@ -90,7 +90,8 @@ impl Transfer<'_> {
             Clock::Local => ("UTC", TimeFormat::Local),
             Clock::Utc => (self.zone, TimeFormat::Utc),
         };
-        let calendar = Calendar::new("1970-01-01T00:00:00", zone).map_err(|why| LogError::Zone { why })?;
+        let calendar =
+            Calendar::new("1970-01-01T00:00:00", zone).map_err(|why| LogError::Zone { why: why.to_string() })?;
         let start = calendar.timestamp(0).as_microsecond();
         let columns = Columns::new(&LoggerFile::default())?;
         let mut table = columns.log_table();

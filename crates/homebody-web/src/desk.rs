@@ -195,6 +195,7 @@ pub fn version(text: &str) -> String {
 
 pub fn problems(problems: &[Problem]) -> Vec<ProblemView> {
     let view = |problem: &Problem| ProblemView {
+        code: (!problem.code.is_empty()).then(|| problem.code.to_owned()),
         file: problem.file.clone(),
         line: problem.line,
         column: problem.column,

@@ -77,7 +77,7 @@ impl From<NotLived> for Failure {
 
 impl From<DriverError> for Failure {
     fn from(error: DriverError) -> Failure {
-        Failure::usage(error)
+        Failure::asked(error)
     }
 }
 

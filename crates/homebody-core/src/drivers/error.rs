@@ -4,6 +4,8 @@ use super::{MotionSegment, Next};
 use crate::event::MotionState;
 use crate::geometry::Point;
 use crate::ids::ThingId;
+use crate::messages::{Datum, Value};
+use crate::problem::{Diagnose, Diagnostic};
 use crate::time::{Micros, seconds};
 use std::fmt;
 
@@ -18,53 +20,68 @@ pub struct DriverError {
     pub fault: DriverFault,
 }
 
-/// What is wrong with an answer. Instants are in microseconds since the start of the run, places in metres.
-#[derive(Clone, Debug, PartialEq)]
-pub enum DriverFault {
-    /// The segment begins at another instant than that at which the driver was asked.
-    BeginsElsewhen {
-        /// When the segment begins.
-        begin: Micros,
-    },
-    /// The segment ends when it begins, or before.
-    EndsTooSoon {
-        /// When the segment ends.
-        end: Micros,
-    },
-    /// A number that is infinite, none at all (NaN), or below 0 where that cannot be; `what` says which.
-    NoNumber {
-        /// Which number, as a part of a sentence.
-        what: &'static str,
-    },
-    /// The segment begins elsewhere than where the body is.
-    Jump {
-        /// Where the body is.
-        from: Point,
-        /// Where the segment begins.
-        to: Point,
-    },
-    /// A place further than [`WALL_M`] from every room and every opening of a door.
-    Outside {
-        /// The place.
-        at: Point,
-    },
-    /// There are only `things` things.
-    NoSuchThing {
-        /// The thing that was named.
-        thing: ThingId,
-        /// How many things the home has.
-        things: usize,
-    },
-    /// So many answers that take no time, one after the other.
-    NoEnd {
-        /// How many there were.
-        answers: usize,
-    },
-    /// The driver itself says that it cannot go on.
-    Failed {
-        /// Why, in its own words.
-        why: String,
-    },
+crate::messages! {
+    /// A problem with an answer. Instants are in microseconds since the start of the run, places in metres.
+    #[derive(Clone, PartialEq)]
+    pub enum DriverFault in "driver" {
+        /// A driver answers at an instant with the segment of movement that begins then.
+        BeginsElsewhen {
+            /// The begin of the segment.
+            begin: Micros,
+        } error "wrong-begin" ("its segment begins at another time, {begin_s} s", begin_s = seconds(*begin))
+            hint ("begin a segment at the time of the question: `around.now()`");
+        /// A segment of movement takes time: its end is after its begin.
+        EndsTooSoon {
+            /// The end of the segment.
+            end: Micros,
+        } error "wrong-end" ("its segment ends at {end_s} s, which is not after its begin", end_s = seconds(*end))
+            hint ("let a segment last at least a microsecond");
+        /// A number is infinite, not a number (NaN), or negative where that is impossible.
+        NoNumber {
+            /// The number, as a part of a sentence.
+            what: &'static str,
+        } error "invalid-number" ("it gave an invalid number for {what}")
+            hint ("give finite places, amplitudes and levels, and amplitudes from 0 on");
+        /// A body does not jump: each segment begins where the one before it ended.
+        Jump {
+            /// The place of the body.
+            from: Point,
+            /// The begin of the segment.
+            to: Point,
+        } error "jump" ("its segment begins at {to:.2}, but the body is at {from:.2}")
+            hint ("let the body walk there, or leave the home and come back");
+        /// The place is more than half a metre from every room and every opening of a door.
+        Outside {
+            /// The place.
+            at: Point,
+        } error "outside-home" ("it gave a place outside the home, {at:.2}")
+            hint ("use `MotionState::Away` for a resident who leaves the home");
+        /// A thing has a number from 0 on. The home does not have so many things.
+        NoSuchThing {
+            /// The number of the thing.
+            thing: ThingId,
+            /// The number of things in the home.
+            things: usize,
+        } error "unknown-thing" ("it uses thing {number}, but the home has {things}, counted from 0", number = thing.0)
+            hint ("find a thing by its name with `Plan::thing`");
+        /// The driver was asked again and again at one instant, and gave only answers that take no time.
+        NoEnd {
+            /// The number of answers.
+            answers: usize,
+        } error "no-progress" ("it gave {answers} answers that take no time")
+            hint ("answer with a segment, which takes time");
+        /// The driver reports that it cannot continue, for example because a script has failed.
+        Failed {
+            /// The reason, in the driver's own words.
+            why: String,
+        } error "failed" ("{why}");
+    }
+}
+
+impl Datum for ThingId {
+    fn datum(&self) -> Value {
+        self.0.datum()
+    }
 }
 
 /// Largest difference between the end of a segment and the start of the next, by rounding (our choice).
@@ -119,43 +136,22 @@ impl DriverFault {
         let here = here.filter(|&here| here.distance_squared(from) > JUMP_M * JUMP_M)?;
         Some(DriverFault::Jump { from: here, to: from })
     }
+}
 
-    /// `None`: what is wrong says already what to do.
-    fn hint(&self) -> Option<&'static str> {
-        Some(match self {
-            DriverFault::BeginsElsewhen { .. } => "a segment begins when the driver is asked: at `around.now()`",
-            DriverFault::EndsTooSoon { .. } => "a segment takes at least a microsecond",
-            DriverFault::NoNumber { .. } => "places, amplitudes and levels are finite, and amplitudes not below 0",
-            DriverFault::Jump { .. } => "let the body walk there, or go away and come back",
-            DriverFault::Outside { .. } => "who leaves the home is `MotionState::Away`",
-            DriverFault::NoSuchThing { .. } => "find it by its name with `Plan::thing`",
-            DriverFault::NoEnd { .. } => "answer with a segment, which takes time",
-            DriverFault::Failed { .. } => return None,
-        })
+impl Diagnose for DriverError {
+    fn diagnostic(&self) -> Diagnostic {
+        let DriverError { resident, at, fault } = self;
+        let mut problem = fault.diagnostic();
+        problem.what = format!("the driver of {resident:?} failed at {} s: {}", seconds(*at), problem.what);
+        problem.data.insert("resident".into(), resident.datum());
+        problem.data.insert("at_us".into(), at.datum());
+        problem
     }
 }
 
 impl fmt::Display for DriverError {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let DriverError { resident, at, fault } = self;
-        write!(f, "the driver of {resident:?}, asked at {} s, ", seconds(*at))?;
-        if let DriverFault::Failed { why } = fault {
-            return write!(f, "cannot go on: {why}");
-        }
-        f.write_str("gave ")?;
-        match *fault {
-            DriverFault::BeginsElsewhen { begin } => write!(f, "a segment that begins at {} s", seconds(begin)),
-            DriverFault::EndsTooSoon { end } => write!(f, "a segment that ends at {} s", seconds(end)),
-            DriverFault::NoNumber { what } => write!(f, "a number that is none, for {what}"),
-            DriverFault::Jump { from, to } => write!(f, "a segment at {to:.2}, but the body is at {from:.2}"),
-            DriverFault::Outside { at } => write!(f, "a place outside the home, {at:.2}"),
-            DriverFault::NoSuchThing { thing, things } => {
-                write!(f, "the use of thing {}, but the home has {things}, counted from 0", thing.0)
-            }
-            DriverFault::NoEnd { answers } => write!(f, "{answers} answers that take no time"),
-            DriverFault::Failed { .. } => Ok(()),
-        }?;
-        fault.hint().map_or(Ok(()), |hint| write!(f, "\n  hint: {hint}"))
+        self.diagnostic().fmt(f)
     }
 }
 

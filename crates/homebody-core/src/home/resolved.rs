@@ -4,7 +4,7 @@ use super::plan::Plan;
 use crate::numbers::Numbers;
 use crate::scenario::home::{HomeFile, SensorFile};
 use crate::sensors::Sensor;
-use std::fmt;
+use crate::sensors::messages::SensorMessage;
 use std::ops::Deref;
 
 /// A home's file with the plan that follows from it. One of a [`Scenario`](crate::scenario::load::Scenario) has passed its
@@ -17,24 +17,21 @@ pub struct ResolvedHome {
     numbers: Numbers,
 }
 
-/// A sensor that is on something, or in a room, that its home does not have.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unresolved {
-    /// The sensor's name.
-    pub sensor: String,
-}
-
 impl ResolvedHome {
-    /// Finds what the file names. The models in it have their own numbers.
-    pub fn new(file: HomeFile) -> Result<ResolvedHome, Unresolved> {
+    /// Finds the parts that the file names. The models in it have their own numbers.
+    ///
+    /// # Errors
+    ///
+    /// [`SensorMessage::Unresolved`] for a sensor on a part that the home does not have.
+    pub fn new(file: HomeFile) -> Result<ResolvedHome, SensorMessage> {
         let plan = Plan::new(&file);
         ResolvedHome::with_plan(file, plan, Numbers::default())
     }
 
     /// The same with the plan that was made of the file already, and with these numbers.
-    pub(crate) fn with_plan(file: HomeFile, plan: Plan, numbers: Numbers) -> Result<ResolvedHome, Unresolved> {
+    pub(crate) fn with_plan(file: HomeFile, plan: Plan, numbers: Numbers) -> Result<ResolvedHome, SensorMessage> {
         let sensor = |sensor: &SensorFile| {
-            Sensor::new(sensor, &plan).ok_or_else(|| Unresolved { sensor: sensor.name().to_owned() })
+            Sensor::new(sensor, &plan).ok_or_else(|| SensorMessage::Unresolved { sensor: sensor.name().to_owned() })
         };
         let sensors = file.sensors.iter().map(sensor).collect::<Result<_, _>>()?;
         Ok(ResolvedHome { file, plan, sensors, numbers })
@@ -83,14 +80,6 @@ impl Deref for ResolvedHome {
     }
 }
 
-impl fmt::Display for Unresolved {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, "the home does not have what the sensor {:?} is on", self.sensor)
-    }
-}
-
-impl std::error::Error for Unresolved {}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -111,6 +100,6 @@ mod tests {
         assert!(resolved.placed_sensors()[0].at.distance(crate::geometry::point([1.0, 1.0])) < 1e-9);
         assert_eq!(resolved.plan(), &Plan::new(&resolved));
         let refused = ResolvedHome::new(home("oven")).unwrap_err();
-        assert_eq!(refused.to_string(), "the home does not have what the sensor \"it\" is on");
+        assert!(matches!(refused, SensorMessage::Unresolved { sensor } if sensor == "it"));
     }
 }

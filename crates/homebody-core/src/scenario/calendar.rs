@@ -1,10 +1,77 @@
 //! Local time at the edges: the world itself knows only microseconds since the start.
 
+use super::nearest::nearest;
 use crate::problem::readable;
 use crate::time::{DAY, Micros, SECOND};
 use jiff::civil::DateTime;
 use jiff::tz::{AmbiguousOffset, TimeZone, TimeZoneDatabase};
 use jiff::{SignedDuration, Timestamp, Zoned};
+
+crate::messages! {
+    /// Problems with dates, times and time zones.
+    pub enum TimeMessage in "time" {
+        /// Time zones have the names of the IANA database, a region and a city. Homebody contains that database, so the names are the same on
+        /// each computer.
+        UnknownZone {
+            /// The name.
+            name: String,
+            /// The most similar known name.
+            nearest: Option<String>,
+        } error "unknown-zone" ("there is no time zone {name:?}")
+            advice (Some(match nearest {
+                Some(near) => format!("did you mean {near:?}?"),
+                None => "write an IANA name such as \"America/Chicago\"".into(),
+            }));
+        /// A start is a date and a time of day. The date must exist: February has no day 30.
+        InvalidStart {
+            /// The text.
+            text: String,
+        } error "invalid-start" ("{text:?} is not a date and time")
+            hint ("write it as \"2009-03-02T00:00:00\"");
+        /// A start is local time in the home's time zone, which has a key of its own:
+        ///
+        /// ```json
+        /// { "start": "2009-03-02T00:00:00", "time_zone": "America/Chicago" }
+        /// ```
+        ZoneInStart {
+            /// The text.
+            text: String,
+        } error "zone-in-start" ("{text:?} must not name a time zone")
+            hint ("write local time, and the zone as \"time_zone\"");
+        /// The rules of time zones are known for some centuries only.
+        Year {
+            /// The year.
+            year: i64,
+            /// The first year.
+            first: i64,
+            /// The last year.
+            last: i64,
+        } error "year" ("the year must be from {first} to {last}, but is {year}")
+            hint ("choose another date");
+        /// When daylight saving time begins, clocks skip an hour, so no clock shows this time on this day.
+        Skipped {
+            /// The date and time.
+            date_time: String,
+            /// The time zone.
+            zone: String,
+        } error "skipped" ("{date_time} does not exist in {zone}: daylight saving time begins, and clocks skip it")
+            hint ("choose a time an hour later");
+        /// The date is near the end of the calendar, and its time in the time zone is beyond.
+        BeyondCalendar {
+            /// The text.
+            text: String,
+            /// The reason.
+            why: String,
+        } error "beyond-calendar" ("{text:?} is outside the calendar: {why}")
+            hint ("choose another date");
+        /// A time of day has two digits for hours, two for minutes and, if needed, two for seconds with a fraction.
+        InvalidTimeOfDay {
+            /// The text.
+            text: String,
+        } error "invalid-time-of-day" ("{text:?} is not a time of day")
+            hint ("write it as \"07:30\" or \"07:30:15.5\", from \"00:00\" to \"23:59:59.999999\"");
+    }
+}
 
 /// Ties a run's microseconds to the clock on the wall of the home.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,20 +80,26 @@ pub struct Calendar {
 }
 
 impl Calendar {
-    /// The calendar of a scenario's `start` and `time_zone`, or the reason why there is none.
-    pub fn new(start: &str, time_zone: &str) -> Result<Calendar, String> {
+    /// The calendar of a scenario's `start` and `time_zone`.
+    ///
+    /// # Errors
+    ///
+    /// A [`TimeMessage`] for an unknown zone, and for a start that is not a time in it.
+    pub fn new(start: &str, time_zone: &str) -> Result<Calendar, TimeMessage> {
         let zone = Calendar::zone(time_zone)?;
-        let start: DateTime = start
-            .parse()
-            .map_err(|_| readable(format!("{start:?} is no date and time; write it as 2009-03-02T00:00:00")))?;
+        let text = start;
+        let invalid = |_| TimeMessage::InvalidStart { text: readable(text.to_owned()) };
+        let start: DateTime = text.parse().map_err(invalid)?;
         let start = zone.into_ambiguous_zoned(start);
         if matches!(start.offset(), AmbiguousOffset::Gap { .. }) {
-            return Err(format!(
-                "there is no {} in {time_zone}: clocks skip it as daylight saving time begins",
-                start.datetime()
-            ));
+            let date_time = start.datetime().to_string();
+            return Err(TimeMessage::Skipped { date_time, zone: time_zone.to_owned() });
         }
-        let start = start.compatible().map_err(|error| error.to_string())?;
+        let beyond = |error: jiff::Error| TimeMessage::BeyondCalendar {
+            text: readable(text.to_owned()),
+            why: error.to_string(),
+        };
+        let start = start.compatible().map_err(beyond)?;
         Ok(Calendar { start })
     }
 
@@ -36,10 +109,13 @@ impl Calendar {
     }
 
     /// A time zone of the bundled database.
-    pub fn zone(name: &str) -> Result<TimeZone, String> {
-        TimeZoneDatabase::bundled().get(name).map_err(|_| {
-            readable(format!("there is no time zone {name:?}; write an IANA name such as America/Chicago"))
-        })
+    ///
+    /// # Errors
+    ///
+    /// [`TimeMessage::UnknownZone`] with the name that was probably meant.
+    pub fn zone(name: &str) -> Result<TimeZone, TimeMessage> {
+        let unknown = |_| TimeMessage::UnknownZone { nearest: nearest_zone(name), name: readable(name.to_owned()) };
+        TimeZoneDatabase::bundled().get(name).map_err(unknown)
     }
 
     /// The instant on the world's clock, which stands still at the calendar's end.
@@ -144,6 +220,15 @@ impl Calendar {
     pub fn micros(&self, at: Timestamp) -> Micros {
         at.as_microsecond() - self.start.timestamp().as_microsecond()
     }
+}
+
+/// The zone that was probably meant: a slip of the keys, or a city without its continent.
+fn nearest_zone(name: &str) -> Option<String> {
+    let known: Vec<String> = TimeZoneDatabase::bundled().available().map(|name| name.to_string()).collect();
+    let folded = |name: &str| name.trim().to_lowercase();
+    let is_city = |zone: &&String| zone.rsplit('/').next().is_some_and(|city| folded(city) == folded(name));
+    let near = nearest(name, known.iter().map(String::as_str));
+    near.or(known.iter().find(is_city).map(String::as_str)).map(str::to_owned)
 }
 
 /// A time of day as files write it, `07:30`, `07:30:15` or `07:30:15.5`, since midnight.

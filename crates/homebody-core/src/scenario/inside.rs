@@ -1,18 +1,136 @@
 //! Places stay inside: what a file names is read and written below one folder, whoever wrote the file.
 
-/// What to do about a link that leads out of the folder.
+/// The hint for a link that leads out of the scenario's folder.
 pub const WHERE: &str = "name a file relative to the scenario's folder, with / between folders";
 
-/// Why a name is refused that is to be a file inside `folder`, which is given in words; `None` if it is one. It is the
-/// spelling that is looked at, so that a name means the same on each system: links on a disk are for who reads them.
-pub fn outside_folder(name: &str, folder: &str) -> Option<String> {
+crate::messages! {
+    /// Problems with the files that other files name.
+    pub enum FileMessage in "file" {
+        /// The name of a file is empty or blank.
+        NoName error "empty-name" ("a file name must not be empty")
+            hint ("write the name of a file");
+        /// A scenario reads files in its own folder only, and a run writes files in its own folder only. So names do not begin with
+        /// `/`, and contain no `..`, colon or backslash.
+        OutsideFolder {
+            /// The name.
+            name: String,
+            /// The folder, in words.
+            folder: String,
+        } error "outside-folder" ("{name:?} is not a file name inside {folder}")
+            hint ("name a file relative to the folder, with / between folders");
+        /// A log is a file in the run's folder. This name is that of a folder.
+        IsFolder {
+            /// The path.
+            path: String,
+        } error "is-folder" ("{path:?} is a folder")
+            hint ("name a file in it");
+        /// File systems limit the length of names and paths, and Homebody adds endings to them.
+        NameTooLong {
+            /// The largest length of a name, in bytes.
+            most_bytes: usize,
+            /// The largest length of a path, in bytes.
+            most_path_bytes: usize,
+        } error "name-too-long" ("the name has more than {most_bytes} bytes, or its path more than {most_path_bytes}")
+            hint ("choose a shorter name");
+        /// Each run writes some files of its own into its folder: the recording, the ground truth, the table of sensors and others.
+        OfRun {
+            /// The path.
+            path: String,
+            /// The run's own file.
+            of_run: String,
+        } error "of-run" ("{path:?} is in the place of the run's own {of_run}")
+            hint ("choose another name, such as \"csv:logs/week.csv\"");
+        /// Homebody creates and removes files with this ending while it runs.
+        OfProgram {
+            /// The path.
+            path: String,
+            /// The ending.
+            ending: String,
+        } error "reserved-ending" ("{path:?} ends in {ending}, which Homebody uses for temporary files")
+            hint ("choose another name, such as \"csv:logs/week.csv\"");
+        /// Two logs of a run cannot share a file.
+        SameFile {
+            /// The path.
+            path: String,
+        } error "same-file" ("two logs have the same file {path:?}")
+            hint ("give each log its own file, such as \"csv:logs/week.csv\"");
+        /// One of the paths is a folder of the other, or is a file that Homebody writes next to the other.
+        Collision {
+            /// The path.
+            path: String,
+            /// The path of another log.
+            other: String,
+        } error "collision" ("{path:?} and {other:?} cannot both be files")
+            hint ("choose another name, such as \"csv:logs/week.csv\"");
+        /// The folder of the scenario does not contain the file.
+        Missing {
+            /// The name.
+            name: String,
+            /// The most similar name in the folder.
+            nearest: Option<String>,
+        } error "not-found" ("there is no file {name:?}")
+            advice (Some(match nearest {
+                Some(near) => format!("did you mean {near:?}?"),
+                None => "create the file, or correct the name".into(),
+            }));
+        /// The file exists and cannot be read as text: it may be a folder, a link, larger than Homebody reads, or not in UTF-8.
+        Unreadable {
+            /// The name.
+            name: String,
+            /// The reason.
+            why: String,
+            /// The correction, where it is known.
+            fix: Option<String>,
+        } error "unreadable" ("cannot read {name:?}: {why}")
+            advice (fix.clone());
+        /// Each file of a scenario has one kind, such as home, logger or resident.
+        TwoUses {
+            /// The name.
+            name: String,
+            /// The kind that it is used as.
+            used: String,
+            /// The kind that it is linked as here.
+            wanted: String,
+        } error "two-uses" ("{name:?} is already used as {used}, so it cannot be {wanted}")
+            hint ("link another file");
+        /// Two residents have the same file. They would be the same person.
+        LinkedTwice {
+            /// The name.
+            name: String,
+        } error "linked-twice" ("{name:?} is linked twice")
+            hint ("give each resident a file");
+        /// The file is valid, but of another kind than the link needs. Two links may be swapped.
+        WrongKind {
+            /// The name.
+            name: String,
+            /// The kind that it is.
+            found: String,
+            /// The kind that the link needs.
+            wanted: String,
+        } error "wrong-kind" ("{name:?} is {found}, but {wanted} is needed here")
+            hint ("link another file");
+        /// Routines and scripts have a largest length, so that reading them takes a moment only.
+        TooLong {
+            /// The name.
+            name: String,
+            /// The limit, in words.
+            why: String,
+        } error "too-long" ("{name:?} is too long: {why}")
+            hint ("shorten it");
+    }
+}
+
+/// The problem with a name that is to be a file inside `folder`, which is given in words; `None` for a valid name. The spelling
+/// alone decides, so that a name means the same on each system. Links on a disk concern those functions that read them.
+pub fn outside_folder(name: &str, folder: &str) -> Option<FileMessage> {
     if name.trim().is_empty() {
-        return Some("a file name must not be empty".into());
+        return Some(FileMessage::NoName);
     }
     let leaves = name.split(['/', '\\']).any(|part| part == "..");
     let is_absolute = name.starts_with(['/', '\\']) || name.contains(':');
     let is_odd = name.contains('\\') || name.chars().any(char::is_control);
-    (leaves || is_absolute || is_odd).then(|| format!("{name:?} is no file name inside {folder}"))
+    let outside = || FileMessage::OutsideFolder { name: name.to_owned(), folder: folder.to_owned() };
+    (leaves || is_absolute || is_odd).then(outside)
 }
 
 /// What a run's folder calls its recording.
@@ -55,29 +173,28 @@ const LONGEST_NAME_BYTES: usize = 200;
 /// Longest path in a run's folder (our choice): systems take 4096 bytes, and the folder has some.
 const LONGEST_PATH_BYTES: usize = 1000;
 
-/// Why a log cannot go to a path inside a run's folder, where `others` go, too; `None` if it can. Letters are compared without
-/// their case, as some file systems do.
-pub fn taken_in_run(path: &str, others: &[&str]) -> Option<String> {
+/// The problem with a log at a path inside a run's folder that has logs at `others`; `None` for a free path. Letters are compared
+/// without their case, as some file systems do.
+pub fn taken_in_run(path: &str, others: &[&str]) -> Option<FileMessage> {
     let own = plainly(path);
+    let path = path.to_owned();
     if own.is_empty() || path.ends_with('/') || path.ends_with("/.") {
-        return Some(format!("{path:?} is a folder, and no file in it"));
+        return Some(FileMessage::IsFolder { path });
     }
     if own.split('/').any(|part| part.len() > LONGEST_NAME_BYTES) || own.len() > LONGEST_PATH_BYTES {
-        return Some(format!(
-            "the file name is too long: it has more than {LONGEST_NAME_BYTES} bytes, or its folders more \
-             than {LONGEST_PATH_BYTES}"
-        ));
+        let (most_bytes, most_path_bytes) = (LONGEST_NAME_BYTES, LONGEST_PATH_BYTES);
+        return Some(FileMessage::NameTooLong { most_bytes, most_path_bytes });
     }
     if let Some(of_run) = OF_RUN.into_iter().find(|of_run| collide(&own, of_run)) {
-        return Some(format!("{path:?} is the place of the run's own {of_run}, or beside it"));
+        return Some(FileMessage::OfRun { path, of_run: of_run.to_owned() });
     }
     if let Some(ending) = OF_PROGRAM.into_iter().find(|ending| own.ends_with(ending)) {
-        return Some(format!("{path:?} ends with {ending}, as files do that this program makes and removes by itself"));
+        return Some(FileMessage::OfProgram { path, ending: ending.to_owned() });
     }
     let other = others.iter().find(|other| collide(&own, &plainly(other)))?;
     Some(match own == plainly(other) {
-        true => format!("two logs cannot go to the one file {path:?}"),
-        false => format!("{path:?} and {other:?} cannot both be files: one would be in the place of the other"),
+        true => FileMessage::SameFile { path },
+        false => FileMessage::Collision { path, other: (*other).to_owned() },
     })
 }
 
@@ -102,11 +219,12 @@ fn collide(one: &str, other: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::problem::Diagnose;
 
     #[test]
-    fn names_that_lead_out_are_refused() {
+    fn refuses_names_that_lead_out_of_the_folder() {
         for name in ["log.db", "logs/log.db", "a b/ö.csv", "..log", "log..db", "./log.db", "~/log.db"] {
-            assert_eq!(outside_folder(name, "it"), None, "{name}");
+            assert!(outside_folder(name, "it").is_none(), "{name}");
         }
         for name in [
             "",
@@ -126,44 +244,45 @@ mod tests {
     }
 
     #[test]
-    fn a_log_takes_no_place_that_is_another_s() {
+    fn a_log_cannot_take_the_place_of_another_file() {
         for path in ["log.db", "logs/log.db", "./log.db", "truth.csv", "recording.json.txt", "x/truth.db"] {
-            assert_eq!(taken_in_run(path, &["other.db", "logs/other.db"]), None, "{path}");
+            assert!(taken_in_run(path, &["other.db", "logs/other.db"]).is_none(), "{path}");
         }
         let long = "x".repeat(201);
         let deep = "x/".repeat(501) + "log.db";
-        for (path, why) in [
-            (".", "is a folder"),
-            ("x/", "is a folder"),
-            ("x/.", "is a folder"),
-            ("./", "is a folder"),
-            (&long, "too long"),
-            (&deep, "too long"),
-            ("recording.json", "the run's own recording.json"),
-            ("./Recording.JSON", "the run's own recording.json"),
-            ("recording.json/log.db", "the run's own recording.json"),
-            ("recording.json.7-0.part", "the run's own recording.json"),
-            ("truth.db-wal", "the run's own truth.db"),
-            ("truth.db-journal/log.db", "the run's own truth.db"),
-            ("truth.db.anew", "the run's own truth.db"),
-            ("truth.db.lock", "the run's own truth.db"),
-            ("sensors.csv", "the run's own sensors.csv"),
-            ("about-run.json", "the run's own about-run.json"),
-            ("./Care-Notes.json", "the run's own care-notes.json"),
-            ("cohort.json", "the run's own cohort.json"),
-            ("anew.truth.db", "the run's own anew.truth.db"),
-            ("jsonl.confirmed.json", "ends with .confirmed.json"),
-            ("logs/a.lock", "ends with .lock"),
-            ("week.csv.part", "ends with .part"),
-            ("mqtt.spool", "ends with .spool"),
-            ("other.db", "two logs cannot go to the one file"),
-            ("./other.db", "two logs cannot go to the one file"),
-            ("other.db-shm", "cannot both be files"),
-            ("other.db/log.db", "cannot both be files"),
-            ("logs", "cannot both be files"),
+        for (path, code, of_run) in [
+            (".", "file::is-folder", ""),
+            ("x/", "file::is-folder", ""),
+            ("x/.", "file::is-folder", ""),
+            ("./", "file::is-folder", ""),
+            (&long, "file::name-too-long", ""),
+            (&deep, "file::name-too-long", ""),
+            ("recording.json", "file::of-run", "recording.json"),
+            ("./Recording.JSON", "file::of-run", "recording.json"),
+            ("recording.json/log.db", "file::of-run", "recording.json"),
+            ("recording.json.7-0.part", "file::of-run", "recording.json"),
+            ("truth.db-wal", "file::of-run", "truth.db"),
+            ("truth.db-journal/log.db", "file::of-run", "truth.db"),
+            ("truth.db.anew", "file::of-run", "truth.db"),
+            ("truth.db.lock", "file::of-run", "truth.db"),
+            ("sensors.csv", "file::of-run", "sensors.csv"),
+            ("about-run.json", "file::of-run", "about-run.json"),
+            ("./Care-Notes.json", "file::of-run", "care-notes.json"),
+            ("cohort.json", "file::of-run", "cohort.json"),
+            ("anew.truth.db", "file::of-run", "anew.truth.db"),
+            ("jsonl.confirmed.json", "file::reserved-ending", ""),
+            ("logs/a.lock", "file::reserved-ending", ""),
+            ("week.csv.part", "file::reserved-ending", ""),
+            ("mqtt.spool", "file::reserved-ending", ""),
+            ("other.db", "file::same-file", ""),
+            ("./other.db", "file::same-file", ""),
+            ("other.db-shm", "file::collision", ""),
+            ("other.db/log.db", "file::collision", ""),
+            ("logs", "file::collision", ""),
         ] {
-            let said = taken_in_run(path, &["other.db", "logs/other.db"]).unwrap_or_default();
-            assert!(said.contains(why), "{path}: {said}");
+            let problem = taken_in_run(path, &["other.db", "logs/other.db"]).expect(path).diagnostic();
+            assert_eq!(problem.code, code, "{path}");
+            assert_eq!(problem.data.get("of_run").and_then(|name| name.as_str()).unwrap_or_default(), of_run, "{path}");
         }
     }
 }

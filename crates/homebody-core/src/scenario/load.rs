@@ -5,14 +5,14 @@ use super::calendar::Calendar;
 use super::check;
 use super::home::HomeFile;
 use super::input::InputFile;
-use super::inside::{WHERE, outside_folder};
+use super::inside::{FileMessage, WHERE, outside_folder};
 use super::link::LinkFile;
 use super::logger::LoggerFile;
 use super::nearest::nearest;
 use super::path::PathFile;
 use super::resident::{DriverFile, ResidentFile};
 use super::schema::FileKind;
-use super::shape::{self, Misshape};
+use super::shape::{self, Misshape, SchemaMessage};
 use super::source::{Source, Value};
 use crate::drivers::path::ResolvedPath;
 use crate::geometry::{Point, point};
@@ -52,17 +52,17 @@ pub const LARGEST_ROUTINE_BYTES: usize = 256 << 10;
 /// Largest number of lines of a routine or script (our choice).
 pub const MOST_ROUTINE_LINES: usize = 10_000;
 
-/// What is wrong with a text that is too long for a routine or a condition; `None` for one that is not.
+/// The limit that a text is too long for, as a routine or a condition; `None` for a shorter text.
 pub fn too_long(text: &str) -> Option<String> {
     longer_than_any(text, "routine")
 }
 
 fn longer_than_any(text: &str, noun: &str) -> Option<String> {
     if text.len() > LARGEST_ROUTINE_BYTES {
-        return Some(format!("no {noun} has more than {} KB", LARGEST_ROUTINE_BYTES >> 10));
+        return Some(format!("a {noun} has at most {} KB", LARGEST_ROUTINE_BYTES >> 10));
     }
     let is_long = text.lines().nth(MOST_ROUTINE_LINES).is_some();
-    is_long.then(|| format!("no {noun} has more than {MOST_ROUTINE_LINES} lines"))
+    is_long.then(|| format!("a {noun} has at most {MOST_ROUTINE_LINES} lines"))
 }
 
 /// Why a file has no text.
@@ -278,8 +278,8 @@ impl Loader<'_> {
     fn read(&mut self, name: &str) -> Result<String, NoText> {
         let most = self.files.most_bytes();
         let too_many = || {
-            let what = format!("with it, the files that the scenario names have more than {} MB", most >> 20);
-            NoText::unreadable(format!("{what}, counted as often as they are named"))
+            let what = format!("with it, the files of the scenario have more than {} MB", most >> 20);
+            NoText::unreadable(format!("{what}, each counted as often as it is named"))
         };
         if self.named_bytes > most {
             return Err(too_many());
@@ -289,14 +289,16 @@ impl Loader<'_> {
         if self.named_bytes > most { Err(too_many()) } else { Ok(text) }
     }
 
-    /// What can be done about a file that has no text.
-    fn instead(&self, name: &str, why: &NoText) -> Option<String> {
+    /// The message for a file that has no text.
+    fn unread(&self, name: &str, why: NoText) -> FileMessage {
+        let name = name.to_owned();
         match why {
             NoText::Missing => {
                 let names = self.files.names();
-                nearest(name, names.iter().map(String::as_str)).map(|near| format!("did you mean {near:?}?"))
+                let nearest = nearest(&name, names.iter().map(String::as_str)).map(str::to_owned);
+                FileMessage::Missing { name, nearest }
             }
-            NoText::Unreadable { hint, .. } => hint.clone(),
+            NoText::Unreadable { why, hint } => FileMessage::Unreadable { name, why, fix: hint },
         }
     }
 
@@ -304,11 +306,7 @@ impl Loader<'_> {
         let text = match self.read(entry) {
             Ok(text) => text,
             Err(why) => {
-                self.problems.push(Problem::of_file(
-                    entry,
-                    format!("cannot be read: {why}"),
-                    self.instead(entry, &why),
-                ));
+                self.problems.push(Problem::of_file(entry, self.unread(entry, why), None));
                 return None;
             }
         };
@@ -440,26 +438,24 @@ impl Loader<'_> {
 
     /// Reads a linked file that is no JSON: a routine or a script, as `noun` says.
     fn text(&mut self, from: &Source, link: &str, name: &str, noun: &str) -> Option<String> {
+        let used = || self.order.iter().find(|(known, _)| known == name).map(|(_, used)| used.noun().to_owned());
+        let two_uses = |used| FileMessage::TwoUses { name: name.to_owned(), used, wanted: format!("a {noun}") };
         let problem = match outside_folder(name, "the scenario's folder") {
-            Some(what) => Some((what, Some(WHERE.to_string()))),
-            None if self.order.iter().any(|(known, _)| known == name) => {
-                Some((format!("{name:?} is a {noun} and another file at once"), None))
-            }
-            None => None,
+            Some(outside) => Some((outside, Some(WHERE.to_string()))),
+            None => used().map(|used| (two_uses(used), None)),
         };
         let read = match problem {
-            Some((what, hint)) => Err(from.problem(link, what, hint)),
+            Some(problem) => Err(problem),
             None => {
-                let read = self.read(name);
-                let read = read.map_err(|why| (format!("{name:?} cannot be read: {why}"), self.instead(name, &why)));
+                let read = self.read(name).map_err(|why| self.unread(name, why));
                 let read = read.and_then(|text| match longer_than_any(&text, noun) {
-                    Some(why) => Err((format!("{name:?} is too long: {why}"), None)),
+                    Some(why) => Err(FileMessage::TooLong { name: name.to_owned(), why }),
                     None => Ok(text),
                 });
-                read.map_err(|(what, hint)| from.problem(link, what, hint))
+                read.map_err(|message| (message, None))
             }
         };
-        match read {
+        match read.map_err(|(message, hint)| from.problem(link, message, hint)) {
             Ok(text) => {
                 self.sources.insert(name.into(), text.clone());
                 Some(text)
@@ -486,13 +482,13 @@ impl Loader<'_> {
         let used = self.order.iter().find(|(known, _)| known == name).map(|(_, used)| *used);
         match used {
             Some(used) if used != kind => {
-                let what = format!("{name:?} is already used as {}; it cannot be {} too", used.noun(), kind.noun());
-                self.problems.push(from.problem(link, what, None));
+                let (used, wanted) = (used.noun().to_owned(), kind.noun().to_owned());
+                let message = FileMessage::TwoUses { name: name.to_owned(), used, wanted };
+                self.problems.push(from.problem(link, message, None));
                 return None;
             }
             Some(FileKind::Resident) => {
-                let hint = "give every resident a file of their own".to_string();
-                self.problems.push(from.problem(link, format!("{name:?} is linked twice"), Some(hint)));
+                self.problems.push(from.problem(link, FileMessage::LinkedTwice { name: name.to_owned() }, None));
                 return None;
             }
             _ => {}
@@ -500,8 +496,7 @@ impl Loader<'_> {
         match self.read(name) {
             Ok(text) => self.parse(name, kind, &text, Some((from, link))),
             Err(why) => {
-                let hint = self.instead(name, &why);
-                self.problems.push(from.problem(link, format!("{name:?} cannot be read: {why}"), hint));
+                self.problems.push(from.problem(link, self.unread(name, why), None));
                 None
             }
         }
@@ -529,10 +524,11 @@ impl Loader<'_> {
         if !problems.is_empty() {
             let mistaken = mistaken_for(&source, kind).map(|other| {
                 self.order.retain(|(known, _)| known != name || link.is_none());
-                let what = format!("{name:?} is {}, but {} is needed here", other.noun(), kind.noun());
+                let (found, wanted) = (other.noun().to_owned(), kind.noun().to_owned());
+                let message = FileMessage::WrongKind { name: name.to_owned(), found, wanted };
                 match link {
-                    Some((from, link)) => from.problem(link, what, None),
-                    None => Problem::of_file(name, what, None),
+                    Some((from, link)) => from.problem(link, message, None),
+                    None => Problem::of_file(name, message, None),
                 }
             });
             return match mistaken {
@@ -553,7 +549,8 @@ impl Loader<'_> {
         match serde_json::from_value(source.root.to_json()) {
             Ok(data) => Some(Read { source, data: Some(data) }),
             Err(error) => {
-                self.problems.push(Problem::of_file(name, format!("cannot be understood: {error}"), None));
+                let message = SchemaMessage::Invalid { why: error.to_string() };
+                self.problems.push(Problem::of_file(name, message, None));
                 None
             }
         }

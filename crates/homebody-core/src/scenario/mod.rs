@@ -7,12 +7,13 @@
 //! meant ([`remarks`]). What code makes or changes of it is in [`edit`].
 
 pub mod calendar;
-mod check;
+pub(crate) mod check;
 pub mod device;
 pub mod edit;
 pub mod home;
 pub mod input;
 pub mod inside;
+pub(crate) mod json;
 pub mod link;
 pub mod load;
 pub mod logger;
@@ -24,7 +25,7 @@ pub mod remarks;
 pub mod resident;
 pub mod schema;
 pub mod scheme;
-mod shape;
+pub(crate) mod shape;
 pub mod source;
 
 use schemars::JsonSchema;

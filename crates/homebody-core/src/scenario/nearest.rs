@@ -28,3 +28,35 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     let known = known.into_iter().filter(|known| is_short(known)).map(|known| (distance(known), known));
     known.filter(|(distance, _)| *distance <= allowed).min_by_key(|(distance, _)| *distance).map(|(_, known)| known)
 }
+
+/// A hint shows at most this many known names (our choice).
+const MOST_SHOWN: usize = 12;
+
+/// The hint for an unknown name: the nearest known name, or some of the known names. `None` without known names.
+pub fn suggestion(nearest: &Option<String>, known: &[String]) -> Option<String> {
+    let few = &known[..known.len().min(MOST_SHOWN)];
+    let more = if few.len() < known.len() { ", ..." } else { "" };
+    match nearest {
+        Some(near) => Some(format!("did you mean {near:?}?")),
+        None => (!known.is_empty()).then(|| format!("the known names are {}{more}", quoted(few))),
+    }
+}
+
+/// Names in quotes, separated by commas.
+pub(super) fn quoted(names: &[String]) -> String {
+    names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
+}
+
+/// Each name once, up to one more than a hint shows.
+pub fn some_names<'a>(known: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    let mut some: Vec<String> = Vec::new();
+    for name in known {
+        if some.len() > MOST_SHOWN {
+            break;
+        }
+        if !some.iter().any(|other| other == name) {
+            some.push(name.to_owned());
+        }
+    }
+    some
+}

@@ -1,6 +1,7 @@
 //! What is not wrong with a scenario, but hardly meant: faults that come when the run is over, sensors that always speak at
 //! once on one channel.
 
+use super::check::link::LinkMessage;
 use super::home::SensorFile;
 use super::link::{FaultFile, LinkFile};
 use super::load::Scenario;
@@ -26,12 +27,11 @@ fn too_late(source: &Source, link: &LinkFile, scenario: &Scenario, length: Micro
     let begins = |fault: &FaultFile| fault.span_from(calendar.start_of_day()).begin;
     let faults = link.faults.iter().enumerate().filter(|(_, fault)| begins(fault) >= length);
     let remark = |(index, fault): (usize, &FaultFile)| {
-        let whose = fault.sensor().map_or(String::new(), |sensor| format!(" of {sensor:?}"));
+        let (kind, sensor) = (fault.kind().to_owned(), fault.sensor().map(str::to_owned));
         let on_wall = |at: Micros| calendar.local(at).strftime("%Y-%m-%d at %H:%M").to_string();
-        let (kind, begin, end) = (fault.kind(), on_wall(begins(fault)), on_wall(length));
-        let what = format!("{kind:?}{whose} never comes: it would begin on {begin}, and the run ends on {end}");
-        let hint = "days count from 0: let it begin before the end, or live longer".to_owned();
-        source.problem(&format!("/faults/{index}"), what, Some(hint))
+        let (begin, end) = (on_wall(begins(fault)), on_wall(length));
+        let message = LinkMessage::FaultAfterEnd { kind, sensor, begin, end };
+        source.problem(&format!("/faults/{index}"), message, None)
     };
     faults.map(remark).collect()
 }
@@ -50,11 +50,9 @@ fn at_once(source: &Source, link: &LinkFile, sensors: &[SensorFile]) -> Vec<Prob
     let together = speakers.into_iter().filter(|(_, names)| names.len() > 1);
     let remark = |(instant, names): (Moment, Vec<&str>)| {
         let (Moment::Pressed(thing, _) | Moment::Used(thing)) = instant;
-        let names = names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(" and ");
-        let what = format!("{names} speak of {thing:?} at the same instants, and spoil each other's messages");
-        let hint = "on this radio nobody waits for another: leave one out, or take another network for all".to_owned();
+        let (sensors, thing) = (names.into_iter().map(str::to_owned).collect(), thing.to_owned());
         let at = if link.radio.is_some() { "/radio" } else { "/preset" };
-        source.problem(at, what, Some(hint))
+        source.problem(at, LinkMessage::Simultaneous { sensors, thing }, None)
     };
     together.map(remark).collect()
 }

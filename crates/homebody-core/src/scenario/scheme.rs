@@ -270,7 +270,7 @@ impl Scheme {
             return Ok((row.scheme, place));
         }
         let nowhere =
-            |hint| NoPlace { what: readable(format!("{told:?} is nowhere a log can go")), hint: readable(hint) };
+            |hint| NoPlace { what: readable(format!("{told:?} is not a place for a log")), hint: readable(hint) };
         // One letter before a colon is a drive, not a scheme.
         let (scheme, at) = place.split_once(':').filter(|(scheme, _)| scheme.len() > 1).unwrap_or((place, ""));
         let Some(row) = SchemeRow::named(scheme) else {
@@ -288,18 +288,22 @@ impl Scheme {
             }));
         };
         let form = || format!("write {}:{}", row.name, row.at);
-        let none = |what: &str| NoPlace { what: readable(format!("{told:?} names no {what}")), hint: form() };
+        let none = |what: &str| NoPlace { what: readable(format!("{told:?} does not name a {what}")), hint: form() };
         match row.stands {
             Stands::Server if at.strip_prefix("//").is_none_or(|at| at.trim().is_empty()) => Err(none("server")),
             Stands::Server if told != place => {
-                let what =
-                    readable(format!("{told:?} had a password in it, which histories and lists of processes show"));
+                let what = readable(format!(
+                    "{told:?} had a password in it, which shell histories and lists of processes show"
+                ));
                 Err(NoPlace { what, hint: row.scheme.instead_of_password().into() })
             }
             Stands::Text | Stands::File if at.trim().is_empty() => Err(none("file")),
             Stands::File if at == OUTPUT => {
                 let hint = format!("name a file, or write one of {} to standard output", texts());
-                Err(NoPlace { what: readable(format!("{place:?}: {} is no text", row.name)), hint })
+                Err(NoPlace {
+                    what: readable(format!("{place:?} cannot be standard output: {} is not text", row.name)),
+                    hint,
+                })
             }
             _ => Ok((row.scheme, at)),
         }

@@ -2,11 +2,19 @@
 //!
 //! The walk knows those parts of JSON Schema that the scenario's types produce, no more.
 
+mod messages;
+
+pub use messages::SchemaMessage;
+use messages::choice;
+
 use super::nearest::nearest;
-use super::source::{DECIMAL_POINT, Key, Misspelt, Node, Source, Value};
+use super::source::{Key, Misspelt, Node, Source, Value};
 use crate::problem::Problem;
 use serde_json::Value as Schema;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// The hint for numbers that are written with a decimal comma.
+const DECIMAL_POINT: &str = "write a number with a point: 0.5, not 0,5";
 
 /// Largest number of problems searched for in a file (our choice).
 const MOST_FOUND: usize = 1_000;
@@ -66,11 +74,12 @@ impl<'a> Walk<'a> {
 
     fn number(&mut self, node: &Node, value: Option<f64>, text: &str, schema: &Schema, subject: &str) {
         let Some(value) = value else {
-            return self.report(node.start, format!("{subject} is too large a number"), None);
+            return self.report(node.start, SchemaMessage::NumberTooLarge { subject: subject.into() });
         };
         let whole = types(schema).any(|name| name == "integer");
         if whole && value.fract() != 0.0 {
-            return self.report(node.start, format!("{subject} must be a whole number, but is {text}"), None);
+            let message = SchemaMessage::NotWhole { subject: subject.into(), written: text.into() };
+            return self.report(node.start, message);
         }
         let bound = |name: &str| schema.get(name).and_then(Schema::as_f64);
         let (least, above) = (bound("minimum"), bound("exclusiveMinimum"));
@@ -86,7 +95,8 @@ impl<'a> Walk<'a> {
                     given.collect::<Vec<_>>().join(" and ")
                 }
             };
-            self.report(node.start, format!("{subject} must be {bounds}, but is {text}"), None);
+            let message = SchemaMessage::OutOfRange { subject: subject.into(), bounds, written: text.into() };
+            self.report(node.start, message);
         }
     }
 
@@ -98,9 +108,9 @@ impl<'a> Walk<'a> {
         let length = text.chars().count() as u64;
         let limit = |name: &str| schema.get(name).and_then(Schema::as_u64);
         if length == 0 && limit("minLength").is_some() {
-            self.report(node.start, format!("{subject} must not be empty"), None);
+            self.report(node.start, SchemaMessage::EmptyText { subject: subject.into() });
         } else if let Some(most) = limit("maxLength").filter(|&most| length > most) {
-            self.report(node.start, format!("{subject} must not be longer than {most} characters"), None);
+            self.report(node.start, SchemaMessage::LongText { subject: subject.into(), most_characters: most });
         }
     }
 
@@ -117,11 +127,12 @@ impl<'a> Walk<'a> {
             };
             let noun = if wanted.ends_with(" 1") { "item" } else { "items" };
             let is_number = |item: &Node| matches!(item.value, Value::Number(..));
-            let hint = match count == 2 * most && items.iter().all(is_number) {
+            let fix = match count == 2 * most && items.iter().all(is_number) {
                 true => Some(DECIMAL_POINT.into()),
                 false => hint_of(schema),
             };
-            self.report(node.start, format!("{subject} must have {wanted} {noun}, but has {count}"), hint);
+            let (subject, wanted) = (subject.into(), format!("{wanted} {noun}"));
+            self.report(node.start, SchemaMessage::WrongCount { subject, wanted, count, fix });
         }
         let Some(schema) = schema.get("items") else { return };
         for (index, item) in items.iter().enumerate() {
@@ -137,19 +148,16 @@ impl<'a> Walk<'a> {
         if let Some(most) =
             schema.get("maxProperties").and_then(Schema::as_u64).filter(|&most| entries.len() as u64 > most)
         {
-            self.report(
-                node.start,
-                format!("{subject} must have at most {most} keys, but has {}", entries.len()),
-                None,
-            );
+            let message = SchemaMessage::TooManyKeys { subject: subject.into(), most, count: entries.len() };
+            self.report(node.start, message);
         }
         let mut meant = Vec::new();
         let names: BTreeSet<&str> = entries.iter().map(|(key, _)| &*key.name).collect();
         let mut given: BTreeMap<&str, usize> = BTreeMap::new();
         for (key, value) in entries {
             if let Some(&first) = given.get(&*key.name) {
-                let hint = format!("it is already given on line {}", self.source.line(first));
-                self.report(key.start, format!("{:?} is given twice", key.name), Some(hint));
+                let first_line = self.source.line(first);
+                self.report(key.start, SchemaMessage::DuplicateKey { key: key.name.clone(), first_line });
                 self.found.keys.insert(key.start, None);
                 continue;
             }
@@ -160,20 +168,20 @@ impl<'a> Walk<'a> {
             } else if let Some(schema) = schema.get("additionalProperties").filter(|schema| schema.is_object()) {
                 self.value(value, schema, &subject);
             } else {
-                // Nobody is told more, so nothing is looked for.
-                let is_told = self.found.problems.len() <= MOST_FOUND;
-                let near = is_told.then(|| nearest(&key.name, known.iter().copied())).flatten();
+                // Further problems are not shown, so the program seeks no names for them.
+                let is_shown = self.found.problems.len() <= MOST_FOUND;
+                let near = is_shown.then(|| nearest(&key.name, known.iter().copied())).flatten();
                 let is_free = |near: &&str| !meant.contains(near) && !names.contains(near);
                 let free = near.filter(is_free);
                 self.found.keys.insert(key.start, free.map(String::from));
                 if !near.is_some_and(|near| meant.contains(&near)) {
                     meant.extend(near);
                 }
-                let hint = match near {
-                    Some(near) => format!("did you mean {near:?}?"),
-                    None => format!("its keys are {}", list_of(&known)),
-                };
-                self.report(key.start, format!("{:?} is no key of {name}", key.name), Some(hint));
+                if is_shown {
+                    let (key_name, nearest) = (key.name.clone(), near.map(str::to_owned));
+                    let (object, known) = (name.clone(), names_among(&known));
+                    self.report(key.start, SchemaMessage::UnknownKey { key: key_name, object, nearest, known });
+                }
                 if let Some(schema) = free.and_then(property) {
                     self.value(value, schema, &subject);
                 }
@@ -182,8 +190,9 @@ impl<'a> Walk<'a> {
         for key in branches(schema, "required").into_iter().flatten().filter_map(Schema::as_str) {
             // A required key that was misspelt is one mistake, not two.
             if !names.contains(key) && !meant.contains(&key) {
-                let hint = property(key).and_then(|schema| hint_of(self.resolve_keeping_hint(schema)));
-                self.report(node.start, format!("{name} needs the key {key:?}"), hint);
+                let meaning = property(key).and_then(|schema| hint_of(self.resolve_keeping_hint(schema)));
+                let (key, object) = (key.to_owned(), name.clone());
+                self.report(node.start, SchemaMessage::MissingKey { key, object, meaning, known: Vec::new() });
             }
         }
     }
@@ -198,8 +207,7 @@ impl<'a> Walk<'a> {
         match &node.value {
             Value::Text(text) if names.contains(&text.as_str()) => {}
             Value::Text(text) if keys.contains(&text.as_str()) => {
-                let hint = format!("write {{ {text:?}: ... }}");
-                self.report(node.start, format!("{text:?} needs more than its name"), Some(hint));
+                self.report(node.start, SchemaMessage::NameAlone { name: text.clone() });
             }
             Value::Text(text) if !names.is_empty() => {
                 let all: Vec<&str> = names.iter().chain(&keys).copied().collect();
@@ -208,17 +216,13 @@ impl<'a> Walk<'a> {
             Value::Object(entries) if !keys.is_empty() => {
                 let what = schema.get("title").and_then(Schema::as_str).map_or(subject.to_string(), with_article);
                 let [(key, value)] = &entries[..] else {
-                    let hint = Some(format!("its key is one of {}", list_of(&keys)));
-                    let what = format!("{what} must have exactly one key, but has {}", entries.len());
-                    return self.report(node.start, what, hint);
+                    let (count, known) = (entries.len(), names_among(&keys));
+                    return self.report(node.start, SchemaMessage::KeyCount { object: what, count, known });
                 };
                 let branch = branches.iter().find(|branch| single_key(branch) == Some(&key.name));
                 match branch.and_then(|branch| branch.get("properties")?.get(&key.name)) {
                     Some(schema) => self.value(value, schema, &format!("{:?}", key.name)),
-                    None => {
-                        let hint = did_you_mean(&key.name, &keys);
-                        self.report(key.start, format!("{:?} is no kind of {}", key.name, noun(&what)), hint);
-                    }
+                    None => self.unknown_kind(key.start, &key.name, noun(&what), &keys),
                 }
             }
             _ => self.wrong_type(node, schema, subject),
@@ -233,21 +237,31 @@ impl<'a> Walk<'a> {
         let name_of = |branch: &'a Schema| branch.get("properties")?.get(tag)?.get("const")?.as_str();
         let names: Vec<&str> = branches.iter().filter_map(name_of).collect();
         let Some((_, value)) = entries.iter().find(|(key, _)| key.name == tag) else {
-            let hint = Some(format!("it is one of {}", list_of(&names)));
-            return self.report(node.start, format!("{} needs the key {tag:?}", with_article(what)), hint);
+            let (key, object, known) = (tag.to_owned(), with_article(what), names_among(&names));
+            return self.report(node.start, SchemaMessage::MissingKey { key, object, meaning: None, known });
         };
         let Value::Text(name) = &value.value else {
-            let what = format!("{tag:?} must be a text, but is {}", kind_of(value));
-            return self.report(value.start, what, Some(format!("it is one of {}", list_of(&names))));
+            let (wanted, found) = ("a text".to_owned(), kind_of(value));
+            let fix = Some(choice(&None, &names_among(&names)));
+            let message = SchemaMessage::WrongType { subject: format!("{tag:?}"), wanted, found, fix };
+            return self.report(value.start, message);
         };
         match branches.iter().find(|branch| name_of(branch) == Some(name)) {
             Some(branch) => self.value(node, branch, subject),
-            None => self.report(value.start, format!("{name:?} is no kind of {what}"), did_you_mean(name, &names)),
+            None => self.unknown_kind(value.start, name, what, &names),
         }
     }
 
+    fn unknown_kind(&mut self, at: usize, name: &str, object: &str, names: &[&str]) {
+        let (nearest, known) = (nearest_among(name, names), names_among(names));
+        let (name, object) = (name.to_owned(), object.to_owned());
+        self.report(at, SchemaMessage::UnknownKind { name, object, nearest, known });
+    }
+
     fn unknown_name(&mut self, node: &Node, text: &str, names: &[&str], subject: &str) {
-        self.report(node.start, format!("{subject} cannot be {text:?}"), did_you_mean(text, names));
+        let (nearest, known) = (nearest_among(text, names), names_among(names));
+        let (subject, name) = (subject.to_owned(), text.to_owned());
+        self.report(node.start, SchemaMessage::UnknownName { subject, name, nearest, known });
     }
 
     fn wrong_type(&mut self, node: &Node, schema: &'a Schema, subject: &str) {
@@ -258,14 +272,14 @@ impl<'a> Walk<'a> {
         let quoted_number = matches!(&node.value, Value::Text(text) if is_number(text));
         let with_comma = matches!(&node.value, Value::Text(text) if is_number(&text.replacen(',', ".", 1)));
         let wants_number = wanted.iter().any(|wanted| wanted.ends_with("number"));
-        let hint = match &node.value {
+        let fix = match &node.value {
             _ if quoted_number && wants_number => Some("remove the quotes".into()),
-            _ if with_comma && wants_number => Some(format!("without quotes, {DECIMAL_POINT}")),
+            _ if with_comma && wants_number => Some(format!("{DECIMAL_POINT}, and remove the quotes")),
             Value::Text(text) if wanted == ["a list"] => Some(format!("write [{text:?}]")),
             _ => hint_of(schema),
         };
-        let what = format!("{subject} must be {}, but is {}", wanted.join(" or "), kind_of(node));
-        self.report(node.start, what, hint);
+        let (subject, wanted, found) = (subject.to_owned(), wanted.join(" or "), kind_of(node));
+        self.report(node.start, SchemaMessage::WrongType { subject, wanted, found, fix });
     }
 
     /// What the schema takes, in words.
@@ -337,12 +351,12 @@ impl<'a> Walk<'a> {
         if schema.get("description").is_some() { schema } else { self.resolve(schema) }
     }
 
-    fn report(&mut self, at: usize, what: String, hint: Option<String>) {
+    fn report(&mut self, at: usize, message: SchemaMessage) {
         match self.found.problems.len() {
-            ..MOST_FOUND => self.found.problems.push(self.source.problem_at(at, what, hint)),
+            ..MOST_FOUND => self.found.problems.push(self.source.problem_at(at, message, None)),
             MOST_FOUND => {
-                let what = format!("it has more than {MOST_FOUND} problems: here are the first");
-                self.found.problems.push(Problem::of_file(&self.source.file, what, None));
+                let more = SchemaMessage::TooMany { most: MOST_FOUND };
+                self.found.problems.push(Problem::of_file(&self.source.file, more, None));
             }
             _ => {}
         }
@@ -385,11 +399,13 @@ fn hint_of(schema: &Schema) -> Option<String> {
     Some(sentence.replace('`', "\""))
 }
 
-fn did_you_mean(name: &str, known: &[&str]) -> Option<String> {
-    Some(match nearest(name, known.iter().copied()) {
-        Some(near) => format!("did you mean {near:?}?"),
-        None => format!("it is one of {}", list_of(known)),
-    })
+fn nearest_among(name: &str, known: &[&str]) -> Option<String> {
+    nearest(name, known.iter().copied()).map(str::to_owned)
+}
+
+/// Known names for a message, without the key of the schema itself.
+fn names_among(names: &[&str]) -> Vec<String> {
+    names.iter().filter(|name| **name != "$schema").map(|name| (*name).to_owned()).collect()
 }
 
 fn kind_of(node: &Node) -> String {
@@ -411,8 +427,4 @@ fn with_article(noun: &str) -> String {
 
 fn noun(with_article: &str) -> &str {
     with_article.strip_prefix("a ").or(with_article.strip_prefix("an ")).unwrap_or(with_article)
-}
-
-fn list_of(names: &[&str]) -> String {
-    names.iter().filter(|name| **name != "$schema").map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
 }

@@ -1,10 +1,10 @@
 //! The text of a file with its places: what was written, and on which line and column.
 
-use crate::problem::{Diagnostic, Excerpt, Problem, boundary_before, counted};
+use super::json::{JsonMessage, syntax};
+use crate::problem::{Diagnostic, Excerpt, Problem, boundary_before};
 use jsonc_parser::ast;
 use jsonc_parser::common::Ranged;
-use jsonc_parser::errors::ParseErrorKind;
-use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
+use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 use serde_json::Number;
 use std::collections::BTreeMap;
 
@@ -89,27 +89,27 @@ impl Source {
     pub fn parse(file: &str, text: &str) -> Result<Source, Problem> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let places = Places::of(text);
-        let wrong = |at, what: String, hint| Err(places.problem(file, text, at, what.into(), hint));
-        if let Err((at, what, hint)) = scan(text) {
-            return wrong(at, what, hint);
+        let wrong = |at, message: JsonMessage| Err(places.problem(file, text, at, message.into(), None));
+        if let Err((at, message)) = scan(text) {
+            return wrong(at, message);
         }
         let root = match parse_to_ast(text, &CollectOptions::default(), &strict()) {
             Ok(parsed) => parsed.value,
             Err(error) => {
                 let at = error.range().start;
-                let (what, hint) = syntax(error.kind(), text.get(..at).unwrap_or(text), text.get(at..).unwrap_or(""));
-                return wrong(at, what, hint);
+                let message = syntax(error.kind(), text.get(..at).unwrap_or(text), text.get(at..).unwrap_or(""));
+                return wrong(at, message);
             }
         };
         let Some(root) = root else {
-            return Err(Problem::of_file(file, "the file is empty", None));
+            return Err(Problem::of_file(file, JsonMessage::Empty, None));
         };
         // The first parser knows better what is meant, the second is stricter about white space and escapes.
         if let Err(error) = serde_json::from_str::<serde::de::IgnoredAny>(text) {
             let at = places.start(error.line()) + error.column().saturating_sub(1);
             let what = error.to_string();
             let what = what.split(" at line ").next().unwrap_or_default();
-            return wrong(at, format!("this is no JSON: {what}"), None);
+            return wrong(at, JsonMessage::Invalid { why: what.to_owned() });
         }
         Ok(Source { file: file.into(), text: text.into(), root: node(&root), places })
     }
@@ -240,37 +240,27 @@ fn begun(bytes: &[u8]) -> usize {
 
 /// Looks for what the parser would not survive or would explain badly: deep nesting, values without end, and quotes that are
 /// not closed.
-fn scan(text: &str) -> Result<(), (usize, String, Option<String>)> {
+fn scan(text: &str) -> Result<(), (usize, JsonMessage)> {
     let (mut depth, mut quote, mut escaped, mut values) = (0_usize, None, false, 0_usize);
     for (at, byte) in text.bytes().enumerate() {
         // Each value but the first has a bracket, a colon or a comma before it.
         values += usize::from(quote.is_none() && matches!(byte, b'[' | b'{' | b',' | b':'));
         if values > MOST_VALUES {
-            return Err((at, format!("the file has more than {MOST_VALUES} values"), None));
+            return Err((at, JsonMessage::TooManyValues { most: MOST_VALUES }));
         }
         match (quote, byte) {
-            (Some(start), b'\n' | b'\r') => {
-                let hint = "close it with \" on the same line".to_string();
-                return Err((start, "this text is not closed".into(), Some(hint)));
-            }
-            (Some(_), ..b' ') => {
-                let hint = "write \\t for a tab, \\u and four digits for others".to_string();
-                return Err((at, "a text must not hold a control character".into(), Some(hint)));
-            }
+            (Some(start), b'\n' | b'\r') => return Err((start, JsonMessage::UnclosedText)),
+            (Some(_), ..b' ') => return Err((at, JsonMessage::ControlCharacter)),
             (Some(_), _) if escaped => escaped = false,
             (Some(_), b'\\') => escaped = true,
             (Some(start), b'"') if at - start > LONGEST_TEXT_BYTES => {
-                return Err((
-                    start,
-                    format!("this text is longer than {}", counted(LONGEST_TEXT_BYTES, "byte", "bytes")),
-                    None,
-                ));
+                return Err((start, JsonMessage::LongText { most_bytes: LONGEST_TEXT_BYTES }));
             }
             (Some(_), b'"') => quote = None,
             (Some(_), _) => {}
             (None, b'"') => quote = Some(at),
             (None, b'[' | b'{') if depth == GREATEST_DEPTH => {
-                return Err((at, format!("nested more than {GREATEST_DEPTH} deep"), None));
+                return Err((at, JsonMessage::DeepNesting { most: GREATEST_DEPTH }));
             }
             (None, b'[' | b'{') => depth += 1,
             (None, b']' | b'}') => depth = depth.saturating_sub(1),
@@ -278,7 +268,7 @@ fn scan(text: &str) -> Result<(), (usize, String, Option<String>)> {
         }
     }
     match quote {
-        Some(start) => Err((start, "this text is not closed".into(), Some("close it with \"".into()))),
+        Some(start) => Err((start, JsonMessage::UnclosedText)),
         None => Ok(()),
     }
 }
@@ -296,54 +286,6 @@ fn strict() -> ParseOptions {
         allow_non_finite_numbers: false,
         allow_extended_string_escapes: false,
     }
-}
-
-/// What helps who writes numbers as it is usual in their language.
-pub(super) const DECIMAL_POINT: &str = "a number has a point, not a comma: 0.5 for 0,5";
-
-/// What a syntax error says to people; `before` and `rest` are the text on its two sides.
-fn syntax(kind: &ParseErrorKind, before: &str, rest: &str) -> (String, Option<String>) {
-    use ParseErrorKind as Kind;
-    let is_number = |word: &str| ["NaN", "Infinity"].iter().any(|name| word.trim_start_matches('-').starts_with(name));
-    let is_decimal_comma = || {
-        let digits_before = before.strip_suffix(',').is_some_and(|text| text.ends_with(|c: char| c.is_ascii_digit()));
-        digits_before && rest.starts_with(|c: char| c.is_ascii_digit())
-    };
-    let (what, hint) = match kind {
-        Kind::ExpectedStringObjectProperty if is_decimal_comma() => ("a key in quotes must stand here", DECIMAL_POINT),
-        _ if is_number(rest) => ("NaN and Infinity are no numbers of JSON", ""),
-        Kind::ExpectedComma if before.ends_with('0') && rest.starts_with(|c: char| c.is_ascii_digit()) => {
-            ("a number must not begin with 0", "")
-        }
-        Kind::CommentsNotAllowed => ("JSON has no comments", "say it in \"about\" instead"),
-        Kind::ExpectedComma => ("a comma is missing here", ""),
-        Kind::TrailingCommasNotAllowed => ("this comma has nothing after it", "remove it"),
-        Kind::UnexpectedComma => ("this comma has nothing before it", "remove it"),
-        Kind::ExpectedColonAfterObjectKey => ("a key needs a colon and a value after it", "write \"key\": value"),
-        Kind::ExpectedObjectValue => ("a value is missing here", ""),
-        Kind::ExpectedStringObjectProperty => ("a key must stand in quotes", "write \"key\": value"),
-        Kind::SingleQuotedStringsNotAllowed => ("text must stand in double quotes", "write \" instead of '"),
-        Kind::HexadecimalNumbersNotAllowed => ("numbers must be decimal", ""),
-        Kind::UnaryPlusNumbersNotAllowed => ("a number must not begin with +", "remove it"),
-        Kind::BareDecimalPointNumbersNotAllowed => {
-            ("a number needs a digit on both sides of its point", "write 0.5 for .5, 5.0 for 5.")
-        }
-        Kind::ExpectedDigit
-        | Kind::ExpectedDigitFollowingNegativeSign
-        | Kind::ExpectedPlusMinusOrDigitInNumberLiteral => ("this number is not complete", ""),
-        Kind::UnterminatedObject => ("this { is never closed", "add the missing }"),
-        Kind::UnterminatedArray => ("this [ is never closed", "add the missing ]"),
-        Kind::UnexpectedCloseBrace => ("this } closes nothing here", ""),
-        Kind::UnexpectedCloseBracket => ("this ] closes nothing here", ""),
-        Kind::MultipleRootJsonValues => ("the file goes on after its end", "remove this, or a } or ] before it"),
-        Kind::UnexpectedWord => ("this word is no value", "put text in quotes"),
-        Kind::UnexpectedColon => ("this colon has no key before it", ""),
-        Kind::UnexpectedTokenInObject => ("a key in quotes must stand here", ""),
-        Kind::String(ParseStringErrorKind::UnterminatedStringLiteral) => ("this text is not closed", ""),
-        Kind::String(_) => ("this text has a \\ that means nothing", "write \\\\ for a backslash"),
-        _ => ("this is no JSON", ""),
-    };
-    (what.into(), (!hint.is_empty()).then(|| hint.into()))
 }
 
 fn node(ast: &ast::Value) -> Node {

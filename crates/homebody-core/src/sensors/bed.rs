@@ -20,6 +20,7 @@
 //! drift of the pressure.
 
 use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Wrong};
+use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{Band, MotionState, Trigger, Value, Vitals};
 use crate::geometry::{self, Point};
@@ -102,17 +103,13 @@ impl DeviceForm for BedFile {
     fn wrong(&self) -> Vec<Wrong> {
         let mut wrong = Vec::new();
         if let Some(index) = self.levels_s.windows(2).position(|pair| pair[0] >= pair[1]) {
-            let (level, before) = (self.levels_s[index + 1], self.levels_s[index]);
-            let what =
-                format!("each of \"levels_s\" must be more than the one before, but {level} comes after {before}");
-            wrong.push(Wrong::new(format!("/levels_s/{}", index + 1), what));
+            let (level_s, before_s) = (self.levels_s[index + 1], self.levels_s[index]);
+            let message = SensorMessage::LevelsOrder { level_s, before_s };
+            wrong.push(Wrong::new(format!("/levels_s/{}", index + 1), message));
         }
-        for (key, [least, most]) in [("pulse_bpm", self.pulse_bpm), ("respiration_pm", self.respiration_pm)] {
-            if least >= most {
-                let what = format!(
-                    "what is low by {key:?} ends at {least}, and what is high must begin above that, not at {most}"
-                );
-                wrong.push(Wrong::new(format!("/{key}"), what));
+        for (key, [low, high]) in [("pulse_bpm", self.pulse_bpm), ("respiration_pm", self.respiration_pm)] {
+            if low >= high {
+                wrong.push(Wrong::new(format!("/{key}"), SensorMessage::VitalLimits { key, low, high }));
             }
         }
         wrong

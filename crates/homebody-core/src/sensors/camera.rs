@@ -13,6 +13,7 @@
 //! Left out: lenses that distort, darkness, moving the camera, what becomes of pictures on their way.
 
 use super::form::{Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Wrong};
+use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::body::figure::Figure;
 use crate::body::track::{BodyTrack, Durations, Segment};
@@ -151,12 +152,10 @@ impl DeviceForm for CameraFile {
     fn wrong(&self) -> Vec<Wrong> {
         let mut wrong = Vec::new();
         if self.woken_by.is_empty() && !self.always {
-            let hint = "name sensors of its room in \"woken_by\", or write \"always\": true";
-            wrong.push(Wrong::new("", format!("no sensor wakes the camera {:?}", self.name)).hint(hint));
+            wrong.push(Wrong::new("", SensorMessage::NeverWakes { camera: self.name.clone() }));
         }
         if !self.woken_by.is_empty() && self.always {
-            let what = format!("the camera {:?} never sleeps, so nothing wakes it", self.name);
-            wrong.push(Wrong::new("/woken_by", what).hint("leave out \"woken_by\" or \"always\""));
+            wrong.push(Wrong::new("/woken_by", SensorMessage::NeverSleeps { camera: self.name.clone() }));
         }
         wrong
     }
@@ -419,14 +418,14 @@ mod tests {
     }
 
     #[test]
-    fn what_no_sensor_wakes_is_wrong() {
+    fn rejects_cameras_that_never_wake_or_never_sleep() {
         let wrong = |file: serde_json::Value| {
             let file: CameraFile = serde_json::from_value(file).unwrap();
-            file.wrong().into_iter().map(|wrong| wrong.what).collect::<Vec<_>>()
+            file.wrong().into_iter().map(|wrong| wrong.message.code).collect::<Vec<_>>()
         };
         let file = json!({ "name": "c", "at": [0, 0], "facing_deg": 0 });
-        assert_eq!(wrong(file), ["no sensor wakes the camera \"c\""]);
+        assert_eq!(wrong(file), ["sensor::camera-never-wakes"]);
         let both = json!({ "name": "c", "at": [0, 0], "facing_deg": 0, "woken_by": ["m"], "always": true });
-        assert_eq!(wrong(both), ["the camera \"c\" never sleeps, so nothing wakes it"]);
+        assert_eq!(wrong(both), ["sensor::camera-never-sleeps"]);
     }
 }

@@ -12,6 +12,7 @@ use crate::camera::outlook::Outlook;
 use crate::event::Value;
 use crate::geometry::{At, Point};
 use crate::ids::ThingId;
+use crate::problem::Diagnostic;
 use crate::time::Micros;
 use std::sync::Arc;
 
@@ -185,21 +186,14 @@ pub trait DeviceForm {
 pub struct Wrong {
     /// Where in the form, as the rest of a JSON pointer, such as `/levels_s/1`; empty for the whole of it.
     pub at: String,
-    /// What is wrong, as a sentence without its full stop.
-    pub what: String,
-    /// What to do about it, where that can be said.
-    pub hint: Option<String>,
+    /// The message, such as a [`SensorMessage`](super::messages::SensorMessage).
+    pub message: Diagnostic,
 }
 
 impl Wrong {
-    /// Something wrong at a place of the form, of which no more is said.
-    pub fn new(at: impl Into<String>, what: impl Into<String>) -> Wrong {
-        Wrong { at: at.into(), what: what.into(), hint: None }
-    }
-
-    /// The same, with what to do about it.
-    pub fn hint(self, hint: impl Into<String>) -> Wrong {
-        Wrong { hint: Some(hint.into()), ..self }
+    /// A problem at a place of the form.
+    pub fn new(at: impl Into<String>, message: impl Into<Diagnostic>) -> Wrong {
+        Wrong { at: at.into(), message: message.into() }
     }
 }
 

@@ -9,6 +9,7 @@ pub mod flow;
 pub mod form;
 pub mod kinds;
 pub mod light;
+pub mod messages;
 pub mod motion;
 pub mod notice;
 pub mod outbox;

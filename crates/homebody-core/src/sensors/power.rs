@@ -11,6 +11,7 @@
 //! Left out: the rush of current at first, things that draw more and less by themselves, such as refrigerators.
 
 use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit, Wrong, is_zero};
+use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox, reading};
 use crate::event::{Trigger, Value};
 use crate::home::sun::Sun;
@@ -75,15 +76,12 @@ impl DeviceForm for PowerFile {
         let Some(watts) = self.watts else {
             let given =
                 [("standby_watts", self.standby_watts > 0.0), ("readings_every_s", self.readings_every_s.is_some())];
-            let wrong = |(key, _)| {
-                Wrong::new(format!("/{key}"), format!("{key:?} says nothing without \"watts\""))
-                    .hint("give what it draws while it is on as \"watts\"")
-            };
+            let wrong = |(key, _)| Wrong::new(format!("/{key}"), SensorMessage::WithoutWatts { key });
             return given.into_iter().filter(|(_, given)| *given).map(wrong).collect();
         };
         if self.standby_watts > watts {
-            let what = format!("\"standby_watts\", {}, is more than \"watts\", {watts}", self.standby_watts);
-            return vec![Wrong::new("/standby_watts", what)];
+            let message = SensorMessage::StandbyTooLarge { standby_watts: self.standby_watts, watts };
+            return vec![Wrong::new("/standby_watts", message)];
         }
         Vec::new()
     }

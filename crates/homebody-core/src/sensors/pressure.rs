@@ -14,6 +14,7 @@
 //! Left out: weight, feet and their pace, pets, things that are put down.
 
 use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Wrong, is_zero};
+use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox};
 use crate::event::{MotionState, Trigger, Value};
 use crate::geometry::{self, At, Point};
@@ -71,13 +72,10 @@ impl DeviceForm for PressureFile {
 
     fn wrong(&self) -> Vec<Wrong> {
         match (&self.on, &self.area) {
-            (Some(_), Some(_)) => {
-                vec![Wrong::new("/area", "this sensor is given in two places").hint("give either \"on\" or \"area\"")]
-            }
+            (Some(_), Some(_)) => vec![Wrong::new("/area", SensorMessage::TwoPlaces)],
             (None, None) => {
-                let hint =
-                    format!("give \"on\", a piece of furniture (a mat if at most {MAT_HEIGHT_M} m high), or \"area\"");
-                vec![Wrong::new("", format!("{:?} is nowhere", self.name)).hint(hint)]
+                let sensor = self.name.clone();
+                vec![Wrong::new("", SensorMessage::NoPlace { sensor, mat_height_m: MAT_HEIGHT_M })]
             }
             _ => Vec::new(),
         }

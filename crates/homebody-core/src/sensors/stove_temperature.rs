@@ -15,6 +15,7 @@
 //! Left out: several burners, pots, the oven, noise, the room's own temperature.
 
 use super::form::{Bearer, Colour, DeviceForm, KindRow, Moment, Mount, Shape, Site, Unit, Wrong};
+use super::messages::SensorMessage;
 use super::outbox::{Change, DeviceModel, Outbox, reading};
 use super::rounds::Rounds;
 use crate::event::{Trigger, Value};
@@ -86,15 +87,13 @@ impl DeviceForm for StoveTemperatureFile {
         let mut wrong = Vec::new();
         let limits = [("off_below_c", self.off_below_c), ("on_above_c", self.on_above_c), ("hot_c", self.hot_c)];
         if self.off_below_c <= ROOM_C {
-            let what =
-                format!("\"off_below_c\" must be above the room's {ROOM_C}, or a stove never cools down past it");
-            wrong.push(Wrong::new("/off_below_c", what));
+            wrong.push(Wrong::new("/off_below_c", SensorMessage::BelowRoom { room_c: ROOM_C }));
         }
         for pair in limits.windows(2) {
-            let [(lower, low), (upper, high)] = [pair[0], pair[1]];
-            if low >= high {
-                let what = format!("{upper:?} must be more than {lower:?}, but {high} is not more than {low}");
-                wrong.push(Wrong::new(format!("/{upper}"), what));
+            let [(lower, low_c), (upper, high_c)] = [pair[0], pair[1]];
+            if low_c >= high_c {
+                let message = SensorMessage::LimitOrder { lower, low_c, upper, high_c };
+                wrong.push(Wrong::new(format!("/{upper}"), message));
             }
         }
         wrong

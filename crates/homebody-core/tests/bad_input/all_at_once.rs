@@ -1,11 +1,11 @@
 //! Everything that is wrong comes at once, in order, and can be shown beside its source.
 
 use crate::good::good;
-use crate::{broken, problems, said};
+use crate::{broken, listed, problems, reported};
 use homebody_core::scenario::load::{Driver, Scenario};
 
 #[test]
-fn the_good_scenario_loads() {
+fn loads_the_good_scenario() {
     let scenario = Scenario::load(&good(), "scenario.json").unwrap();
     assert_eq!(scenario.sources, good());
     assert_eq!(scenario.home.sensors.len(), 3);
@@ -16,14 +16,14 @@ fn the_good_scenario_loads() {
 }
 
 #[test]
-fn what_was_read_loads_again() {
+fn loads_its_own_sources_again() {
     let scenario = Scenario::load(&good(), "scenario.json").unwrap();
     assert_eq!(Scenario::load(&scenario.sources, "scenario.json").unwrap(), scenario);
 }
 
 #[test]
 #[rustfmt::skip] // A problem a line.
-fn ten_mistakes_in_three_files_are_reported_at_once() {
+fn reports_ten_mistakes_in_three_files_at_once() {
     let files = broken(&[
         ("home.json", r#""name": "front door", "from": [1, 0]"#, r#""name": "front door", "from": "here""#),
         ("home.json", r#""height_m": 0.7"#, r#""heigth_m": 0.7"#),
@@ -37,23 +37,23 @@ fn ten_mistakes_in_three_files_are_reported_at_once() {
         ("ann.path.json", r#""08:00:00.5""#, r#""08:60""#),
     ]);
     let expected = [
-        r#"home.json:16:37: "from" must be a list of 2 numbers, but is the text "here"; One jamb, on the centre line of a wall"#,
-        r#"home.json:19:62: "heigth_m" is no key of a piece of furniture; did you mean "height_m"?"#,
-        r#"home.json:29:24: "preset" is given twice; it is already given on line 29"#,
-        r#"logger.json:2:27: "casis:log.txt" is nowhere a log can go; did you mean "casas:log.txt"?"#,
-        r#"logger.json:4:24: "At" cannot be the name of a table or a column; use a to z, 0 to 9 and _, not a digit first, at most 63 characters"#,
-        r#"ann.path.json:5:26: "7.30" is no time of day; write it as "07:30" or "07:30:15.5", from "00:00" to "23:59:59.999999""#,
-        r#"ann.path.json:7:68: a walk cannot have both "pace_mps" and "in_s"; keep the one that is meant"#,
-        r#"ann.path.json:9:67: a stir of 30 s cannot come every 20 s; "for_s" is at most "every_s""#,
-        r#"ann.path.json:11:41: "for_s" and "until" cannot both be given; keep the one that is meant"#,
-        r#"ann.path.json:12:28: "08:60" is no time of day; write it as "07:30" or "07:30:15.5", from "00:00" to "23:59:59.999999""#,
+        "home.json:16:37: schema::wrong-type",
+        r#"home.json:19:62: schema::unknown-key "height_m""#,
+        "home.json:29:24: schema::duplicate-key",
+        "logger.json:2:27: place::invalid",
+        "logger.json:4:24: logger::sql-name",
+        "ann.path.json:5:26: time::invalid-time-of-day",
+        "ann.path.json:7:68: path::two-tempos",
+        "ann.path.json:9:67: path::long-stir",
+        "ann.path.json:11:41: path::two-durations",
+        "ann.path.json:12:28: time::invalid-time-of-day",
     ];
-    assert_eq!(said(&files), expected.join("\n"));
+    assert_eq!(reported(&files), expected.join("\n"));
 }
 
 #[test]
 #[rustfmt::skip] // A problem a line.
-fn what_cannot_be_understood_hides_nothing_that_it_links() {
+fn checks_the_files_that_a_wrong_file_links() {
     let files = broken(&[
         ("scenario.json", r#""days": 2"#, r#""days": "two""#),
         ("home.json", r#""at": [0.05, 1.5]"#, r#""at": [50, 1.5]"#),
@@ -64,33 +64,33 @@ fn what_cannot_be_understood_hides_nothing_that_it_links() {
         ("bob.keys.json", r#""at_s": 2.5"#, r#""at_s": 0.5"#),
     ]);
     let expected = ["scenario.json:5:", "home.json:27:", "logger.json:2:", "ann.json:1:", "ann.path.json:9:", "bob.json:2:", "bob.keys.json:4:"];
-    let said = said(&files);
-    assert_eq!(said.lines().count(), expected.len(), "{said}");
-    for (line, expected) in said.lines().zip(expected) {
+    let reported = reported(&files);
+    assert_eq!(reported.lines().count(), expected.len(), "{reported}");
+    for (line, expected) in reported.lines().zip(expected) {
         assert!(line.starts_with(expected), "{line} does not start with {expected}");
     }
 }
 
 #[test]
-fn what_two_link_is_reported_once() {
+fn reports_the_problems_of_a_shared_file_once() {
     let mut files = broken(&[("ann.path.json", r#""stir": { "every_s": 20, "for_s": 2 }"#, r#""stir": {}"#)]);
-    let once = said(&files);
+    let once = reported(&files);
     let bob = files["ann.json"].replace("Ann", "Bob");
     files.insert("bob.json".into(), bob);
-    assert_eq!(said(&files), once);
+    assert_eq!(reported(&files), once);
     assert_eq!(once.lines().count(), 2, "{once}");
 }
 
 #[test]
-fn a_home_in_place_of_a_scenario_is_recognised() {
+fn recognises_a_home_in_place_of_a_scenario() {
     let problems = Scenario::load(&good(), "home.json").unwrap_err();
-    assert_eq!(problems.to_string(), r#"home.json: "home.json" is a home, but a scenario is needed here"#);
+    assert_eq!(listed(&problems), "home.json: file::wrong-kind");
 }
 
 #[test]
-fn a_problem_is_shown_with_its_line_and_a_caret() {
+fn shows_a_problem_with_its_line_and_a_caret() {
     let files = broken(&[("home.json", r#""height_m": 2.1"#, r#""heigt_m": 2.1"#)]);
-    let expected = r#"home.json:28:69: "heigt_m" is no key of a motion sensor
+    let expected = r#"home.json:28:69: error[schema::unknown-key]: "heigt_m" is not a key of a motion sensor
    28 |     { "name": "bedroom motion", "kind": "motion", "at": [7.9, 0.1], "heigt_m": 2.1, "facing_deg": 135,
       |                                                                     ^
   hint: did you mean "height_m"?
@@ -99,7 +99,7 @@ fn a_problem_is_shown_with_its_line_and_a_caret() {
 }
 
 #[test]
-fn a_long_line_is_cut_to_where_the_problem_is() {
+fn cuts_a_long_line_around_the_problem() {
     let files = broken(&[("scenario.json", r#""days": 2"#, &format!("{}\"dais\": 2", " ".repeat(5000)))]);
     let rendered = problems(&files).render();
     assert!(rendered.lines().all(|line| line.len() < 140), "{rendered}");
@@ -108,39 +108,39 @@ fn a_long_line_is_cut_to_where_the_problem_is() {
 }
 
 #[test]
-fn a_file_that_is_wrong_throughout_does_not_bury_the_others() {
+fn shows_the_first_problems_of_each_file() {
     let many = "\"sink\", ".repeat(500) + "\"sink\"";
     let files = broken(&[
         ("ann.path.json", r#"[[5, 1.5], "sink"]"#, &format!("[{}]", many.replace("sink", "sin"))),
         ("bob.keys.json", r#""at_s": 2.5"#, r#""at_s": 0.5"#),
     ]);
-    let said = said(&files);
-    assert_eq!(said.lines().count(), 102);
-    assert!(said.contains("ann.path.json: there are 401 more problems\nbob.keys.json:4:15: time runs backward"));
+    let reported = reported(&files);
+    assert_eq!(reported.lines().count(), 102);
+    assert!(reported.contains("ann.path.json: problems::more\nbob.keys.json:4:15: input::backward-time"));
 }
 
 /// A key that is none hides nothing: the rest is understood as it was meant.
 #[test]
 #[rustfmt::skip] // A problem a line.
-fn misspelt_keys_hide_no_mistake_of_meaning() {
+fn checks_the_meaning_of_files_with_misspelt_keys() {
     let files = broken(&[
         ("home.json", r#""height_m": 0.7"#, r#""heigth_m": 0.7, "colour": "red""#),
         ("home.json", r#""name": "front door", "from": [1, 0]"#, r#""name": "front door", "form": [1, 0]"#),
         ("home.json", r#""at": [0.05, 1.5]"#, r#""at": [50, 1.5]"#),
     ]);
     let expected = [
-        r#"home.json:16:29: "form" is no key of a door; did you mean "from"?"#,
-        r#"home.json:19:62: "heigth_m" is no key of a piece of furniture; did you mean "height_m"?"#,
-        r#"home.json:19:79: "colour" is no key of a piece of furniture; its keys are "name", "at", "size_m", "turn_deg", "outline", "height_m", "enterable", "role""#,
-        r#"home.json:27:57: the sensor "kitchen motion" at (50, 1.5) is outside the home; mount it on the surface, on the side from which it should see"#,
+        r#"home.json:16:29: schema::unknown-key "from""#,
+        r#"home.json:19:62: schema::unknown-key "height_m""#,
+        "home.json:19:79: schema::unknown-key",
+        "home.json:27:57: sensor::outside-home",
     ];
-    assert_eq!(said(&files), expected.join("\n"));
+    assert_eq!(reported(&files), expected.join("\n"));
 }
 
-/// Also where the value behind it is wrong: that is said, and nothing that follows from it.
+/// Also where the value behind it is wrong: that is reported, and nothing that follows from it.
 #[test]
 #[rustfmt::skip] // A problem a line.
-fn what_stands_behind_a_misspelt_key_is_looked_at() {
+fn checks_the_value_of_a_misspelt_key() {
     let files = broken(&[
         ("home.json", r#""facing_deg": 0 }"#, r#""facing_deg": 0, "beam": -3 }"#),
         ("home.json", r#""at": [7.9, 0.1]"#, r#""at": [79, 0.1]"#),
@@ -148,26 +148,26 @@ fn what_stands_behind_a_misspelt_key_is_looked_at() {
         ("ann.path.json", r#""for_s": 600"#, r#""for": 1e300"#),
     ]);
     let expected = [
-        r#"home.json:27:87: "beam" is no key of a motion sensor; did you mean "beams"?"#,
-        r#"home.json:27:95: "beam" must be from 1 to 256, but is -3"#,
-        r#"ann.path.json:5:17: "untill" is no key of a wait; did you mean "until"?"#,
-        r#"ann.path.json:5:27: "untill" must be a text, but is the number 7.3; Time of day at which the stay ends, "07:30" or "07:30:15.5": the next such time"#,
-        r#"ann.path.json:9:19: "for" is no key of a wait; did you mean "for_s"?"#,
-        r#"ann.path.json:9:26: "for" must be from 0.000001 to 3200000000, but is 1e300"#,
+        r#"home.json:27:87: schema::unknown-key "beams""#,
+        "home.json:27:95: schema::out-of-range",
+        r#"ann.path.json:5:17: schema::unknown-key "until""#,
+        "ann.path.json:5:27: schema::wrong-type",
+        r#"ann.path.json:9:19: schema::unknown-key "for_s""#,
+        "ann.path.json:9:26: schema::out-of-range",
     ];
-    assert_eq!(said(&files), expected.join("\n"));
+    assert_eq!(reported(&files), expected.join("\n"));
     // A time of day behind a misspelt key is one of meaning.
     let files = broken(&[("ann.path.json", r#""until": "07:30""#, r#""untill": "7.30""#)]);
     let expected = [
-        r#"ann.path.json:5:17: "untill" is no key of a wait; did you mean "until"?"#,
-        r#"ann.path.json:5:27: "7.30" is no time of day; write it as "07:30" or "07:30:15.5", from "00:00" to "23:59:59.999999""#,
+        r#"ann.path.json:5:17: schema::unknown-key "until""#,
+        "ann.path.json:5:27: time::invalid-time-of-day",
     ];
-    assert_eq!(said(&files), expected.join("\n"));
+    assert_eq!(reported(&files), expected.join("\n"));
 }
 
 #[test]
 #[rustfmt::skip] // A problem a line.
-fn a_misspelt_link_hides_nothing_behind_it() {
+fn follows_a_misspelt_link() {
     let files = broken(&[
         ("scenario.json", r#""home": "#, r#""hom": "#),
         ("scenario.json", r#""residents": ["ann.json", "bob.json"]"#, r#""residentes": ["ann.json", "rob.json"]"#),
@@ -176,12 +176,12 @@ fn a_misspelt_link_hides_nothing_behind_it() {
         ("ann.path.json", r#""for_s": 2 }"#, r#""for_s": 30 }"#),
     ]);
     let expected = [
-        r#"scenario.json:6:3: "hom" is no key of a scenario; did you mean "home"?"#,
-        r#"scenario.json:8:3: "residentes" is no key of a scenario; did you mean "residents"?"#,
-        r#"scenario.json:8:30: "rob.json" cannot be read: there is no such file; did you mean "bob.json"?"#,
-        r#"home.json:27:57: the sensor "kitchen motion" at (50, 1.5) is outside the home; mount it on the surface, on the side from which it should see"#,
-        r#"ann.json:1:35: "drivr" is no key of a resident; did you mean "driver"?"#,
-        r#"ann.path.json:9:67: a stir of 30 s cannot come every 20 s; "for_s" is at most "every_s""#,
+        r#"scenario.json:6:3: schema::unknown-key "home""#,
+        r#"scenario.json:8:3: schema::unknown-key "residents""#,
+        r#"scenario.json:8:30: file::not-found "bob.json""#,
+        "home.json:27:57: sensor::outside-home",
+        r#"ann.json:1:35: schema::unknown-key "driver""#,
+        "ann.path.json:9:67: path::long-stir",
     ];
-    assert_eq!(said(&files), expected.join("\n"));
+    assert_eq!(reported(&files), expected.join("\n"));
 }

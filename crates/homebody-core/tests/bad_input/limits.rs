@@ -92,33 +92,25 @@ fn what_costs_the_square_of_the_size_is_seen() {
 }
 
 #[test]
-fn what_is_too_long_is_refused_in_words() {
+fn rejects_long_texts_lists_and_paths() {
     let (text, values) = (format!("\"{}\"", "x".repeat(10_001)), list(1_000_001, |_| "0".into()));
     check(&[(
         "scenario.json",
         r#""home": "home.json""#,
         &format!(r#""home": {text}"#),
-        "scenario.json:6:11: this text is longer than 10000 bytes",
+        "scenario.json:6:11: json::long-text",
     )]);
-    assert_eq!(
-        said(&with("home.json", format!("[{values}]"))),
-        "home.json:1:2000001: the file has more than 1000000 values"
-    );
-    let steps = said(&path(10_001, |_| "{\"wait\":{\"for_s\":1}}".into()));
-    assert_eq!(
-        steps,
-        r#"ann.path.json:1:24: "steps" must have at most 10000 items, but has 10001; Steps of the path, in order"#
-    );
-    let waypoints = said(&path(130, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(950, |i| format!("[1.{i},1]")))));
-    assert_eq!(
-        waypoints,
-        "ann.path.json:1:24: the path has more than 120000 steps and waypoints together; let what comes again be repeated, or say a life as a routine"
-    );
+    assert_eq!(reported(&with("home.json", format!("[{values}]"))), "home.json:1:2000001: json::too-many-values");
+    let steps = reported(&path(10_001, |_| "{\"wait\":{\"for_s\":1}}".into()));
+    assert_eq!(steps, "ann.path.json:1:24: schema::wrong-count");
+    let waypoints =
+        reported(&path(130, |_| format!("{{\"go\":{{\"to\":[{}]}}}}", list(950, |i| format!("[1.{i},1]")))));
+    assert_eq!(waypoints, "ann.path.json:1:24: path::too-many-steps");
 }
 
 #[test]
 fn messages_quote_no_more_than_a_line() {
     let long = "y".repeat(9_000);
-    let told = said(&with("home.json", format!("{{ \"{long}\": 0, \"name\": [] }}")));
+    let told = problems(&with("home.json", format!("{{ \"{long}\": 0, \"name\": [] }}"))).to_string();
     assert!(told.len() < 4_000 && told.contains("yyy ... yyy"), "{told}");
 }

@@ -1,6 +1,7 @@
-//! What is wrong with a scenario is said with its place, in words that help.
+//! Each problem of a scenario is reported with its place and its code.
 
 mod all_at_once;
+mod data;
 mod devices;
 mod good;
 mod limits;
@@ -11,16 +12,16 @@ mod shape;
 mod text;
 
 use good::good;
-use homebody_core::problem::Problems;
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::Scenario;
 use std::collections::BTreeMap;
 
-/// A file of the good scenario, a part of its text, what stands there instead, and what is said of it.
+/// A file of the good scenario, a part of its text, the text in its place, and the problems that this causes.
 type Case<'a> = (&'a str, &'a str, &'a str, &'a str);
 
 fn check(cases: &[Case]) {
     for (file, old, new, expected) in cases {
-        assert_eq!(said(&broken(&[(file, old, new)])), *expected, "after {new:?} for {old:?} in {file}");
+        assert_eq!(reported(&broken(&[(file, old, new)])), *expected, "after {new:?} for {old:?} in {file}");
     }
 }
 
@@ -43,8 +44,20 @@ fn problems(files: &BTreeMap<String, String>) -> Problems {
     Scenario::load(files, "scenario.json").map_or_else(|problems| problems, |_| Problems::default())
 }
 
-/// What is said of the files, a problem a line: place, what, hint.
-fn said(files: &BTreeMap<String, String>) -> String {
-    let said = problems(files).0.into_iter().map(|problem| problem.to_string().replace("\n  hint: ", "; "));
-    said.collect::<Vec<_>>().join("\n")
+/// The problems of the files, one on each line, as [`listed`] writes them.
+fn reported(files: &BTreeMap<String, String>) -> String {
+    listed(&problems(files))
+}
+
+/// Problems, one on each line: the place, the code, and the name that was probably meant.
+fn listed(problems: &Problems) -> String {
+    let line = |problem: &Problem| {
+        let place = match problem.line {
+            0 => problem.file.clone(),
+            line => format!("{}:{line}:{}", problem.file, problem.column),
+        };
+        let nearest = problem.data.get("nearest").filter(|name| !name.is_null());
+        format!("{place}: {}{}", problem.code, nearest.map_or(String::new(), |name| format!(" {name}")))
+    };
+    problems.0.iter().map(line).collect::<Vec<_>>().join("\n")
 }

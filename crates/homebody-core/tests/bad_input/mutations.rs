@@ -28,7 +28,7 @@ fn no_mutation_of_a_scenario_makes_the_loader_or_a_run_panic() {
                 assert!(!problems.0.is_empty());
                 for problem in &problems.0 {
                     // Shape and types say the same: serde never has to refuse what the schema let through.
-                    assert!(!problem.what.contains("cannot be understood"), "{problem}");
+                    assert_ne!(problem.code, "schema::invalid", "{problem}");
                     let lines: Vec<&str> = files[&problem.file].split(['\n', '\r']).collect();
                     assert!(problem.line as usize <= lines.len(), "{problem}");
                 }

@@ -61,7 +61,7 @@ fn lived(opened: &OpenScenario) -> Result<(usize, Option<String>), String> {
             Ok(None) => return Ok((facts, None)),
             Err(error @ Error::Driver { .. }) => {
                 let said = error.to_string();
-                return match said.contains("cannot go on: clara.rhai") {
+                return match said.contains(" s: clara.rhai") {
                     true => Ok((facts, Some(said))),
                     false => Err(format!("a script may say only what a body can do: {said}")),
                 };

@@ -37,7 +37,7 @@ pub fn told(problem: &Problem, texts: &BTreeMap<String, String>) -> Result<(), S
     if problem.file.is_empty() || problem.what.is_empty() {
         return lacks("without a file, or without words");
     }
-    if problem.what.contains("cannot be understood") {
+    if problem.code == "schema::invalid" {
         return lacks("that the schema lets through");
     }
     if let (Some(text), true) = (texts.get(&problem.file), problem.line > 0) {

@@ -4,7 +4,7 @@ use super::{Desk, problems};
 use crate::effort::Effort;
 use crate::wire::{Connect, ConnectView, Draft, PlaceRowsView, RowsView};
 use homebody_core::event::Events;
-use homebody_core::problem::Problem;
+use homebody_core::problem::{Diagnose, Problem};
 use homebody_core::recording::Recording;
 use homebody_core::run::Run;
 use homebody_core::scenario::inside::outside_folder;
@@ -59,7 +59,8 @@ impl Desk {
 
     fn try_url(&self, url: &Url) -> Result<String, LogError> {
         let Some(file) = url.file() else { return try_place(url).map(|()| format!("Homebody can write to {url}.")) };
-        if let Some(what) = outside_folder(&file.to_string_lossy(), "the run's folder") {
+        if let Some(outside) = outside_folder(&file.to_string_lossy(), "the run's folder") {
+            let what = outside.diagnostic().what;
             return Err(LogError::NoPlace(NoPlace { what, hint: "name a file in that folder".into() }));
         }
         // Each run has a folder of its own; what matters is whether it can be made.

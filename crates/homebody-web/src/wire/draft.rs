@@ -147,6 +147,10 @@ pub struct MendView {
 
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct ProblemView {
+    /// The stable code, such as `home::rooms-overlap`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub code: Option<String>,
     pub file: String,
     /// From 1; 0 where the file as a whole is meant.
     pub line: u32,

@@ -398,7 +398,7 @@ fn to_try_the_place_of_a_log_that_is_being_written_harms_it_not() {
     for url in ["casas:/srv/out.txt", "casas:../out.txt"] {
         let told = served.told("/api/connect", &json!({ "url": url }));
         assert_eq!(told["works"], false);
-        assert!(told["said"].as_str().unwrap().contains("no file name inside the run's folder"), "{told}");
+        assert!(told["said"].as_str().unwrap().contains("is not a file name inside the run's folder"), "{told}");
     }
 }
 
@@ -441,9 +441,9 @@ fn a_place_for_a_log_is_tried_without_a_trace() {
     assert_eq!(tried("sqlite:log.db")["works"], true);
     assert_eq!(tried("csv:logs/new.csv")["works"], true);
     for (url, said) in [
-        (format!("csv:{folder}/new.csv"), "no file name inside the run's folder"),
-        ("csv:../new.csv".into(), "no file name inside the run's folder"),
-        ("mysql:log".into(), "is nowhere a log can go"),
+        (format!("csv:{folder}/new.csv"), "is not a file name inside the run's folder"),
+        ("csv:../new.csv".into(), "is not a file name inside the run's folder"),
+        ("mysql:log".into(), "is not a place for a log"),
         ("log.txt".into(), "did you mean \"casas:log.txt\", or \"csv:log.txt\"?"),
     ] {
         let told = tried(&url);

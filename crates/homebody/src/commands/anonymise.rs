@@ -54,7 +54,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        Calendar::zone(&self.time_zone).map_err(Failure::usage)?;
+        Calendar::zone(&self.time_zone).map_err(Failure::asked)?;
         let named = self.log.find()?;
         keep(&self.out, &named.place.files())?;
         let key: Vec<&std::path::Path> = self.key.as_deref().into_iter().collect();

@@ -79,7 +79,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        Calendar::zone(&self.time_zone).map_err(Failure::usage)?;
+        Calendar::zone(&self.time_zone).map_err(Failure::asked)?;
         let named = self.log.find()?;
         let text = self.log.text();
         keep(&self.out, &named.place.files())?;

@@ -83,7 +83,7 @@ impl Arguments {
     }
 
     fn look(&self, named: &NamedLog) -> Result<Look, Failure> {
-        let zone = self.time_zone.as_deref().map(Calendar::zone).transpose().map_err(Failure::usage)?;
+        let zone = self.time_zone.as_deref().map(Calendar::zone).transpose().map_err(Failure::asked)?;
         let map = self.sensors.as_deref().map(SensorMap::read).transpose()?.unwrap_or_default();
         let home: Option<(String, Vec<HomeSensor>)> = match &self.home {
             Some(path) => {

@@ -58,7 +58,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        Calendar::zone(&self.time_zone).map_err(Failure::usage)?;
+        Calendar::zone(&self.time_zone).map_err(Failure::asked)?;
         let named = self.how.find(&self.log)?;
         let Some(truth) = self.truth.as_deref().map(truth_at).or_else(|| named.truth()) else {
             return Err(Failure::Io(format!("{} has no ground truth\n  hint: {NAME_IT}", named.place)));

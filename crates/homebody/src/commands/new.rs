@@ -163,7 +163,7 @@ impl Arguments {
         let picture = self.picture()?;
         let table = self.sensors.as_deref().map(read_table).transpose()?.unwrap_or_default();
         let time_zone = self.time_zone.as_deref();
-        time_zone.map(Calendar::zone).transpose().map_err(Failure::usage)?;
+        time_zone.map(Calendar::zone).transpose().map_err(Failure::asked)?;
         let read = read_log(log, time_zone, &self.how)?;
         let path = Path::new(log);
         let file = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();

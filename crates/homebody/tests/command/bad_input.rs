@@ -15,7 +15,7 @@ fn all_that_is_wrong_is_said_at_once() {
     let given = folder.files();
     let places = [
         ("scenario.json:6:16: ", "did you mean \"America/Chicago\"?"),
-        ("home.json:34:22: \"att\" is no key", "did you mean \"at\"?"),
+        ("home.json:34:22: error[schema::unknown-key]", "did you mean \"at\"?"),
         ("logger.json:26:15: ", "did you mean \"fire_only\"?"),
         ("day.path.json:10:32: ", "from \"00:00\" to \"23:59:59.999999\""),
     ];
@@ -86,7 +86,7 @@ fn what_is_asked_wrongly_is_refused() {
         ("run flat --out week.xyz", "csv:FILE"),
         ("run flat --out week", "csv:FILE"),
         ("run flat --out mysql:log", "write sqlite:FILE, csv:FILE, casas:FILE"),
-        ("run flat --out csv:", "names no file"),
+        ("run flat --out csv:", "does not name a file"),
         ("run flat --owt csv:a", "--out"),
         (
             "new home --template castle",
@@ -124,16 +124,16 @@ fn what_is_no_scenario_is_told_apart() {
             ("flot", 1, "flot: there is no such scenario\n  hint: did you mean \"flat\"?"),
             ("empty", 1, "empty/scenario.json: there is no such file\n  hint: a scenario folder holds a scenario.json"),
             ("folders", 1, "folders/scenario.json: it is no plain file"),
-            ("latin", 2, "scenario.json: cannot be read: line 1 is not text in UTF-8\n  hint: save it as UTF-8"),
-            ("other", 2, "\"scenario.json\" is a home, but a scenario is needed here"),
-            ("flat/home.json", 2, "\"home.json\" is a home, but a scenario is needed here"),
+            ("latin", 2, "cannot read \"scenario.json\": line 1 is not text in UTF-8\n  hint: save it as UTF-8"),
+            ("other", 2, "scenario.json: error[file::wrong-kind]"),
+            ("flat/home.json", 2, "home.json: error[file::wrong-kind]"),
         ] {
             folder.run(&format!("{command} {scenario}")).fails(code, said);
         }
     }
     assert!(!folder.path("runs").exists());
     folder.edit("flat/scenario.json", "\"home.json\"", "\"../flat/home.json\"");
-    folder.run("check flat").fails(2, "is no file name inside the scenario's folder");
+    folder.run("check flat").fails(2, "error[file::outside-folder]");
 }
 
 /// Numbers as if by chance, the same each time.

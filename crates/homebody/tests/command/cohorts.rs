@@ -218,7 +218,7 @@ fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
     for part in [
         "people.csv:2:3: \"none.json\" cannot be read: there is no such file\n",
         "hint: name a home in the scenario's folder",
-        "people.csv:3:3: \"../home.json\" is no file name inside the scenario's folder",
+        "people.csv:3:3: error[file::outside-folder]: \"../home.json\"",
         "people.csv:4:1: with this row, there is a problem at broken.json:",
     ] {
         assert!(said.contains(part), "{part}: {said}");
@@ -380,7 +380,7 @@ fn all_that_is_wrong_with_a_list_is_said_at_once() {
         "people.csv:7:16: \"Grief\" is named twice",
         "people.csv:7:23: there is no such date",
         "people.csv:7:34: ",
-        "people.csv:7:42: \"../a.routine\" is no file name inside the scenario's folder",
+        "people.csv:7:42: error[file::outside-folder]: \"../a.routine\"",
         "people.csv:7:56: no column stands above this",
         "people.csv:8:8: \"depression. She naps\" is not understood",
         "other.routine:1:5: \"reeds\"",
@@ -439,6 +439,6 @@ fn a_list_that_is_none_is_refused() {
 fn a_long_list_of_faults_is_cut() {
     let rows: String = (0..300).map(|row| format!("m{row},x\n")).collect();
     let folder = listed(&format!("name,age\n{rows}"));
-    let said = folder.run("run tigerplace --profiles people.csv").fails(2, "there are 200 more problems").err;
+    let said = folder.run("run tigerplace --profiles people.csv").fails(2, "the file has 200 more problems").err;
     assert_eq!(said.matches("is no age").count(), 100);
 }

@@ -29,10 +29,10 @@ fn a_scenario_and_a_recording_write_nothing_outside_the_runs_folder() {
         lured["files"][&entry] = scenario.to_string().into();
         lured["files"]["logger.json"] = serde_json::json!({ "to": [to] }).to_string().into();
         folder.write("sent.json", lured.to_string());
-        folder.run("replay sent.json").fails(2, "is no file name inside the run's folder");
+        folder.run("replay sent.json").fails(2, "error[file::outside-folder]");
         folder.write("flat/logger.json", serde_json::json!({ "to": [to] }).to_string());
         for words in ["check flat", "run flat --for 2m", "run flat --for 2m --out csv:mine.csv"] {
-            folder.run(words).fails(2, "is no file name inside the run's folder");
+            folder.run(words).fails(2, "error[file::outside-folder]");
         }
         folder.write("flat/logger.json", &logger);
         fs::remove_file(folder.path("sent.json")).unwrap();
@@ -218,7 +218,7 @@ fn a_condition_that_cannot_be_read_is_told() {
         ("it is a link that leads nowhere", &|| symlink("nowhere", folder.path(own)).unwrap()),
         ("it is no plain file, but a device or a pipe", &pipe),
         ("it is larger than 8 MB", &|| folder.write(own, vec![b' '; (8 << 20) + 1])),
-        ("is too long: no routine has more than 256 KB", &|| folder.write(own, vec![b' '; (256 << 10) + 1])),
+        ("is too long: a routine has at most 256 KB", &|| folder.write(own, vec![b' '; (256 << 10) + 1])),
     ];
     for (why, make) in others {
         make();
@@ -279,15 +279,15 @@ fn a_scenario_that_is_too_large_as_a_whole_is_refused_at_once() {
     };
     scenario(1, &|_| serde_json::json!({ "routine": "long.routine" }));
     folder.write("tigerplace/long.routine", vec![b'\n'; 8_000_000]);
-    check("\"long.routine\" is too long: no routine has more than 256 KB");
+    check("\"long.routine\" is too long: a routine has at most 256 KB");
     folder.write("tigerplace/long.routine", vec![b'\n'; 10_001]);
-    check("\"long.routine\" is too long: no routine has more than 10000 lines");
+    check("\"long.routine\" is too long: a routine has at most 10000 lines");
     scenario(30, &|_| serde_json::json!({ "routine": "long.routine" }));
     folder.write("tigerplace/long.routine", "The person gets up at 07:00.\n".repeat(8_000_000 / 29));
-    check("\"long.routine\" is too long: no routine has more than 256 KB");
+    check("\"long.routine\" is too long: a routine has at most 256 KB");
     scenario(3, &|index| serde_json::json!({ "path": format!("p{index}.json") }));
     for index in 0..3 {
         folder.write(&format!("tigerplace/p{index}.json"), format!("[{}]", " ".repeat(8_000_000)));
     }
-    check("\"p2.json\" cannot be read: with it, the files that the scenario names have more than 16 MB");
+    check("cannot read \"p2.json\": with it, the files of the scenario have more than 16 MB");
 }

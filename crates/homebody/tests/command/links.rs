@@ -114,7 +114,7 @@ fn a_wrong_link_is_refused() {
     let folder = linked(&LINK.replace("StudyFloor", "StudyFlor"));
     let done = folder.run("check flat");
     assert!(done.err.contains("hint: did you mean \"StudyFloor\"?"), "{}", done.err);
-    done.fails(2, "link.json:15:34: the home has no sensor \"StudyFlor\"");
+    done.fails(2, "link.json:15:34: error[sensor::unknown]");
 }
 
 #[test]
@@ -129,9 +129,9 @@ fn faults_that_come_when_the_run_is_over_are_warned_of() {
     let said = folder.run("check flat").ok().err;
     // The run is of 0.01 days from eight o'clock.
     for part in [
-        "warning: link.json:3:3: \"outage\" never comes: it would begin on 2009-03-03 at 07:00, \
-         and the run ends on 2009-03-02 at 08:14\n  hint: days count from 0",
-        "warning: link.json:4:3: \"battery\" of \"BedroomWall\" never comes",
+        "warning: link.json:3:3: the fault \"outage\" begins on 2009-03-03 at 07:00, \
+         after the run ends on 2009-03-02 at 08:14\n  hint: days count from 0",
+        "warning: link.json:4:3: the fault \"battery\" of \"BedroomWall\" begins on",
         "no problems",
     ] {
         assert!(said.contains(part), "{said}");
@@ -139,7 +139,8 @@ fn faults_that_come_when_the_run_is_over_are_warned_of() {
     assert_eq!(said.matches("warning").count(), 2, "{said}");
     let json = folder.run("check flat --json").ok().json();
     assert_eq!(json["problems"], json!([]));
-    assert_eq!(json["warnings"].as_array().map(Vec::len), Some(2));
+    let codes: Vec<_> = json["warnings"].as_array().unwrap().iter().map(|warning| warning["code"].clone()).collect();
+    assert_eq!(codes, ["link::fault-after-end"; 2]);
     // Routines have nothing to do with radios.
     let routines = folder.run("routine check flat --json").ok();
     assert_eq!((routines.json()["warnings"].clone(), routines.err.matches("warning").count()), (json!([]), 0));
@@ -164,8 +165,8 @@ fn sensors_that_always_speak_at_once_on_one_channel_are_warned_of() {
     assert!(!folder.run("check flat").ok().err.contains("warning"));
     let two = r#"{ "kind": "bed", "name": "left", "on": "bed" }, { "kind": "bed", "name": "right", "on": "bed" }"#;
     let said = pads(two).run("check flat").ok().err;
-    let warning = "warning: link.json:1:13: \"left\" and \"right\" speak of \"bed\" at the same instants, \
-                   and spoil each other's messages\n  hint: on this radio nobody waits for another";
+    let warning = "warning: link.json:1:13: \"left\" and \"right\" report \"bed\" at the same instants, \
+                   and their messages collide\n  hint: remove one of them";
     assert!(said.contains(warning), "{said}");
     // A pad that waits speaks at instants of its own, and so does whoever is on no channel.
     let later = r#"{ "kind": "bed", "name": "left", "on": "bed" },
@@ -180,6 +181,6 @@ fn sensors_that_always_speak_at_once_on_one_channel_are_warned_of() {
 fn an_id_of_a_sensor_that_is_not_there_is_refused() {
     let folder = flat();
     folder.write("flat/logger.json", r#"{ "ids": { "KitchenWal": "A1" } }"#);
-    let said = "logger.json:1:12: the home has no sensor \"KitchenWal\"";
+    let said = "logger.json:1:12: error[sensor::unknown]";
     assert!(folder.run("check flat").fails(2, said).err.contains("did you mean \"KitchenWall\"?"));
 }

@@ -49,7 +49,7 @@ fn an_installation_is_looked_at() {
     assert!(folder.files().iter().all(|file| file.starts_with("flat/")), "it leaves nothing");
     // What is wrong with the words is exit code 2.
     for (place, what) in [
-        ("nonsense:x", "is nowhere a log can go"),
+        ("nonsense:x", "is not a place for a log"),
         ("postgresql://ann:s3cr3t-canary@host/homes", "had a password in it"),
         ("mqtt://ann:s3cr3t-canary@host/homes", "password"),
         ("jsonl:-", "none are kept there"),

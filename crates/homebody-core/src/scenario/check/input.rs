@@ -6,19 +6,46 @@ use crate::scenario::input::InputFile;
 use crate::scenario::nearest::nearest;
 use crate::scenario::source::Source;
 
+crate::messages! {
+    /// Problems with files of held keys.
+    pub enum InputMessage in "input" {
+        /// The changes of the held keys follow each other in time.
+        Backward {
+            /// The time of the change before.
+            before_s: f64,
+            /// The time of this change.
+            after_s: f64,
+        } error "backward-time" ("time runs backward, from {before_s} s to {after_s} s")
+            hint ("put the changes in order of time");
+        /// The list of held keys names each key once.
+        HeldTwice error "held-twice" ("this key is held twice")
+            hint ("remove one of them");
+        /// A resident uses doors, pieces of furniture and the lamps of rooms, by the names in `home.json`.
+        UnknownThing {
+            /// The name.
+            thing: String,
+            /// The most similar known name.
+            nearest: Option<String>,
+        } error "unknown-thing" ("this home has no {thing:?} that a resident could use")
+            advice (Some(match nearest {
+                Some(near) => format!("did you mean {near:?}?"),
+                None => "name a door, a piece of furniture or a room".into(),
+            }));
+    }
+}
+
 pub fn check(source: &Source, file: &InputFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
     let report = &mut Report { source, problems };
     for (index, pair) in file.keys.windows(2).enumerate() {
-        let (before, after) = (pair[0].at_s, pair[1].at_s);
-        if after < before {
-            let what = format!("time runs backward, from {before} s to {after} s");
-            report.hinted(&format!("/keys/{}/at_s", index + 1), what, "put the changes in order of time");
+        let (before_s, after_s) = (pair[0].at_s, pair[1].at_s);
+        if after_s < before_s {
+            report.add(&format!("/keys/{}/at_s", index + 1), InputMessage::Backward { before_s, after_s });
         }
     }
     for (index, change) in file.keys.iter().enumerate() {
         for (second, key) in change.held.iter().enumerate() {
             if change.held[..second].contains(key) {
-                report.add(&format!("/keys/{index}/held/{second}"), "this key is held twice");
+                report.add(&format!("/keys/{index}/held/{second}"), InputMessage::HeldTwice);
             }
         }
         let Some(plan) = surroundings.plan else { continue };
@@ -26,12 +53,9 @@ pub fn check(source: &Source, file: &InputFile, surroundings: &Surroundings, pro
             if plan.thing(&used.thing).is_none() {
                 let things = plan.things.iter().map(|thing| thing.name.as_str());
                 let near = if report.count() < MOST_PER_FILE { nearest(&used.thing, things) } else { None };
-                let hint = match near {
-                    Some(near) => format!("did you mean {near:?}?"),
-                    None => "name a door, a piece of furniture or a room".into(),
-                };
-                let what = format!("there is no {:?} to use in this home", used.thing);
-                report.hinted(&format!("/keys/{index}/uses/{number}/thing"), what, hint);
+                let (thing, nearest) = (used.thing.clone(), near.map(str::to_owned));
+                let message = InputMessage::UnknownThing { thing, nearest };
+                report.add(&format!("/keys/{index}/uses/{number}/thing"), message);
             }
         }
     }

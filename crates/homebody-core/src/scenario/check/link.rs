@@ -4,12 +4,110 @@ use super::home::check_mounting;
 use super::{Report, Surroundings};
 use crate::link::moved_sensor;
 use crate::problem::Problem;
-use crate::scenario::calendar::time_of_day;
+use crate::scenario::calendar::{TimeMessage, time_of_day};
 use crate::scenario::home::{HomeFile, SensorFile};
 use crate::scenario::link::{FaultFile, LinkFile, MovedFile};
 use crate::scenario::source::{Source, pointer_part};
 use crate::sensor_set::MAX_SENSORS;
+use crate::sensors::messages::SensorMessage;
 use crate::time::{DAY, Micros, NEVER};
+
+crate::messages! {
+    /// Problems with the link between sensors and logger.
+    pub enum LinkMessage in "link" {
+        /// The interval of a day begins and ends at the same time. An interval that ends before it begins goes over midnight.
+        EmptyInterval {
+            /// The begin.
+            from: String,
+            /// The end.
+            to: String,
+        } error "empty-interval" ("the interval from {from:?} to {to:?} is empty")
+            hint ("remove \"between\" for a whole day");
+        /// A sensor has one clock, and the fault gives its drift for the whole run.
+        TwoDrifts {
+            /// The sensor.
+            sensor: String,
+        } error "two-drifts" ("the drift of {sensor:?} is given twice")
+            hint ("remove one of them");
+        /// A sensor can be moved once at an instant.
+        MovedTwice {
+            /// The sensor.
+            sensor: String,
+            /// The day, in words.
+            day: String,
+        } error "moved-twice" ("{sensor:?} is moved twice {day}")
+            hint ("remove one of them, or move it on another day");
+        /// Two faults of a sensor exclude each other, such as an empty battery and a stuck sensor. A fault without `days` lasts until the end
+        /// of the run.
+        FaultsOverlap {
+            /// The sensor.
+            sensor: String,
+            /// The kind of this fault.
+            kind: String,
+            /// Its days, in words.
+            days: String,
+            /// The kind of the other fault.
+            other: String,
+            /// The days of the other fault, in words.
+            other_days: String,
+            /// Whether the other fault has an end.
+            other_ends: bool,
+        } error "faults-overlap" ("{sensor:?} cannot be {kind:?} {days}: it is {other:?} {other_days}")
+            advice (Some(match other_ends {
+                _ if other == "moved" => "remove one of them".into(),
+                true => "end one of them before the other begins".into(),
+                false => format!("give {other:?} an end with \"days\""),
+            }));
+        /// Motion sensors fire without a cause now and then. Other kinds of sensors do not.
+        NotMotion {
+            /// The sensor.
+            sensor: String,
+        } error "not-a-motion-sensor" ("{sensor:?} is not a motion sensor, so it has no false firings")
+            hint ("remove this value, or name a motion sensor");
+        /// A motion sensor on a wall can be moved to another wall. Other sensors belong to a thing or to an area.
+        CannotMove {
+            /// The sensor.
+            sensor: String,
+        } error "cannot-move" ("{sensor:?} cannot be moved: it is not a motion sensor on a wall")
+            hint ("name a sensor of kind \"motion\"");
+        /// A place that a sensor is moved to counts as a sensor, because the program computes its view, too.
+        TooManyPlaces {
+            /// The largest number.
+            most: usize,
+        } error "too-many-places" ("the sensors and the places they are moved to are more than {most}")
+            hint ("move fewer sensors");
+        /// The fault is valid, and it begins after the end of the run, so it has no effect.
+        FaultAfterEnd {
+            /// The kind of fault.
+            kind: String,
+            /// The sensor, where the fault has one.
+            sensor: Option<String>,
+            /// The begin of the fault, in local time.
+            begin: String,
+            /// The end of the run, in local time.
+            end: String,
+        } warning "fault-after-end"
+            ("the fault {kind:?}{whose} begins on {begin}, after the run ends on {end}", whose = of_sensor(sensor))
+            hint ("days count from 0: let the fault begin before the end, or run longer with --for");
+        /// The sensors send at the same instants. On this kind of radio no sensor waits for another, so their messages collide and are lost.
+        Simultaneous {
+            /// The sensors.
+            sensors: Vec<String>,
+            /// The thing that they report.
+            thing: String,
+        } warning "simultaneous-messages"
+            ("{names} report {thing:?} at the same instants, and their messages collide", names = together(sensors))
+            hint ("remove one of them, or choose another network");
+    }
+}
+
+fn of_sensor(sensor: &Option<String>) -> String {
+    sensor.as_ref().map_or(String::new(), |sensor| format!(" of {sensor:?}"))
+}
+
+fn together(names: &[String]) -> String {
+    names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(" and ")
+}
 
 pub fn check(source: &Source, file: &LinkFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
     let report = &mut Report { source, problems };
@@ -23,7 +121,7 @@ pub fn check(source: &Source, file: &LinkFile, surroundings: &Surroundings, prob
     for (second, fault) in file.faults.iter().enumerate() {
         let others = file.faults[..second].iter().filter(|other| other.sensor() == fault.sensor());
         if let Some(other) = others.into_iter().find(|other| contradict(other, fault)) {
-            tell_contradiction(report, second, other, fault);
+            report_contradiction(report, second, other, fault);
         }
     }
     if let Some(home) = surroundings.home {
@@ -33,19 +131,17 @@ pub fn check(source: &Source, file: &LinkFile, surroundings: &Surroundings, prob
 }
 
 fn check_delay(report: &mut Report, pointer: &str, delay: Option<[f64; 2]>) {
-    if let Some([least, most]) = delay.filter(|[least, most]| least > most) {
-        let what = format!("the least of \"delay_s\", {least}, is more than its most, {most}");
-        report.hinted(pointer, what, format!("write [{most}, {least}]"));
+    if let Some(range) = delay {
+        report.range(pointer, "delay_s", range);
     }
 }
 
 /// Times of day that there are.
 fn check_times(report: &mut Report, index: usize, fault: &FaultFile) {
-    const HINT: &str = "write it as \"07:30\" or \"07:30:15.5\", from \"00:00\" to \"23:59:59.999999\"";
     let mut wrong = |pointer: &str, text: &str| {
         let is_wrong = time_of_day(text).is_none();
         if is_wrong {
-            report.hinted(pointer, format!("{text:?} is no time of day"), HINT);
+            report.add(pointer, TimeMessage::InvalidTimeOfDay { text: text.to_owned() });
         }
         is_wrong
     };
@@ -55,8 +151,7 @@ fn check_times(report: &mut Report, index: usize, fault: &FaultFile) {
             let pointer = format!("/faults/{index}/between");
             let any = wrong(&format!("{pointer}/0"), from) | wrong(&format!("{pointer}/1"), to);
             if !any && time_of_day(from) == time_of_day(to) {
-                let hint = "leave \"between\" out if it is at any time";
-                report.hinted(&pointer, format!("nothing is between {from:?} and {to:?}"), hint);
+                report.add(&pointer, LinkMessage::EmptyInterval { from: from.clone(), to: to.clone() });
             }
         }
         FaultFile::Outage(fault) => {
@@ -74,7 +169,7 @@ fn contradict(one: &FaultFile, other: &FaultFile) -> bool {
     let overlap = one.span().overlaps(&other.span());
     match (one, other) {
         (Moved(one), Moved(other)) => one.from_day == other.from_day,
-        // Nobody hangs up elsewhere what lies on the floor; what hangs elsewhere may fall off there.
+        // A sensor on the floor is not moved to another wall; a sensor that was moved may fall off there.
         (FallsOff(_), Moved(_)) => one.span().contains(other.span().begin),
         (Moved(_), FallsOff(_)) => other.span().contains(one.span().begin),
         (Battery(_) | Stuck(_) | FallsOff(_), Battery(_) | Stuck(_) | FallsOff(_)) => overlap,
@@ -83,24 +178,21 @@ fn contradict(one: &FaultFile, other: &FaultFile) -> bool {
     }
 }
 
-fn tell_contradiction(report: &mut Report, index: usize, one: &FaultFile, other: &FaultFile) {
-    let name = other.sensor().unwrap_or_default();
-    let pointer = format!("/faults/{index}");
-    let (of_one, of_other) = (days(one), days(other));
-    let what = match (one, other) {
-        (FaultFile::Drift(_), _) => format!("{name:?} has but one clock, and its drift is given twice"),
-        (FaultFile::Moved(_), FaultFile::Moved(_)) => format!("{name:?} is moved twice {of_other}"),
-        _ => {
-            let (kind, other) = (one.kind(), other.kind());
-            format!("{name:?} cannot be {other:?} {of_other}: it is {kind:?} {of_one}")
-        }
+fn report_contradiction(report: &mut Report, index: usize, one: &FaultFile, other: &FaultFile) {
+    let sensor = other.sensor().unwrap_or_default().to_owned();
+    let message = match (one, other) {
+        (FaultFile::Drift(_), _) => LinkMessage::TwoDrifts { sensor },
+        (FaultFile::Moved(_), FaultFile::Moved(_)) => LinkMessage::MovedTwice { sensor, day: days(other) },
+        _ => LinkMessage::FaultsOverlap {
+            sensor,
+            kind: other.kind().to_owned(),
+            days: days(other),
+            other: one.kind().to_owned(),
+            other_days: days(one),
+            other_ends: one.span().end != NEVER,
+        },
     };
-    let hint = match one.span().end {
-        _ if matches!(one, FaultFile::Drift(_) | FaultFile::Moved(_)) => "keep the one that is meant",
-        NEVER => "a fault without \"days\" never ends: say how long it lasts",
-        _ => "let one end before the other begins",
-    };
-    report.hinted(&pointer, what, hint);
+    report.add(&format!("/faults/{index}"), message);
 }
 
 /// When a fault is, in words.
@@ -118,18 +210,19 @@ fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
     let names = home.sensors.iter().map(|sensor| sensor.name());
     let of_name = |name: &str| home.sensors.iter().find(|sensor| sensor.name() == name);
     let unknown = |report: &Report, name: &str| {
-        (format!("the home has no sensor {name:?}"), report.did_you_mean(name, names.clone()))
+        let (nearest, known) = report.names_for(name, names.clone());
+        SensorMessage::Unknown { sensor: name.to_owned(), nearest, known }
     };
     for (name, own) in &file.sensors {
         let pointer = format!("/sensors/{}", pointer_part(name));
         match of_name(name) {
             None => {
-                let (what, hint) = unknown(report, name);
-                report.problems.push(report.source.problem_with_key(&pointer, what, hint));
+                let message = unknown(report, name);
+                report.add_to_key(&pointer, message);
             }
             Some(sensor) if own.false_fires_per_h.is_some() && !sensor.senses_motion() => {
-                let what = format!("{name:?} is no motion sensor: it does not fire for no reason");
-                report.add(&format!("{pointer}/false_fires_per_h"), what);
+                let message = LinkMessage::NotMotion { sensor: name.clone() };
+                report.add(&format!("{pointer}/false_fires_per_h"), message);
             }
             Some(_) => {}
         }
@@ -139,22 +232,21 @@ fn check_sensors(report: &mut Report, file: &LinkFile, home: &HomeFile) {
         let pointer = format!("/faults/{index}/sensor");
         match (of_name(name), fault) {
             (None, _) => {
-                let (what, hint) = unknown(report, name);
-                report.problem(&pointer, what, hint);
+                let message = unknown(report, name);
+                report.add(&pointer, message);
             }
             (Some(sensor), FaultFile::FalseFires(_)) if !sensor.senses_motion() => {
-                report.add(&pointer, format!("{name:?} is no motion sensor: it does not fire for no reason"));
+                report.add(&pointer, LinkMessage::NotMotion { sensor: name.to_owned() });
             }
             (Some(sensor), FaultFile::Moved(_)) if !matches!(sensor, SensorFile::Motion(_)) => {
-                let what = format!("{name:?} cannot be moved: only motion sensors on walls can");
-                report.add(&pointer, what);
+                report.add(&pointer, LinkMessage::CannotMove { sensor: name.to_owned() });
             }
             _ => {}
         }
     }
 }
 
-/// Places to which sensors are moved; a place is a sensor more for whoever reckons what is seen.
+/// Places that sensors are moved to; each place counts as one more sensor for the computation of views.
 fn check_places(report: &mut Report, file: &LinkFile, home: &HomeFile, surroundings: &Surroundings) {
     let moved = file.faults.iter().enumerate().filter_map(|(index, fault)| match fault {
         FaultFile::Moved(moved) => Some((index, moved)),
@@ -164,8 +256,7 @@ fn check_places(report: &mut Report, file: &LinkFile, home: &HomeFile, surroundi
     for (index, moved) in moved {
         sensors += 1;
         if sensors == MAX_SENSORS + 1 {
-            let what = format!("the sensors and the places they are moved to are more than {MAX_SENSORS}");
-            report.add(&format!("/faults/{index}"), what);
+            report.add(&format!("/faults/{index}"), LinkMessage::TooManyPlaces { most: MAX_SENSORS });
         }
         check_place(report, index, moved, home, surroundings);
     }

@@ -4,15 +4,66 @@ use super::{Report, Surroundings, folded};
 use crate::problem::Problem;
 use crate::scenario::inside::{outside_folder, taken_in_run};
 use crate::scenario::logger::{LoggerFile, LumpFile, MessagesFile};
-use crate::scenario::scheme::{self, NoPlace, OUTPUT, Scheme, Stands};
+use crate::scenario::scheme::{self, NoPlace, OUTPUT, PlaceMessage, Scheme, Stands};
 use crate::scenario::source::{Source, pointer_part};
+use crate::sensors::messages::SensorMessage;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What to do about a place that leads out of the folder.
-const INSIDE: &str = "name a file in there, such as \"sqlite:log.db\"";
+/// The hint for a place that leads out of the folder.
+const INSIDE: &str = "name a file in the folder, such as \"sqlite:log.db\"";
 
-/// What to do about a place that something else has.
-const ANOTHER: &str = "name a file that nothing else has, such as \"csv:logs/week.csv\"";
+crate::messages! {
+    /// Problems with the logger.
+    pub enum LoggerMessage in "logger" {
+        /// `lumps` divides the holds into lumps by their shares, and all shares are 0.
+        NoShare error "no-share" ("no lump has a share")
+            hint ("give one lump a share above 0, or write [] for holds of exactly \"hold_s\"");
+        /// A scenario names files of the run's folder only. Servers and standard output are the choice of the person who runs it.
+        NotAFile {
+            /// The destination.
+            target: String,
+        } error "not-a-file" ("{target:?} is not a file of a run's folder")
+            hint ("remove it here, and run with: homebody run --out {target}");
+        /// SQLite keeps tables of its own, which have names of this form.
+        SqliteTable {
+            /// The name.
+            name: String,
+        } error "sqlite-table" ("SQLite reserves table names that begin with \"sqlite_\"")
+            hint ("choose another name than {name:?}");
+        /// Homebody writes tables named `run` and `sensor` next to the log. They describe the runs and the sensors.
+        ReservedTable {
+            /// The name.
+            name: String,
+        } error "reserved-table" ("the log cannot be the table {name:?}, which Homebody writes for other rows")
+            hint ("choose another name");
+        /// Each column of a table has its own name.
+        SameColumn {
+            /// The key of the first column.
+            first: &'static str,
+            /// The key of the second column.
+            second: &'static str,
+            /// The name that both have.
+            name: String,
+        } error "duplicate-column" ("the columns {first:?} and {second:?} cannot both be named {name:?}")
+            hint ("rename one of them");
+        /// The names of tables and columns reach SQL, so they consist of letters, digits and underscores.
+        SqlName {
+            /// The name.
+            name: String,
+        } error "sql-name" ("{name:?} cannot be the name of a table or a column")
+            hint ("use up to 63 of a-z, 0-9 and _, and do not begin with a digit");
+        /// The rows of a log name their sensors by id, so each id is different. A sensor without an id in `ids` has its name as its id.
+        SameId {
+            /// The first sensor.
+            first: String,
+            /// The second sensor.
+            second: String,
+            /// The id that both would have.
+            id: String,
+        } error "duplicate-id" ("{first:?} and {second:?} would both be {id:?} in the log")
+            hint ("give each sensor its own id");
+    }
+}
 
 pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, problems: &mut Vec<Problem>) {
     let report = &mut Report { source, problems };
@@ -24,15 +75,11 @@ pub fn check(source: &Source, file: &LoggerFile, surroundings: &Surroundings, pr
 
 fn check_lumps(report: &mut Report, file: &LoggerFile) {
     let MessagesFile::OnOff(on_off) = &file.messages else { return };
-    for (index, LumpFile { parts: [least, most], .. }) in on_off.lumps.iter().enumerate() {
-        if least > most {
-            let what = format!("the least of \"parts\", {least}, is more than its most, {most}");
-            report.hinted(&format!("/messages/on_off/lumps/{index}/parts"), what, format!("write [{most}, {least}]"));
-        }
+    for (index, LumpFile { parts, .. }) in on_off.lumps.iter().enumerate() {
+        report.range(&format!("/messages/on_off/lumps/{index}/parts"), "parts", *parts);
     }
     if !on_off.lumps.is_empty() && on_off.lumps.iter().all(|lump| lump.share == 0.0) {
-        let hint = "give one lump a share above 0, or write [] for holds of exactly \"hold_s\"";
-        report.hinted("/messages/on_off/lumps", "no lump has a share", hint);
+        report.add("/messages/on_off/lumps", LoggerMessage::NoShare);
     }
 }
 
@@ -44,7 +91,7 @@ fn check_targets(report: &mut Report, targets: &[String]) {
             Ok(parts) => parts,
             Err(NoPlace { what, hint }) => {
                 let hint = hint.replace(&scheme::forms(), &scheme::forms_of_scenarios());
-                let mut problem = report.source.problem(&pointer, what, Some(hint));
+                let mut problem = report.source.problem(&pointer, PlaceMessage::Invalid { what, hint }, None);
                 if scheme::without_password(target) != *target {
                     // The line would show it.
                     problem.excerpt = None;
@@ -54,12 +101,11 @@ fn check_targets(report: &mut Report, targets: &[String]) {
             }
         };
         if scheme.row().stands == Stands::Server || path == OUTPUT {
-            let what = format!("{target:?} is no file of a run's folder");
-            report.hinted(&pointer, what, format!("say it to the command: homebody run --out {target}"));
-        } else if let Some(what) = outside_folder(path, "the run's folder") {
-            report.hinted(&pointer, what, INSIDE);
-        } else if let Some(what) = taken_in_run(path, &paths) {
-            report.hinted(&pointer, what, ANOTHER);
+            report.add(&pointer, LoggerMessage::NotAFile { target: target.clone() });
+        } else if let Some(outside) = outside_folder(path, "the run's folder") {
+            report.problems.push(report.source.problem(&pointer, outside, Some(INSIDE.into())));
+        } else if let Some(taken) = taken_in_run(path, &paths) {
+            report.add(&pointer, taken);
         } else {
             paths.push(path);
         }
@@ -70,13 +116,10 @@ fn check_sql_names(report: &mut Report, file: &LoggerFile) {
     if let Some(table) = &file.table {
         check_sql_name(report, "/table", table);
         if table.starts_with("sqlite_") {
-            report.add("/table", "SQLite keeps table names that begin with \"sqlite_\" for itself");
+            report.add("/table", LoggerMessage::SqliteTable { name: table.clone() });
         }
-        if table == "run" {
-            report.add("/table", "the table \"run\" says which runs the log holds: the firings need another");
-        }
-        if table == "sensor" {
-            report.add("/table", "the table \"sensor\" says what the sensors are: the firings need another");
+        if table == "run" || table == "sensor" {
+            report.add("/table", LoggerMessage::ReservedTable { name: table.clone() });
         }
     }
     let columns = &file.columns;
@@ -87,11 +130,11 @@ fn check_sql_names(report: &mut Report, file: &LoggerFile) {
         ("sensor", &columns.sensor),
         ("value", &columns.value),
     ];
-    for (index, (key, name)) in columns.iter().enumerate() {
+    for (index, &(key, name)) in columns.iter().enumerate() {
         let pointer = format!("/columns/{key}");
         check_sql_name(report, &pointer, name);
-        if let Some((other, _)) = columns[..index].iter().find(|(_, other)| other == name) {
-            report.add(&pointer, format!("the columns \"{other}\" and \"{key}\" cannot both be named {name:?}"));
+        if let Some(&(first, _)) = columns[..index].iter().find(|(_, other)| *other == name) {
+            report.add(&pointer, LoggerMessage::SameColumn { first, second: key, name: name.clone() });
         }
     }
 }
@@ -100,8 +143,7 @@ fn check_sql_name(report: &mut Report, pointer: &str, name: &str) {
     let begins = name.starts_with(|c: char| c.is_ascii_lowercase() || c == '_');
     let goes_on = name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_');
     if !begins || !goes_on || name.len() > 63 {
-        let hint = "use a to z, 0 to 9 and _, not a digit first, at most 63 characters";
-        report.hinted(pointer, format!("{name:?} cannot be the name of a table or a column"), hint);
+        report.add(pointer, LoggerMessage::SqlName { name: name.to_owned() });
     }
 }
 
@@ -111,13 +153,9 @@ fn check_ids(report: &mut Report, ids: &BTreeMap<String, String>, surroundings: 
         let names = home.sensors.iter().map(|sensor| sensor.name());
         let known: BTreeSet<&str> = names.clone().collect();
         for sensor in ids.keys().filter(|id| !known.contains(id.as_str())) {
-            let hint = report.did_you_mean(sensor, names.clone());
+            let (nearest, known) = report.names_for(sensor, names.clone());
             let pointer = format!("/ids/{}", pointer_part(sensor));
-            report.problems.push(report.source.problem_with_key(
-                &pointer,
-                format!("the home has no sensor {sensor:?}"),
-                hint,
-            ));
+            report.add_to_key(&pointer, SensorMessage::Unknown { sensor: sensor.clone(), nearest, known });
         }
         // A sensor without an id of its own is logged by its name.
         owners.extend(names.filter(|name| !ids.contains_key(*name)).map(|name| (folded(name), name)));
@@ -126,7 +164,8 @@ fn check_ids(report: &mut Report, ids: &BTreeMap<String, String>, surroundings: 
         let pointer = format!("/ids/{}", pointer_part(sensor));
         report.name(&pointer, id);
         if let Some(owner) = owners.insert(folded(id), sensor) {
-            report.add(&pointer, format!("{owner:?} and {sensor:?} would both be logged as {id:?}"));
+            let (first, second) = (owner.to_owned(), sensor.clone());
+            report.add(&pointer, LoggerMessage::SameId { first, second, id: id.clone() });
         }
     }
 }

@@ -4,16 +4,18 @@ pub mod home;
 pub mod input;
 pub mod link;
 pub mod logger;
+pub mod messages;
 pub mod path;
 pub mod resident;
 pub mod scenario;
 
 use super::home::HomeFile;
-use super::nearest::nearest;
+use super::nearest::{nearest, some_names};
 use super::source::Source;
 use crate::geometry::{self, At, Point, point};
 use crate::home::plan::{Origin, Plan, Solid};
 use crate::problem::{Diagnostic, MOST_PER_FILE, Problem};
+use messages::{NameMessage, RangeMessage};
 
 /// What the checks of other files know of the home.
 pub struct Surroundings<'a> {
@@ -37,30 +39,37 @@ impl Report<'_> {
         self.problems.push(self.source.problem(pointer, what, None));
     }
 
-    fn hinted(&mut self, pointer: &str, what: impl Into<Diagnostic>, hint: impl Into<String>) {
-        self.problems.push(self.source.problem(pointer, what, Some(hint.into())));
-    }
-
-    fn problem(&mut self, pointer: &str, what: impl Into<Diagnostic>, hint: Option<String>) {
-        self.problems.push(self.source.problem(pointer, what, hint));
+    /// A problem with a key rather than with its value.
+    fn add_to_key(&mut self, pointer: &str, what: impl Into<Diagnostic>) {
+        self.problems.push(self.source.problem_with_key(pointer, what, None));
     }
 
     fn count(&self) -> usize {
         self.problems.len()
     }
 
-    /// As [`did_you_mean`], but only for problems that are going to be shown: the search takes long where there are many names
+    /// The nearest known name and some of the known names, for problems that are shown only: the search takes long with many names
     /// on both sides.
-    fn did_you_mean<'a>(&self, name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
-        if self.count() < MOST_PER_FILE { did_you_mean(name, known) } else { None }
+    fn names_for<'a>(&self, name: &str, known: impl Iterator<Item = &'a str> + Clone) -> (Option<String>, Vec<String>) {
+        match self.count() < MOST_PER_FILE {
+            true => (nearest(name, known.clone()).map(str::to_owned), some_names(known)),
+            false => (None, Vec::new()),
+        }
     }
 
-    /// Names that are blank or hold what would break a table or a terminal.
+    /// Names that are blank, or contain characters that would break a table or a terminal.
     fn name(&mut self, pointer: &str, name: &str) {
         if name.trim().is_empty() {
-            self.add(pointer, "a name must not be blank");
+            self.add(pointer, NameMessage::Blank);
         } else if name.chars().any(char::is_control) {
-            self.add(pointer, format!("the name {name:?} must not hold control characters"));
+            self.add(pointer, NameMessage::ControlCharacter { name: name.to_owned() });
+        }
+    }
+
+    /// A pair of a least and a most value in the wrong order.
+    fn range(&mut self, pointer: &str, key: &str, [first, second]: [f64; 2]) {
+        if first > second {
+            self.add(pointer, RangeMessage::Reversed { key: key.to_owned(), first, second });
         }
     }
 }
@@ -68,25 +77,6 @@ impl Report<'_> {
 /// Names as far as they tell things apart: case and surrounding blanks do not.
 fn folded(name: &str) -> String {
     name.trim().to_lowercase()
-}
-
-/// A hint at the known name that was probably meant, or at those there are.
-fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
-    const FEW: usize = 12;
-    if let Some(near) = nearest(name, known.clone()) {
-        return Some(format!("did you mean {near:?}?"));
-    }
-    let mut list: Vec<String> = Vec::new();
-    for name in known.map(|name| format!("{name:?}")) {
-        if list.len() == FEW {
-            list.push("...".into());
-            break;
-        }
-        if !list.contains(&name) {
-            list.push(name);
-        }
-    }
-    (!list.is_empty()).then(|| format!("there are {}", list.join(", ")))
 }
 
 /// A point as messages write it.

@@ -1,16 +1,136 @@
 //! A path: spots that exist, ways that are free, times that can be kept.
 
-use super::{Report, Surroundings, at, blocking, is_within, solid_name};
+use super::{Report, Surroundings, at as written, blocking, is_within, solid_name};
 use crate::drivers::path::GREATEST_SPEED_MPS;
 use crate::geometry::{self, Point};
 use crate::home::plan::{Plan, Solid};
-use crate::problem::{Problem, counted};
-use crate::scenario::calendar::time_of_day;
-use crate::scenario::path::MOST_STEPS;
-use crate::scenario::path::{Go, PathFile, Repeat, Spot, Step, StirFile};
+use crate::problem::Problem;
+use crate::scenario::calendar::{TimeMessage, time_of_day};
+use crate::scenario::nearest::suggestion;
+use crate::scenario::path::{Go, MOST_STEPS, PathFile, Repeat, Spot, Step, StirFile};
 use crate::scenario::resident::ResidentFile;
 use crate::scenario::source::Source;
 use crate::time::{DAY, Micros, micros, seconds};
+
+crate::messages! {
+    /// Problems with paths.
+    pub enum PathMessage in "path" {
+        /// A path of this length is better written as a routine, or as steps in a `repeat`.
+        TooManySteps {
+            /// The largest number of steps and waypoints.
+            most: usize,
+        } error "too-many-steps" ("the path has more than {most} steps and waypoints together")
+            hint ("put steps that recur into a \"repeat\", or write a routine");
+        /// A `repeat` without `times` never ends, so no step after it is done.
+        Unreached error "unreached-step" ("this step is never reached")
+            hint ("give the \"repeat\" before it a number of \"times\"");
+        /// All repetitions would happen at the same instant.
+        NoTime error "repeat-takes-no-time" ("the repeated steps take no time")
+            hint ("add a \"wait\", or walk to another place and back");
+        /// The ground truth stores each movement, and a person does not make so many in a second.
+        TooManyMoves {
+            /// The number of movements in each repetition.
+            moves: usize,
+            /// The time that a repetition takes.
+            lasts_s: f64,
+            /// The largest number of movements in a second.
+            most_per_s: f64,
+        } error "too-many-moves"
+            ("{moves} movements in {lasts_s} s, repeated: a person makes at most {most_per_s} in a second")
+            hint ("let them take longer, or repeat them less often");
+        /// The pace, the duration and the time of arrival of a walk depend on each other, so a path gives one of them.
+        TwoTempos {
+            /// The first key.
+            first: &'static str,
+            /// The second key.
+            second: &'static str,
+        } error "two-tempos" ("a walk cannot have both {first:?} and {second:?}")
+            hint ("remove one of them");
+        /// A body does not move faster than a sprinter.
+        TooFast {
+            /// The length of the walk.
+            length_m: f64,
+            /// The time that it has.
+            span_s: f64,
+            /// The greatest speed.
+            most_mps: f64,
+            /// The resident's own pace.
+            pace_mps: f64,
+        } error "too-fast" ("{length_m:.1} m in {span_s} s would be faster than {most_mps} m/s")
+            hint ("give it more time: at {pace_mps} m/s it takes {usual_s:.0} s", usual_s = length_m / pace_mps);
+        /// A body that moves more slowly than 0.01 m/s does not arrive when the path means it to. Often the time of arrival is on the next day
+        /// by mistake.
+        TooSlow {
+            /// The length of the walk.
+            length_m: f64,
+            /// The time until the arrival.
+            span_s: f64,
+            /// The resident's own pace.
+            pace_mps: f64,
+        } error "too-slow"
+            ("{length_m:.1} m would take {hours:.1} hours, until that time of day", hours = span_s / 3600.0)
+            hint ("arrive earlier, or wait first: at {pace_mps} m/s it takes {usual_s:.0} s", usual_s = length_m / pace_mps);
+        /// A wait and an absence have a duration or an end.
+        NoSpan error "no-duration" ("this has neither \"for_s\" nor \"until\"")
+            hint ("give one of them");
+        /// A wait and an absence have a duration or an end, not both.
+        TwoSpans error "two-durations" ("\"for_s\" and \"until\" cannot both be given")
+            hint ("remove one of them");
+        /// A small movement ends before the next begins.
+        LongStir {
+            /// The duration of a movement.
+            for_s: f64,
+            /// The time from one movement to the next.
+            every_s: f64,
+        } error "long-stir" ("a stir of {for_s} s cannot come every {every_s} s")
+            hint ("set \"for_s\" to at most \"every_s\"");
+        /// A path goes to places, enterable furniture and rooms, by the names in `home.json`.
+        UnknownPlace {
+            /// The name.
+            place: String,
+            /// The most similar known name.
+            nearest: Option<String>,
+            /// Some of the known names.
+            known: Vec<String>,
+        } error "unknown-place" ("the home has no place {place:?}")
+            advice (suggestion(nearest, known));
+        /// A body cannot be inside this piece of furniture. Only enterable furniture, such as beds and chairs, is a place.
+        NotEnterable {
+            /// The piece of furniture.
+            furniture: String,
+        } error "not-enterable" ("a path cannot go to {furniture:?}, because no resident can enter it")
+            hint ("add a place in front of it to \"places\" of the home, and go there");
+        /// A path stays in the rooms of the home. Use the step `away` for an absence.
+        Outside {
+            /// The start or the waypoint.
+            subject: String,
+            /// The point, in metres.
+            at: Point,
+        } error "outside-home" ("{subject} at {at}, outside the home", at = written(*at))
+            hint ("choose a point in a room");
+        /// The point is inside a wall, a closed door or a piece of furniture.
+        Blocked {
+            /// The start or the waypoint.
+            subject: String,
+            /// The wall, door or piece of furniture.
+            by: String,
+        } error "blocked" ("{subject} inside {by}")
+            hint ("choose a point where a person can stand");
+        /// A path goes in straight lines from waypoint to waypoint. This line crosses a wall, a closed door or a piece of furniture.
+        WayBlocked {
+            /// The begin of the line.
+            from: String,
+            /// The end of the line.
+            to: String,
+            /// The wall, door or piece of furniture.
+            by: String,
+            /// Whether the line is walked in repetitions only.
+            is_repeated: bool,
+        } error "way-blocked"
+            ("the way from {from} to {to} runs through {by}{when}", when = if *is_repeated { " when it is repeated" } else { "" })
+            hint ("add waypoints around it, such as one in a door");
+    }
+}
 
 /// Lowest speed of a walk that still arrives when intended (our choice): at this speed a room takes several minutes.
 const LEAST_SPEED_MPS: f64 = 0.01;
@@ -32,9 +152,7 @@ pub fn check(
     problems: &mut Vec<Problem>,
 ) {
     if file.steps_and_waypoints() > MOST_STEPS {
-        let what = format!("the path has more than {MOST_STEPS} steps and waypoints together");
-        let hint = "let what comes again be repeated, or say a life as a routine";
-        problems.push(source.problem("/steps", what, Some(hint.into())));
+        problems.push(source.problem("/steps", PathMessage::TooManySteps { most: MOST_STEPS }, None));
         return;
     }
     let mut walk = Walk { report: Report { source, problems }, surroundings, resident };
@@ -70,8 +188,7 @@ impl Walk<'_> {
         for (index, step) in steps.iter().enumerate() {
             let place = format!("{pointer}/{index}");
             if !outcome.ends {
-                let hint = "the steps before it are repeated for ever: say how many \"times\"";
-                self.report.hinted(&place, "this step is never reached", hint);
+                self.report.add(&place, PathMessage::Unreached);
                 outcome.ends = true;
             }
             let before = outcome.end;
@@ -135,22 +252,17 @@ impl Walk<'_> {
             let first = self.find(spot);
             let back = outcome.end.zip(first);
             if let Some((end, first)) = back {
-                self.leg(&format!("{pointer}/steps{path}"), end, first, spot, " when it is repeated");
+                self.leg(&format!("{pointer}/steps{path}"), end, first, spot, true);
             }
             outcome.takes_time |= back.is_none_or(|(end, first)| end.distance(first) > LEAST_WAY_M);
         }
         if !outcome.takes_time {
-            let hint = "let it wait, or walk somewhere else and back";
-            self.report.hinted(pointer, "the steps that are repeated take no time", hint);
+            self.report.add(pointer, PathMessage::NoTime);
         } else if outcome.moves > outcome.lasts_s * MOST_MOVES_PER_S
             && outcome.moves * repeat.times.map_or(f64::INFINITY, f64::from) > FEW_MOVES
         {
-            let what = format!(
-                "{} in {} s, again and again: nobody makes more than {MOST_MOVES_PER_S} a second",
-                counted(outcome.moves as usize, "move", "moves"),
-                outcome.lasts_s
-            );
-            self.report.hinted(pointer, what, "let them take longer, or repeat them less often");
+            let (moves, lasts_s) = (outcome.moves as usize, outcome.lasts_s);
+            self.report.add(pointer, PathMessage::TooManyMoves { moves, lasts_s, most_per_s: MOST_MOVES_PER_S });
         }
         outcome.ends = repeat.times.is_some();
         outcome
@@ -163,7 +275,7 @@ impl Walk<'_> {
             let place = format!("{pointer}/to/{index}");
             let to = self.spot(&place, spot, "this waypoint is");
             let length = outcome.end.zip(to).map(|(from, to)| {
-                self.leg(&place, from, to, spot, "");
+                self.leg(&place, from, to, spot, false);
                 from.distance(to)
             });
             whole = whole.zip(length).map(|(sum, length)| sum + length);
@@ -182,23 +294,20 @@ impl Walk<'_> {
             [("pace_mps", go.pace_mps.is_some()), ("in_s", go.in_s.is_some()), ("arrive_at", go.arrive_at.is_some())];
         let mut given = given.into_iter().filter(|(_, is_given)| *is_given).map(|(key, _)| key);
         if let (Some(first), Some(second)) = (given.next(), given.next()) {
-            let what = format!("a walk cannot have both {first:?} and {second:?}");
-            self.report.hinted(&format!("{pointer}/{second}"), what, "keep the one that is meant");
+            self.report.add(&format!("{pointer}/{second}"), PathMessage::TwoTempos { first, second });
         }
         let arrival = go.arrive_at.as_ref().and_then(|time| self.time_of_day(&format!("{pointer}/arrive_at"), time));
-        // Whoever sets out at 07:30 to arrive at 07:30 means tomorrow.
+        // A walk that begins at 07:30 and arrives at 07:30 arrives tomorrow.
         let until_arrival =
             arrival.zip(clock).map(|(arrival, clock)| seconds((arrival - clock - 1).rem_euclid(DAY) + 1));
         let (key, span) = if go.in_s.is_some() { ("in_s", go.in_s) } else { ("arrive_at", until_arrival) };
-        if let Some((span, length)) = span.zip(length) {
-            let hint = format!("at {} m/s it takes {:.0} s", self.resident.pace_mps, length / self.resident.pace_mps);
-            let place = format!("{pointer}/{key}");
-            if length / span > GREATEST_SPEED_MPS {
-                let what = format!("{length:.1} m in {span} s would be faster than {GREATEST_SPEED_MPS} m/s");
-                self.report.hinted(&place, what, hint);
-            } else if key == "arrive_at" && length > LEAST_WAY_M && length / span < LEAST_SPEED_MPS {
-                let what = format!("{length:.1} m would take {:.1} hours, until that time of day", span / 3600.0);
-                self.report.hinted(&place, what, hint);
+        if let Some((span_s, length_m)) = span.zip(length) {
+            let (place, pace_mps) = (format!("{pointer}/{key}"), self.resident.pace_mps);
+            if length_m / span_s > GREATEST_SPEED_MPS {
+                let most_mps = GREATEST_SPEED_MPS;
+                self.report.add(&place, PathMessage::TooFast { length_m, span_s, most_mps, pace_mps });
+            } else if key == "arrive_at" && length_m > LEAST_WAY_M && length_m / span_s < LEAST_SPEED_MPS {
+                self.report.add(&place, PathMessage::TooSlow { length_m, span_s, pace_mps });
             }
         }
         let lasts = go.in_s.or(length.map(|length| length / go.pace_mps.unwrap_or(self.resident.pace_mps)));
@@ -214,11 +323,8 @@ impl Walk<'_> {
         clock: Option<Micros>,
     ) -> Option<Micros> {
         match (for_s, until) {
-            (None, None) => self.report.add(pointer, "how long? give \"for_s\" or \"until\""),
-            (Some(_), Some(_)) => {
-                let hint = "keep the one that is meant";
-                self.report.hinted(&format!("{pointer}/until"), "\"for_s\" and \"until\" cannot both be given", hint);
-            }
+            (None, None) => self.report.add(pointer, PathMessage::NoSpan),
+            (Some(_), Some(_)) => self.report.add(&format!("{pointer}/until"), PathMessage::TwoSpans),
             _ => {}
         }
         match until {
@@ -229,16 +335,15 @@ impl Walk<'_> {
 
     fn stir(&mut self, pointer: &str, stir: &StirFile) {
         if stir.for_s > stir.every_s {
-            let what = format!("a stir of {} s cannot come every {} s", stir.for_s, stir.every_s);
-            self.report.hinted(&format!("{pointer}/for_s"), what, "\"for_s\" is at most \"every_s\"");
+            let message = PathMessage::LongStir { for_s: stir.for_s, every_s: stir.every_s };
+            self.report.add(&format!("{pointer}/for_s"), message);
         }
     }
 
     fn time_of_day(&mut self, pointer: &str, text: &str) -> Option<Micros> {
         let time = time_of_day(text);
         if time.is_none() {
-            let hint = "write it as \"07:30\" or \"07:30:15.5\", from \"00:00\" to \"23:59:59.999999\"";
-            self.report.hinted(pointer, format!("{text:?} is no time of day"), hint);
+            self.report.add(pointer, TimeMessage::InvalidTimeOfDay { text: text.to_owned() });
         }
         time
     }
@@ -251,27 +356,29 @@ impl Walk<'_> {
             let rooms = home.rooms.iter().map(|room| &room.name);
             let known = home.places.iter().map(|place| &place.name).chain(seats).chain(rooms).map(String::as_str);
             if !known.clone().any(|place| place == name) {
-                let hint = match home.furniture.iter().any(|piece| piece.name == *name) {
-                    true => Some("nobody can be where it stands: add a place beside it".into()),
-                    false => self.report.did_you_mean(name, known),
-                };
-                let what = format!("the home has no place {name:?}");
-                self.report.problems.push(self.report.source.problem(pointer, what, hint));
+                let place = name.clone();
+                if home.furniture.iter().any(|piece| piece.name == *name) {
+                    self.report.add(pointer, PathMessage::NotEnterable { furniture: place });
+                } else {
+                    let (nearest, known) = self.report.names_for(name, known);
+                    self.report.add(pointer, PathMessage::UnknownPlace { place, nearest, known });
+                }
                 return None;
             }
         }
         let (plan, to) = (self.surroundings.plan?, self.find(spot)?);
-        // A place that nobody can be at is a problem of the home, not of every path that goes there.
+        // A blocked place is a problem of the home, not of every path that goes there.
         let blamed = matches!(spot, Spot::Place(name) if home.places.iter().any(|place| place.name == *name));
         if plan.distance_outside(to) > super::TOLERANCE_M {
             if !blamed {
-                self.report.add(pointer, format!("{subject} at {}, outside the home", at(to)));
+                self.report.add(pointer, PathMessage::Outside { subject: subject.to_owned(), at: to });
             }
             return None;
         }
         if let Some(solid) = blocking(plan, to) {
             if !blamed {
-                self.report.add(pointer, format!("{subject} inside {}", solid_name(home, solid)));
+                let (subject, by) = (subject.to_owned(), solid_name(home, solid));
+                self.report.add(pointer, PathMessage::Blocked { subject, by });
             }
             return None;
         }
@@ -282,15 +389,15 @@ impl Walk<'_> {
         self.surroundings.plan?.spot(spot)
     }
 
-    fn leg(&mut self, pointer: &str, from: Point, to: Point, spot: &Spot, when: &str) {
+    fn leg(&mut self, pointer: &str, from: Point, to: Point, spot: &Spot, is_repeated: bool) {
         let (Some(home), Some(plan)) = (self.surroundings.home, self.surroundings.plan) else { return };
         let Some(solid) = stop_on_way(plan, from, to) else { return };
-        let goal = match spot {
-            Spot::At(_) => at(to),
+        let (from, by) = (written(from), solid_name(home, solid));
+        let to = match spot {
+            Spot::At(_) => written(to),
             Spot::Place(name) => format!("{name:?}"),
         };
-        let what = format!("the way from {} to {goal} runs through {}{when}", at(from), solid_name(home, solid));
-        self.report.hinted(pointer, what, "add waypoints around it, such as one in a door");
+        self.report.add(pointer, PathMessage::WayBlocked { from, to, by, is_repeated });
     }
 }
 

@@ -1,12 +1,72 @@
 //! A resident's file: a name of their own, and a place to stand for a body that is driven live.
 
-use super::{Report, Surroundings, at, blocking, folded, solid_name};
-use crate::geometry::{self, point};
+use super::{Report, Surroundings, at as written, blocking, folded, solid_name};
+use crate::geometry::{self, Point, point};
 use crate::problem::Problem;
 use crate::scenario::home::{HomeFile, RoomFile};
 use crate::scenario::resident::{LiveFile, ResidentFile};
 use crate::scenario::source::Source;
 use std::collections::BTreeMap;
+
+crate::messages! {
+    /// Problems with residents.
+    pub enum ResidentMessage in "resident" {
+        /// The ground truth and all reports tell residents apart by their names.
+        SameName {
+            /// The name.
+            name: String,
+            /// The file of the other resident.
+            file: String,
+        } error "duplicate-name" ("the resident of {file:?} is also named {name:?}")
+            hint ("rename one of them");
+        /// A body fits under the ceilings of all rooms. Residents do not stoop all the time.
+        TooTall {
+            /// The resident.
+            resident: String,
+            /// The height of the body.
+            height_m: f64,
+            /// The room.
+            room: String,
+            /// The height of its ceiling.
+            ceiling_m: f64,
+        } error "too-tall" ("{resident} is {height_m} m tall, and the ceiling of {room:?} is at {ceiling_m} m")
+            hint ("raise \"ceiling_m\" of the room, or lower \"height_m\"");
+        /// A resident starts in a room.
+        StartOutside {
+            /// The resident.
+            resident: String,
+            /// The start, in metres.
+            at: Point,
+        } error "start-outside" ("{resident} starts at {at}, outside the home", at = written(*at))
+            hint ("move the start into a room");
+        /// A resident starts where a person can stand.
+        StartBlocked {
+            /// The resident.
+            resident: String,
+            /// The wall, door or piece of furniture.
+            by: String,
+        } error "start-blocked" ("{resident} starts inside {by}")
+            hint ("move the start to a point where a person can stand");
+        /// The body is a circle on the floor. It has to fit between walls, closed doors and furniture.
+        StartTooNear {
+            /// The resident.
+            resident: String,
+            /// The wall, door or piece of furniture.
+            by: String,
+            /// The radius of the body.
+            radius_m: f64,
+        } error "start-too-near" ("{resident} starts too near to {by}")
+            hint ("move the start at least {radius_m} m away, the radius of the body");
+        /// Held keys move a body within the home only, so a body cannot start in a door that leads out.
+        StartInDoor {
+            /// The resident.
+            resident: String,
+            /// The radius of the body.
+            radius_m: f64,
+        } error "start-in-door" ("{resident} starts in a door that leads out, where held keys do not move a body")
+            hint ("move the start at least {radius_m} m inside, the radius of the body");
+    }
+}
 
 /// The names of the residents so far, folded, and the file of each.
 #[derive(Default)]
@@ -17,7 +77,7 @@ impl Names {
         let report = &mut Report { source, problems };
         report.name("/name", &file.name);
         if let Some(other) = self.0.insert(folded(&file.name), source.file.clone()) {
-            report.add("/name", format!("the resident of {other:?} is also named {:?}", file.name));
+            report.add("/name", ResidentMessage::SameName { name: file.name.clone(), file: other });
         }
     }
 }
@@ -28,11 +88,8 @@ pub fn check_height(source: &Source, file: &ResidentFile, home: &HomeFile, probl
     let low = |room: &&RoomFile| room.ceiling_m.is_some_and(|ceiling_m| ceiling_m < file.height_m);
     if let Some(room) = home.rooms.iter().find(low) {
         let ceiling_m = room.ceiling_m.unwrap_or_default();
-        let what = format!(
-            "{} is {} m tall, and the ceiling of {:?} is at {ceiling_m} m",
-            file.name, file.height_m, room.name
-        );
-        report.hinted("/height_m", what, "raise \"ceiling_m\" of the room, or lower \"height_m\"");
+        let (resident, room, height_m) = (file.name.clone(), room.name.clone(), file.height_m);
+        report.add("/height_m", ResidentMessage::TooTall { resident, height_m, room, ceiling_m });
     }
 }
 
@@ -47,25 +104,22 @@ pub fn check_start(
     let report = &mut Report { source, problems };
     let (Some(home), Some(plan)) = (surroundings.home, surroundings.plan) else { return };
     let (start, pointer) = (point(live.start), "/driver/live/start");
+    let (resident, radius_m) = (file.name.clone(), file.radius_m);
     if plan.distance_outside(start) > super::TOLERANCE_M {
-        report.add(pointer, format!("{} starts at {}, outside the home", file.name, at(start)));
-        return;
+        return report.add(pointer, ResidentMessage::StartOutside { resident, at: start });
     }
     if let Some(solid) = blocking(plan, start) {
-        report.add(pointer, format!("{} starts inside {}", file.name, solid_name(home, solid)));
-        return;
+        return report.add(pointer, ResidentMessage::StartBlocked { resident, by: solid_name(home, solid) });
     }
-    let distance = |outline: &[geometry::Point]| geometry::distance_to_area(outline, start);
+    let distance = |outline: &[Point]| geometry::distance_to_area(outline, start);
     let touched = plan.solids.iter().find(|solid| solid.stops_bodies && distance(&solid.outline) < file.radius_m);
     if let Some(solid) = touched {
-        let what = format!("{} has no room to stand so near to {}", file.name, solid_name(home, solid));
-        report.hinted(pointer, what, format!("the body's radius is {} m: move the start away", file.radius_m));
+        report.add(pointer, ResidentMessage::StartTooNear { resident, by: solid_name(home, solid), radius_m });
     } else if plan
         .openings
         .iter()
         .any(|opening| plan.leads_out(&opening.outline, file.radius_m) && distance(&opening.outline) < file.radius_m)
     {
-        let what = format!("{} starts in a door that leads out, where held keys do not go", file.name);
-        report.hinted(pointer, what, format!("the body's radius is {} m: move the start inside", file.radius_m));
+        report.add(pointer, ResidentMessage::StartInDoor { resident, radius_m });
     }
 }

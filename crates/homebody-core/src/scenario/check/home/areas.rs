@@ -1,5 +1,6 @@
 //! Areas: whether an outline is one, and whether it keeps to the home.
 
+use super::messages::HomeMessage;
 use super::{Report, TOLERANCE_M};
 use crate::geometry::{self, Point};
 use crate::home::plan::Plan;
@@ -10,17 +11,17 @@ const LEAST_AREA_M2: f64 = 1e-6;
 
 /// Whether the outline is a convex area; says what is wrong with it if not.
 pub fn check_convex(report: &mut Report, pointer: &str, outline: &[Point], subject: &str) -> bool {
-    let what = if is_flat(outline) {
-        "has no area"
+    let what = subject.to_owned();
+    let message = if is_flat(outline) {
+        HomeMessage::NoArea { what }
     } else if geometry::crosses_itself(outline) {
-        "crosses itself"
+        HomeMessage::CrossesItself { what }
     } else if !geometry::is_convex(outline) {
-        "must be convex"
+        HomeMessage::NotConvex { what }
     } else {
         return true;
     };
-    let hint = (what == "must be convex").then(|| "make it of several convex pieces".to_string());
-    report.problems.push(report.source.problem(pointer, format!("{subject} {what}"), hint));
+    report.add(pointer, message);
     false
 }
 

@@ -1,12 +1,13 @@
 //! Cameras: what wakes them must be there, and there must be something to see.
 
-use super::{Report, at, blocking, devices::known, solid_name};
+use super::{Report, blocking, devices::known, solid_name};
 use crate::camera::scenery::Scenery;
 use crate::geometry::point;
 use crate::home::outlook::outlook;
 use crate::home::plan::Plan;
 use crate::scenario::home::{HomeFile, SensorFile};
 use crate::sensors::camera::CameraFile;
+use crate::sensors::messages::SensorMessage;
 
 /// Share of a camera's picture with floor below which the camera sees nothing useful (our choice).
 const LEAST_FLOOR: f64 = 0.05;
@@ -21,28 +22,24 @@ pub fn check_alone(report: &mut Report, place: &str, sensor: &SensorFile, home: 
         others.map(SensorFile::name)
     };
     for (index, name) in sensor.woken_by().iter().enumerate() {
-        known(report, place, &format!("woken_by/{index}"), "sensor that could wake a camera, called", name, others());
+        known(report, place, &format!("woken_by/{index}"), "sensor that can wake a camera, named", name, others());
     }
 }
 
 /// Checks that it hangs in a room and looks at something.
 pub fn check_within(report: &mut Report, place: &str, camera: &CameraFile, home: &HomeFile, plan: &Plan) {
-    let (name, spot) = (&camera.name, point(camera.at));
+    let (name, spot) = (camera.name.clone(), point(camera.at));
     let Some(room) = plan.room_at(spot) else {
-        return report.add(&format!("{place}/at"), format!("the camera {name:?} at {} is in no room", at(spot)));
+        return report.add(&format!("{place}/at"), SensorMessage::CameraOutside { camera: name, at: spot });
     };
     if let Some(ceiling_m) = home.rooms[room].ceiling_m.filter(|ceiling_m| *ceiling_m < camera.height_m) {
-        let what = format!("the camera {name:?} hangs above the ceiling of {:?}", home.rooms[room].name);
-        report.hinted(&format!("{place}/height_m"), what, format!("hang it below {ceiling_m} m"));
+        let (camera, room) = (name.clone(), home.rooms[room].name.clone());
+        report.add(&format!("{place}/height_m"), SensorMessage::AboveCeiling { camera, room, ceiling_m });
     }
     let in_way = blocking(plan, spot).filter(|solid| solid.height_m >= camera.height_m);
     if let Some(solid) = in_way {
-        let what = format!("the camera {name:?} is inside {}", solid_name(home, solid));
-        return report.hinted(
-            &format!("{place}/at"),
-            what,
-            "put it where nothing as high as it stands, such as some centimetres from a wall",
-        );
+        let by = solid_name(home, solid);
+        return report.add(&format!("{place}/at"), SensorMessage::CameraInside { camera: name, by });
     }
     // A coarse picture will do.
     let coarse = CameraFile { pixels: [32, 24], ..camera.clone() };
@@ -56,11 +53,6 @@ pub fn check_within(report: &mut Report, place: &str, camera: &CameraFile, home:
     let pixels = (0..lens.rows).flat_map(|row| (0..lens.columns).map(move |column| (column, row)));
     let seen = pixels.filter(|&(column, row)| is_floor(column, row)).count();
     if (seen as f64) < LEAST_FLOOR * f64::from(lens.columns * lens.rows) {
-        let what = format!("the camera {name:?} looks at nothing: it sees hardly any floor, bed or seat");
-        report.hinted(
-            &format!("{place}/facing_deg"),
-            what,
-            "turn \"facing_deg\" into the room, or look down by a larger \"tilt_deg\"",
-        );
+        report.add(&format!("{place}/facing_deg"), SensorMessage::SeesNothing { camera: name });
     }
 }

@@ -2,10 +2,12 @@
 
 use super::Report;
 use super::areas::{check_convex, is_flat, keeps_within};
+use super::messages::HomeMessage;
 use crate::geometry::{At, Point, point};
 use crate::home::plan::Plan;
 use crate::scenario::home::{FurnitureFile, HomeFile, SensorFile};
 use crate::sensors::form::{Bearer, Mount};
+use crate::sensors::messages::SensorMessage;
 
 /// Checks what does not depend on the building.
 pub fn check_alone(report: &mut Report, place: &str, sensor: &SensorFile, home: &HomeFile) {
@@ -33,11 +35,7 @@ pub fn check_alone(report: &mut Report, place: &str, sensor: &SensorFile, home: 
     }
     let before = report.count();
     for wrong in sensor.wrong() {
-        let at = format!("{place}{}", wrong.at);
-        match wrong.hint {
-            Some(hint) => report.hinted(&at, wrong.what, hint),
-            None => report.add(&at, wrong.what),
-        }
+        report.add(&format!("{place}{}", wrong.at), wrong.message);
     }
     if let Some(area) = sensor.area().filter(|_| report.count() == before) {
         check_convex(report, &format!("{place}/area"), &corners(area), &format!("the area of {:?}", sensor.name()));
@@ -48,7 +46,8 @@ pub fn check_alone(report: &mut Report, place: &str, sensor: &SensorFile, home: 
 pub fn check_within(report: &mut Report, place: &str, sensor: &SensorFile, plan: &Plan) {
     let Some(area) = sensor.area().map(corners) else { return };
     if !is_flat(&area) && !keeps_within(plan, &area) {
-        report.add(&format!("{place}/area"), format!("the area of {:?} reaches out of the home", sensor.name()));
+        let what = format!("the area of {:?}", sensor.name());
+        report.add(&format!("{place}/area"), HomeMessage::ReachesOut { what });
     }
 }
 
@@ -62,17 +61,16 @@ pub fn known<'a>(
     names: impl Iterator<Item = &'a str> + Clone,
 ) {
     if !names.clone().any(|known| known == name) {
-        let what = format!("the home has no {noun} {name:?}");
-        let hint = report.did_you_mean(name, names);
-        report.problem(&format!("{place}/{key}"), what, hint);
+        let (nearest, known) = report.names_for(name, names);
+        let (noun, name) = (noun.to_owned(), name.to_owned());
+        report.add(&format!("{place}/{key}"), SensorMessage::UnknownPart { noun, name, nearest, known });
     }
 }
 
-/// Nobody is ever in furniture that is not for people.
+/// Residents never enter furniture that is not for people.
 fn enterable(report: &mut Report, place: &str, piece: Option<&FurnitureFile>) {
     if let Some(piece) = piece.filter(|piece| !piece.enterable) {
-        let what = format!("nobody can be where {:?} stands, so that this sensor would never feel anybody", piece.name);
-        report.hinted(&format!("{place}/on"), what, format!("write \"enterable\": true for {:?}", piece.name));
+        report.add(&format!("{place}/on"), SensorMessage::NotEnterable { furniture: piece.name.clone() });
     }
 }
 

@@ -4,6 +4,7 @@ mod areas;
 mod cameras;
 mod devices;
 mod furniture;
+pub mod messages;
 mod names;
 mod rooms;
 mod sensors;
@@ -17,6 +18,7 @@ use crate::home::plan::Plan;
 use crate::problem::Problem;
 use crate::scenario::home::{GREATEST_SIZE_M, HomeFile};
 use crate::scenario::source::Source;
+use messages::HomeMessage;
 
 /// Checks the file; gives the plan if the building is sound.
 pub fn check(source: &Source, home: &HomeFile, problems: &mut Vec<Problem>) -> Option<Plan> {
@@ -52,19 +54,17 @@ fn check_size(report: &mut Report, home: &HomeFile) {
     let Some(first) = home.rooms.first().and_then(|room| room.outline.first()) else { return };
     let far = |at: At| (point(at) - point(*first)).abs().max_element() > GREATEST_SIZE_M;
     if let Some((pointer, _)) = rooms.chain(walls).find(|(_, at)| far(*at)) {
-        let what = format!("this is more than {GREATEST_SIZE_M} m from the first room");
-        report.hinted(&pointer, what, "lengths are in metres, not in centimetres");
+        report.add(&pointer, HomeMessage::TooLarge { most_m: GREATEST_SIZE_M });
     }
 }
 
 fn check_places(report: &mut Report, home: &HomeFile, plan: &Plan) {
     for (index, place) in home.places.iter().enumerate() {
-        let (pointer, name, p) = (format!("/places/{index}/at"), &place.name, point(place.at));
-        if plan.distance_outside(p) > TOLERANCE_M {
-            report.add(&pointer, format!("the place {name:?} at {} is outside the home", at(p)));
-        } else if let Some(solid) = blocking(plan, p) {
-            let hint = "put it beside, where a person can stand";
-            report.hinted(&pointer, format!("the place {name:?} is inside {}", solid_name(home, solid)), hint);
+        let (pointer, place, at) = (format!("/places/{index}/at"), place.name.clone(), point(place.at));
+        if plan.distance_outside(at) > TOLERANCE_M {
+            report.add(&pointer, HomeMessage::PlaceOutside { place, at });
+        } else if let Some(solid) = blocking(plan, at) {
+            report.add(&pointer, HomeMessage::PlaceBlocked { place, by: solid_name(home, solid) });
         }
     }
 }

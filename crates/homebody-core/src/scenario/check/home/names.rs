@@ -1,6 +1,7 @@
 //! Names of a home: what has the same one, and what paths could not tell apart.
 
 use super::Report;
+use super::messages::HomeMessage;
 use crate::scenario::check::folded;
 use crate::scenario::home::HomeFile;
 use std::collections::BTreeMap;
@@ -24,26 +25,27 @@ pub fn check(report: &mut Report, home: &HomeFile) {
     check_spots(report, home);
 }
 
-fn check_list(report: &mut Report, list: &str, noun: &str, names: &[&str]) {
+fn check_list(report: &mut Report, list: &str, noun: &'static str, names: &[&str]) {
     let mut first = BTreeMap::new();
     for (index, name) in names.iter().enumerate() {
         let pointer = format!("/{list}/{index}/name");
         report.name(&pointer, name);
-        match first.insert(folded(name), *name) {
-            Some(other) if other == *name => report.add(&pointer, format!("another {noun} is named {name:?} too")),
-            Some(other) => {
-                let hint = "upper and lower case and surrounding blanks make no difference";
-                report.hinted(&pointer, format!("another {noun} is named {other:?}, too like {name:?}"), hint);
-            }
-            None => {}
-        }
+        let Some(other) = first.insert(folded(name), *name) else { continue };
+        let (is_same, name, other) = (other == *name, (*name).to_owned(), other.to_owned());
+        report.add(
+            &pointer,
+            match is_same {
+                true => HomeMessage::SameName { noun, name },
+                false => HomeMessage::SimilarName { noun, name, other },
+            },
+        );
     }
 }
 
 /// Paths go to places, enterable furniture and rooms by name, so no two of these may share one.
 fn check_spots(report: &mut Report, home: &HomeFile) {
     let rooms = home.rooms.iter().map(|room| folded(&room.name)).map(|name| (name, "room"));
-    let mut known: BTreeMap<String, &str> = rooms.collect();
+    let mut known: BTreeMap<String, &'static str> = rooms.collect();
     let seats = home.furniture.iter().enumerate().filter(|(_, piece)| piece.enterable);
     let seats = seats.map(|(index, piece)| (format!("/furniture/{index}/name"), &piece.name, "piece of furniture"));
     let places = home.places.iter().enumerate();
@@ -51,8 +53,7 @@ fn check_spots(report: &mut Report, home: &HomeFile) {
     for (pointer, name, noun) in seats.chain(places) {
         let other = known.insert(folded(name), noun);
         if let Some(other) = other.filter(|other| *other != noun) {
-            let hint = "paths go to either by name: give one of them another";
-            report.hinted(&pointer, format!("a {other} is named {name:?} too"), hint);
+            report.add(&pointer, HomeMessage::SharedName { noun: other, name: name.clone() });
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Report;
 use super::areas::is_flat;
+use super::messages::HomeMessage;
 use crate::geometry::{self, Point, overlap, point};
 use crate::scenario::home::HomeFile;
 
@@ -16,23 +17,21 @@ const MOST_OVERLAPS: usize = 200;
 
 pub fn check(report: &mut Report, home: &HomeFile) {
     if home.rooms.iter().map(|room| room.outline.len()).sum::<usize>() > MOST_CORNERS {
-        let what = format!("the rooms have more than {MOST_CORNERS} corners together");
-        return report.hinted("/rooms", what, "a bay of ten corners is as round as sensors can tell");
+        return report.add("/rooms", HomeMessage::TooManyCorners { most: MOST_CORNERS });
     }
     let mut sound: Vec<(usize, Vec<Point>)> = Vec::new();
     for (index, room) in home.rooms.iter().enumerate() {
         let outline: Vec<Point> = room.outline.iter().map(|&at| point(at)).collect();
         let repeated = (0..outline.len()).find(|&i| outline[i] == outline[(i + outline.len() - 1) % outline.len()]);
-        let (place, name) = (format!("/rooms/{index}/outline"), &room.name);
+        let place = format!("/rooms/{index}/outline");
         if let Some(corner) = repeated {
-            let hint = "the last corner is joined to the first without being repeated";
             // The corner that repeats the last is the first, and the last is the one to remove.
             let corner = if corner == 0 { outline.len() - 1 } else { corner };
-            report.hinted(&format!("{place}/{corner}"), format!("a corner of {name:?} is given twice"), hint);
+            report.add(&format!("{place}/{corner}"), HomeMessage::RepeatedCorner { room: room.name.clone() });
         } else if is_flat(&outline) {
-            report.add(&place, format!("the room {name:?} has no area"));
+            report.add(&place, HomeMessage::NoArea { what: format!("the room {:?}", room.name) });
         } else if geometry::crosses_itself(&outline) || doubles_back(&outline) {
-            report.hinted(&place, format!("the outline of {name:?} crosses itself"), "give its corners in order");
+            report.add(&place, HomeMessage::CrossesItself { what: format!("the outline of {:?}", room.name) });
         } else {
             sound.push((index, outline));
         }
@@ -42,10 +41,9 @@ pub fn check(report: &mut Report, home: &HomeFile) {
         let area = overlap::area(outline, other_outline);
         (area > OVERLAP_TOLERANCE_M2).then_some((index, other, area))
     });
-    for (index, other, area) in overlaps.take(MOST_OVERLAPS) {
-        let (name, other) = (&home.rooms[*index].name, &home.rooms[*other].name);
-        let what = format!("the rooms {other:?} and {name:?} overlap by {area:.2} m²");
-        report.add(&format!("/rooms/{index}/outline"), what);
+    for (index, other, area_m2) in overlaps.take(MOST_OVERLAPS) {
+        let [a, b] = [other, index].map(|room| home.rooms[*room].name.clone());
+        report.add(&format!("/rooms/{index}/outline"), HomeMessage::Overlap { a, b, area_m2 });
     }
 }
 

@@ -1,10 +1,12 @@
 //! Sensors: timing that can be, and a place from which they can see.
 
 use super::areas::{check_convex, is_flat, keeps_within};
-use super::{Report, TOLERANCE_M, at, cameras, devices, is_within, solid_name};
+use super::messages::HomeMessage;
+use super::{Report, TOLERANCE_M, cameras, devices, is_within, solid_name};
 use crate::geometry::{self, Point, point};
 use crate::home::plan::{Plan, Solid};
 use crate::scenario::home::{HomeFile, Level, MotionFile, SensorFile};
+use crate::sensors::messages::SensorMessage;
 use crate::sensors::motion::LENS_OFF_WALL_M;
 
 /// Largest number of beams of all sensors together (our choice): as many as the largest number of sensors has by
@@ -32,8 +34,7 @@ pub fn check_alone(report: &mut Report, home: &HomeFile) {
         check_timing(report, &place, sensor);
         let of_sensor = beams_of(sensor);
         if beams <= MOST_BEAMS && beams + of_sensor > MOST_BEAMS {
-            let what = format!("the sensors up to this one have more than {MOST_BEAMS} beams together");
-            report.add(&place, what);
+            report.add(&place, SensorMessage::TooManyBeams { most: MOST_BEAMS });
         }
         beams += of_sensor;
         match sensor {
@@ -58,30 +59,27 @@ fn check_timing(report: &mut Report, place: &str, sensor: &SensorFile) {
         _ => return,
     };
     for (key, range) in [("first_fire_s", first), ("refire_s", refire)] {
-        if let Some([least, most]) = range.filter(|[least, most]| least > most) {
-            let what = format!("the least of {key:?}, {least}, is more than its most, {most}");
-            report.hinted(&format!("{place}/{key}"), what, format!("write [{most}, {least}]"));
+        if let Some(range) = range {
+            report.range(&format!("{place}/{key}"), key, range);
         }
     }
     let timing = sensor.timing();
-    let least = timing.refire_s[0].min(timing.refire_s[1]);
-    if timing.persist_s > least {
+    let least_refire_s = timing.refire_s[0].min(timing.refire_s[1]);
+    if timing.persist_s > least_refire_s {
         let key = if persist.is_some() { "persist_s" } else { "refire_s" };
-        let what = format!("\"persist_s\", {}, is more than the least of \"refire_s\", {least}", timing.persist_s);
-        let hint = format!("a movement counts only within the wait: set \"persist_s\" to at most {least}");
-        report.hinted(&format!("{place}/{key}"), what, hint);
+        let message = SensorMessage::PersistTooLong { persist_s: timing.persist_s, least_refire_s };
+        report.add(&format!("{place}/{key}"), message);
     }
 }
 
 fn check_lens(report: &mut Report, place: &str, motion: &MotionFile) {
     if motion.field_deg[1] > 180.0 {
-        let what = format!("the vertical angle of view must be at most 180, but is {}", motion.field_deg[1]);
-        report.add(&format!("{place}/field_deg/1"), what);
+        report.add(&format!("{place}/field_deg/1"), SensorMessage::VerticalField { field_deg: motion.field_deg[1] });
     }
     if let Level::Zones(zones) = &motion.level
         && zones.rows == [0; 3]
     {
-        report.add(&format!("{place}/level/zones/rows"), "a sensor needs at least one zone");
+        report.add(&format!("{place}/level/zones/rows"), SensorMessage::NoZones);
     }
 }
 
@@ -93,12 +91,11 @@ pub fn check_within(report: &mut Report, home: &HomeFile, plan: &Plan) {
             SensorFile::CeilingMotion(ceiling) => {
                 let area: Vec<Point> = ceiling.area.iter().map(|&at| point(at)).collect();
                 if !is_flat(&area) && !keeps_within(plan, &area) {
-                    let what = format!("the area of {:?} reaches out of the home", ceiling.name);
-                    report.add(&format!("/sensors/{index}/area"), what);
+                    let what = format!("the area of {:?}", ceiling.name);
+                    report.add(&format!("/sensors/{index}/area"), HomeMessage::ReachesOut { what });
                 } else if let Some(solid) = plan.solids.iter().find(|solid| reaches_through(&area, solid)) {
-                    let what = format!("the area of {:?} reaches through {}", ceiling.name, solid_name(home, solid));
-                    let hint = "a sensor on the ceiling sees one side of a wall: let its area end there";
-                    report.hinted(&format!("/sensors/{index}/area"), what, hint);
+                    let (sensor, by) = (ceiling.name.clone(), solid_name(home, solid));
+                    report.add(&format!("/sensors/{index}/area"), SensorMessage::ReachesThrough { sensor, by });
                 }
             }
             SensorFile::Camera(camera) => {
@@ -134,20 +131,17 @@ pub(in crate::scenario::check) fn check_mounting(
     home: &HomeFile,
     plan: &Plan,
 ) {
-    let (name, lens) = (&motion.name, point(motion.at));
+    let (sensor, lens) = (motion.name.clone(), point(motion.at));
     let tall = || plan.solids.iter().filter(|solid| solid.height_m >= motion.height_m);
-    let hint = "mount it on the surface, on the side from which it should see";
     if let Some(solid) = tall().find(|solid| is_within(solid, lens)) {
-        let what = format!("the sensor {name:?} is inside {}", solid_name(home, solid));
-        report.hinted(&format!("{place}/at"), what, hint);
+        report.add(&format!("{place}/at"), SensorMessage::Inside { sensor, by: solid_name(home, solid) });
     } else if plan.distance_outside(lens) > TOLERANCE_M {
-        let what = format!("the sensor {name:?} at {} is outside the home", at(lens));
-        report.hinted(&format!("{place}/at"), what, hint);
+        report.add(&format!("{place}/at"), SensorMessage::Outside { sensor, at: lens });
     } else {
         let ahead = lens + geometry::direction(motion.facing_deg) * LENS_OFF_WALL_M;
         if let Some(solid) = tall().find(|solid| is_within(solid, ahead)) {
-            let what = format!("the sensor {name:?} faces into {}", solid_name(home, solid));
-            report.hinted(&format!("{place}/facing_deg"), what, "0 is east, 90 north, 180 west, 270 south");
+            let by = solid_name(home, solid);
+            report.add(&format!("{place}/facing_deg"), SensorMessage::FacesSolid { sensor, by });
         }
     }
 }

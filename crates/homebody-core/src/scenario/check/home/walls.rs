@@ -1,5 +1,6 @@
 //! Walls that have a length, and doors that are in them.
 
+use super::messages::HomeMessage;
 use super::{Report, TOLERANCE_M, at};
 use crate::geometry::{self, point};
 use crate::home::plan::span_on_wall;
@@ -23,16 +24,15 @@ pub fn check(report: &mut Report, home: &HomeFile) {
     }
     for (index, wall) in home.walls.iter().enumerate() {
         if point(wall.from).distance(point(wall.to)) < LEAST_LENGTH_M {
-            report.add(&format!("/walls/{index}/to"), "this wall has no length: it ends where it begins");
+            report.add(&format!("/walls/{index}/to"), HomeMessage::ShortWall);
         }
     }
     let walls_are_sound = report.count() == before;
     let mut sound = Vec::new();
     for (index, door) in home.doors.iter().enumerate() {
-        let width = point(door.from).distance(point(door.to));
-        if width < LEAST_DOOR_M {
-            let what = format!("the door {:?} has no width: its jambs are {width} m apart", door.name);
-            report.add(&format!("/doors/{index}/to"), what);
+        let width_m = point(door.from).distance(point(door.to));
+        if width_m < LEAST_DOOR_M {
+            report.add(&format!("/doors/{index}/to"), HomeMessage::NarrowDoor { door: door.name.clone(), width_m });
         } else {
             let spans = spans(home, door);
             // A door on no wall may be meant for one that has no length.
@@ -44,8 +44,8 @@ pub fn check(report: &mut Report, home: &HomeFile) {
     }
     for (i, (index, spans)) in sound.iter().enumerate() {
         if let Some((other, _)) = sound[..i].iter().find(|(_, other)| overlap(spans, other)) {
-            let what = format!("the doors {:?} and {:?} overlap", home.doors[*other].name, home.doors[*index].name);
-            report.add(&format!("/doors/{index}/from"), what);
+            let [a, b] = [other, index].map(|door| home.doors[*door].name.clone());
+            report.add(&format!("/doors/{index}/from"), HomeMessage::DoorsOverlap { a, b });
         }
     }
 }
@@ -57,8 +57,7 @@ fn check_meetings(report: &mut Report, home: &HomeFile) {
     for (index, &(a, b)) in walls.iter().enumerate() {
         meetings += walls[..index].iter().filter(|&&(c, d)| geometry::segments_meet(a, b, c, d)).count();
         if meetings > MOST_MEETINGS {
-            let what = format!("the walls meet or cross each other more than {MOST_MEETINGS} times");
-            return report.hinted("/walls", what, "draw each wall once, from corner to corner");
+            return report.add("/walls", HomeMessage::WallMeetings { most: MOST_MEETINGS });
         }
     }
 }
@@ -68,8 +67,7 @@ fn check_doors_in_walls(report: &mut Report, home: &HomeFile) {
     for door in &home.doors {
         in_walls += spans(home, door).len();
         if in_walls > MOST_IN_WALLS {
-            let what = format!("the doors are in more than {MOST_IN_WALLS} walls together");
-            return report.hinted("/doors", what, "draw each wall once, from corner to corner");
+            return report.add("/doors", HomeMessage::DoorsInWalls { most: MOST_IN_WALLS });
         }
     }
 }
@@ -97,11 +95,13 @@ fn report_off_wall(report: &mut Report, home: &HomeFile, index: usize, door: &Do
     let walls = home.walls.iter().map(|wall| (wall.from, wall.to));
     let near = walls.map(|wall| (distance(door.from, wall).max(distance(door.to, wall)), wall));
     let nearest = near.min_by(|(a, _), (b, _)| a.total_cmp(b));
-    let Some((far, wall)) = nearest else {
-        return report.add(&format!("/doors/{index}"), format!("the door {:?} is on no wall", door.name));
+    let name = door.name.clone();
+    let Some((far_m, wall)) = nearest else {
+        let message = HomeMessage::OffWall { door: name, wall: None, distance_m: None };
+        return report.add(&format!("/doors/{index}"), message);
     };
     let jamb = if distance(door.from, wall) >= distance(door.to, wall) { "from" } else { "to" };
     let (from, to) = (at(point(wall.0)), at(point(wall.1)));
-    let hint = format!("the wall from {from} to {to} comes nearest; this jamb is {far:.3} m off its middle line");
-    report.hinted(&format!("/doors/{index}/{jamb}"), format!("the door {:?} is on no wall", door.name), hint);
+    let (wall, distance_m) = (Some(format!("the wall from {from} to {to}")), Some(far_m));
+    report.add(&format!("/doors/{index}/{jamb}"), HomeMessage::OffWall { door: name, wall, distance_m });
 }

@@ -1,0 +1,65 @@
+//! All problems of the files of a scenario, in one list.
+
+use crate::problem::{Diagnose, Diagnostic, MOST_PER_FILE, Problem};
+use serde::Serialize;
+use std::fmt;
+
+crate::messages! {
+    /// Remarks on a list of problems.
+    pub enum ProblemsMessage in "problems" {
+        /// A file with very many problems would hide those of other files, so only its first problems are shown. Solve these and check
+        /// the scenario again.
+        More {
+            /// The number of problems that are not shown.
+            count: usize,
+        } error "more" ("the file has {count} more problems")
+            hint ("solve the problems above, and check again");
+    }
+}
+
+/// Everything that is wrong, in the order of files and places.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Problems(pub Vec<Problem>);
+
+impl Problems {
+    /// The first [`MOST_PER_FILE`] problems of each file and a count of the others. The problems of a file must follow each other.
+    pub fn truncated(problems: &[Problem]) -> Problems {
+        let mut kept = Vec::new();
+        for of_file in problems.chunk_by(|a, b| a.file == b.file) {
+            kept.extend_from_slice(&of_file[..of_file.len().min(MOST_PER_FILE)]);
+            if of_file.len() > MOST_PER_FILE {
+                let more = ProblemsMessage::More { count: of_file.len() - MOST_PER_FILE };
+                kept.push(Problem::of_file(&of_file[0].file, more, None));
+            }
+        }
+        Problems(kept)
+    }
+
+    /// All problems as plain text, each with its source line and carets under the place.
+    pub fn render(&self) -> String {
+        self.0.iter().map(Problem::render).collect::<Vec<_>>().join("\n")
+    }
+}
+
+impl fmt::Display for Problems {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        for (index, problem) in self.0.iter().enumerate() {
+            if index > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{problem}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Problems {}
+
+impl Diagnose for Problems {
+    fn diagnostic(&self) -> Diagnostic {
+        match &self.0[..] {
+            [one] => one.clone(),
+            _ => self.to_string().into(),
+        }
+    }
+}
