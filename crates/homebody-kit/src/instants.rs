@@ -4,6 +4,7 @@
 use crate::error::Error;
 use crate::log_with_run::NamedLog;
 use homebody_analysis::dates::put_on_wall;
+use homebody_core::problem::readable;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::Micros;
 use homebody_log::source::{Clock, Value, truth_rows};
@@ -12,6 +13,25 @@ use homebody_log::truth::{Truth, tables};
 use homebody_log::{Activity, Life, Log, LogError, RunClock, Url, activities, lives};
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
+
+homebody_core::messages! {
+    /// Problems with a table of the ground truth.
+    pub enum TruthMessage in "truth" {
+        /// The ground truth of a run is a set of tables. The reference of the ground truth describes each.
+        NoTable {
+            /// The name asked for.
+            table: String,
+            /// The names of the tables.
+            known: Vec<String>,
+        } error "no-table" ("the ground truth has no table {table:?}")
+            hint ("the tables are {known}", known = known.join(", "));
+    }
+}
+
+/// The time zone with this name.
+pub(crate) fn named_zone(name: &str) -> Result<TimeZone, Error> {
+    Calendar::zone(name).map_err(|_| Error::TimeZone { zone: readable(name.to_owned()) })
+}
 
 /// A log whose instants, and those of lives, are microseconds since 1970 in UTC; on the wall where nobody knows of which zone it is.
 pub struct Instants {
@@ -55,7 +75,7 @@ impl NamedLog {
     ///
     /// [`Error::TimeZone`] if there is no such zone, and those of [`NamedLog::read`].
     pub fn instants(&self, zone: Option<&str>) -> Result<Instants, Error> {
-        let asked = zone.map(Calendar::zone).transpose().map_err(|why| Error::TimeZone(why.into()))?;
+        let asked = zone.map(named_zone).transpose()?;
         let mut log = self.read()?;
         let known = self.zone();
         let off_the_wall = asked.clone().filter(|_| known.is_none() && log.clock == Clock::Local);
@@ -101,7 +121,7 @@ impl NamedLog {
     ///
     /// [`Error::Log`] if there is none.
     pub fn truth_that_is_there(&self) -> Result<Url, Error> {
-        let why = || "no truth lies beside the log".to_owned();
+        let why = || "the log has none in its folder".to_owned();
         Ok(self.truth().ok_or_else(|| LogError::NoTruth { place: self.place.to_string(), why: why() })?)
     }
 
@@ -115,8 +135,8 @@ impl NamedLog {
         let all = tables();
         let Some(index) = all.iter().position(|known| known.name == table) else {
             let names: Vec<&str> = all.iter().map(|table| table.name.as_str()).collect();
-            let why = format!("a truth has no table {table:?}\n  hint: there are {}", names.join(", "));
-            return Err(LogError::NoTruth { place: truth.to_string(), why }.into());
+            let (table, known) = (table.to_owned(), names.into_iter().map(str::to_owned).collect());
+            return Err(Error::Unreadable(TruthMessage::NoTable { table, known }.into()));
         };
         let utc = self.clock_of(Clock::Utc);
         let instants: Vec<bool> = all[index].columns.iter().map(|column| column.kind == ColumnKind::Instant).collect();
@@ -142,7 +162,7 @@ impl NamedLog {
     ///
     /// [`Error::TimeZone`] if there is no such zone, and those of [`NamedLog::read`].
     pub fn with_activities(&self, zone: Option<&str>) -> Result<Log, Error> {
-        let asked = zone.map(Calendar::zone).transpose().map_err(|why| Error::TimeZone(why.into()))?;
+        let asked = zone.map(named_zone).transpose()?;
         let mut log = self.read()?;
         if let Some(zone) = asked.filter(|_| self.zone().is_none()) {
             put_on_wall(&mut log, &zone);

@@ -63,6 +63,8 @@ pub mod fleet;
 
 mod idle_sensors;
 mod long_log;
+mod life_messages;
+mod files;
 mod lifeless;
 mod log_with_run;
 mod instants;
@@ -85,6 +87,17 @@ mod calibration;
 pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
     <Error as homebody_core::messages::Catalogue>::ENTRIES,
     <find::Unfindable as homebody_core::messages::Catalogue>::ENTRIES,
+    <find::HoursMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <files::FileMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <instants::TruthMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <profiles::ProfileMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <cohort_members::CohortMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <fleet::FleetMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <pace::PaceMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <life_messages::LifeMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <begun::NewMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <translation::TranslationMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <calibration::CalibrationMessage as homebody_core::messages::Catalogue>::ENTRIES,
 ];
 
 pub use broker::{Tidied, tidy_up};

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::idle_sensors;
+use crate::life_messages::LifeMessage;
 use crate::lifeless;
 use crate::profiles::{self, Base, Profile};
 use crate::source::{Source, Template};
@@ -134,8 +135,9 @@ impl OpenScenario {
             let (_, household) = self.base().lived(profile)?;
             let own = household.foretold(days(length)).into_iter();
             all.extend(own.filter(|one| known.iter().all(|known| known.text != one.text)).map(|one| {
-                let Problem { what, hint, .. } = foretold(&one);
-                Problem::of_file(list, format!("{}: {what}", profile.name), hint)
+                let (sentence, effect) = (one_line(&one.text), one.lived);
+                let message = LifeMessage::MemberWithoutEffect { member: profile.name.clone(), sentence, effect };
+                Problem::of_file(list, message, None)
             }));
         }
         Ok(all)
@@ -247,19 +249,21 @@ fn not_lived(routine: &Routine) -> Option<Problem> {
     /// So many are quoted (ours).
     const QUOTED: usize = 3;
     let first = routine.remarks.first()?;
-    let quotes: Vec<String> = routine.remarks.iter().take(QUOTED).map(|remark| format!("{:?}", remark.text)).collect();
-    let more = routine.remarks.len() - quotes.len();
-    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-    let what = format!("kept, and not lived: {}{more}", quotes.join(", "));
-    let hint = "homebody routine explain says what is lived of each sentence".to_owned();
+    let sentences: Vec<String> = routine.remarks.iter().take(QUOTED).map(|remark| remark.text.to_string()).collect();
+    let more = routine.remarks.len() - sentences.len();
     let (line, column) = (first.line, first.column);
-    Some(Problem { line, column, ..Problem::of_file(&routine.file, what, Some(hint)) })
+    let message = LifeMessage::Unsimulated { sentences, more };
+    Some(Problem { line, column, ..Problem::of_file(&routine.file, message, None) })
 }
 
 /// What can be told of a sentence before the run.
 fn foretold(told: &Difference) -> Problem {
     let Difference { file, line, text, lived, .. } = told;
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let hint = "let it begin earlier, or the run last longer".to_owned();
-    Problem { line: *line, ..Problem::of_file(file, format!("of {text:?} comes {lived}"), Some(hint)) }
+    let message = LifeMessage::WithoutEffect { sentence: one_line(text), effect: lived.to_string() };
+    Problem { line: *line, ..Problem::of_file(file, message, None) }
+}
+
+/// A sentence with single blanks.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

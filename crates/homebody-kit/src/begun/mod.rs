@@ -4,12 +4,14 @@ mod empty;
 mod from_log;
 mod furnished;
 mod inhabited;
+mod messages;
 mod sensor_table;
 mod traced;
 
 pub use empty::empty;
 pub use from_log::{GivenLog, OfLog, of_log};
 pub use furnished::furnish;
+pub use messages::NewMessage;
 pub use inhabited::{Begun, Inhabited, inhabited, lack, lived_in};
 pub use sensor_table::{Row, read_table};
 pub use traced::{Known, Traced};
