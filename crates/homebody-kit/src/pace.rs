@@ -373,9 +373,10 @@ mod tests {
     }
 
     #[test]
-    fn a_command_that_is_none_is_quoted_in_part() {
+    fn quotes_an_unknown_command_in_part() {
         let why = |line: &str| line.parse::<Command>().unwrap_err().to_string();
-        assert_eq!(why("halt"), "\"halt\" is none of: pause, resume, step [SECONDS], speed X, stop");
+        let hint = "the commands are pause, resume, step [SECONDS], speed X, stop";
+        assert_eq!(why("halt"), format!("there is no command \"halt\"\n  hint: {hint}"));
         assert!(why(&"x".repeat(1 << 20)).len() < 1000);
         assert!(why(&format!("step {}", "9".repeat(1 << 20))).len() < 1000);
     }

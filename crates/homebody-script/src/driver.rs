@@ -9,6 +9,7 @@
 
 use crate::cast::Cast;
 use crate::engine::{counted, to_step};
+use crate::messages::ScriptMessage;
 use crate::moment::{Around, Moment, Other, Streams};
 use crate::program::Program;
 use crate::step::Step;
@@ -28,17 +29,17 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// So many decisions in a row that take no time are a script that never comes to anything (ours).
-const MOST_DECISIONS: u32 = 100;
+pub const MOST_DECISIONS: u32 = 100;
 
 /// What an hour of the run may take of operations (ours): some decisions a second, each of some hundreds. So that no script
 /// takes the time of all others.
-const MOST_OPERATIONS_AN_HOUR: u64 = 5_000_000;
+pub const MOST_OPERATIONS_AN_HOUR: u64 = 5_000_000;
 
 /// What being asked takes besides what the script does (ours).
 const OPERATIONS_OF_ASKING: u64 = 100;
 
 /// So many steps may be waiting (ours).
-const MOST_STEPS: usize = 500;
+pub const MOST_STEPS: usize = 500;
 
 const HOUR: Micros = 3_600 * SECOND;
 
@@ -203,8 +204,7 @@ impl ScriptDriver {
     ) -> Result<Dynamic, String> {
         self.idle += 1;
         if self.idle > MOST_DECISIONS {
-            let what = format!("the script runs away: {MOST_DECISIONS} decisions in a row take no time");
-            return Err(self.program.at_next(&what, "answer with a step that takes time, such as wait(60)"));
+            return Err(self.program.at_next(ScriptMessage::NoTime));
         }
         let place = self.body.spot().filter(|spot| self.is_at(spot)).map_or("", |spot| spot.name.as_str());
         let streams = std::mem::take(&mut self.streams);
@@ -223,9 +223,7 @@ impl ScriptDriver {
         }
         self.spent.1 += operations + OPERATIONS_OF_ASKING;
         if self.spent.1 > MOST_OPERATIONS_AN_HOUR {
-            let what =
-                format!("the script runs away: it takes more than {MOST_OPERATIONS_AN_HOUR} operations in an hour");
-            return Err(program.at_next(&what, "decide less often, or with less work each time"));
+            return Err(program.at_next(ScriptMessage::SlowHour));
         }
         answer
     }
@@ -319,8 +317,7 @@ impl ScriptDriver {
         if self.steps.len() <= MOST_STEPS {
             return Ok(());
         }
-        let what = format!("more than {MOST_STEPS} steps are to be done");
-        Err(self.program.at_next(&what, "answer with what comes next; the rest can be decided later"))
+        Err(self.program.at_next(ScriptMessage::TooManySteps))
     }
 
     /// Begins a step.
@@ -369,8 +366,7 @@ impl ScriptDriver {
                     Step::ComeHome => self.front_door()?,
                     Step::GoTo(at) if self.cast.mesh.is_free(*at) => Spot::to_stand(*at, 0),
                     _ => self.cast.places.of(Role::Armchair).cloned().ok_or_else(|| {
-                        let what = "the home has no place to begin at";
-                        self.program.at_next(what, "answer with go(..) first: where it leads, the run begins")
+                        self.program.at_next(ScriptMessage::NoStart)
                     })?,
                 };
                 let posture = spot.posture;
@@ -397,10 +393,7 @@ impl ScriptDriver {
 
     fn front_door(&self) -> Result<Spot, String> {
         let door = self.cast.places.of(Role::FrontDoor).cloned();
-        door.ok_or_else(|| {
-            let hint = "give one of its doors \"outside\": true";
-            self.program.at_next("the home has no front door to leave by", hint)
-        })
+        door.ok_or_else(|| self.program.at_next(ScriptMessage::NoFrontDoor))
     }
 
     /// What is done at the front door by who goes in or out.
@@ -415,8 +408,7 @@ impl ScriptDriver {
         let hour = self.cast.hour(now);
         let moves = match &step {
             Step::Go(spot) => self.go(spot, hour, now).ok_or_else(|| {
-                let what = format!("no way leads to {:?}", spot.name);
-                self.program.at_next(&what, "around.can_reach(..) says where a way leads")
+                self.program.at_next(ScriptMessage::NoWay { place: spot.name.clone() })
             })?,
             Step::GoTo(at) => {
                 let room = self.cast.home.plan.room_at(*at);

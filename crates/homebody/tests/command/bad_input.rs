@@ -76,9 +76,9 @@ fn what_is_asked_wrongly_is_refused() {
         ("run flat --for 0s", "it must be longer than 0 and at most 100 years"),
         ("run flat --for -1d", "'-1"),
         ("run flat --for 101000w", "it must be longer than 0 and at most 100 years"),
-        ("run flat --speed 0.05", "a speed is a number from 0.1 to 1000, or max"),
-        ("run flat --speed 1001", "a speed is a number from 0.1 to 1000, or max"),
-        ("run flat --speed NaN", "a speed is a number from 0.1 to 1000, or max"),
+        ("run flat --speed 0.05", "write a number from 0.1 to 1000, or max"),
+        ("run flat --speed 1001", "write a number from 0.1 to 1000, or max"),
+        ("run flat --speed NaN", "write a number from 0.1 to 1000, or max"),
         ("run flat --seed -1", "'-1"),
         ("run flat --seed 18446744073709551616", "invalid value"),
         ("run flat --paused", "--control"),
@@ -118,10 +118,10 @@ fn what_is_no_scenario_is_told_apart() {
     folder.write("other/scenario.json", folder.read("flat/home.json"));
     for command in ["check", "run", "coverage", "plan --svg plan.svg"] {
         for (scenario, code, said) in [
-            ("nowhere", 1, "nowhere: there is no such scenario\n  hint: name its folder, or its scenario.json"),
+            ("nowhere", 1, "error[file::no-scenario]: nowhere: there is no such scenario\n  hint: name a scenario's folder"),
             ("flot", 1, "flot: there is no such scenario\n  hint: did you mean \"flat\"?"),
-            ("empty", 1, "empty/scenario.json: there is no such file\n  hint: a scenario folder holds a scenario.json"),
-            ("folders", 1, "folders/scenario.json: it is no plain file"),
+            ("empty", 1, "error[file::no-scenario-file]: empty/scenario.json: there is no such file\n  hint: name a folder"),
+            ("folders", 1, "error[file::not-plain]: folders/scenario.json"),
             ("latin", 2, "scenario.json: cannot be read: line 1 is not text in UTF-8\n  hint: save it as UTF-8"),
             ("other", 2, "\"scenario.json\" is a home, but a scenario is needed here"),
             ("flat/home.json", 2, "\"home.json\" is a home, but a scenario is needed here"),

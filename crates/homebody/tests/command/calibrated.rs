@@ -83,6 +83,6 @@ fn what_cannot_be_fitted_is_said_and_nothing_is_written() {
     folder.run("calibrate casas:log.txt --home known --days 2011-06-06..2011-06-11 --to fitted").fails(2, "0 besides");
     folder.run("calibrate casas:log.txt --home known --days yesterday --to fitted").fails(2, "2016-07-01..2016-07-14");
     folder.run("new couple --template couple-with-cat").ok();
-    folder.run("calibrate casas:log.txt --home couple --to fitted").fails(2, "only who lives alone");
+    folder.run("calibrate casas:log.txt --home couple --to fitted").fails(2, "error[fit::not-alone]");
     assert!(!folder.path("fitted").exists());
 }

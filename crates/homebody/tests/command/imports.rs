@@ -124,13 +124,13 @@ fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
         let [bed, armchair] = named;
         added(bed, plan_of[1]);
         // Nobody gets into the living room, so that the armchair is elsewhere.
-        assert!(said.contains(&format!("nobody gets into {:?}", plan_of[3])), "{said}");
+        assert!(said.contains(&format!("no resident can enter {:?}", plan_of[3])), "{said}");
         assert!(
             said.contains(&format!("{armchair:?} in ")) && !said.contains(&format!("{armchair:?} in {:?}", plan_of[3]))
         );
         // The kitchen and the bathroom are known by their names, so that neither fridge nor toilet is needed.
         let checked = folder.run(&format!("check {name}")).ok().err;
-        assert!(checked.contains(&format!("nobody gets into {:?}", plan_of[3])), "{checked}");
+        assert!(checked.contains(&format!("no resident can enter {:?}", plan_of[3])), "{checked}");
         let [asleep_h, meals, visits] = day(&folder, &name);
         assert!(asleep_h >= 4.0 && meals >= 2.0 && visits >= 2.0, "{asleep_h} {meals} {visits}");
         // The routine needs these pieces.
@@ -164,7 +164,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     assert!(said.contains("the home has no sensors") && !said.contains("nothing is wrong"), "{said}");
     // The proposed sensor is a valid line.
     let (_, sensor) = said.split_once("such as {").unwrap();
-    let (sensor, _) = sensor.split_once("}; homebody place").unwrap();
+    let (sensor, _) = sensor.split_once("}; `homebody place`").unwrap();
     let home = folder.read("mine/home.json");
     folder.write("mine/home.json", home.replace("\n  ]\n}", &format!("\n  ],\n  \"sensors\": [{{{sensor}}}]\n}}")));
     let said = folder.run("check mine").ok().err;
@@ -174,9 +174,9 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     folder.write("mine/anna.path.json", wait);
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
     let said = folder.run("check mine").ok().err;
-    let what = "warning: anna.json: anna waits for ever and does nothing: anna.path.json has no walk";
+    let what = "warning: anna.json: anna stands still for the whole run: anna.path.json has no walk";
     assert!(said.contains(what) && !said.contains("nothing is wrong"), "{said}");
-    assert!(said.contains("let anna.json say \"driver\": {\"routine\":\"anna.routine\"}"), "{said}");
+    assert!(said.contains("write \"driver\": {\"routine\":\"anna.routine\"} in anna.json"), "{said}");
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": {"routine":"anna.routine"} }"#);
     assert!(folder.run("check mine").ok().err.contains("nothing is wrong"));
     let json = folder.run("check mine --json").ok().json();
@@ -187,7 +187,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
     assert!(folder.run("check mine").ok().err.contains("nothing is wrong"));
     folder.edit("mine/scenario.json", "\"residents\": [\"anna.json\"]", "\"residents\": []");
-    assert!(folder.run("check mine").ok().err.contains("warning: scenario.json: nobody lives here"));
+    assert!(folder.run("check mine").ok().err.contains("warning: scenario.json: the scenario has no residents"));
 }
 
 #[test]
