@@ -7,6 +7,7 @@ pub fn all() -> impl Iterator<Item = &'static Entry> {
     [
         homebody_core::messages::ALL,
         homebody_log::MESSAGES,
+        homebody_routine::MESSAGES,
         homebody_kit::MESSAGES,
         &[crate::commands::explain::ExplainMessage::ENTRIES],
     ]
