@@ -13,6 +13,7 @@ use crate::living::driver::RoutineDriver;
 use crate::living::life::Life;
 use crate::living::pet::PetDriver;
 use crate::living::places::Places;
+use crate::messages::HouseholdMessage;
 use crate::needs_of_home;
 use crate::routine::{Effect, Kind, Routine, USUAL, shows};
 use homebody_core::drivers;

@@ -54,21 +54,21 @@ fn a_home_that_lacks_something_says_so_until_it_is_there() {
     folder.write("room.sh3d", plan(ROOM));
     let said = folder.run("import room.sh3d mine").ok().err;
     let lack =
-        "nobody can live an ordinary life here yet: there is nowhere in this home to sleep\n  hint: give it a piece";
+        "nobody can live an ordinary life here yet: the home has no place to sleep\n  hint: add a piece";
     assert!(said.contains(lack) && said.contains("--furnish adds all"), "{said}");
     assert!(folder.path("mine/anna.routine").is_file());
-    let lacks = folder.run("check mine").fails(2, "there is nowhere in this home to sleep").err;
-    assert!(lacks.contains("no toilet") && lacks.contains("nowhere to sit"), "{lacks}");
-    folder.run("run mine --for 1h --quiet --out csv:log.csv").fails(2, "there is nowhere in this home to sleep");
+    let lacks = folder.run("check mine").fails(2, "error[need::no-bed]").err;
+    assert!(lacks.contains("error[need::no-toilet]") && lacks.contains("error[need::no-seat]"), "{lacks}");
+    folder.run("run mine --for 1h --quiet --out csv:log.csv").fails(2, "error[need::no-bed]");
     folder.run("plan mine --svg plan.svg").ok();
     // A room that is all furniture.
     let full = "<pieceOfFurniture name='Block' x='300' y='200' width='580' depth='380' height='90'/>";
     folder.write("full.sh3d", plan(&format!("{ROOM}{full}")));
     for words in ["import full.sh3d full", "import full.sh3d furnished --furnish"] {
         let said = folder.run(words).ok().err;
-        assert!(said.contains("nobody can stand in any of its rooms"), "{said}");
+        assert!(said.contains("no room has space to stand"), "{said}");
     }
-    folder.run("check full").fails(2, "nowhere in this home to sleep");
+    folder.run("check full").fails(2, "error[need::no-bed]");
 }
 
 /// Hours asleep, meals and visits to the bathroom on the first day of a run.
@@ -274,5 +274,5 @@ fn a_level_is_chosen_by_its_name() {
     );
     folder.run("import house.sh3d below --level below").ok();
     assert!(folder.read("below/home.json").contains("Cellar") && folder.read("above/home.json").contains("Kitchen"));
-    folder.run("check below").fails(2, "there is nowhere in this home to sleep");
+    folder.run("check below").fails(2, "error[need::no-bed]");
 }

@@ -45,7 +45,7 @@ homebody_core::messages! {
         Always {
             /// The words.
             text: String,
-        } error "always" ("{text:?} is no time at all: the rule would always start")
+        } error "always" ("after {text:?}, this rule would start all the time")
             hint ("write \"for 20 minutes\"");
     }
 }

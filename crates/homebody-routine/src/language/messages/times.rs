@@ -31,7 +31,7 @@ homebody_core::messages! {
         NoDuration {
             /// The words.
             text: String,
-        } error "no-duration" ("{text:?} is no time at all")
+        } error "no-duration" ("{text:?} is a duration of zero")
             hint ("write how long it lasts, such as \"for 20 minutes\"");
         /// The duration of an outing or a visit has a limit, which is our choice.
         LongerThanAYear {
