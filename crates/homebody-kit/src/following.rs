@@ -76,7 +76,9 @@ impl Learnt {
     /// [`Error::Translation`] where it has nobody to be followed.
     pub fn of(scenario: &Scenario) -> Result<Learnt, Error> {
         let (bodies, people) = bodies(scenario)?;
-        let Some(first) = bodies.first() else { return Err(Error::Translation(TranslationMessage::NoResidents.into())) };
+        let Some(first) = bodies.first() else {
+            return Err(Error::Translation(TranslationMessage::NoResidents.into()));
+        };
         let nobody = first.nobody();
         let rooms = scenario.home.plan().rooms.iter().map(|room| room.name.clone()).collect();
         let sensors = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect();

@@ -55,7 +55,7 @@ homebody_core::messages! {
         /// A body of the residents' size finds no way into these rooms, because they have no door or because a piece of furniture
         /// blocks it.
         ClosedRooms {
-            /// The names of the rooms, as far as they are listed.
+            /// The names of some of the rooms.
             rooms: Vec<String>,
             /// The number of further rooms.
             more: usize,
@@ -63,7 +63,7 @@ homebody_core::messages! {
             hint ("add a door to \"doors\", or move the furniture in the way; ignore this if the room should stay closed");
         /// Homebody keeps sentences that it does not simulate as remarks, for example about a resident's character.
         Unsimulated {
-            /// The sentences, as far as they are listed.
+            /// The first sentences.
             sentences: Vec<String>,
             /// The number of further sentences.
             more: usize,
@@ -77,7 +77,7 @@ homebody_core::messages! {
             effect: String,
         } warning "partial-effect" ("the effect of {sentence:?} in this run: {effect}")
             hint ("let it begin earlier, or let the run last longer");
-        /// A member of the list has a sentence for which the run is too short, or begins too late.
+        /// The run is too short for a sentence of this member, or begins too late for it.
         MemberWithoutEffect {
             /// The name of the member.
             member: String,

@@ -115,7 +115,7 @@ homebody_core::messages! {
             why: String,
         } error "unlearnable" ("cannot compute how the sensors of the home respond: {why}")
             hint ("run homebody check on the scenario");
-        /// Without rows there is no movement to locate.
+        /// Residents are located by the rows of their sensors.
         NoRows error "no-rows" ("the log has no rows")
             hint ("name a log with rows of the home's sensors");
         /// The first row of the log is before or after all dates that Homebody can compute with, or the time zone of the scenario is not valid.
@@ -143,12 +143,14 @@ fn cannot(message: TranslationMessage) -> Error {
 
 /// Who may be in a home, and what they are called: its residents, and a guest where one lives alone.
 pub(crate) fn bodies(scenario: &Scenario) -> Result<(Vec<Senses>, Vec<String>), Error> {
-    let learn = |body| Senses::learn(scenario, body).map_err(|error| {
-        cannot(match error {
-            NotLearnt::Nobody => TranslationMessage::NoResidents,
-            error => TranslationMessage::Unlearnable { why: error.to_string() },
+    let learn = |body| {
+        Senses::learn(scenario, body).map_err(|error| {
+            cannot(match error {
+                NotLearnt::Nobody => TranslationMessage::NoResidents,
+                error => TranslationMessage::Unlearnable { why: error.to_string() },
+            })
         })
-    });
+    };
     let mut bodies = (0..scenario.residents.len()).map(learn).collect::<Result<Vec<_>, _>>()?;
     let mut people: Vec<String> = scenario.residents.iter().map(|resident| resident.file.name.clone()).collect();
     if let [alone] = &bodies[..] {

@@ -420,7 +420,11 @@ fn warns_about_sensors_that_never_fire() {
         let home = texts["home.json"].replacen("\"sensors\": [", &format!("\"sensors\": [\n{sensor},"), 1);
         texts.insert("home.json".into(), home);
         let scenario = homebody_kit::Source::of_texts(texts, "scenario.json").open().unwrap();
-        scenario.remarks(DAY).into_iter().map(|remark| (remark.code, remark.data["sensor"] == "new")).collect::<Vec<_>>()
+        scenario
+            .remarks(DAY)
+            .into_iter()
+            .map(|remark| (remark.code, remark.data["sensor"] == "new"))
+            .collect::<Vec<_>>()
     };
     let contact = |on: &str| with(&format!(r#"{{ "kind": "contact", "name": "new", "on": "{on}" }}"#));
     assert_eq!(contact("bookcase"), [("life::unused-thing", true)]);

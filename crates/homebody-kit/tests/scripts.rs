@@ -196,15 +196,31 @@ fn next(around) {
     );
     for (place, what, hint) in [
         ("clara.rhai:3:21", "error[script::unknown-name]: the home has no thing \"stoove\"", "there are"),
-        ("clara.rhai:4:15", "error[script::unknown-property]: around has no property roon", "did you mean around.room?"),
+        (
+            "clara.rhai:4:15",
+            "error[script::unknown-property]: around has no property roon",
+            "did you mean around.room?",
+        ),
         ("clara.rhai:4:39", "error[script::unknown-function]: there is no function wate", "docs/reference/scripts.md"),
-        ("clara.rhai:5:18", "error[script::unknown-name]: the home has no seat \"armchiar\"", "did you mean \"armchair\"?"),
+        (
+            "clara.rhai:5:18",
+            "error[script::unknown-name]: the home has no seat \"armchiar\"",
+            "did you mean \"armchair\"?",
+        ),
         ("clara.rhai:5:30", "error[script::value-type]: wait needs a number as seconds, and this is text", ""),
         ("clara.rhai:5:57", "error[script::unknown-name]: the home has no thing \"hal\"", "did you mean \"hall\"?"),
-        ("clara.rhai:5:73", "error[script::unknown-manner]: there is no manner \"readin\"", "did you mean \"reading\"?"),
+        (
+            "clara.rhai:5:73",
+            "error[script::unknown-manner]: there is no manner \"readin\"",
+            "did you mean \"reading\"?",
+        ),
         ("clara.rhai:5:88", "error[script::unknown-name]: the home has no seat \"table\"", ""),
         ("clara.rhai:6:12", "error[script::value-count]: go has 0 values", "write go(place)"),
-        ("clara.rhai:7:16", "error[script::unknown-name]: the home has no room \"cellar\"", "there are living room, hall"),
+        (
+            "clara.rhai:7:16",
+            "error[script::unknown-name]: the home has no room \"cellar\"",
+            "there are living room, hall",
+        ),
         ("clara.rhai:8:5", "error[script::unknown-variable]: there is no variable count", "this.name"),
     ] {
         let lines = said.lines().skip_while(|line| !line.starts_with(&format!("{place}: {what}")));
@@ -213,7 +229,9 @@ fn next(around) {
     }
     assert!(problems("fn nxt(around) { wait(1) }").contains("error[script::no-next]"));
     assert!(problems("fn next() { wait(1) }").contains("write fn next(around)"));
-    assert!(problems("let x = 1; fn next(around) { wait(1) }").contains("clara.rhai:1:1: error[script::outside-function]"));
+    assert!(
+        problems("let x = 1; fn next(around) { wait(1) }").contains("clara.rhai:1:1: error[script::outside-function]")
+    );
     assert!(problems("fn next(around) {\n    wait(1\n}").contains("clara.rhai:3:1: error[script::syntax]"));
     assert!(problems("fn next(around) { eval(\"wait(1)\") }").contains("clara.rhai:1:19"));
 }
@@ -230,7 +248,10 @@ fn what_reaches_beyond_the_script_is_not_there() {
 fn stops_a_script_that_runs_away_with_its_line() {
     for (script, what) in [
         ("fn next(around) {\n    loop { }\n}", "clara.rhai:1"),
-        ("fn next(around) {\n    loop { }\n}", "error[script::slow-decision]: the script runs away: it takes more than 50000 operations"),
+        (
+            "fn next(around) {\n    loop { }\n}",
+            "error[script::slow-decision]: the script runs away: it takes more than 50000 operations",
+        ),
         (
             "// idle\nfn next(around) { turn_on(\"hall\") }",
             "clara.rhai:2:1: error[script::no-time]: the script runs away: 100 decisions in a row",

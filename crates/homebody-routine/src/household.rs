@@ -555,9 +555,7 @@ impl<'a> Reader<'a> {
             let file = file_of(condition);
             let built_in = || CONDITIONS.iter().find(|(name, _)| name == condition).map(|(_, text)| (*text).to_owned());
             let read = match self.files.read(&file) {
-                Ok(_) if self.known.len() >= MOST_CONDITIONS => {
-                    Err(HouseholdMessage::TooMany { file: file.clone() })
-                }
+                Ok(_) if self.known.len() >= MOST_CONDITIONS => Err(HouseholdMessage::TooMany { file: file.clone() }),
                 Ok(text) => match too_long(&text) {
                     Some(why) => Err(HouseholdMessage::TooLong { file: file.clone(), why }),
                     None => Ok(Some(text)),

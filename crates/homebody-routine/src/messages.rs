@@ -52,25 +52,25 @@ homebody_core::messages! {
     pub enum NeedMessage in "need" {
         /// Every resident with a routine sleeps at night.
         NoBed {
-            /// A piece of furniture with a free position, or the reason why there is none.
+            /// A piece of furniture with a free position, or the reason against one.
             example: String,
         } error "no-bed" ("the home has no place to sleep")
             hint ("add a piece of furniture \"bed\" that is enterable, or one with the \"role\" \"bed\"{example}");
         /// Every resident with a routine uses a toilet.
         NoToilet {
-            /// A piece of furniture with a free position, or the reason why there is none.
+            /// A piece of furniture with a free position, or the reason against one.
             example: String,
         } error "no-toilet" ("the home has no toilet")
             hint ("add a piece of furniture or a place \"toilet\", or a piece with the \"role\" \"toilet\"{example}");
         /// Every resident with a routine rests in a seat between activities.
         NoSeat {
-            /// A piece of furniture with a free position, or the reason why there is none.
+            /// A piece of furniture with a free position, or the reason against one.
             example: String,
         } error "no-seat" ("the home has no place to sit")
             hint ("add an \"armchair\" that is enterable, or another piece with the \"role\" \"armchair\"{example}");
         /// Every resident with a routine prepares meals.
         NoKitchen {
-            /// A piece of furniture with a free position, or the reason why there is none.
+            /// A piece of furniture with a free position, or the reason against one.
             example: String,
         } error "no-kitchen" ("the home has no kitchen")
             hint

@@ -281,7 +281,8 @@ impl Check<'_> {
         if !ways.is_empty() {
             return ways.join(", or ");
         }
-        let mut hint = "draw the home with `homebody plan` and look for a closed door, a wall or furniture in the way".to_owned();
+        let mut hint =
+            "draw the home with `homebody plan` and look for a closed door, a wall or furniture in the way".to_owned();
         let around: Vec<String> = self
             .nearest_pieces(to, 2.0 * self.resident.radius_m)
             .iter()

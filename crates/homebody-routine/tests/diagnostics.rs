@@ -85,11 +85,7 @@ fn an_unknown_visitor() {
     refused("Anna visits on Sunday.", "Anna", "unknown-visitor", "her daughter visits");
     refused("Her daughter naps.", "Her daughter", "visitor-acts", "her daughter visits on Sunday");
     refused("Her cat sleeps.", "Her cat", "unknown-action", "her daughter visits");
-    refused(
-        "Her daughter visits. Her dauhgter visits on Sunday.",
-        "visits",
-        "similar-visitors",
-        "did you mean");
+    refused("Her daughter visits. Her dauhgter visits on Sunday.", "visits", "similar-visitors", "did you mean");
     refused("The stove is hot.", "The stove", "thing-acts", "she forgets the stove rarely");
 }
 
@@ -512,11 +508,7 @@ fn sentences_that_contradict_each_other() {
     let not = "contradiction";
     refused("She naps every day.\nShe never naps.", "naps", not, "leave one of the two out");
     understood("She naps every day.\nFrom week 6 she no longer naps. She does not nap on Sunday.");
-    refused(
-        "She eats dinner at 18:00.\nShe eats dinner at 20:00.",
-        "eats dinner",
-        "two-times",
-        "");
+    refused("She eats dinner at 18:00.\nShe eats dinner at 20:00.", "eats dinner", "two-times", "");
     let out = "out-then";
     refused("She goes out from 10:00 to 15:00.\nShe eats lunch at 12:30.", "eats lunch", out, "on which days");
     understood("On Monday she goes out from 10:00 to 15:00.\nFrom Tuesday to Sunday she eats lunch at 12:30.");

@@ -21,9 +21,8 @@ pub type Report<'a> = &'a mut dyn FnMut(Position, usize, ScriptMessage) -> Probl
 pub fn stray(ast: &AST, report: Report) -> Vec<Problem> {
     let is_constant = |stmt: &Stmt| matches!(stmt, Stmt::Var(_, flags, _) if flags.intersects(ASTFlags::CONSTANT));
     let wrong = ast.statements().iter().filter(|stmt| !is_constant(stmt) && !matches!(stmt, Stmt::Noop(_)));
-    let mut problems: Vec<Problem> = wrong
-        .map(|stmt| report(stmt.position(), 1, ScriptMessage::OutsideFunction))
-        .collect();
+    let mut problems: Vec<Problem> =
+        wrong.map(|stmt| report(stmt.position(), 1, ScriptMessage::OutsideFunction)).collect();
     for stmt in ast.statements().iter().filter(|stmt| is_constant(stmt)) {
         if let Stmt::Var(var, ..) = stmt
             && !var.0.name.starts_with(|c: char| c.is_ascii_uppercase())

@@ -365,9 +365,12 @@ impl ScriptDriver {
                     Step::Go(spot) => spot.clone(),
                     Step::ComeHome => self.front_door()?,
                     Step::GoTo(at) if self.cast.mesh.is_free(*at) => Spot::to_stand(*at, 0),
-                    _ => self.cast.places.of(Role::Armchair).cloned().ok_or_else(|| {
-                        self.program.at_next(ScriptMessage::NoStart)
-                    })?,
+                    _ => self
+                        .cast
+                        .places
+                        .of(Role::Armchair)
+                        .cloned()
+                        .ok_or_else(|| self.program.at_next(ScriptMessage::NoStart))?,
                 };
                 let posture = spot.posture;
                 self.body.place(spot, posture);
@@ -407,9 +410,9 @@ impl ScriptDriver {
     fn walk(&mut self, step: Step, now: Micros) -> Result<(), String> {
         let hour = self.cast.hour(now);
         let moves = match &step {
-            Step::Go(spot) => self.go(spot, hour, now).ok_or_else(|| {
-                self.program.at_next(ScriptMessage::NoWay { place: spot.name.clone() })
-            })?,
+            Step::Go(spot) => self
+                .go(spot, hour, now)
+                .ok_or_else(|| self.program.at_next(ScriptMessage::NoWay { place: spot.name.clone() }))?,
             Step::GoTo(at) => {
                 let room = self.cast.home.plan.room_at(*at);
                 let moves = room.and_then(|room| self.go(&Spot::to_stand(*at, room), hour, now));

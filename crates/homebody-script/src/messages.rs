@@ -45,7 +45,7 @@ homebody_core::messages! {
             form: String,
         } error "parameters" ("the function {function} has {parameters}", parameters = counted(*parameters, "parameter", "parameters"))
             hint ("write {form}");
-        /// A variable lives until the end of its function. `this` keeps values from one decision to the next.
+        /// A variable ends with its function. `this` keeps values from one decision to the next.
         UnknownVariable {
             /// The name.
             name: String,

@@ -273,8 +273,8 @@ fn nearest_or_all<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Strin
 pub fn number(value: &Dynamic, what: &str) -> Result<f64, Wrong> {
     let number = value.as_float().or_else(|_| value.as_int().map(|whole| whole as f64));
     let value = || what.to_owned();
-    let number = number
-        .map_err(|of| wrong(ScriptMessage::NotANumber { value: value(), found: type_name(of).to_owned() }))?;
+    let number =
+        number.map_err(|of| wrong(ScriptMessage::NotANumber { value: value(), found: type_name(of).to_owned() }))?;
     match number.is_finite() {
         true => Ok(number),
         false => Err(wrong(ScriptMessage::NotFinite { value: value(), number: number.to_string() })),

@@ -34,8 +34,7 @@ impl Program {
                 return Err(vec![at(error.position(), misspelt(error.err_type()).into())]);
             }
         };
-        let mut report =
-            |position, width, message: ScriptMessage| problem(file, text, position, width, message.into());
+        let mut report = |position, width, message: ScriptMessage| problem(file, text, position, width, message.into());
         let stray = check::stray(&ast, &mut report);
         if !stray.is_empty() {
             return Err(stray);
@@ -74,11 +73,7 @@ impl Program {
         let options = CallFnOptions::new().eval_ast(false).with_tag(around.clone());
         let memory = ENGINE.call_fn_with_options::<Dynamic>(options, &mut Scope::new(), &self.ast, BEGIN, ());
         let memory = memory.map_err(|error| self.why(*error))?;
-        if memory.is_map() {
-            Ok(memory)
-        } else {
-            Err(self.at_function(BEGIN, ScriptMessage::NotAMap))
-        }
+        if memory.is_map() { Ok(memory) } else { Err(self.at_function(BEGIN, ScriptMessage::NotAMap)) }
     }
 
     /// The answer to what comes next.

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::print::tell;
-use homebody_kit::pace::{Command, PaceMessage, Pace, Speed};
+use homebody_kit::pace::{Command, Pace, PaceMessage, Speed};
 use homebody_log::error::no_thread;
 use std::io::{self, BufRead, Read};
 use std::sync::mpsc::{Receiver, sync_channel};

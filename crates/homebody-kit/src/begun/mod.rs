@@ -11,8 +11,8 @@ mod traced;
 pub use empty::empty;
 pub use from_log::{GivenLog, OfLog, of_log};
 pub use furnished::furnish;
-pub use messages::NewMessage;
 pub use inhabited::{Begun, Inhabited, inhabited, lack, lived_in};
+pub use messages::NewMessage;
 pub use sensor_table::{Row, read_table};
 pub use traced::{Known, Traced};
 

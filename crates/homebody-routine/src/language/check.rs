@@ -168,7 +168,8 @@ fn home_while_out(draft: &Draft, faults: &mut Faults) {
                 && (outing.lasts.is_some() || outing.until.is_some())
                 && surely_from_to(outing).is_some();
             let (other_line, other) = (outing.said.line, outing.said.text.trim().to_owned());
-            let message = match (comes_home, is_within && is_meal && on_its_days && habit.chance.probability >= CERTAIN) {
+            let message = match (comes_home, is_within && is_meal && on_its_days && habit.chance.probability >= CERTAIN)
+            {
                 (true, _) => CheckMessage::HomeTwice { other_line, other },
                 (_, true) => CheckMessage::OutThen { other_line, other },
                 _ => continue,

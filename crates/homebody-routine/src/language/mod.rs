@@ -58,7 +58,6 @@ mod check;
 #[cfg(test)]
 mod tests;
 
-use messages::SentenceMessage;
 use crate::routine::{Quote, Routine};
 use adverbs::Adverbs;
 use aside::set_aside;
@@ -68,6 +67,7 @@ use faults::Faults;
 use homebody_core::problem::Problem;
 pub use known::Known;
 pub use lexicon::Lexicon;
+use messages::SentenceMessage;
 use reader::{Names, Reader};
 use skim::skim;
 use std::ops::Range;

@@ -122,9 +122,7 @@ fn what_is_wrong_is_told_at_once_and_nothing_is_written() {
     folder.write("ids.csv", "what,room\nM1,hall\n");
     folder.run("new flat --from-log codes.txt --sensors ids.csv").fails(2, "error[new::no-id-column]: ids.csv:1:1:");
     folder.write("strange.csv", "id,room\nX1,hall\n");
-    folder
-        .run("new flat --from-log codes.txt --sensors strange.csv")
-        .fails(2, "error[new::other-log]");
+    folder.run("new flat --from-log codes.txt --sensors strange.csv").fails(2, "error[new::other-log]");
     folder.write("numbers.txt", "2016-07-12 08:00:00 T1 21.5\n");
     folder.run("new flat --from-log numbers.txt").fails(2, "no sensor of it tells of movement or of doors");
     folder.write("plan.png", PICTURE);

@@ -53,8 +53,7 @@ fn a_home_that_lacks_something_says_so_until_it_is_there() {
     let folder = Folder::new();
     folder.write("room.sh3d", plan(ROOM));
     let said = folder.run("import room.sh3d mine").ok().err;
-    let lack =
-        "nobody can live an ordinary life here yet: the home has no place to sleep\n  hint: add a piece";
+    let lack = "nobody can live an ordinary life here yet: the home has no place to sleep\n  hint: add a piece";
     assert!(said.contains(lack) && said.contains("--furnish adds all"), "{said}");
     assert!(folder.path("mine/anna.routine").is_file());
     let lacks = folder.run("check mine").fails(2, "error[need::no-bed]").err;

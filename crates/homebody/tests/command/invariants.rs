@@ -64,10 +64,7 @@ fn what_a_watcher_says_changes_nothing() {
     let words = |prefix: &str| format!("run flat --for 60s --speed 20 --control --paused {}", out(prefix));
     let input = "step 0.123456\nstep\nspeed 100\nstep 7.5\nnonsense\nspeed 0\nresume\npause\nspeed 1000\nresume\n";
     let said = folder.say(&words("watched"), input).ok().err;
-    assert!(
-        said.contains("there is no command \"nonsense\"") && said.contains("from 0.1 to 1000"),
-        "{said}"
-    );
+    assert!(said.contains("there is no command \"nonsense\"") && said.contains("from 0.1 to 1000"), "{said}");
     assert_eq!(signs(&folder, "watched"), signs(&folder, "unwatched"));
 
     // In the midst of a run, too.

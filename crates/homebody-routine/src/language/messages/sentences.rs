@@ -1,7 +1,7 @@
 //! The messages about sentences and their order.
 
-use crate::language::{LONGEST_LINE, MOST_SENTENCES};
 use crate::language::sentence::MOST_CLAUSES;
+use crate::language::{LONGEST_LINE, MOST_SENTENCES};
 
 homebody_core::messages! {
     /// Problems with a sentence of a routine.

@@ -107,7 +107,7 @@ homebody_core::messages! {
         /// "At first" begins a change of a frequency. The second part says the later frequency.
         AtFirst error "at-first" ("\"at first\" needs a second part with the later frequency")
             hint ("write \"rarely at first, often by day 160\"");
-        /// A change of a frequency has a day by which it is complete.
+        /// A change of a frequency ends on a day.
         ByWhen error "by-when" ("the sentence does not say by when the frequency changes")
             hint ("write \"rarely at first, often by day 160\"");
         /// A number of times is whole.

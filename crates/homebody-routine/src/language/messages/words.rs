@@ -116,7 +116,7 @@ homebody_core::messages! {
             thing: String,
         } error "thing-acts" ("{text:?} cannot act by itself")
             hint ("write what she does: \"she forgets the {thing} rarely\"");
-        /// People who do not live in the home visit, bring and help. They have no routine of their own here.
+        /// Visitors come, bring things and help. They have no routine of their own here.
         VisitorActs {
             /// The words.
             text: String,
@@ -132,7 +132,7 @@ homebody_core::messages! {
             hint ("a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"");
         /// Homebody includes some conditions. A scenario can add its own as `conditions/NAME.routine`.
         UnknownCondition {
-            /// The words; empty where there are none.
+            /// The words, perhaps none at all.
             text: String,
             /// The hint, with the nearest name or all of them.
             help: Option<String>,
