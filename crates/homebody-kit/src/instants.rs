@@ -16,14 +16,14 @@ use jiff::tz::TimeZone;
 
 homebody_core::messages! {
     /// Problems with a table of the ground truth.
-    pub enum TruthMessage in "truth" {
+    pub enum TableMessage in "tables" {
         /// The ground truth of a run is a set of tables. The reference of the ground truth describes each.
-        NoTable {
+        Unknown {
             /// The name asked for.
             table: String,
             /// The names of the tables.
             known: Vec<String>,
-        } error "no-table" ("the ground truth has no table {table:?}")
+        } error "unknown" ("the ground truth has no table {table:?}")
             hint ("the tables are {known}", known = known.join(", "));
     }
 }
@@ -136,7 +136,7 @@ impl NamedLog {
         let Some(index) = all.iter().position(|known| known.name == table) else {
             let names: Vec<&str> = all.iter().map(|table| table.name.as_str()).collect();
             let (table, known) = (table.to_owned(), names.into_iter().map(str::to_owned).collect());
-            return Err(Error::Unreadable(TruthMessage::NoTable { table, known }.into()));
+            return Err(Error::Unreadable(TableMessage::Unknown { table, known }.into()));
         };
         let utc = self.clock_of(Clock::Utc);
         let instants: Vec<bool> = all[index].columns.iter().map(|column| column.kind == ColumnKind::Instant).collect();

@@ -64,7 +64,7 @@ pub mod fleet;
 mod idle_sensors;
 mod long_log;
 mod life_messages;
-mod files;
+mod open_messages;
 mod lifeless;
 mod log_with_run;
 mod instants;
@@ -88,8 +88,8 @@ pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
     <Error as homebody_core::messages::Catalogue>::ENTRIES,
     <find::Unfindable as homebody_core::messages::Catalogue>::ENTRIES,
     <find::HoursMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <files::FileMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <instants::TruthMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <open_messages::OpenMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <instants::TableMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <profiles::ProfileMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <cohort_members::CohortMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <fleet::FleetMessage as homebody_core::messages::Catalogue>::ENTRIES,
@@ -101,10 +101,10 @@ pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
 ];
 
 pub use broker::{Tidied, tidy_up};
-pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};
+pub use calibration::{Calibration, CalibrationMessage, Fitted, Rates, Sight, calibrate, lived};
 pub use cohort::{Cohort, CohortSetup, LARGE_DAYS, LivedCohort};
 pub use cohort_list::{CohortList, ListedMember};
-pub use cohort_members::{CohortLayout, Member, MemberLived};
+pub use cohort_members::{CohortLayout, CohortMessage, Member, MemberLived};
 pub use cohort_place::{bring_member, list_of_cohort};
 pub use cohort_unfinished::UnfinishedCohort;
 pub use destination::{Destination, Policy, Sink};

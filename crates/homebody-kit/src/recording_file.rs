@@ -1,7 +1,7 @@
 //! Reads recordings and the lists of cohorts.
 
 use crate::error::Error;
-use crate::files::FileMessage;
+use crate::open_messages::OpenMessage;
 use homebody_core::problem::readable;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_log::limits::{LARGEST_LIST_BYTES, LARGEST_RECORDING_BYTES};
@@ -50,7 +50,7 @@ fn text(path: &Path, most_bytes: u64) -> Result<String, Error> {
     }
     text.map_err(|error| match error.kind() {
         ErrorKind::NotFound => Error::NoRecording { path: path.into() },
-        ErrorKind::IsADirectory => Error::unreadable(path, FileMessage::RecordingFolder),
+        ErrorKind::IsADirectory => Error::unreadable(path, OpenMessage::RecordingFolder),
         _ => Error::io(path, error),
     })
 }

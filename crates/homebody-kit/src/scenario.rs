@@ -29,7 +29,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 ///
-/// [`Error::File`] if there is none, [`Error::Problems`] with everything that is wrong with its files.
+/// [`Error::Unreadable`] if there is none, [`Error::Problems`] with everything that is wrong with its files.
 pub fn open(path: impl AsRef<Path>) -> Result<OpenScenario, Error> {
     Source::at(path)?.open()
 }
@@ -148,7 +148,7 @@ impl OpenScenario {
     ///
     /// # Errors
     ///
-    /// [`Error::File`] if it cannot be read, [`Error::Problems`] with everything that is wrong in it.
+    /// [`Error::File`] or [`Error::Unreadable`] if it cannot be read, [`Error::Problems`] with everything that is wrong in it.
     pub fn profiles(&self, path: impl AsRef<Path>, without: &[String]) -> Result<Vec<Profile>, Error> {
         profiles::read(path.as_ref(), &self.base(), without)
     }

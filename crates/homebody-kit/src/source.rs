@@ -1,7 +1,7 @@
 //! Where a scenario comes from: a folder on disk, a template that came with the program, or texts in memory.
 
 use crate::error::Error;
-use crate::files::FileMessage;
+use crate::open_messages::OpenMessage;
 use homebody_core::problem::Problems;
 use homebody_core::scenario::load::{Files, MOST_BYTES, NoText, Scenario};
 use homebody_core::scenario::nearest::nearest;
@@ -49,7 +49,7 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Error::File`] if there is no such folder or file.
+    /// [`Error::Unreadable`] if there is no such folder or file, [`Error::File`] if the system cannot read it.
     pub fn at(path: impl AsRef<Path>) -> Result<Source, Error> {
         let path = path.as_ref();
         let meta = fs::metadata(path).map_err(|error| match error.kind() {
@@ -58,7 +58,7 @@ impl Source {
                     path.to_str().filter(|name| !name.is_empty()).and_then(|name| Template::named(name).ok());
                 let template = template.map(|template| template.name().to_owned());
                 let near = similar_scenario(path).map(|near| near.display().to_string());
-                Error::unreadable(path, FileMessage::NoScenario { template, near })
+                Error::unreadable(path, OpenMessage::NoScenario { template, near })
             }
             _ => Error::io(path, error),
         })?;
@@ -69,7 +69,7 @@ impl Source {
         let folder = if meta.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) };
         let file = folder.join(&entry);
         if !file.is_file() {
-            let message = if file.exists() { FileMessage::NotPlain } else { FileMessage::NoEntry };
+            let message = if file.exists() { OpenMessage::NotPlain } else { OpenMessage::NoEntry };
             return Err(Error::unreadable(&file, message));
         }
         Ok(Source::of_folder(Folder::new(folder, false), entry))

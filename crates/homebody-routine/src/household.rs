@@ -557,7 +557,7 @@ impl<'a> Reader<'a> {
             let read = match self.files.read(&file) {
                 Ok(_) if self.known.len() >= MOST_CONDITIONS => Err(HouseholdMessage::TooMany { file: file.clone() }),
                 Ok(text) => match too_long(&text) {
-                    Some(why) => Err(HouseholdMessage::TooLong { file: file.clone(), why }),
+                    Some(why) => Err(HouseholdMessage::TooLong { file: file.clone(), why: why.to_string() }),
                     None => Ok(Some(text)),
                 },
                 // Only where there is none of its own: one that cannot be read is not passed over.

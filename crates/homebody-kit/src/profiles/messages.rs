@@ -140,12 +140,6 @@ homebody_core::messages! {
             known: String,
         } error "no-resident" ("no resident with a routine is called {name:?}")
             hint ("{known}");
-        /// A list can name files in the scenario's folder only, so that the scenario stays complete when it is copied.
-        OutsideFolder {
-            /// The problem with the name.
-            why: String,
-        } error "outside-folder" ("{why}")
-            hint ("write it relative to the scenario's folder, with \"/\" between folders and without \"..\"");
         /// The column `routine` or `home` names a file in the scenario's folder.
         Unreadable {
             /// The name in the list.

@@ -6,7 +6,7 @@ use super::sentences::OwnSentences;
 use super::table::{Cell, Table};
 use homebody_core::problem::Problem;
 use homebody_core::scenario::GREATEST_SEED;
-use homebody_core::scenario::inside::outside_folder;
+use homebody_core::scenario::inside::{WHERE, outside_folder};
 use homebody_core::scenario::load::NoText;
 use homebody_core::scenario::nearest::nearest;
 use homebody_log::places::LIST;
@@ -306,8 +306,8 @@ impl<'a> Reader<'a> {
 
     /// The text of a file in the scenario's folder, such as a routine.
     fn text(&mut self, cell: &Cell, kind: &str) -> Option<String> {
-        if let Some(why) = outside_folder(&cell.text, "the scenario's folder") {
-            self.fault(cell, ProfileMessage::OutsideFolder { why });
+        if let Some(what) = outside_folder(&cell.text, "the scenario's folder") {
+            self.problems.push(self.table.problem(cell, what, Some(WHERE.into())));
             return None;
         }
         let read = self.base.files.read(&cell.text);

@@ -121,15 +121,15 @@ fn what_is_no_scenario_is_told_apart() {
             (
                 "nowhere",
                 1,
-                "error[file::no-scenario]: nowhere: there is no such scenario\n  hint: name a scenario's folder",
+                "error[open::no-scenario]: nowhere: there is no such scenario\n  hint: name a scenario's folder",
             ),
             ("flot", 1, "flot: there is no such scenario\n  hint: did you mean \"flat\"?"),
             (
                 "empty",
                 1,
-                "error[file::no-scenario-file]: empty/scenario.json: there is no such file\n  hint: name a folder",
+                "error[open::no-scenario-file]: empty/scenario.json: there is no such file\n  hint: name a folder",
             ),
-            ("folders", 1, "error[file::not-plain]: folders/scenario.json"),
+            ("folders", 1, "error[open::not-plain]: folders/scenario.json"),
             ("latin", 2, "scenario.json: cannot be read: line 1 is not text in UTF-8\n  hint: save it as UTF-8"),
             ("other", 2, "\"scenario.json\" is a home, but a scenario is needed here"),
             ("flat/home.json", 2, "\"home.json\" is a home, but a scenario is needed here"),

@@ -218,7 +218,7 @@ fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
     for part in [
         "people.csv:2:3: error[members::unreadable]: cannot read \"none.json\": there is no such file\n",
         "hint: name a home in the scenario's folder",
-        "people.csv:3:3: error[members::outside-folder]",
+        "people.csv:3:3: \"../home.json\" is no file name inside the scenario's folder",
         "people.csv:4:1: error[members::scenario]: the values of this row cause a problem at broken.json:",
     ] {
         assert!(said.contains(part), "{part}: {said}");
@@ -376,7 +376,7 @@ fn all_that_is_wrong_with_a_list_is_said_at_once() {
         "people.csv:7:16: error[members::same-condition]: the condition \"Grief\"",
         "people.csv:7:23: error[routine::no-date]",
         "people.csv:7:34: ",
-        "people.csv:7:42: error[members::outside-folder]",
+        "people.csv:7:42: \"../a.routine\" is no file name inside the scenario's folder",
         "people.csv:7:56: error[members::no-column]",
         "people.csv:8:8: error[members::not-plain]: cannot read \"depression. She naps\"",
         "other.routine:1:5: error[routine::unknown-verb]: \"reeds\"",

@@ -67,7 +67,7 @@ fn only_plain_files_of_a_named_size_are_read() {
     let folder = beside_a_secret();
     let pipe = folder.path("pipe");
     assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    folder.run("check pipe").fails(1, "error[file::not-plain]: pipe: ");
+    folder.run("check pipe").fails(1, "error[open::not-plain]: pipe: ");
     for words in ["replay pipe", "import pipe new", "convert pipe --to csv:a.csv", "compare pipe pipe"] {
         folder.run(words).fails(1, "it is no plain file, but a device or a pipe");
     }
@@ -250,7 +250,7 @@ fn a_pipe_is_told_as_a_pipe() {
     folder.run("check flat").fails(2, "it is no plain file, but a device or a pipe");
     fs::remove_file(folder.path("flat/scenario.json")).unwrap();
     pipe("flat/scenario.json");
-    folder.run("check flat").fails(1, "error[file::not-plain]: flat/scenario.json: ");
+    folder.run("check flat").fails(1, "error[open::not-plain]: flat/scenario.json: ");
 }
 
 /// What is refused for its size costs little, however it was made.

@@ -2,7 +2,7 @@
 
 homebody_core::messages! {
     /// Problems with a file that a command names.
-    pub enum FileMessage in "file" {
+    pub enum OpenMessage in "open" {
         /// A scenario is a folder with a file `scenario.json`, or such a file.
         NoScenario {
             /// The template with this name.
