@@ -86,7 +86,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     folder.run("live studio --folder home --seed 7").fails(2, "another --folder");
     folder.run("run --resume home").fails(2, "homebody live SCENARIO --folder home goes on with it");
     let said = folder.run("doctor home").ok().out;
-    assert!(said.contains("homebody live SCENARIO --folder home goes on with it"), "{said}");
+    assert!(said.contains("homebody live SCENARIO --folder home continues it"), "{said}");
     let home = Living::begin(&folder, "fifth", "live studio --folder home --from 2024-11-01 --seed 74");
     home.until("it says so", || home.told().contains("goes on in home, from 2024-11-01 00:00:00 on; Ctrl-C"));
     assert_eq!(home.end("TERM").0, Some(143));
