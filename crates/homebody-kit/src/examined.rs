@@ -119,7 +119,11 @@ impl Examining {
             Ok((scenario, _)) => scenario,
             Err(problems) => {
                 let says = format!("its scenario cannot be simulated: {}", problems.render().replace('\n', "; "));
-                checks.push(Check::wrong("recording", says, "replay it with the version that wrote it, which the recording names"));
+                checks.push(Check::wrong(
+                    "recording",
+                    says,
+                    "replay it with the version that wrote it, which the recording names",
+                ));
                 return Ok(checks);
             }
         };
@@ -275,7 +279,10 @@ fn left(folder: &Path) -> Vec<Check> {
     let is_left = |path: &PathBuf| [".part", ".anew", ".old"].iter().any(|end| path.to_string_lossy().ends_with(end));
     let left = files(folder).filter(is_left);
     left.map(|path| {
-        let says = format!("{} is an incomplete file of an interrupted program", path.file_name().unwrap_or_default().to_string_lossy());
+        let says = format!(
+            "{} is an incomplete file of an interrupted program",
+            path.file_name().unwrap_or_default().to_string_lossy()
+        );
         Check::warning("files", says, format!("homebody run --resume {} removes it", folder.display()))
     })
     .collect()
