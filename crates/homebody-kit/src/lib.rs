@@ -93,6 +93,7 @@ pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
     <profiles::ProfileMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <cohort_members::CohortMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <fleet::FleetMessage as homebody_core::messages::Catalogue>::ENTRIES,
+    <touched::OrderMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <pace::PaceMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <life_messages::LifeMessage as homebody_core::messages::Catalogue>::ENTRIES,
     <begun::NewMessage as homebody_core::messages::Catalogue>::ENTRIES,
