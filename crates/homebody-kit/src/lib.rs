@@ -135,4 +135,5 @@ pub use scenario::{OpenScenario, numbers, open, template};
 pub use source::{Folder, Source, TRUST, Template};
 pub use store::{Destinations, Lived};
 pub use stretch::Stretch;
+pub use touched::OrderMessage;
 pub use translation::{Doubt, LEAST_CHANGE, Place, Translation, Whereabouts, sensors_of_home, walk_back};
