@@ -3,7 +3,7 @@
 use homebody_core::messages::{Catalogue, Entry};
 
 /// The messages of all crates, by area.
-pub fn all() -> impl Iterator<Item = &'static Entry> {
+pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
     [
         homebody_core::messages::ALL,
         homebody_log::MESSAGES,
