@@ -5,7 +5,7 @@ use crate::find::Unfindable;
 use crate::profiles::MOST_MEMBERS;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::messages::Diagnose;
-use homebody_core::problem::{Diagnostic, Problem, Problems};
+use homebody_core::problem::{Diagnostic, Problem, Problems, readable};
 use homebody_core::time::Micros;
 use homebody_log::LogError;
 use std::io;
@@ -268,6 +268,11 @@ impl Error {
     /// A file about which more can be said than the system says.
     pub(crate) fn file(path: &Path, why: impl Into<String>) -> Error {
         Error::File { path: path.into(), why: why.into(), source: None }
+    }
+
+    /// A time zone that does not exist.
+    pub(crate) fn zone(name: &str) -> Error {
+        Error::TimeZone { zone: readable(name.to_owned()) }
     }
 
     /// A file that cannot be read, by its message.

@@ -4,7 +4,6 @@
 use crate::error::Error;
 use crate::log_with_run::NamedLog;
 use homebody_analysis::dates::put_on_wall;
-use homebody_core::problem::readable;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::Micros;
 use homebody_log::source::{Clock, Value, truth_rows};
@@ -26,11 +25,6 @@ homebody_core::messages! {
         } error "unknown" ("the ground truth has no table {table:?}")
             hint ("the tables are {known}", known = known.join(", "));
     }
-}
-
-/// The time zone with this name.
-pub(crate) fn named_zone(name: &str) -> Result<TimeZone, Error> {
-    Calendar::zone(name).map_err(|_| Error::TimeZone { zone: readable(name.to_owned()) })
 }
 
 /// A log whose instants, and those of lives, are microseconds since 1970 in UTC; on the wall where nobody knows of which zone it is.
@@ -75,7 +69,7 @@ impl NamedLog {
     ///
     /// [`Error::TimeZone`] if there is no such zone, and those of [`NamedLog::read`].
     pub fn instants(&self, zone: Option<&str>) -> Result<Instants, Error> {
-        let asked = zone.map(named_zone).transpose()?;
+        let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         let mut log = self.read()?;
         let known = self.zone();
         let off_the_wall = asked.clone().filter(|_| known.is_none() && log.clock == Clock::Local);
@@ -162,7 +156,7 @@ impl NamedLog {
     ///
     /// [`Error::TimeZone`] if there is no such zone, and those of [`NamedLog::read`].
     pub fn with_activities(&self, zone: Option<&str>) -> Result<Log, Error> {
-        let asked = zone.map(named_zone).transpose()?;
+        let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         let mut log = self.read()?;
         if let Some(zone) = asked.filter(|_| self.zone().is_none()) {
             put_on_wall(&mut log, &zone);

@@ -83,23 +83,7 @@ pub mod walked;
 
 mod calibration;
 
-/// The messages of this crate, by area.
-pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
-    <Error as homebody_core::messages::Catalogue>::ENTRIES,
-    <find::Unfindable as homebody_core::messages::Catalogue>::ENTRIES,
-    <find::HoursMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <open_messages::OpenMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <instants::TableMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <profiles::ProfileMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <cohort_members::CohortMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <fleet::FleetMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <touched::OrderMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <pace::PaceMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <life_messages::LifeMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <begun::NewMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <translation::TranslationMessage as homebody_core::messages::Catalogue>::ENTRIES,
-    <calibration::CalibrationMessage as homebody_core::messages::Catalogue>::ENTRIES,
-];
+pub mod catalogue;
 
 pub use broker::{Tidied, tidy_up};
 pub use calibration::{Calibration, CalibrationMessage, Fitted, Rates, Sight, calibrate, lived};

@@ -2,7 +2,6 @@
 //! sensors' own names, the time zone, and from when to when the run was.
 
 use crate::error::Error;
-use crate::instants::named_zone;
 use crate::long_log::{Kept, LongLog, MOST_ROWS, TakeRow};
 use homebody_analysis::dates::{date_of, on_wall, put_on_wall, zone_of};
 use homebody_analysis::density::{Asked, Map, Mapping, NoMap};
@@ -12,6 +11,7 @@ use homebody_analysis::rows::Tallies;
 use homebody_analysis::signs::{LogSensors, kind_in_home};
 use homebody_core::names::capitalised;
 use homebody_core::recording::Recording;
+use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::sensors::Sensor;
@@ -146,7 +146,7 @@ impl LogWithRun {
         truth: Option<Url>,
         zone: Option<&str>,
     ) -> Result<LogWithRun, Error> {
-        let asked = zone.map(named_zone).transpose()?;
+        let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         // Days are drawn on the wall, so these are the instants as the truth tells them.
         let mut lives = truth.as_ref().map(|truth| lives(truth, &RunClock::as_told())).transpose()?.unwrap_or_default();
         let unfinished = named.unfinished();

@@ -107,7 +107,7 @@ pub fn numbers() -> Vec<Number> {
 }
 
 /// No scenario shows more conditions (ours).
-pub(crate) const MOST_CONDITIONS: usize = 64;
+const MOST_CONDITIONS: usize = 64;
 
 /// What a routine that says nothing of it leaves to be ordinary.
 const ORDINARY: &str = include_str!("ordinary.routine");
@@ -555,7 +555,9 @@ impl<'a> Reader<'a> {
             let file = file_of(condition);
             let built_in = || CONDITIONS.iter().find(|(name, _)| name == condition).map(|(_, text)| (*text).to_owned());
             let read = match self.files.read(&file) {
-                Ok(_) if self.known.len() >= MOST_CONDITIONS => Err(HouseholdMessage::TooMany { file: file.clone() }),
+                Ok(_) if self.known.len() >= MOST_CONDITIONS => {
+                    Err(HouseholdMessage::TooMany { file: file.clone(), most: MOST_CONDITIONS })
+                }
                 Ok(text) => match too_long(&text) {
                     Some(why) => Err(HouseholdMessage::TooLong { file: file.clone(), why: why.to_string() }),
                     None => Ok(Some(text)),

@@ -23,18 +23,5 @@ mod messages;
 // The furniture that a home needs besides its own.
 pub mod furnished;
 
-use homebody_core::messages::{Catalogue, Entry};
-use language::messages as of_language;
-
-/// The messages of this crate and of scripts, by area.
-pub const MESSAGES: &[&[Entry]] = &[
-    of_language::WordMessage::ENTRIES,
-    of_language::TimeMessage::ENTRIES,
-    of_language::SentenceMessage::ENTRIES,
-    of_language::RuleMessage::ENTRIES,
-    of_language::CheckMessage::ENTRIES,
-    of_language::LexiconMessage::ENTRIES,
-    messages::HouseholdMessage::ENTRIES,
-    messages::NeedMessage::ENTRIES,
-    homebody_script::ScriptMessage::ENTRIES,
-];
+// The messages of all of it.
+pub mod catalogue;

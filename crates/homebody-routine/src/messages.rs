@@ -1,7 +1,5 @@
 //! The messages about households: conditions, and the needs of residents.
 
-use crate::household::MOST_CONDITIONS;
-
 homebody_core::messages! {
     /// Problems with the conditions of a household.
     pub enum HouseholdMessage in "condition" {
@@ -26,7 +24,9 @@ homebody_core::messages! {
         TooMany {
             /// The file that is one too many.
             file: String,
-        } error "too-many" ("a scenario has at most {MOST_CONDITIONS} conditions, and {file:?} is one more")
+            /// The limit.
+            most: usize,
+        } error "too-many" ("a scenario has at most {most} conditions, and {file:?} is one more")
             hint ("remove conditions from the routines");
         /// A file with a condition has a limit, which is our choice.
         TooLong {

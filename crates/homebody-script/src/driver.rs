@@ -29,17 +29,17 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// So many decisions in a row that take no time are a script that never comes to anything (ours).
-pub const MOST_DECISIONS: u32 = 100;
+const MOST_DECISIONS: u32 = 100;
 
 /// What an hour of the run may take of operations (ours): some decisions a second, each of some hundreds. So that no script
 /// takes the time of all others.
-pub const MOST_OPERATIONS_AN_HOUR: u64 = 5_000_000;
+const MOST_OPERATIONS_AN_HOUR: u64 = 5_000_000;
 
 /// What being asked takes besides what the script does (ours).
 const OPERATIONS_OF_ASKING: u64 = 100;
 
 /// So many steps may be waiting (ours).
-pub const MOST_STEPS: usize = 500;
+const MOST_STEPS: usize = 500;
 
 const HOUR: Micros = 3_600 * SECOND;
 
@@ -204,7 +204,7 @@ impl ScriptDriver {
     ) -> Result<Dynamic, String> {
         self.idle += 1;
         if self.idle > MOST_DECISIONS {
-            return Err(self.program.at_next(ScriptMessage::NoTime));
+            return Err(self.program.at_next(ScriptMessage::NoTime { most: MOST_DECISIONS }));
         }
         let place = self.body.spot().filter(|spot| self.is_at(spot)).map_or("", |spot| spot.name.as_str());
         let streams = std::mem::take(&mut self.streams);
@@ -223,7 +223,7 @@ impl ScriptDriver {
         }
         self.spent.1 += operations + OPERATIONS_OF_ASKING;
         if self.spent.1 > MOST_OPERATIONS_AN_HOUR {
-            return Err(program.at_next(ScriptMessage::SlowHour));
+            return Err(program.at_next(ScriptMessage::SlowHour { most: MOST_OPERATIONS_AN_HOUR }));
         }
         answer
     }
@@ -317,7 +317,7 @@ impl ScriptDriver {
         if self.steps.len() <= MOST_STEPS {
             return Ok(());
         }
-        Err(self.program.at_next(ScriptMessage::TooManySteps))
+        Err(self.program.at_next(ScriptMessage::TooManySteps { most: MOST_STEPS }))
     }
 
     /// Begins a step.

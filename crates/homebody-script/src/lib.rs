@@ -31,7 +31,3 @@ pub use engine::{known_words, standard_functions};
 pub use messages::ScriptMessage;
 pub use names::Names;
 pub use program::Program;
-
-/// The messages of this crate, by area.
-pub const MESSAGES: &[&[homebody_core::messages::Entry]] =
-    &[<ScriptMessage as homebody_core::messages::Catalogue>::ENTRIES];

@@ -1,8 +1,5 @@
 //! The messages about scripts.
 
-use crate::driver::{MOST_DECISIONS, MOST_OPERATIONS_AN_HOUR, MOST_STEPS};
-use crate::engine::MOST_OPERATIONS;
-use crate::moment::MOST_STREAMS;
 use homebody_core::problem::counted;
 
 homebody_core::messages! {
@@ -126,7 +123,10 @@ homebody_core::messages! {
         } error "not-a-seat" ("a resident cannot {verb} at {place:?}")
             hint ("name a piece of furniture that is \"enterable\"; go(..) stands next to the others");
         /// Each name of a stream is a new source of random numbers. The limit is our choice.
-        TooManyStreams error "too-many-streams" ("the script draws from more than {MOST_STREAMS} streams")
+        TooManyStreams {
+            /// The limit.
+            most: usize,
+        } error "too-many-streams" ("the script draws from more than {most} streams")
             hint ("name streams by their purpose, not by numbers");
         /// This word takes numbers only.
         NotANumber {
@@ -160,19 +160,31 @@ homebody_core::messages! {
         /// Words that look around, and random numbers, work only while Homebody asks the script for a decision.
         NotAsked error "not-asked" ("this word works only in functions that Homebody calls");
         /// The script decides again and again, and none of its steps takes time, so the run would not continue.
-        NoTime error "no-time" ("the script runs away: {MOST_DECISIONS} decisions in a row take no time")
+        NoTime {
+            /// The limit.
+            most: u32,
+        } error "no-time" ("the script runs away: {most} decisions in a row take no time")
             hint ("return a step that takes time, such as wait(60)");
         /// All decisions of an hour together have a limit, so that one script cannot hold up a run. The limit is our choice.
-        SlowHour error "slow-hour" ("the script runs away: it takes more than {MOST_OPERATIONS_AN_HOUR} operations in an hour")
+        SlowHour {
+            /// The limit.
+            most: u64,
+        } error "slow-hour" ("the script runs away: it takes more than {most} operations in an hour")
             hint ("decide less often, or with less work each time");
         /// A single decision has a limit, so that an endless loop ends with a message. The limit is our choice.
-        SlowDecision error "slow-decision" ("the script runs away: it takes more than {MOST_OPERATIONS} operations to decide")
+        SlowDecision {
+            /// The limit.
+            most: u64,
+        } error "slow-decision" ("the script runs away: it takes more than {most} operations to decide")
             hint ("end its loop, or spread the work over several decisions");
         /// A function calls itself, directly or through others, and does not end.
         DeepCalls error "deep-calls" ("functions call each other too deep")
             hint ("let one of them end");
         /// Homebody takes the steps of a script one after the other. The limit of waiting steps is our choice.
-        TooManySteps error "too-many-steps" ("more than {MOST_STEPS} steps are waiting")
+        TooManySteps {
+            /// The limit.
+            most: usize,
+        } error "too-many-steps" ("more than {most} steps are waiting")
             hint ("return the next steps only; decide on the rest later");
         /// The resident leaves or enters the home, and no door of it leads outside.
         NoFrontDoor error "no-front-door" ("the home has no front door")

@@ -21,7 +21,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 pub type Streams = BTreeMap<String, Stream>;
 
 /// A resident's script has no more streams (ours).
-pub const MOST_STREAMS: usize = 1_000;
+const MOST_STREAMS: usize = 1_000;
 
 /// No step lasts longer, in seconds (ours): a hundred years.
 const LONGEST_S: f64 = 100.0 * 365.25 * 86_400.0;
@@ -234,7 +234,7 @@ impl Moment {
     /// A stream of the script's own, which no other resident and no sensor draws from.
     pub fn stream(&mut self, name: &str) -> Result<&mut Stream, Wrong> {
         if self.streams.len() >= MOST_STREAMS && !self.streams.contains_key(name) {
-            return Err(wrong(ScriptMessage::TooManyStreams));
+            return Err(wrong(ScriptMessage::TooManyStreams { most: MOST_STREAMS }));
         }
         let cast = &self.cast;
         Ok(self.streams.entry(name.into()).or_insert_with(|| cast.stream(name)))

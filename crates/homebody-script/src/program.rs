@@ -185,7 +185,9 @@ fn told(error: EvalAltResult) -> (Position, Diagnostic) {
             let what = value.into_string().unwrap_or_else(|of| format!("it throws a value of the type {of}"));
             ScriptMessage::Failed { what }
         }
-        Raised::ErrorTooManyOperations(_) | Raised::ErrorTerminated(..) => ScriptMessage::SlowDecision,
+        Raised::ErrorTooManyOperations(_) | Raised::ErrorTerminated(..) => {
+            ScriptMessage::SlowDecision { most: crate::engine::MOST_OPERATIONS }
+        }
         Raised::ErrorStackOverflow(_) => ScriptMessage::DeepCalls,
         Raised::ErrorPropertyNotFound(name, _) => ScriptMessage::NotRemembered { name },
         Raised::ErrorVariableNotFound(name, _) => ScriptMessage::UnknownVariable { name, near: None },

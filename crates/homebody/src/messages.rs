@@ -7,8 +7,8 @@ pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
     [
         homebody_core::messages::ALL,
         homebody_log::MESSAGES,
-        homebody_routine::MESSAGES,
-        homebody_kit::MESSAGES,
+        homebody_routine::catalogue::MESSAGES,
+        homebody_kit::catalogue::MESSAGES,
         &[crate::commands::explain::ExplainMessage::ENTRIES],
     ]
     .into_iter()

@@ -1,6 +1,5 @@
 //! The messages about lists of members.
 
-use super::rows::MOST_MEMBERS;
 use homebody_core::scenario::GREATEST_SEED;
 
 /// The hint for a name that is not one of the known names.
@@ -40,7 +39,9 @@ homebody_core::messages! {
         TooMany {
             /// The rows of the list.
             members: usize,
-        } error "too-many" ("the list has {members} members, and a cohort has at most {MOST_MEMBERS}")
+            /// The limit.
+            most: u32,
+        } error "too-many" ("the list has {members} members, and a cohort has at most {most}")
             hint ("split the list, and simulate a cohort of each part");
         /// The list as a whole is sound, but a member cannot be simulated in this scenario. The text quotes the problem that the
         /// scenario has with the values of this row, such as a home without a bed.

@@ -96,7 +96,7 @@ impl<'a> Reader<'a> {
             self.problems.push(self.table.problem_of_file(ProfileMessage::NoMembers));
         }
         if self.table.rows.len() > MOST_MEMBERS as usize {
-            let message = ProfileMessage::TooMany { members: self.table.rows.len() };
+            let message = ProfileMessage::TooMany { members: self.table.rows.len(), most: MOST_MEMBERS };
             self.problems.push(self.table.problem_of_file(message));
             return Vec::new();
         }

@@ -18,7 +18,7 @@ const ENGLISH: &str = include_str!("english.words");
 pub const OWN_FILE: &str = "own.words";
 /// More lines than this are refused, and longer ones.
 pub const MOST_LINES: usize = 2_000;
-pub const LONGEST_LINE: usize = 300;
+const LONGEST_LINE: usize = 300;
 
 static BUILT_IN: LazyLock<Lexicon> = LazyLock::new(|| {
     let (words, problems) = Words::default().and("english.words", ENGLISH);
@@ -255,11 +255,11 @@ impl Words {
                 problems.push(Problem { line, column, excerpt, ..Problem::of_file(file, message, None) });
             };
             if index >= MOST_LINES {
-                say(LexiconMessage::TooManyLines);
+                say(LexiconMessage::TooManyLines { most: MOST_LINES });
                 break;
             }
             if written.chars().count() > LONGEST_LINE {
-                say(LexiconMessage::LongLine);
+                say(LexiconMessage::LongLine { most: LONGEST_LINE });
             } else if line.is_empty() {
             } else if let Some(head) = line.strip_prefix('[').filter(|_| line.contains(']') && !line.ends_with(')')) {
                 match self.head(head, index as u32 + 1) {

@@ -135,7 +135,7 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
     for line in draft.lines.clone() {
         if line.text.chars().nth(LONGEST_LINE).is_some() {
             let span = Span { start: line.start, end: line.start };
-            faults.add(span, SentenceMessage::LongLine);
+            faults.add(span, SentenceMessage::LongLine { most: LONGEST_LINE });
             continue;
         }
         // Below a heading, a sentence that says nothing is one too: one that was taken out leaves its full stop.
@@ -146,7 +146,7 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
         for (at, sentence) in sentences.iter().enumerate() {
             count += 1;
             if count > MOST_SENTENCES {
-                faults.add(sentence.span(), SentenceMessage::TooManySentences);
+                faults.add(sentence.span(), SentenceMessage::TooManySentences { most: MOST_SENTENCES });
                 return finish(draft, faults);
             }
             if let Some(before) = at.checked_sub(1).map(|before| &sentences[before]).filter(|_| sentence.goes_on)

@@ -25,7 +25,7 @@ use super::words::{Span, Token};
 use crate::routine::{Activity, When};
 
 /// More things done one after another take more sentences.
-pub const MOST_CLAUSES: usize = 12;
+const MOST_CLAUSES: usize = 12;
 
 /// Reads a sentence into the draft. If it has no verb, it is a heading: what it says is returned.
 pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs>) -> Option<Adverbs> {
@@ -145,7 +145,7 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
         }
         count += 1;
         if let Some((_, join)) = goes_on.filter(|_| count == MOST_CLAUSES) {
-            return reader.fault(join, SentenceMessage::TooManyActivities);
+            return reader.fault(join, SentenceMessage::TooManyActivities { most: MOST_CLAUSES });
         }
         adverbs = Adverbs::default();
         start = reader.at;

@@ -1,15 +1,19 @@
 //! The messages about a scenario's own words.
 
-use crate::language::lexicon::{LONGEST_LINE, MOST_LINES};
-
 homebody_core::messages! {
     /// Problems with `words.txt`, the words that a scenario adds to the routine language.
     pub enum LexiconMessage in "words" {
         /// A file with words has a limit, which is our choice.
-        TooManyLines error "too-many-lines" ("a file with words has at most {MOST_LINES} lines")
+        TooManyLines {
+            /// The limit.
+            most: usize,
+        } error "too-many-lines" ("a file with words has at most {most} lines")
             hint ("leave some of them out");
         /// A line of a file with words has one phrase.
-        LongLine error "long-line" ("this line has more than {LONGEST_LINE} characters")
+        LongLine {
+            /// The limit.
+            most: usize,
+        } error "long-line" ("this line has more than {most} characters")
             hint ("write one phrase a line");
         /// Words belong to the section above them. A section begins with the label of an activity:
         ///

@@ -1,16 +1,19 @@
 //! The messages about sentences and their order.
 
-use crate::language::sentence::MOST_CLAUSES;
-use crate::language::{LONGEST_LINE, MOST_SENTENCES};
-
 homebody_core::messages! {
     /// Problems with a sentence of a routine.
     pub enum SentenceMessage in "routine" {
         /// A line has a limit, which is our choice. The reader of routines works sentence by sentence.
-        LongLine error "long-line" ("this line has more than {LONGEST_LINE} characters")
+        LongLine {
+            /// The limit.
+            most: usize,
+        } error "long-line" ("this line has more than {most} characters")
             hint ("write one sentence a line");
         /// A routine has a limit, which is our choice.
-        TooManySentences error "too-many-sentences" ("a routine has at most {MOST_SENTENCES} sentences")
+        TooManySentences {
+            /// The limit.
+            most: usize,
+        } error "too-many-sentences" ("a routine has at most {most} sentences")
             hint ("leave some of the sentences out");
         /// Homebody lists a limited number of problems for each text. The others often have the same cause.
         MoreProblems {
@@ -78,7 +81,10 @@ homebody_core::messages! {
         } error "before-rule" ("{text:?} does not fit before a rule")
             hint ("write \"whenever she has been in the kitchen for 20 minutes\"");
         /// A sentence has a limited number of activities, which is our choice.
-        TooManyActivities error "too-many-activities" ("a sentence has at most {MOST_CLAUSES} activities")
+        TooManyActivities {
+            /// The limit.
+            most: usize,
+        } error "too-many-activities" ("a sentence has at most {most} activities")
             hint ("begin a new sentence with \"Then she\"");
         /// A sentence with both words can be read in several ways.
         AndOr error "and-or" ("\"and\" and \"or\" in one sentence can be read in several ways")
