@@ -29,7 +29,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 ///
-/// [`Error::Unreadable`] if there is none, [`Error::Problems`] with everything that is wrong with its files.
+/// [`Error::Unreadable`] without such a folder, [`Error::Problems`] with all problems of its files.
 pub fn open(path: impl AsRef<Path>) -> Result<OpenScenario, Error> {
     Source::at(path)?.open()
 }

@@ -49,7 +49,7 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Error::Unreadable`] if there is no such folder or file, [`Error::File`] if the system cannot read it.
+    /// [`Error::Unreadable`] without such a folder or file, [`Error::File`] after an error of the system.
     pub fn at(path: impl AsRef<Path>) -> Result<Source, Error> {
         let path = path.as_ref();
         let meta = fs::metadata(path).map_err(|error| match error.kind() {

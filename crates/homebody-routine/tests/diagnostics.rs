@@ -220,7 +220,7 @@ fn a_verb_that_goes_with_something_else() {
     refused("She makes herself a kite.", "makes herself a kite", "unknown-verb", known);
     let own = "a new activity needs a place and a duration: \"she whittles wood in the hall for 20 minutes\"";
     refused("She whittles wood in the hall.", "whittles wood", "unknown-verb", own);
-    refused("She has dreams.", "has dreams", "unknown-verb", "known are");
+    refused("She has dreams.", "has dreams", "unknown-verb", "known activities are");
     let rule = "\"whenever she has been in bed for 10 hours, she gets up\"";
     refused("She paces when the moon is full.", "when", "not-understood", rule);
     understood("Her son phones on Sunday.");
