@@ -1,8 +1,6 @@
 //! The messages of this crate and of scripts, for lists of all messages.
 
-use crate::language::messages::{
-    CheckMessage, LexiconMessage, RuleMessage, SentenceMessage, TimeMessage, WordMessage,
-};
+use crate::language::messages::{CheckMessage, LexiconMessage, RuleMessage, SentenceMessage, TimeMessage, WordMessage};
 use crate::messages::{HouseholdMessage, NeedMessage};
 use homebody_core::messages::{Catalogue, Entry};
 use homebody_script::ScriptMessage;

@@ -48,10 +48,10 @@ fn every_other_of_several_days() {
 
 #[test]
 fn rejects_unknown_places() {
-    refused("She reads in the armchiar.", "armchiar", "unknown-place", "did you mean \"armchair\"?");
-    refused("She has lunch on the roof.", "roof", "unknown-place", "there are \"armchair\"");
-    refused("She whittles on the balcony for 1 hour.", "balcony", "unknown-place", "");
-    refused("She goes to the batroom.", "batroom", "unknown-place", "did you mean \"bathroom\"?");
+    refused("She reads in the armchiar.", "armchiar", "unknown-place-or-time", "did you mean \"armchair\"?");
+    refused("She has lunch on the roof.", "roof", "unknown-place-or-time", "there are \"armchair\"");
+    refused("She whittles on the balcony for 1 hour.", "balcony", "unknown-place-or-time", "");
+    refused("She goes to the batroom.", "batroom", "unknown-place-or-time", "did you mean \"bathroom\"?");
 }
 
 #[test]
@@ -185,7 +185,7 @@ fn a_way_without_a_purpose() {
     refused(text, "goes to the kitchen", "only-goes", "she sits in the kitchen for 20 minutes");
     refused("She goes to the stove for 1 hour.", "goes to the stove", "only-goes", "she sits at the stove");
     let outside = "for what is outside, write \"she goes out at 10:00 for 2 hours\"";
-    refused("She goes to the volcano on Friday.", "volcano", "unknown-place", outside);
+    refused("She goes to the volcano on Friday.", "volcano", "unknown-place-or-time", outside);
     understood("She goes to the hairdresser on Friday.");
     understood("She is in hospital from day 30.");
     understood("She sits in the kitchen for 20 minutes.");
