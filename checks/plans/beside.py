@@ -23,8 +23,8 @@ from PIL import Image, ImageDraw, ImageFont
 
 from lived import LEAST_SHARE, Life, lived
 
-#: The words of the messages about missing necessary furniture.
-NEEDED = ("nowhere in this home to sleep", "nowhere to sit", "no toilet in this home", "no kitchen in this home")
+#: What an ordinary life needs, by the words in which its lack is told.
+NEEDED = ("the home has no place to sleep", "the home has no place to sit", "the home has no toilet", "the home has no kitchen")
 HALF = (1000, 760)
 HEAD = 110
 SHEET_COLUMNS = 3

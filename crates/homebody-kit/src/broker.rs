@@ -18,8 +18,9 @@ pub struct Tidied {
 #[cfg(feature = "mqtt")]
 mod built {
     use super::*;
-    use crate::outside::{Asked, Failure, Wish};
+    use crate::outside::{Asked, Failure, Refusal, Wish};
     use crate::pace::{Command, Speed};
+    use crate::touched::OrderMessage;
     use homebody_core::time::micros;
     use homebody_mqtt::{Address, Kind, MqttSink, Order, Reply, TakesOrders, clean, policy};
     use std::sync::mpsc::{Receiver, sync_channel};
@@ -56,28 +57,31 @@ mod built {
         let (say, commands) = sync_channel(MOST_WAITING);
         let (ask, asked) = sync_channel(MOST_WAITING);
         let takes = move |order: Order, reply: Reply| match meant(order, is_live) {
-            Err((why, hint)) => reply.refused(why, hint),
+            Err(message) => refuse(reply, message),
             Ok(Meant::Pace(command)) => match say.try_send(command) {
                 Ok(()) => reply.done(),
-                Err(_) => reply.refused(BUSY.0, BUSY.1),
+                Err(_) => refuse(reply, OrderMessage::Busy),
             },
             Ok(Meant::Deed(wish)) => {
                 // What has no room is told so, and what nobody hears any more, that the run is over.
-                let answer = Box::new(move |outcome: Result<_, homebody_core::outside::Refusal>| match outcome {
+                let answer = Box::new(move |outcome: Result<_, Refusal>| match outcome {
                     Ok(at) => reply.done_at(at),
                     Err(refusal) => reply.refused(refusal.why, refusal.hint),
                 });
                 if let Err(std::sync::mpsc::TrySendError::Full(Asked { answer, .. })) =
                     ask.try_send(Asked { wish, answer })
                 {
-                    answer(Err(homebody_core::outside::Refusal::new(BUSY.0, BUSY.1)));
+                    answer(Err(OrderMessage::Busy.into()));
                 }
             }
         };
         (Box::new(takes), commands, asked)
     }
 
-    const BUSY: (&str, &str) = ("the run has not done yet what it was told before", "say it again a little later");
+    fn refuse(reply: Reply, message: OrderMessage) {
+        let refusal = Refusal::from(message);
+        reply.refused(refusal.why, refusal.hint)
+    }
 
     /// What an order means to a run.
     enum Meant {
@@ -85,7 +89,7 @@ mod built {
         Deed(Wish),
     }
 
-    fn meant(order: Order, is_live: bool) -> Result<Meant, (&'static str, &'static str)> {
+    fn meant(order: Order, is_live: bool) -> Result<Meant, OrderMessage> {
         let minutes = |minutes: f64| micros(minutes * 60.0);
         Ok(Meant::Deed(match order {
             Order::Pause {} => return Ok(Meant::Pace(Command::Pause)),
@@ -93,13 +97,10 @@ mod built {
             Order::Step { seconds } => return Ok(Meant::Pace(Command::Step(micros(seconds)))),
             Order::Stop {} => return Ok(Meant::Pace(Command::Stop)),
             Order::Speed { times } if is_live && times > 1.0 => {
-                return Err((
-                    "this broker is told at the pace of life",
-                    "times is at most 1; ?allow-fast=true of the place lets a run go faster",
-                ));
+                return Err(OrderMessage::RealTime);
             }
             Order::Speed { times } => {
-                let speed = Speed::times(times).ok_or(("no run goes at this speed", "times is from 0.1 to 1000"))?;
+                let speed = Speed::times(times).ok_or(OrderMessage::Speed { times })?;
                 return Ok(Meant::Pace(Command::Speed(speed)));
             }
             Order::Open { thing } | Order::On { thing } => Wish::Use { thing, on: true },

@@ -99,6 +99,29 @@ const FEW_NIGHTS: usize = 5;
 /// The routine's file.
 const ROUTINE: &str = "fitted.routine";
 
+homebody_core::messages! {
+    /// Problems with fitting a scenario to a log.
+    pub enum CalibrationMessage in "fit" {
+        /// Sensors do not tell several residents apart, so Homebody cannot learn the rhythm of each.
+        NotAlone {
+            /// The name of the scenario.
+            scenario: String,
+            /// The residents of it.
+            residents: usize,
+        } error "not-alone" ("{scenario:?} has {residents} residents, and only a resident who lives alone can be fitted")
+            hint ("use a scenario with one resident");
+        /// The rhythm of a day begins and ends in bed. Homebody finds the night by the sensors of the bed or the bedroom.
+        NoNight error "no-night" ("the log contains no night between two days")
+            hint ("use a log with at least two nights, of a home with a sensor at the bed or in the bedroom");
+        /// Homebody fits times and counts as averages over nights and days. Averages over a few of them are rough.
+        FewNights {
+            /// The nights of the log.
+            nights: usize,
+        } warning "few-nights" ("the fitted rhythm is rough: the log has {nights} nights")
+            hint ("use a log of a week or more");
+    }
+}
+
 /// Fits a scenario to a log of its home. `progress` gets the share that is done, from 0 to 1.
 ///
 /// Sensors are those whose names the home has, or whose ids its logger says. The log is on the clock on the wall.
@@ -110,10 +133,8 @@ pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) 
     let scenario = home.scenario();
     if scenario.residents.len() != 1 {
         let count = scenario.residents.len();
-        return Err(Error::Calibration(format!(
-            "{count} residents live in {:?}: only who lives alone can be fitted\n  hint: sensors do not tell who of several it was",
-            home.name()
-        ).into()));
+        let message = CalibrationMessage::NotAlone { scenario: home.name().to_owned(), residents: count };
+        return Err(Error::Calibration(message.into()));
     }
     let timing = timing(log);
     let sensed = sensing::fitted(scenario.edit(), &timing, &scenario.logger, scenario.link.as_ref()).load()?;
@@ -123,11 +144,7 @@ pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) 
     let log = Log { sensors: translation.names.clone(), ..log.clone() };
     let rhythm = Rhythm::of(&translation, walked.scenario());
     let Some(night) = rhythm.night() else {
-        return Err(Error::Calibration(
-            "the log tells of no night between two days\n  hint: two nights and more are needed, in a home whose bed or bedroom has a \
-             sensor"
-                .into(),
-        ));
+        return Err(Error::Calibration(CalibrationMessage::NoNight.into()));
     };
     let real = Rates::of(&log, &night);
     let mut fitted = Fitted {
@@ -159,11 +176,8 @@ pub fn calibrate(log: &Log, home: &OpenScenario, mut progress: impl FnMut(f64)) 
 
 impl Fitted {
     /// What of it is to be believed only roughly, in a sentence.
-    pub fn doubt(&self) -> Option<String> {
-        (self.nights < FEW_NIGHTS).then(|| {
-            let nights = self.nights;
-            format!("the rhythm was read off {nights} nights: times and counts are rough\n  hint: a week and more tells a rhythm")
-        })
+    pub fn doubt(&self) -> Option<CalibrationMessage> {
+        (self.nights < FEW_NIGHTS).then_some(CalibrationMessage::FewNights { nights: self.nights })
     }
 
     /// The routine with how much somebody moves and turns.

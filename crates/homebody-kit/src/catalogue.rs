@@ -1,8 +1,34 @@
 //! The messages of this crate, for lists of all messages.
 
+use crate::begun::NewMessage;
+use crate::calibration::CalibrationMessage;
+use crate::cohort_members::CohortMessage;
 use crate::error::Error;
-use crate::find::Unfindable;
+use crate::find::{HoursMessage, Unfindable};
+use crate::fleet::FleetMessage;
+use crate::instants::TableMessage;
+use crate::life_messages::LifeMessage;
+use crate::open_messages::OpenMessage;
+use crate::pace::PaceMessage;
+use crate::profiles::ProfileMessage;
+use crate::touched::OrderMessage;
+use crate::translation::TranslationMessage;
 use homebody_core::messages::{Catalogue, Entry};
 
 /// The messages by area.
-pub const MESSAGES: &[&[Entry]] = &[Error::ENTRIES, Unfindable::ENTRIES];
+pub const MESSAGES: &[&[Entry]] = &[
+    Error::ENTRIES,
+    Unfindable::ENTRIES,
+    HoursMessage::ENTRIES,
+    OpenMessage::ENTRIES,
+    TableMessage::ENTRIES,
+    ProfileMessage::ENTRIES,
+    CohortMessage::ENTRIES,
+    FleetMessage::ENTRIES,
+    OrderMessage::ENTRIES,
+    PaceMessage::ENTRIES,
+    LifeMessage::ENTRIES,
+    NewMessage::ENTRIES,
+    TranslationMessage::ENTRIES,
+    CalibrationMessage::ENTRIES,
+];

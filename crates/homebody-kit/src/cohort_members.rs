@@ -48,6 +48,31 @@ pub struct MemberLived {
     pub is_early: bool,
 }
 
+homebody_core::messages! {
+    /// Problems with the place of a cohort.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum CohortMessage in "cohort" {
+        /// A server stores each run by its own identifier. It has no folder for the members of a cohort.
+        Server {
+            /// The URL.
+            place: String,
+        } error "server" ("cannot write a cohort into a server: {place}")
+            hint ("name a folder for all members, such as parquet:cohort");
+        /// The logs of all members in one stream would be one log.
+        Output {
+            /// The name of standard output.
+            place: String,
+        } error "standard-output" ("cannot write a cohort to standard output: {place}")
+            hint ("name a folder for all members, such as parquet:cohort");
+        /// The part of the program that writes into object stores is the feature `cloud`.
+        Store {
+            /// The URL.
+            place: String,
+        } error "object-store" ("this program was built without object stores: {place}")
+            hint ("build it with --features cloud; or name a folder, such as parquet:cohort, and copy it");
+    }
+}
+
 /// How the members of a cohort lie in its folder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CohortLayout {
@@ -63,19 +88,15 @@ impl CohortLayout {
     ///
     /// # Errors
     ///
-    /// In words, if it is a server, or standard output.
-    pub fn of(place: &Url) -> Result<CohortLayout, String> {
-        let row = place.scheme().row();
-        let wrong = match () {
-            () if row.stands == Stands::Server => "is a server, which keeps runs apart by themselves",
-            () if place.is_output() => "is standard output, in which nobody could tell members apart",
-            () if place.is_in_store() && !cfg!(feature = "cloud") => {
-                let hint = "build it with --features cloud; or name a folder, such as parquet:cohort, and copy it";
-                return Err(format!("{place} is in an object store, which this program does not know\n  hint: {hint}"));
-            }
-            () => return Ok(CohortLayout::Set(place.scheme())),
-        };
-        Err(format!("{place} {wrong}\n  hint: name a folder for all members, such as parquet:cohort"))
+    /// If it is a server, standard output, or an object store that this program was built without.
+    pub fn of(place: &Url) -> Result<CohortLayout, CohortMessage> {
+        let place_text = || place.to_string();
+        match () {
+            () if place.scheme().row().stands == Stands::Server => Err(CohortMessage::Server { place: place_text() }),
+            () if place.is_output() => Err(CohortMessage::Output { place: place_text() }),
+            () if place.is_in_store() && !cfg!(feature = "cloud") => Err(CohortMessage::Store { place: place_text() }),
+            () => Ok(CohortLayout::Set(place.scheme())),
+        }
     }
 
     /// The name of its form, as lists have it.

@@ -5,7 +5,7 @@ use crate::find::Unfindable;
 use crate::profiles::MOST_MEMBERS;
 use homebody_core::drivers::error::DriverError;
 use homebody_core::messages::Diagnose;
-use homebody_core::problem::{Diagnostic, Problem, Problems};
+use homebody_core::problem::{Diagnostic, Problem, Problems, readable};
 use homebody_core::time::Micros;
 use homebody_log::LogError;
 use std::io;
@@ -218,21 +218,27 @@ homebody_core::messages! {
             why: String,
         } error "no-threads" ("cannot start threads to simulate on: {why}")
             hint ("raise this user's limits on threads or memory, or run fewer simulations at once");
+        /// Time zones have names as in the IANA database, which comes with the program.
+        TimeZone {
+            /// The name asked for.
+            zone: String,
+        } error "time-zone" ("there is no time zone {zone:?}")
+            hint ("write an IANA name, such as America/Chicago");
         => inner {
             /// All problems of all files, each with its place and a hint.
             Problems(Problems);
             /// The search names nothing that the log can contain.
             Find(Unfindable);
             /// No scenario can be made of the given files.
-            Unbeginnable(Diagnostic);
+            Unbeginnable(Problems);
+            /// A file cannot be read, or is not of the expected kind.
+            Unreadable(Diagnostic);
             /// The people of a log cannot be located in a home.
             Translation(Diagnostic);
             /// A fleet cannot be like this, or cannot write to these places.
-            Fleet(Diagnostic);
+            Fleet(Problems);
             /// A scenario cannot be fitted to a log.
             Calibration(Diagnostic);
-            /// No time zone has this name.
-            TimeZone(Diagnostic);
             /// A log, the ground truth or a recording cannot be written or read.
             Log(LogFailure);
         }
@@ -268,6 +274,16 @@ impl Error {
     /// A file about which more can be said than the system says.
     pub(crate) fn file(path: &Path, why: impl Into<String>) -> Error {
         Error::File { path: path.into(), why: why.into(), source: None }
+    }
+
+    /// A time zone that does not exist.
+    pub(crate) fn zone(name: &str) -> Error {
+        Error::TimeZone { zone: readable(name.to_owned()) }
+    }
+
+    /// A file that cannot be read, by its message.
+    pub(crate) fn unreadable(path: &Path, message: impl Into<Diagnostic>) -> Error {
+        Error::Unreadable(Diagnostic::of_file(&path.display().to_string(), message, None))
     }
 
     /// A file of which the system says what is wrong.

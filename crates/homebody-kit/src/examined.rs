@@ -4,6 +4,8 @@ use crate::VERSION;
 use crate::error::Error;
 use crate::recorded::{Recorded, has_no_end};
 use crate::recording_file::recording;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::Diagnostic;
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::LoggerFile;
@@ -92,7 +94,7 @@ impl Examining {
             checks.extend(told.map(|check| check.of(&name)));
             whole += usize::from(checks.len() == before);
         }
-        let says = format!("{} of its members as they should be", whole);
+        let says = format!("{whole} members without a problem");
         checks.push(Check::ok("members", says));
         Ok(checks)
     }
@@ -103,7 +105,7 @@ impl Examining {
         if let Err(error) = FolderLock::take(folder) {
             let says = error.to_string();
             let says = says.split('\n').next().unwrap_or_default().to_owned();
-            checks.push(Check::warning("lock", says, "let it come to its end, and look again"));
+            checks.push(Check::warning("lock", says, "wait until it ends, and run the check again"));
         }
         let run = match recording(&folder.join(RECORDING)) {
             Ok(run) => run,
@@ -116,15 +118,19 @@ impl Examining {
         let scenario = match Household::recorded(&run) {
             Ok((scenario, _)) => scenario,
             Err(problems) => {
-                let says = format!("the scenario in it cannot be lived: {}", problems.render().replace('\n', "; "));
-                checks.push(Check::wrong("recording", says, "the version that made it can: it says which that is"));
+                let says = format!("its scenario cannot be simulated: {}", problems.render().replace('\n', "; "));
+                checks.push(Check::wrong(
+                    "recording",
+                    says,
+                    "replay it with the version that wrote it, which the recording names",
+                ));
                 return Ok(checks);
             }
         };
         checks.extend(self.logs(folder, &run, &scenario)?);
         checks.extend(self.truth(folder, &run, &scenario)?);
         if !folder.join(SENSORS).is_file() {
-            let says = format!("there is no {SENSORS}, which says what the sensors are called and where they are");
+            let says = format!("there is no {SENSORS}, the table of the sensors with their names and places");
             checks.push(Check::wrong("sensors", says, format!("homebody run --resume {} writes it", folder.display())));
         }
         checks.extend(notes(folder, &run));
@@ -138,22 +144,22 @@ impl Examining {
     /// Whether the run came to its end, and whether this program can go on with it.
     fn recorded(&self, folder: &Path, run: &Recording) -> Check {
         let resume = match has_no_end(run) {
-            _ if !run.lives_again() => "the program whose driver has moved somebody in it lives it anew".into(),
-            true => format!("homebody live SCENARIO --folder {} goes on with it", folder.display()),
-            false => format!("homebody run --resume {} goes on with it", folder.display()),
+            _ if !run.lives_again() => "run it again with the program that has its driver".into(),
+            true => format!("homebody live SCENARIO --folder {} continues it", folder.display()),
+            false => format!("homebody run --resume {} continues it", folder.display()),
         };
         let version = &run.version;
         match () {
             () if !run.is_complete() => {
-                Check::warning("recording", "the run was killed, or is lived now: it has not come to its end", resume)
+                Check::warning("recording", "the run is not complete: it was interrupted, or is still running", resume)
             }
             () if !run.is_whole() => Check::warning("recording", "the run was stopped before its end", resume),
             () if version != VERSION => Check::warning(
                 "recording",
-                format!("version {version} of the program made it: it is read, and may be lived otherwise by this one"),
+                format!("version {version} wrote it: this version reads it, and its replay may differ"),
                 "keep that version to replay it",
             ),
-            () => Check::ok("recording", format!("{} firings, lived to its end by this version", run.firings)),
+            () => Check::ok("recording", format!("{} firings, complete, written by this version", run.firings)),
         }
     }
 
@@ -174,20 +180,20 @@ impl Examining {
                 && told != rows
             {
                 let says = format!("{}: it has {rows} rows, and the recording says {told}", short(url));
-                checks.push(Check::wrong("rows", says, "homebody replay RECORDING --out URL writes the log anew"));
+                checks.push(Check::wrong("rows", says, "homebody replay RECORDING --out URL writes the log again"));
             }
         }
         if logs.is_empty() {
-            let hint = format!("homebody run --resume {} writes it anew", folder.display());
-            checks.push(Check::wrong("log", "there is no log in it", hint));
+            let hint = format!("homebody run --resume {} writes it again", folder.display());
+            checks.push(Check::wrong("log", "the folder has no log", hint));
         }
         Ok(checks)
     }
 
     fn truth(&self, folder: &Path, run: &Recording, scenario: &Scenario) -> Result<Vec<Check>, Error> {
         let Some(url) = truth_beside(&folder.join(TRUTH)) else {
-            let hint = format!("homebody run --resume {} writes it anew", folder.display());
-            return Ok(vec![Check::wrong("truth", "there is no truth in it", hint)]);
+            let hint = format!("homebody run --resume {} writes it again", folder.display());
+            return Ok(vec![Check::wrong("truth", "the folder has no ground truth", hint)]);
         };
         // Of files of text there is a table each, and none of them is a log.
         if !matches!(url.scheme(), Scheme::Sqlite | Scheme::Parquet)
@@ -200,7 +206,7 @@ impl Examining {
         let mut checks: Vec<Check> = found.into_iter().map(|check| check.of(&short(&url))).collect();
         if let Some(firings) = firings.filter(|firings| run.is_complete() && *firings != run.firings) {
             let says = format!("{}: it has {firings} firings, and the recording says {}", short(&url), run.firings);
-            checks.push(Check::wrong("truth", says, "homebody replay RECORDING --truth FILE writes it anew"));
+            checks.push(Check::wrong("truth", says, "homebody replay RECORDING --truth FILE writes it again"));
         }
         Ok(checks)
     }
@@ -215,9 +221,9 @@ fn short(url: &Url) -> String {
 }
 
 fn wrong(about: &str, error: &Error) -> Check {
-    let text = error.to_string();
-    let (says, hint) = text.split_once("\n  hint: ").unwrap_or((&text, "live the run anew"));
-    Check::wrong(about, says, hint)
+    let message = error.diagnostic();
+    let hint = message.hint.clone().unwrap_or_else(|| "start the run again".to_owned());
+    Check::wrong(about, Diagnostic { hint: None, ..message }.to_string(), hint)
 }
 
 /// Lives a run again, into nowhere.
@@ -231,11 +237,11 @@ fn replayed(folder: &Path) -> Check {
         Ok((digest.firings(), digest.hex()) == (firings, told))
     });
     match again {
-        Ok(true) => Check::ok("replay", "lived again, every firing is the same"),
+        Ok(true) => Check::ok("replay", "the replay has the same firings"),
         Ok(false) => Check::wrong(
             "replay",
-            "lived again, not every firing is the same",
-            "the recording was changed, or another version made it: live the run anew",
+            "the replay has other firings",
+            "the recording was changed, or another version wrote it: start the run again",
         ),
         Err(error) => wrong("replay", &error),
     }
@@ -243,23 +249,23 @@ fn replayed(folder: &Path) -> Check {
 
 /// The notes of what servers have confirmed.
 fn notes(folder: &Path, run: &Recording) -> Vec<Check> {
-    let hint = "remove it: what was confirmed is then given again, with the same numbers";
+    let hint = "remove it; Homebody then sends the confirmed rows again, with the same numbers";
     let note = |path: &Path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         match Note::read(path) {
-            Err(why) => Check::wrong("confirmed", format!("{name} is no note: {why}"), hint),
+            Err(why) => Check::wrong("confirmed", format!("{name} is not a valid note: {why}"), hint),
             Ok(note) if note.run != run.run_id() => {
-                Check::wrong("confirmed", format!("{name} is of another run"), hint)
+                Check::wrong("confirmed", format!("{name} belongs to another run"), hint)
             }
             Ok(note) => match (note.rows.first(), run.rows) {
                 (Some(&noted), Some(rows)) if noted > rows => {
-                    let says = format!("{name}: {noted} rows are confirmed, and the run has {rows}");
+                    let says = format!("{name}: {noted} rows are confirmed, but the run has {rows}");
                     Check::wrong("confirmed", says, hint)
                 }
                 (Some(&noted), Some(rows)) if noted < rows && run.is_whole() => Check::warning(
                     "confirmed",
-                    format!("{name}: of {rows} rows {noted} are confirmed"),
-                    format!("homebody run --resume {} --out URL gives the rest", folder.display()),
+                    format!("{name}: {noted} of {rows} rows are confirmed"),
+                    format!("homebody run --resume {} --out URL sends the rest", folder.display()),
                 ),
                 (noted, _) => Check::ok("confirmed", format!("{name}: {} rows", noted.copied().unwrap_or(0))),
             },
@@ -273,8 +279,11 @@ fn left(folder: &Path) -> Vec<Check> {
     let is_left = |path: &PathBuf| [".part", ".anew", ".old"].iter().any(|end| path.to_string_lossy().ends_with(end));
     let left = files(folder).filter(is_left);
     left.map(|path| {
-        let says = format!("{} was left half written", path.file_name().unwrap_or_default().to_string_lossy());
-        Check::warning("files", says, format!("homebody run --resume {} tidies up", folder.display()))
+        let says = format!(
+            "{} is an incomplete file of an interrupted program",
+            path.file_name().unwrap_or_default().to_string_lossy()
+        );
+        Check::warning("files", says, format!("homebody run --resume {} removes it", folder.display()))
     })
     .collect()
 }

@@ -1,7 +1,7 @@
 //! Where everybody is, by a log that goes on: told from what was said until then, as it is said.
 
 use crate::error::Error;
-use crate::translation::{Heard, bodies};
+use crate::translation::{Heard, TranslationMessage, bodies};
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{Micros, SECOND};
 use homebody_infer::{Follower, Guess, Kind, Senses};
@@ -76,7 +76,9 @@ impl Learnt {
     /// [`Error::Translation`] where it has nobody to be followed.
     pub fn of(scenario: &Scenario) -> Result<Learnt, Error> {
         let (bodies, people) = bodies(scenario)?;
-        let Some(first) = bodies.first() else { return Err(Error::Translation("nobody lives in this home".into())) };
+        let Some(first) = bodies.first() else {
+            return Err(Error::Translation(TranslationMessage::NoResidents.into()));
+        };
         let nobody = first.nobody();
         let rooms = scenario.home.plan().rooms.iter().map(|room| room.name.clone()).collect();
         let sensors = scenario.home.placed_sensors().iter().map(|sensor| sensor.name.clone()).collect();

@@ -1,5 +1,6 @@
 //! Sensors that will say nothing: what they look at is nowhere where anybody stands, or nobody uses what they hang on.
 
+use crate::life_messages::LifeMessage;
 use homebody_analysis::coverage;
 use homebody_core::geometry::signed_area;
 use homebody_core::home::Build;
@@ -29,18 +30,15 @@ pub(crate) fn remarks(scenario: &Scenario, household: &Household) -> Vec<Problem
     let blind = blind(scenario);
     let mut all: Vec<(usize, Problem)> = Vec::new();
     for (index, sensor) in sensors.clone().filter(|(_, sensor)| blind.contains(&sensor.name().to_owned())) {
-        let what = format!("{:?} sees no floor on which anybody can stand", sensor.name());
-        let hint = "turn it or move it: homebody coverage draws what each sensor sees".to_owned();
-        all.push((index, source.problem(&at(index), what, Some(hint))));
+        let message = LifeMessage::Blind { sensor: sensor.name().to_owned() };
+        all.push((index, source.problem(&at(index), message, None)));
     }
     if let Some(used) = household.used_things() {
         for (index, sensor) in sensors {
             let Some(Moment::Used(thing)) = sensor.moment() else { continue };
             if !used.contains(&thing.to_lowercase()) {
-                let what = format!("{:?} will say nothing: nobody in these lives uses {thing:?}", sensor.name());
-                let hint =
-                    "hang it on something that is used, such as a fridge, a cupboard or the front door".to_owned();
-                all.push((index, source.problem(&at(index), what, Some(hint))));
+                let message = LifeMessage::Unused { sensor: sensor.name().to_owned(), thing: thing.to_owned() };
+                all.push((index, source.problem(&at(index), message, None)));
             }
         }
     }

@@ -13,6 +13,20 @@ use homebody_log::{Activity, Life, Log, LogError, RunClock, Url, activities, liv
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
 
+homebody_core::messages! {
+    /// Problems with a table of the ground truth.
+    pub enum TableMessage in "tables" {
+        /// The ground truth of a run is a set of tables. The reference of the ground truth describes each.
+        Unknown {
+            /// The name asked for.
+            table: String,
+            /// The names of the tables.
+            known: Vec<String>,
+        } error "unknown" ("the ground truth has no table {table:?}")
+            hint ("the tables are {known}", known = known.join(", "));
+    }
+}
+
 /// A log whose instants, and those of lives, are microseconds since 1970 in UTC; on the wall where nobody knows of which zone it is.
 pub struct Instants {
     /// The log, its sensors by the names that they have in their home.
@@ -55,7 +69,7 @@ impl NamedLog {
     ///
     /// [`Error::TimeZone`] if there is no such zone, and those of [`NamedLog::read`].
     pub fn instants(&self, zone: Option<&str>) -> Result<Instants, Error> {
-        let asked = zone.map(Calendar::zone).transpose().map_err(|why| Error::TimeZone(why.into()))?;
+        let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         let mut log = self.read()?;
         let known = self.zone();
         let off_the_wall = asked.clone().filter(|_| known.is_none() && log.clock == Clock::Local);
@@ -101,7 +115,7 @@ impl NamedLog {
     ///
     /// [`Error::Log`] if there is none.
     pub fn truth_that_is_there(&self) -> Result<Url, Error> {
-        let why = || "no truth lies beside the log".to_owned();
+        let why = || "the log has none in its folder".to_owned();
         Ok(self.truth().ok_or_else(|| LogError::NoTruth { place: self.place.to_string(), why: why() })?)
     }
 
@@ -115,8 +129,8 @@ impl NamedLog {
         let all = tables();
         let Some(index) = all.iter().position(|known| known.name == table) else {
             let names: Vec<&str> = all.iter().map(|table| table.name.as_str()).collect();
-            let why = format!("a truth has no table {table:?}\n  hint: there are {}", names.join(", "));
-            return Err(LogError::NoTruth { place: truth.to_string(), why }.into());
+            let (table, known) = (table.to_owned(), names.into_iter().map(str::to_owned).collect());
+            return Err(Error::Unreadable(TableMessage::Unknown { table, known }.into()));
         };
         let utc = self.clock_of(Clock::Utc);
         let instants: Vec<bool> = all[index].columns.iter().map(|column| column.kind == ColumnKind::Instant).collect();
@@ -142,7 +156,7 @@ impl NamedLog {
     ///
     /// [`Error::TimeZone`] if there is no such zone, and those of [`NamedLog::read`].
     pub fn with_activities(&self, zone: Option<&str>) -> Result<Log, Error> {
-        let asked = zone.map(Calendar::zone).transpose().map_err(|why| Error::TimeZone(why.into()))?;
+        let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         let mut log = self.read()?;
         if let Some(zone) = asked.filter(|_| self.zone().is_none()) {
             put_on_wall(&mut log, &zone);

@@ -64,6 +64,8 @@ pub mod fleet;
 
 mod idle_sensors;
 mod long_log;
+mod life_messages;
+mod open_messages;
 mod lifeless;
 mod log_with_run;
 mod instants;
@@ -83,10 +85,10 @@ pub mod walked;
 mod calibration;
 
 pub use broker::{Tidied, tidy_up};
-pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};
+pub use calibration::{Calibration, CalibrationMessage, Fitted, Rates, Sight, calibrate, lived};
 pub use cohort::{Cohort, CohortSetup, LARGE_DAYS, LivedCohort};
 pub use cohort_list::{CohortList, ListedMember};
-pub use cohort_members::{CohortLayout, Member, MemberLived};
+pub use cohort_members::{CohortLayout, CohortMessage, Member, MemberLived};
 pub use cohort_place::{bring_member, list_of_cohort};
 pub use cohort_unfinished::UnfinishedCohort;
 pub use destination::{Destination, Policy, Sink};
@@ -116,4 +118,5 @@ pub use scenario::{OpenScenario, numbers, open, template};
 pub use source::{Folder, Source, TRUST, Template};
 pub use store::{Destinations, Lived};
 pub use stretch::Stretch;
+pub use touched::OrderMessage;
 pub use translation::{Doubt, LEAST_CHANGE, Place, Translation, Whereabouts, sensors_of_home, walk_back};

@@ -1,6 +1,7 @@
 //! Warnings of a scenario whose files are right but whose run has no life or no log: no residents, a resident that waits forever,
 //! no sensors, no way out, or a room without a way in.
 
+use crate::life_messages::LifeMessage;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::Build;
 use homebody_core::home::plan::Plan;
@@ -23,38 +24,32 @@ const ANY_ROUTINE: &str = "Anna is 80.";
 /// A remark for each.
 pub(crate) fn remarks(scenario: &Scenario) -> Vec<Problem> {
     let home = &scenario.home;
-    let of_home = |what: &str, hint: String| Problem::of_file(&scenario.file.home, what, Some(hint));
+    let of_home = |message: LifeMessage| Problem::of_file(&scenario.file.home, message, None);
     let mut all = Vec::new();
     if home.sensors.is_empty() {
-        let what = "the home has no sensors: a run has a ground truth and no firings";
-        all.push(of_home(what, no_sensors(home, home.plan())));
+        all.push(of_home(LifeMessage::NoSensors { example: example_of_sensor(home, home.plan()) }));
     }
     if scenario.residents.is_empty() {
-        let what = "nobody lives here: a run has no firings of movement";
-        let hint = "add a file to \"residents\", as homebody new has them".to_owned();
-        all.push(Problem::of_file(&scenario.entry, what, Some(hint)));
+        all.push(Problem::of_file(&scenario.entry, LifeMessage::NoResidents, None));
     }
     let waits: Vec<usize> = (0..scenario.residents.len()).filter(|&resident| waits(scenario, resident)).collect();
     let is_alive = waits.len() < scenario.residents.len();
     if home.furniture.is_empty() && !is_alive {
-        let hint = "add pieces to \"furniture\", or import the plan with --furnish".to_owned();
-        all.push(of_home("the home has no furniture: nobody sleeps, sits or eats there", hint));
+        all.push(of_home(LifeMessage::NoFurniture));
     }
     let leads_out = home.doors.iter().any(|door| door.outside);
     if home.doors.is_empty() && !home.walls.is_empty() {
-        let hint = "add the front door to \"doors\", with \"outside\": true".to_owned();
-        all.push(of_home("the home has no doors: nobody leaves it, and nobody comes", hint));
+        all.push(of_home(LifeMessage::NoDoors));
     } else if !leads_out && !is_alive {
-        let hint = "say \"outside\": true of the front door in \"doors\"".to_owned();
-        all.push(of_home("no door leads out of the home: nobody leaves it, and nobody comes", hint));
+        all.push(of_home(LifeMessage::NoFrontDoor));
     }
     all.extend(waits.into_iter().flat_map(|resident| waiting(scenario, resident)));
     all.extend(closed_rooms(scenario));
     all
 }
 
-/// The hint for a home without sensors, with one above the largest room.
-fn no_sensors(home: &HomeFile, plan: &Plan) -> String {
+/// An example of a sensor above the largest room, for the hint for a home without sensors.
+fn example_of_sensor(home: &HomeFile, plan: &Plan) -> String {
     /// How large what it looks at is: half a side, the largest that fits.
     const HALF_M: [f64; 4] = [1.5, 1.0, 0.7, 0.3];
     let area = |room: &usize| geometry::signed_area(&plan.rooms[*room].outline).abs();
@@ -71,10 +66,7 @@ fn no_sensors(home: &HomeFile, plan: &Plan) -> String {
         let name = format!("{} motion", home.rooms[room].name);
         json!({ "kind": "ceiling_motion", "name": name, "area": area })
     });
-    let example = sensor.map(|sensor| format!(", such as {sensor}")).unwrap_or_default();
-    format!(
-        "add some to \"sensors\"{example}; homebody suggest-sensors proposes where, and the page's Plan has them to drag"
-    )
+    sensor.map(|sensor| format!(", such as {sensor}")).unwrap_or_default()
 }
 
 /// Whether a resident follows a path on which they never walk.
@@ -103,19 +95,27 @@ fn waiting(scenario: &Scenario, resident: usize) -> Vec<Problem> {
     let name = &own.file.name;
     let stem = file.strip_suffix(".json").unwrap_or(file);
     let routine = format!("{stem}.routine");
-    let what = format!("{name} waits for ever and does nothing: {path} has no walk");
-    let driver = json!({ "routine": routine });
-    let hint = format!(
-        "for an ordinary life, let {file} say \"driver\": {driver}, and write {routine} with the line: {ANY_ROUTINE}"
-    );
     let edit = scenario.edit().routine(resident, &routine, format!("{ANY_ROUTINE}\n"));
     let entry = edit.entry().to_owned();
     let lacks = Household::load(&edit.into_texts(), &entry, &[]).err().map(|Problems(problems)| problems);
     let lack = |problem: Problem| {
-        let what = format!("for a life of {name}: {}", problem.what);
-        Problem::of_file(&scenario.file.home, what, problem.hint)
+        let message = LifeMessage::Lacks {
+            resident: name.clone(),
+            problem: problem.what,
+            problem_code: problem.code,
+            problem_hint: problem.hint,
+        };
+        Problem::of_file(&scenario.file.home, message, None)
     };
-    let first = Problem::of_file(file, what, Some(hint));
+    let message = LifeMessage::Waits {
+        resident: name.clone(),
+        path: path.clone(),
+        file: file.clone(),
+        driver: json!({ "routine": routine }).to_string(),
+        routine,
+        line: ANY_ROUTINE,
+    };
+    let first = Problem::of_file(file, message, None);
     std::iter::once(first).chain(lacks.into_iter().flatten().map(lack)).collect()
 }
 
@@ -133,9 +133,7 @@ fn closed_rooms(scenario: &Scenario) -> Option<Problem> {
     let radius_m = scenario.residents.first().map_or(Build::adult().radius_m, |resident| resident.file.radius_m);
     let mesh = Mesh::with_numbers(plan, radius_m, scenario.home.numbers());
     let closed: Vec<usize> = Places::new(&home, plan, &mesh, "").closed_rooms().collect();
-    let named: Vec<String> = closed.iter().take(NAMED).map(|&room| format!("{:?}", home.rooms[room].name)).collect();
-    let more = if closed.len() > NAMED { format!(" and {} more", closed.len() - NAMED) } else { String::new() };
-    let what = format!("nobody gets into {}{more}", named.join(", "));
-    let hint = "add a door to \"doors\", or move what is in the way; where nobody is to get in, leave it".to_owned();
-    (!closed.is_empty()).then(|| Problem::of_file(&scenario.file.home, what, Some(hint)))
+    let rooms = closed.iter().take(NAMED).map(|&room| home.rooms[room].name.clone()).collect();
+    let message = LifeMessage::ClosedRooms { rooms, more: closed.len().saturating_sub(NAMED) };
+    (!closed.is_empty()).then(|| Problem::of_file(&scenario.file.home, message, None))
 }

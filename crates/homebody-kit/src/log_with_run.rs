@@ -146,7 +146,7 @@ impl LogWithRun {
         truth: Option<Url>,
         zone: Option<&str>,
     ) -> Result<LogWithRun, Error> {
-        let asked = zone.map(Calendar::zone).transpose().map_err(|why| Error::TimeZone(why.into()))?;
+        let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         // Days are drawn on the wall, so these are the instants as the truth tells them.
         let mut lives = truth.as_ref().map(|truth| lives(truth, &RunClock::as_told())).transpose()?.unwrap_or_default();
         let unfinished = named.unfinished();

@@ -20,10 +20,30 @@ pub enum Speed {
     Max,
 }
 
-/// Why a text is no speed, or no command.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{0}")]
-pub struct NotUnderstood(String);
+homebody_core::messages! {
+    /// Problems with a speed, or with a command to a run.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum PaceMessage in "pace" {
+        /// A run goes so many times as fast as the clock. `max` is as fast as the computer can simulate.
+        Speed {
+            /// The text.
+            text: String,
+        } error "speed" ("{text:?} is not a valid speed")
+            hint ("write a number from 0.1 to 1000, or max");
+        /// `step 2.5` continues a paused run by 2.5 seconds of its own time.
+        Seconds {
+            /// The text.
+            text: String,
+        } error "seconds" ("{text:?} is not a number of seconds")
+            hint ("write a number above 0, such as step 10");
+        /// With `--control`, the program reads commands from standard input, one a line.
+        Command {
+            /// The line.
+            line: String,
+        } error "command" ("there is no command {line:?}")
+            hint ("the commands are pause, resume, step [SECONDS], speed X, stop");
+    }
+}
 
 impl Speed {
     /// A number of times as fast as life; nothing where it is not from 0.1 to 1000.
@@ -33,14 +53,14 @@ impl Speed {
 }
 
 impl FromStr for Speed {
-    type Err = NotUnderstood;
+    type Err = PaceMessage;
 
-    fn from_str(text: &str) -> Result<Speed, NotUnderstood> {
+    fn from_str(text: &str) -> Result<Speed, PaceMessage> {
         if text == "max" {
             return Ok(Speed::Max);
         }
         let speed = text.parse().ok().and_then(Speed::times);
-        speed.ok_or_else(|| NotUnderstood("a speed is a number from 0.1 to 1000, or max".into()))
+        speed.ok_or_else(|| PaceMessage::Speed { text: readable(text.to_owned()) })
     }
 }
 
@@ -60,9 +80,9 @@ pub enum Command {
 }
 
 impl FromStr for Command {
-    type Err = NotUnderstood;
+    type Err = PaceMessage;
 
-    fn from_str(line: &str) -> Result<Command, NotUnderstood> {
+    fn from_str(line: &str) -> Result<Command, PaceMessage> {
         let words: Vec<&str> = line.split_whitespace().collect();
         match words[..] {
             ["pause"] => Ok(Command::Pause),
@@ -71,12 +91,10 @@ impl FromStr for Command {
             ["step"] => Ok(Command::Step(SECOND)),
             ["step", span] => match span.parse::<f64>() {
                 Ok(span) if span > 0.0 && span < 1e9 => Ok(Command::Step(micros(span))),
-                _ => Err(NotUnderstood(readable(format!("{span:?} is no number of seconds")))),
+                _ => Err(PaceMessage::Seconds { text: readable(span.to_owned()) }),
             },
             ["speed", speed] => speed.parse().map(Command::Speed),
-            _ => Err(NotUnderstood(readable(format!(
-                "{line:?} is none of: pause, resume, step [SECONDS], speed X, stop"
-            )))),
+            _ => Err(PaceMessage::Command { line: readable(line.to_owned()) }),
         }
     }
 }
@@ -355,9 +373,10 @@ mod tests {
     }
 
     #[test]
-    fn a_command_that_is_none_is_quoted_in_part() {
+    fn quotes_an_unknown_command_in_part() {
         let why = |line: &str| line.parse::<Command>().unwrap_err().to_string();
-        assert_eq!(why("halt"), "\"halt\" is none of: pause, resume, step [SECONDS], speed X, stop");
+        let hint = "the commands are pause, resume, step [SECONDS], speed X, stop";
+        assert_eq!(why("halt"), format!("there is no command \"halt\"\n  hint: {hint}"));
         assert!(why(&"x".repeat(1 << 20)).len() < 1000);
         assert!(why(&format!("step {}", "9".repeat(1 << 20))).len() < 1000);
     }

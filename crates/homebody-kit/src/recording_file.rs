@@ -1,6 +1,7 @@
 //! Reads recordings and the lists of cohorts.
 
 use crate::error::Error;
+use crate::open_messages::OpenMessage;
 use homebody_core::problem::readable;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_log::limits::{LARGEST_LIST_BYTES, LARGEST_RECORDING_BYTES};
@@ -49,10 +50,7 @@ fn text(path: &Path, most_bytes: u64) -> Result<String, Error> {
     }
     text.map_err(|error| match error.kind() {
         ErrorKind::NotFound => Error::NoRecording { path: path.into() },
-        ErrorKind::IsADirectory => {
-            let why = "it is a folder\n  hint: name the recording.json in it".into();
-            Error::File { path: path.into(), why, source: Some(error) }
-        }
+        ErrorKind::IsADirectory => Error::unreadable(path, OpenMessage::RecordingFolder),
         _ => Error::io(path, error),
     })
 }

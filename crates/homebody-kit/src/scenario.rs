@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::idle_sensors;
+use crate::life_messages::LifeMessage;
 use crate::lifeless;
 use crate::profiles::{self, Base, Profile};
 use crate::source::{Source, Template};
@@ -28,7 +29,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 ///
-/// [`Error::File`] if there is none, [`Error::Problems`] with everything that is wrong with its files.
+/// [`Error::Unreadable`] without such a folder, [`Error::Problems`] with all problems of its files.
 pub fn open(path: impl AsRef<Path>) -> Result<OpenScenario, Error> {
     Source::at(path)?.open()
 }
@@ -134,8 +135,9 @@ impl OpenScenario {
             let (_, household) = self.base().lived(profile)?;
             let own = household.foretold(days(length)).into_iter();
             all.extend(own.filter(|one| known.iter().all(|known| known.text != one.text)).map(|one| {
-                let Problem { what, hint, .. } = foretold(&one);
-                Problem::of_file(list, format!("{}: {what}", profile.name), hint)
+                let (sentence, effect) = (one_line(&one.text), one.lived);
+                let message = LifeMessage::MemberWithoutEffect { member: profile.name.clone(), sentence, effect };
+                Problem::of_file(list, message, None)
             }));
         }
         Ok(all)
@@ -146,7 +148,7 @@ impl OpenScenario {
     ///
     /// # Errors
     ///
-    /// [`Error::File`] if it cannot be read, [`Error::Problems`] with everything that is wrong in it.
+    /// [`Error::File`] or [`Error::Unreadable`] if it cannot be read, [`Error::Problems`] with everything that is wrong in it.
     pub fn profiles(&self, path: impl AsRef<Path>, without: &[String]) -> Result<Vec<Profile>, Error> {
         profiles::read(path.as_ref(), &self.base(), without)
     }
@@ -247,19 +249,21 @@ fn not_lived(routine: &Routine) -> Option<Problem> {
     /// Largest number of names that are quoted (our choice).
     const QUOTED: usize = 3;
     let first = routine.remarks.first()?;
-    let quotes: Vec<String> = routine.remarks.iter().take(QUOTED).map(|remark| format!("{:?}", remark.text)).collect();
-    let more = routine.remarks.len() - quotes.len();
-    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-    let what = format!("kept, and not lived: {}{more}", quotes.join(", "));
-    let hint = "homebody routine explain says what is lived of each sentence".to_owned();
+    let sentences: Vec<String> = routine.remarks.iter().take(QUOTED).map(|remark| remark.text.to_string()).collect();
+    let more = routine.remarks.len() - sentences.len();
     let (line, column) = (first.line, first.column);
-    Some(Problem { line, column, ..Problem::of_file(&routine.file, what, Some(hint)) })
+    let message = LifeMessage::Unsimulated { sentences, more };
+    Some(Problem { line, column, ..Problem::of_file(&routine.file, message, None) })
 }
 
 /// What can be told of a sentence before the run.
 fn foretold(told: &Difference) -> Problem {
     let Difference { file, line, text, lived, .. } = told;
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    let hint = "let it begin earlier, or the run last longer".to_owned();
-    Problem { line: *line, ..Problem::of_file(file, format!("of {text:?} comes {lived}"), Some(hint)) }
+    let message = LifeMessage::WithoutEffect { sentence: one_line(text), effect: lived.to_string() };
+    Problem { line: *line, ..Problem::of_file(file, message, None) }
+}
+
+/// A sentence with single blanks.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -1,6 +1,7 @@
 //! Where a scenario comes from: a folder on disk, a template that came with the program, or texts in memory.
 
 use crate::error::Error;
+use crate::open_messages::OpenMessage;
 use homebody_core::problem::Problems;
 use homebody_core::scenario::load::{Files, MOST_BYTES, NoText, Scenario};
 use homebody_core::scenario::nearest::nearest;
@@ -48,22 +49,16 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Error::File`] if there is no such folder or file.
+    /// [`Error::Unreadable`] without such a folder or file, [`Error::File`] after an error of the system.
     pub fn at(path: impl AsRef<Path>) -> Result<Source, Error> {
         let path = path.as_ref();
         let meta = fs::metadata(path).map_err(|error| match error.kind() {
             ErrorKind::NotFound => {
                 let template =
                     path.to_str().filter(|name| !name.is_empty()).and_then(|name| Template::named(name).ok());
-                let hint = match (template, similar_scenario(path)) {
-                    (Some(of), _) => {
-                        format!("it is a template, of which homebody new {0} --template {0} makes one", of.name())
-                    }
-                    (None, Some(near)) => format!("did you mean {near:?}?"),
-                    (None, None) => "name its folder, or its scenario.json".to_owned(),
-                };
-                let why = format!("there is no such scenario\n  hint: {hint}");
-                Error::File { path: path.into(), why, source: Some(error) }
+                let template = template.map(|template| template.name().to_owned());
+                let near = similar_scenario(path).map(|near| near.display().to_string());
+                Error::unreadable(path, OpenMessage::NoScenario { template, near })
             }
             _ => Error::io(path, error),
         })?;
@@ -74,8 +69,8 @@ impl Source {
         let folder = if meta.is_dir() { path } else { path.parent().unwrap_or(Path::new("")) };
         let file = folder.join(&entry);
         if !file.is_file() {
-            let what = if file.exists() { "it is no plain file" } else { "there is no such file" };
-            return Err(Error::file(&file, format!("{what}\n  hint: a scenario folder holds a scenario.json")));
+            let message = if file.exists() { OpenMessage::NotPlain } else { OpenMessage::NoEntry };
+            return Err(Error::unreadable(&file, message));
         }
         Ok(Source::of_folder(Folder::new(folder, false), entry))
     }
@@ -220,8 +215,8 @@ impl Files for Folder {
         };
         let of_ones_own = |why: &str| NoText::Unreadable { why: why.into(), hint: Some(TRUST.into()) };
         let no_way = || match whole.exists() {
-            true => of_ones_own("it is a link that leads out of the scenario's folder"),
-            false => NoText::unreadable("it is a link that leads nowhere"),
+            true => of_ones_own("it is a link to a place outside of the scenario's folder"),
+            false => NoText::unreadable("it is a link to a file that does not exist"),
         };
         let path = path.ok_or_else(no_way)?;
         plain::read_text(&path, largest).map_err(|error| match error.kind() {

@@ -4,9 +4,47 @@ use crate::error::Error;
 use crate::outside::{Asked, FromOutside, Refusal, Wish};
 use crate::run::LiveRun;
 use homebody_core::outside::MOST_DEEDS;
+use homebody_core::problem::Diagnostic;
 use homebody_core::recording::Recording;
 use homebody_core::time::Micros;
 use homebody_log::RunLog;
+
+homebody_core::messages! {
+    /// Refusals of an order to a run.
+    pub enum OrderMessage in "order" {
+        /// A replay repeats a recording, so nothing can change it.
+        Replay error "replay" ("this run is a replay")
+            hint ("send orders to a new run");
+        /// The run has reached its end.
+        Over error "over" ("the run is over")
+            hint ("start another run");
+        /// A resumed run first repeats the part that is already stored, and this part cannot change.
+        CatchesUp error "catches-up" ("the run repeats its stored part")
+            hint ("send the order again when the run has caught up");
+        /// A recording contains every order. The limit is our choice.
+        TooMany error "too-many" ("this run already has {MOST_DEEDS} orders")
+            hint ("write frequent events into routines and the link file");
+        /// A run takes one order after the other, and a limited number of them wait.
+        Busy error "busy" ("too many orders wait for this run")
+            hint ("send the order again later");
+        /// The broker gets the events of this run in real time, as other programs expect it.
+        RealTime error "real-time" ("this broker gets events in real time")
+            hint ("choose at most 1 for times; ?allow-fast=true in the URL lets the run go faster");
+        /// A run has a range of speeds.
+        Speed {
+            /// The factor asked for.
+            times: f64,
+        } error "speed" ("a run cannot go {times} times as fast as the clock")
+            hint ("choose 0.1 to 1000 for times");
+    }
+}
+
+impl From<OrderMessage> for Refusal {
+    fn from(message: OrderMessage) -> Refusal {
+        let message = Diagnostic::from(message);
+        Refusal::new(message.what, message.hint.unwrap_or_default())
+    }
+}
 
 impl LiveRun {
     /// Does what was asked for, once the recording says so.
@@ -40,21 +78,16 @@ impl LiveRun {
     /// What is stored already is not lived otherwise.
     fn may_be_done(&self, log: &RunLog, recording: &Recording) -> Result<(), Refusal> {
         if self.recording.is_complete() {
-            return Err(Refusal::new(
-                "this run is a recording that is lived again",
-                "give orders to a run that is new",
-            ));
+            return Err(OrderMessage::Replay.into());
         }
         if self.run.now() >= self.run.length() {
-            return Err(Refusal::new("the run is over", "begin another"));
+            return Err(OrderMessage::Over.into());
         }
         if !log.is_beyond_what_was_there() || self.paced.is_behind(self.run.now()) {
-            let why = "the run is lived again up to where it was";
-            return Err(Refusal::new(why, "say it again once it has caught up"));
+            return Err(OrderMessage::CatchesUp.into());
         }
         if recording.outside.len() >= MOST_DEEDS {
-            let why = format!("{MOST_DEEDS} things were done to this run already");
-            return Err(Refusal::new(why, "write what happens often into routines and the link file"));
+            return Err(OrderMessage::TooMany.into());
         }
         Ok(())
     }

@@ -3,14 +3,14 @@
 use crate::error::Error;
 use homebody_analysis::dates::{date_of, midnight as midnight_of};
 use homebody_core::geometry::Point;
-use homebody_core::problem::{Diagnostic, counted};
+use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::edit::text_of_path;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::path::PathFile;
 use homebody_core::scenario::resident::{DriverFile, ResidentFile};
 use homebody_core::time::{DAY, Micros};
-use homebody_infer::{Guess, Instant, Kind, Message, Said, Senses, Spell, Track, spells, translate};
+use homebody_infer::{Guess, Instant, Kind, Message, NotLearnt, Said, Senses, Spell, Track, spells, translate};
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::{Cancel, Event, Log};
 use homebody_walk::Mesh;
@@ -103,14 +103,54 @@ const LONGEST_NAME: usize = 100;
 /// What the one is called who is not one of the residents.
 const GUEST: &str = "somebody else";
 
-/// A log that does not fit its home at all, or has nothing to be walked back.
-fn cannot(what: impl Into<Diagnostic>) -> Error {
-    Error::Translation(what.into())
+homebody_core::messages! {
+    /// Problems with locating the residents of a log in a home.
+    pub enum TranslationMessage in "locate" {
+        /// Homebody locates the residents that the scenario names, with the size of their bodies and their pace.
+        NoResidents error "no-residents" ("the scenario has no residents to locate")
+            hint ("add a file to \"residents\" in scenario.json");
+        /// To locate residents, Homebody first simulates how the sensors of the home answer to a body in each place. That was not possible.
+        Unlearnable {
+            /// The reason.
+            why: String,
+        } error "unlearnable" ("cannot compute how the sensors of the home respond: {why}")
+            hint ("run homebody check on the scenario");
+        /// Residents are located by the rows of their sensors.
+        NoRows error "no-rows" ("the log has no rows")
+            hint ("name a log with rows of the home's sensors");
+        /// The first row of the log is before or after all dates that Homebody can compute with, or the time zone of the scenario is not valid.
+        Calendar {
+            /// The reason.
+            why: String,
+        } error "calendar" ("cannot read the dates of the log: {why}")
+            hint ("check the dates in the log, and the time zone in scenario.json");
+        /// Homebody recognises the sensors of a log by their names in the home, or by the ids in the logger's file:
+        ///
+        /// ```json
+        /// "ids": { "bedroom motion": "M001" }
+        /// ```
+        OtherHome {
+            /// Some ids of the log.
+            ids: Vec<String>,
+        } error "other-home" ("no sensor of the log is a sensor of the home")
+            hint ("the log has {ids}; write the id of each sensor of the home into \"ids\" in logger.json", ids = ids.join(", "));
+    }
+}
+
+fn cannot(message: TranslationMessage) -> Error {
+    Error::Translation(message.into())
 }
 
 /// Who may be in a home, and what they are called: its residents, and a guest where one lives alone.
 pub(crate) fn bodies(scenario: &Scenario) -> Result<(Vec<Senses>, Vec<String>), Error> {
-    let learn = |body| Senses::learn(scenario, body).map_err(|error| cannot(error.to_string()));
+    let learn = |body| {
+        Senses::learn(scenario, body).map_err(|error| {
+            cannot(match error {
+                NotLearnt::Nobody => TranslationMessage::NoResidents,
+                error => TranslationMessage::Unlearnable { why: error.to_string() },
+            })
+        })
+    };
     let mut bodies = (0..scenario.residents.len()).map(learn).collect::<Result<Vec<_>, _>>()?;
     let mut people: Vec<String> = scenario.residents.iter().map(|resident| resident.file.name.clone()).collect();
     if let [alone] = &bodies[..] {
@@ -314,9 +354,10 @@ impl Heard {
             .filter(|&sensor| sensor_of[sensor].is_none())
             .map(|sensor| (log.sensors[sensor].clone(), rows[sensor]))
             .collect();
-        let first = log.events.iter().map(|event| event.at).min().ok_or_else(|| cannot("the log has no rows"))?;
+        let first = log.events.iter().map(|event| event.at).min().ok_or_else(|| cannot(TranslationMessage::NoRows))?;
         let zone = &scenario.file.time_zone;
-        let calendar = Calendar::new(&date_of(first).to_string(), zone).map_err(cannot)?;
+        let calendar = Calendar::new(&date_of(first).to_string(), zone)
+            .map_err(|error| cannot(TranslationMessage::Calendar { why: error.to_string() }))?;
         let mut wall = Wall { calendar: &calendar, midnight: first.div_euclid(DAY) * DAY, last: 0 };
         let said: Vec<Option<Said>> = log.values.iter().map(|value| Said::of(value)).collect();
         let message = |event: &Event| {
@@ -325,12 +366,8 @@ impl Heard {
         };
         let mut messages: Vec<Message> = log.events.iter().filter_map(message).collect();
         if messages.is_empty() {
-            let ids: Vec<&str> = strangers.iter().take(5).map(|(id, _)| id.as_str()).collect();
-            return Err(cannot(format!(
-                "none of the log's sensors is one of the home's\n  hint: the log has {}; ids in logger.json say what the log \
-                 calls each sensor of the home",
-                ids.join(", ")
-            )));
+            let ids = strangers.iter().take(5).map(|(id, _)| id.clone()).collect();
+            return Err(cannot(TranslationMessage::OtherHome { ids }));
         }
         messages.sort_by_key(|message| message.at);
         let is_heard = |number: usize| sensor_of.contains(&Some(number));

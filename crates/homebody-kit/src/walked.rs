@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::log_with_run::LogWithRun;
+use crate::open_messages::OpenMessage;
 use crate::scenario::open;
 use crate::store::Destinations;
 use crate::translation::{Doubt, Place, Translation, Whereabouts, walk_back};
@@ -281,7 +282,7 @@ pub fn doubts(table: &Path, people: &[String], plan: &Plan, clock: &RunClock) ->
     for record in reader.records() {
         let record = record.map_err(|error| wrong(error.to_string()))?;
         if doubts.len() == MOST_DOUBTS {
-            return Err(wrong(format!("it has more than {MOST_DOUBTS} rows")));
+            return Err(Error::unreadable(table, OpenMessage::TooManyRows { most: MOST_DOUBTS }));
         }
         let row = || {
             let [time, who, place, chance] = [0, 1, 2, 3].map(|cell| record.get(cell));
@@ -299,7 +300,7 @@ pub fn doubts(table: &Path, people: &[String], plan: &Plan, clock: &RunClock) ->
             Some((told, Doubt { at: 0, who, place, chance }))
         };
         let line = record.position().map_or(0, csv::Position::line);
-        let (told, doubt) = row().ok_or_else(|| wrong(format!("line {line} is no row of such a table")))?;
+        let (told, doubt) = row().ok_or_else(|| Error::unreadable(table, OpenMessage::BadRow { table_line: line }))?;
         let told = jiff::tz::TimeZone::UTC.to_timestamp(told).map_err(|error| wrong(error.to_string()))?;
         last = clock.instant(told.as_microsecond(), last);
         doubts.push(Doubt { at: last, ..doubt });

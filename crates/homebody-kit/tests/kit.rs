@@ -52,7 +52,7 @@ fn a_scenario_is_opened_by_its_folder_and_by_its_own_file() {
     assert_eq!((opened.scenario(), opened.paths()), (by_file.scenario(), by_file.paths()));
     assert_eq!(opened.scenario(), tigerplace().scenario());
     assert!(opened.paths().contains(&folder.join("home.json")) && tigerplace().paths().is_empty());
-    assert!(matches!(homebody_kit::open(folder.join("nothing")), Err(Error::File { .. })));
+    assert!(matches!(homebody_kit::open(folder.join("nothing")), Err(Error::Unreadable(_))));
     assert!(matches!(homebody_kit::open(folder.join("home.json")), Err(Error::Problems(_))));
 }
 
@@ -63,7 +63,7 @@ fn what_makes_no_sense_is_refused_before_anything_is_lived() {
         assert!(matches!(opened.run().days(days).start(), Err(Error::Length { .. })), "{days}");
     }
     let wrong = opened.run().without(["grief"]).start().err().unwrap();
-    assert!(matches!(&wrong, Error::Problems(_)) && wrong.to_string().contains("nobody shows \"grief\""), "{wrong}");
+    assert!(matches!(&wrong, Error::Problems(_)) && wrong.to_string().contains("shows \"grief\""), "{wrong}");
     let nobody = opened.run().driver("Margaret", |_, _| Odd(|_| Next::Activity(None))).start().err().unwrap();
     assert_eq!(nobody.diagnostic().code, "kit::no-resident");
     let folder = tempfile::tempdir().unwrap();
@@ -414,24 +414,28 @@ fn nothing_is_touched_where_another_program_writes_one_table_of_the_truth() {
 }
 
 #[test]
-fn sensors_that_will_say_nothing_are_told() {
+fn warns_about_sensors_that_never_fire() {
     let texts: BTreeMap<String, String> = homebody_kit::Template::named("tigerplace").unwrap().files().collect();
     let with = |sensor: &str| {
         let mut texts = texts.clone();
         let home = texts["home.json"].replacen("\"sensors\": [", &format!("\"sensors\": [\n{sensor},"), 1);
         texts.insert("home.json".into(), home);
         let scenario = homebody_kit::Source::of_texts(texts, "scenario.json").open().unwrap();
-        scenario.remarks(DAY).into_iter().map(|remark| remark.what).collect::<Vec<_>>()
+        scenario
+            .remarks(DAY)
+            .into_iter()
+            .map(|remark| (remark.code, remark.data["sensor"] == "new"))
+            .collect::<Vec<_>>()
     };
     let contact = |on: &str| with(&format!(r#"{{ "kind": "contact", "name": "new", "on": "{on}" }}"#));
-    assert_eq!(contact("bookcase"), ["\"new\" will say nothing: nobody in these lives uses \"bookcase\""]);
+    assert_eq!(contact("bookcase"), [("life::unused-thing", true)]);
     for used in ["fridge", "wardrobe", "front door"] {
-        assert_eq!(contact(used), [""; 0], "{used}");
+        assert_eq!(contact(used), [], "{used}");
     }
     let motion = |facing: u32| {
         let at = format!(r#""at": [3.8, 6.45], "height_m": 2.1, "facing_deg": {facing}"#);
         with(&format!(r#"{{ "kind": "motion", "name": "new", {at} }}"#))
     };
-    assert_eq!(motion(45), ["\"new\" sees no floor on which anybody can stand"]);
-    assert_eq!(motion(225), [""; 0]);
+    assert_eq!(motion(45), [("life::blind-sensor", true)]);
+    assert_eq!(motion(225), []);
 }

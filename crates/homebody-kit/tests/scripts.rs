@@ -161,7 +161,7 @@ fn with(script: &str) -> Source {
 
 fn problems(script: &str) -> String {
     match with(script).open() {
-        Err(Error::Problems(problems)) => problems.to_string(),
+        Err(Error::Problems(problems)) => problems.render(),
         Err(other) => panic!("{other}"),
         Ok(_) => String::new(),
     }
@@ -180,7 +180,7 @@ fn end(script: &str) -> String {
 }
 
 #[test]
-fn everything_that_is_wrong_is_said_before_the_run() {
+fn reports_all_problems_before_the_run() {
     let said = problems(
         r#"const Seat = "armchiar";
 fn next(around) {
@@ -195,26 +195,44 @@ fn next(around) {
 "#,
     );
     for (place, what, hint) in [
-        ("clara.rhai:3:21", "the home has no thing \"stoove\"", "there are"),
-        ("clara.rhai:4:15", "around has no roon", "did you mean around.room?"),
-        ("clara.rhai:4:39", "there is no function wate", "docs/reference/scripts.md"),
-        ("clara.rhai:5:18", "the home has no seat \"armchiar\"", "did you mean \"armchair\"?"),
-        ("clara.rhai:5:30", "wait wants a number for the seconds, and this is text", ""),
-        ("clara.rhai:5:57", "the home has no thing \"hal\"", "did you mean \"hall\"?"),
-        ("clara.rhai:5:73", "there is no manner \"readin\"", "did you mean \"reading\"?"),
-        ("clara.rhai:5:88", "the home has no seat \"table\"", ""),
-        ("clara.rhai:6:12", "go is said with 0 values", "write go(place)"),
-        ("clara.rhai:7:16", "the home has no room \"cellar\"", "there are living room, hall"),
-        ("clara.rhai:8:5", "there is no variable count", "this.name"),
+        ("clara.rhai:3:21", "error[script::unknown-name]: the home has no thing \"stoove\"", "there are"),
+        (
+            "clara.rhai:4:15",
+            "error[script::unknown-property]: around has no property roon",
+            "did you mean around.room?",
+        ),
+        ("clara.rhai:4:39", "error[script::unknown-function]: there is no function wate", "docs/reference/scripts.md"),
+        (
+            "clara.rhai:5:18",
+            "error[script::unknown-name]: the home has no seat \"armchiar\"",
+            "did you mean \"armchair\"?",
+        ),
+        ("clara.rhai:5:30", "error[script::value-type]: wait needs a number as seconds, and this is text", ""),
+        ("clara.rhai:5:57", "error[script::unknown-name]: the home has no thing \"hal\"", "did you mean \"hall\"?"),
+        (
+            "clara.rhai:5:73",
+            "error[script::unknown-manner]: there is no manner \"readin\"",
+            "did you mean \"reading\"?",
+        ),
+        ("clara.rhai:5:88", "error[script::unknown-name]: the home has no seat \"table\"", ""),
+        ("clara.rhai:6:12", "error[script::value-count]: go has 0 values", "write go(place)"),
+        (
+            "clara.rhai:7:16",
+            "error[script::unknown-name]: the home has no room \"cellar\"",
+            "there are living room, hall",
+        ),
+        ("clara.rhai:8:5", "error[script::unknown-variable]: there is no variable count", "this.name"),
     ] {
         let lines = said.lines().skip_while(|line| !line.starts_with(&format!("{place}: {what}")));
-        let told: Vec<&str> = lines.take(2).collect();
+        let told: Vec<&str> = lines.take(4).collect();
         assert!(!told.is_empty() && told.concat().contains(hint), "{place} {what} {hint}, in\n{said}");
     }
-    assert!(problems("fn nxt(around) { wait(1) }").contains("the script has no function next"));
+    assert!(problems("fn nxt(around) { wait(1) }").contains("error[script::no-next]"));
     assert!(problems("fn next() { wait(1) }").contains("write fn next(around)"));
-    assert!(problems("let x = 1; fn next(around) { wait(1) }").contains("clara.rhai:1:1: this stands outside"));
-    assert!(problems("fn next(around) {\n    wait(1\n}").contains("clara.rhai:3:1: this is no script"));
+    assert!(
+        problems("let x = 1; fn next(around) { wait(1) }").contains("clara.rhai:1:1: error[script::outside-function]")
+    );
+    assert!(problems("fn next(around) {\n    wait(1\n}").contains("clara.rhai:3:1: error[script::syntax]"));
     assert!(problems("fn next(around) { eval(\"wait(1)\") }").contains("clara.rhai:1:19"));
 }
 
@@ -227,28 +245,31 @@ fn what_reaches_beyond_the_script_is_not_there() {
 }
 
 #[test]
-fn a_script_that_runs_away_is_stopped_with_its_line() {
+fn stops_a_script_that_runs_away_with_its_line() {
     for (script, what) in [
         ("fn next(around) {\n    loop { }\n}", "clara.rhai:1"),
-        ("fn next(around) {\n    loop { }\n}", "runs away: it takes more than 50000 operations"),
+        (
+            "fn next(around) {\n    loop { }\n}",
+            "error[script::slow-decision]: the script runs away: it takes more than 50000 operations",
+        ),
         (
             "// idle\nfn next(around) { turn_on(\"hall\") }",
-            "clara.rhai:2:1: the script runs away: 100 decisions in a row",
+            "clara.rhai:2:1: error[script::no-time]: the script runs away: 100 decisions in a row",
         ),
         (
             "fn next(around) {\n    let n = 0;\n    while n < 5000 { n += 1; }\n    rest(0.1)\n}",
-            "runs away: it takes more than 5000000 operations in an hour",
+            "error[script::slow-hour]: the script runs away: it takes more than 5000000 operations in an hour",
         ),
         (
             "fn next(around) {\n    this.more += 1;\n    rest(1)\n}",
-            "clara.rhai:2:15: a value is missing in + ((), i64)",
+            "clara.rhai:2:15: error[script::missing-value]: a value is missing in + ((), i64)",
         ),
-        ("fn next(around) { go(\"hal\" + \"k\") }", "the home has no place \"halk\""),
-        ("fn next(around) { 5 }", "the answer is number, and no step"),
-        ("fn next(around) { deep(1) }\nfn deep(n) { deep(n + 1) }", "too deep"),
+        ("fn next(around) { go(\"hal\" + \"k\") }", "error[script::unknown-name]: the home has no place \"halk\""),
+        ("fn next(around) { 5 }", "error[script::not-a-step]: the script returned number"),
+        ("fn next(around) { deep(1) }\nfn deep(n) { deep(n + 1) }", "error[script::deep-calls]"),
         ("fn next(around) { let a = []; loop { a.push(\"xxxxxxxxxxxxxxxx\"); } }", "clara.rhai:1"),
         ("fn next(around) { let a = \"x\"; loop { a += a; } }", "clara.rhai:1"),
-        ("fn next(around) { throw \"enough\" }", "clara.rhai:1:19: enough"),
+        ("fn next(around) { throw \"enough\" }", "clara.rhai:1:19: error[script::failed]: the script failed: enough"),
     ] {
         let said = end(script);
         assert!(said.contains(what) && said.contains("the driver of \"clara\""), "{script}\n{said}");

@@ -38,7 +38,7 @@ fn data<'py>(py: Python<'py>, message: &Diagnostic) -> PyResult<Bound<'py, PyAny
 fn of_class(error: Error) -> PyErr {
     match error {
         Error::Problems(problems) => with_problems(&problems),
-        Error::TimeZone(_)
+        Error::TimeZone { .. }
         | Error::Length { .. }
         | Error::Members { .. }
         | Error::Resident { .. }
@@ -47,6 +47,7 @@ fn of_class(error: Error) -> PyErr {
         Error::Exists { .. } | Error::NotEmpty { .. } => named("Exists", error),
         Error::Cancelled => named("Stopped", error),
         Error::File { .. }
+        | Error::Unreadable(_)
         | Error::Log(_)
         | Error::StoppedAway { .. }
         | Error::NoLog { .. }

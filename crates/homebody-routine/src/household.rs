@@ -13,6 +13,7 @@ use crate::living::driver::RoutineDriver;
 use crate::living::life::Life;
 use crate::living::pet::PetDriver;
 use crate::living::places::Places;
+use crate::messages::HouseholdMessage;
 use crate::needs_of_home;
 use crate::routine::{Effect, Kind, Routine, USUAL, shows};
 use homebody_core::drivers;
@@ -166,12 +167,9 @@ impl Household {
             routines().chain(self.conditions.values()).any(shown)
         };
         let problem = |name: &String| {
-            let names: Vec<&str> = routines().flat_map(shows).collect();
-            let hint = match names.is_empty() {
-                true => "no routine of this scenario shows a condition".to_owned(),
-                false => format!("its routines show {}", names.join(", ")),
-            };
-            Problem::of_file(&self.scenario.file.name, format!("nobody shows {name:?}"), Some(hint))
+            let known = routines().flat_map(shows).map(str::to_owned).collect();
+            let message = HouseholdMessage::NotShown { condition: name.clone(), known };
+            Problem::of_file(&self.scenario.file.name, message, None)
         };
         conditions.iter().filter(|name| !is_shown(name)).map(problem).collect()
     }
@@ -547,9 +545,8 @@ impl<'a> Reader<'a> {
         for change in &routine.changes {
             let Effect::Shows { condition, .. } = &change.effect else { continue };
             if path.contains(condition) {
-                let what = format!("the conditions {} show each other in a circle", path.join(" and "));
-                let hint = "let one of them not show the other".to_owned();
-                self.problems.push(said_at(routine, change.said.line, change.said.column, what, hint));
+                let message = HouseholdMessage::Circle { conditions: path.clone() };
+                self.problems.push(said_at(routine, change.said.line, change.said.column, message));
                 continue;
             }
             if self.known.contains_key(condition) {
@@ -559,19 +556,21 @@ impl<'a> Reader<'a> {
             let built_in = || CONDITIONS.iter().find(|(name, _)| name == condition).map(|(_, text)| (*text).to_owned());
             let read = match self.files.read(&file) {
                 Ok(_) if self.known.len() >= MOST_CONDITIONS => {
-                    Err(format!("nobody shows more than {MOST_CONDITIONS} conditions: {file:?} is one too many"))
+                    Err(HouseholdMessage::TooMany { file: file.clone(), most: MOST_CONDITIONS })
                 }
-                Ok(text) => too_long(&text).map_or(Ok(Some(text)), |why| Err(format!("{file:?} is too long: {why}"))),
+                Ok(text) => match too_long(&text) {
+                    Some(why) => Err(HouseholdMessage::TooLong { file: file.clone(), why: why.to_string() }),
+                    None => Ok(Some(text)),
+                },
                 // Only where there is none of its own: one that cannot be read is not passed over.
                 Err(NoText::Missing) => Ok(built_in()),
-                Err(why) => Err(format!("{file:?} cannot be read: {why}")),
+                Err(why) => Err(HouseholdMessage::Unreadable { file: file.clone(), why: why.to_string() }),
             };
             let text = match read {
                 Ok(Some(text)) => text,
                 Ok(None) => continue,
-                Err(what) => {
-                    let hint = "make it a plain file with a condition, or remove it".to_owned();
-                    self.problems.push(said_at(routine, change.said.line, change.said.column, what, hint));
+                Err(message) => {
+                    self.problems.push(said_at(routine, change.said.line, change.said.column, message));
                     continue;
                 }
             };
@@ -588,8 +587,8 @@ impl<'a> Reader<'a> {
 }
 
 /// A problem with what is said at a place of a routine.
-fn said_at(routine: &Routine, line: u32, column: u32, what: String, hint: String) -> Problem {
-    Problem { line, column, ..Problem::of_file(&routine.file, what, Some(hint)) }
+fn said_at(routine: &Routine, line: u32, column: u32, message: HouseholdMessage) -> Problem {
+    Problem { line, column, ..Problem::of_file(&routine.file, message, None) }
 }
 
 fn file_of(condition: &str) -> String {

@@ -18,6 +18,10 @@ pub mod living;
 mod room_for;
 mod needs_of_home;
 pub mod household;
+mod messages;
 
 // The furniture that a home needs besides its own.
 pub mod furnished;
+
+// The messages of all of it.
+pub mod catalogue;

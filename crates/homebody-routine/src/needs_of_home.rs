@@ -2,6 +2,7 @@
 
 use crate::living::places::{Places, Spot};
 use crate::living::script::ACTED_ON;
+use crate::messages::NeedMessage;
 use crate::room_for::{self, Lacking, NEEDS};
 use crate::routine::{Activity, FallEnds, Habit, Quote, Response, Routine, Rule, USUAL, shows};
 use homebody_core::geometry;
@@ -124,29 +125,15 @@ const MOST_EXPLAINED: usize = 3;
 /// Number of pieces of furniture that are tried for each (our choice).
 const MOST_PIECES: usize = 12;
 
-/// What everybody needs, what is said where there is none, and what to do then.
-type Need = (Role, &'static str, &'static str);
+/// A place that everybody needs, with the message about a home without it.
+type Need = (Role, fn(String) -> NeedMessage);
 
-const NO_BED: Need = (
-    Role::Bed,
-    "there is nowhere in this home to sleep",
-    "give it a piece of furniture \"bed\" that is enterable, or one with the \"role\" \"bed\"",
-);
-const NO_TOILET: Need = (
-    Role::Toilet,
-    "there is no toilet in this home",
-    "give it a piece of furniture or a place \"toilet\", or a piece with the \"role\" \"toilet\"",
-);
-const NO_SEAT: Need = (
-    Role::Armchair,
-    "there is nowhere to sit in this home",
-    "give it an \"armchair\" that is enterable, or another piece with the \"role\" \"armchair\"",
-);
-const NO_KITCHEN: Need = (
-    Role::Fridge,
-    "there is no kitchen in this home",
-    "give it a room \"kitchen\", a place \"fridge\", or a piece of furniture with the \"role\" \"fridge\"",
-);
+const BASIC_NEEDS: [Need; 4] = [
+    (Role::Bed, |example| NeedMessage::NoBed { example }),
+    (Role::Toilet, |example| NeedMessage::NoToilet { example }),
+    (Role::Armchair, |example| NeedMessage::NoSeat { example }),
+    (Role::Fridge, |example| NeedMessage::NoKitchen { example }),
+];
 
 struct Check<'a> {
     home: &'a HomeFile,
@@ -174,7 +161,7 @@ impl Check<'_> {
         }
         let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
             if !is_person {
-                self.say(None, NO_BED.1, NO_BED.2);
+                self.say(None, NeedMessage::NoBed { example: String::new() });
             }
             return;
         };
@@ -182,9 +169,9 @@ impl Check<'_> {
         // Who cannot get out of bed gets nowhere.
         let boxed_in = places.out_of_reach(Role::Bed).filter(|_| is_person);
         if let Some(bed) = boxed_in {
-            let what = format!("{} cannot get from {:?} to the rest of the home", self.resident.name, bed.name);
-            let hint = format!("{}{}", self.what_to_do(bed), self.instead(Role::Bed));
-            return self.say(None, &what, &hint);
+            let help = format!("{}{}", self.what_to_do(bed), self.instead(Role::Bed));
+            let (resident, from) = (self.resident.name.clone(), bed.name.clone());
+            return self.say(None, NeedMessage::BoxedIn { resident, from, help });
         }
         let of_pets = [(Role::Basket, None), (Role::FoodBowl, None)];
         let used = if is_person { used_roles(places, texts) } else { of_pets.into() };
@@ -201,8 +188,7 @@ impl Check<'_> {
         let goes_out = |activity: &Activity| matches!(activity, Activity::Leave | Activity::Visit);
         let outing = texts[0].habits.iter().find(|habit| goes_out(&habit.activity));
         if let (Some(habit), None) = (outing, places.of(Role::FrontDoor)) {
-            let hint = "mark a door as \"outside\", or name a place \"front door\"";
-            self.say(Some((self.file, &habit.said)), "there is no way out of this home", hint);
+            self.say(Some((self.file, &habit.said)), NeedMessage::NoWayOut);
         }
         self.unfound(texts);
     }
@@ -215,20 +201,18 @@ impl Check<'_> {
         }
         let waits = |habit: &Habit| habit.falling.is_some_and(|falling| falling.ends == FallEnds::Found);
         if let Some((file, habit)) = habits().find(|(_, habit)| waits(habit)) {
-            let what = format!("nobody finds {}: nobody else lives here, and nobody visits", self.resident.name);
-            let hint = "say who comes: \"her daughter visits every morning for 20 minutes\"; or for how long she lies \
-                there: \"and lies there for 2 hours\"";
-            self.say(Some((file, &habit.said)), &what, hint);
+            let resident = self.resident.name.clone();
+            self.say(Some((file, &habit.said)), NeedMessage::Unfound { resident });
         }
     }
 
     /// Reports each thing that everybody needs and the home does not have, with a place for it. With all of them added,
     /// each routine can run.
     fn missing(&mut self, places: &Places) {
-        for (role, what, hint) in [NO_BED, NO_TOILET, NO_SEAT, NO_KITCHEN] {
+        for (role, message) in BASIC_NEEDS {
             if places.of(role).is_none() {
                 let example = self.lacking.piece(role).map_or_else(|| self.no_room(), |piece| self.example(piece));
-                self.say(None, what, &format!("{hint}; {example}"));
+                self.say(None, message(format!("; {example}")));
             }
         }
     }
@@ -257,22 +241,22 @@ impl Check<'_> {
         let named: Vec<String> = rooms.iter().take(NAMED).map(|room| format!("{room:?}")).collect();
         let more = if rooms.len() > NAMED { " and others" } else { "" };
         match named.is_empty() {
-            true => "nobody can stand in any of its rooms".to_owned(),
-            false => format!("there is no room for one in {}{more}, where people get to", named.join(", ")),
+            true => "no room has space to stand".to_owned(),
+            false => format!("there is no room for one in the accessible rooms {}{more}", named.join(", ")),
         }
     }
 
     /// Reports once that no way leads to a place.
     fn no_way(&mut self, spot: &Spot, said: Option<(&str, &Quote)>, instead: &str) {
         if self.told.insert(spot.name.to_lowercase()) {
-            let what = format!("{} cannot get from {:?} to {:?}", self.resident.name, self.bed, spot.name);
-            let hint = format!("{}{instead}", self.what_to_do(spot));
-            self.say(said, &what, &hint);
+            let help = format!("{}{instead}", self.what_to_do(spot));
+            let (resident, from, to) = (self.resident.name.clone(), self.bed.clone(), spot.name.clone());
+            self.say(said, NeedMessage::NoWay { resident, from, to, help });
         }
     }
 
-    fn say(&mut self, said: Option<(&str, &Quote)>, what: &str, hint: &str) {
-        let mut problem = Problem::of_file(said.map_or(self.file, |(file, _)| file), what, Some(hint.to_owned()));
+    fn say(&mut self, said: Option<(&str, &Quote)>, message: NeedMessage) {
+        let mut problem = Problem::of_file(said.map_or(self.file, |(file, _)| file), message, None);
         if let Some((_, said)) = said {
             (problem.line, problem.column) = (said.line, said.column);
         }
@@ -297,7 +281,8 @@ impl Check<'_> {
         if !ways.is_empty() {
             return ways.join(", or ");
         }
-        let mut hint = "see with `homebody plan` what is in the way: a closed door, a wall, furniture".to_owned();
+        let mut hint =
+            "draw the home with `homebody plan` and look for a closed door, a wall or furniture in the way".to_owned();
         let around: Vec<String> = self
             .nearest_pieces(to, 2.0 * self.resident.radius_m)
             .iter()

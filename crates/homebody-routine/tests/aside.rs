@@ -57,8 +57,9 @@ fn what_becomes_of_sentences_of_others_is_written_beside_them() {
             }
             Some(_) => {
                 let hints = problems.iter().filter_map(|problem| problem.hint.as_ref());
-                let proposes =
-                    |hint: &&String| ["of it: \"", "without it: \"", "as in \""].iter().any(|way| hint.contains(way));
+                let proposes = |hint: &&String| {
+                    ["simulated: \"", "without it: \"", "as in \""].iter().any(|way| hint.contains(way))
+                };
                 let hint = hints.clone().find(proposes);
                 writeln!(text, "    refused: {}", hint.or(problems[0].hint.as_ref()).unwrap_or(&problems[0].what))
                     .unwrap();

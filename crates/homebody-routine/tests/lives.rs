@@ -402,7 +402,7 @@ fn every_condition_that_the_program_knows_can_be_shown_and_lived() {
 #[test]
 fn leaving_out_what_nobody_shows_is_a_mistake() {
     let said = household(&files(DECLINE, &[]), &["depresion"]).unwrap_err();
-    assert!(said.contains("nobody shows \"depresion\"") && said.contains("cognitive-decline"), "{said}");
+    assert!(said.contains("no resident shows \"depresion\"") && said.contains("cognitive-decline"), "{said}");
 }
 
 #[test]

@@ -42,12 +42,12 @@ fn a_scenario_has_words_of_its_own() {
 #[test]
 fn what_is_wrong_in_it_is_told_with_its_line() {
     for (words, wanted) in [
-        ("~read", "own.words:1:1: no section stands above this line"),
+        ("~read", "own.words:1:1: this line has no section above it"),
         ("[readng]\n~leaf", "did you mean \"[reading]\"?"),
-        ("[MEANS]\nat elevenses", "does not say what it means"),
-        ("[reading]\nHOST leaves", "may begin with anything"),
-        ("[reading]\n~leaf through\n~leaf through", "is said twice"),
-        ("[tending bonsai] tends; 9000 minutes", "is no usual length"),
+        ("[MEANS]\nat elevenses", "has no meaning after it"),
+        ("[reading]\nHOST leaves", "has no certain first word"),
+        ("[reading]\n~leaf through\n~leaf through", "occurs twice"),
+        ("[tending bonsai] tends; 9000 minutes", "is not a valid usual length"),
     ] {
         let said = with_words(words, "").expect_err(words);
         assert!(said.contains(wanted), "{wanted}: {said}");

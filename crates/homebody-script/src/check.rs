@@ -1,7 +1,8 @@
 //! What is wrong with a script before anybody lives by it: names, functions and values that it writes out.
 
 use crate::engine::standard_functions;
-use crate::moment::{type_name, unknown_name};
+use crate::messages::ScriptMessage;
+use crate::moment::{type_name, unknown_manner, unknown_name};
 use crate::names::{ASKED, Names};
 use crate::vocabulary::{self, Kind, QUESTIONS, SEEN, Word};
 use homebody_core::problem::{Problem, counted};
@@ -13,26 +14,21 @@ use std::collections::BTreeMap;
 /// What scripts call what they are asked with.
 const AROUND: &str = "around";
 
-/// Makes a problem of a place, how many characters it is about, what is wrong and a hint.
-pub type Report<'a> = &'a mut dyn FnMut(Position, usize, String, Option<String>) -> Problem;
+/// Makes a problem of a place, a number of characters to underline, and a message.
+pub type Report<'a> = &'a mut dyn FnMut(Position, usize, ScriptMessage) -> Problem;
 
 /// What stands beside the functions of a script, and is no constant.
 pub fn stray(ast: &AST, report: Report) -> Vec<Problem> {
     let is_constant = |stmt: &Stmt| matches!(stmt, Stmt::Var(_, flags, _) if flags.intersects(ASTFlags::CONSTANT));
     let wrong = ast.statements().iter().filter(|stmt| !is_constant(stmt) && !matches!(stmt, Stmt::Noop(_)));
-    let mut problems: Vec<Problem> = wrong
-        .map(|stmt| {
-            let hint = "a script has functions and constants; what is to be done stands in fn next(around)";
-            report(stmt.position(), 1, "this stands outside of every function".into(), Some(hint.into()))
-        })
-        .collect();
+    let mut problems: Vec<Problem> =
+        wrong.map(|stmt| report(stmt.position(), 1, ScriptMessage::OutsideFunction)).collect();
     for stmt in ast.statements().iter().filter(|stmt| is_constant(stmt)) {
         if let Stmt::Var(var, ..) = stmt
             && !var.0.name.starts_with(|c: char| c.is_ascii_uppercase())
         {
-            let (name, hint) = (&var.0.name, "write it in capital letters, so that functions see it");
-            let what = format!("the constant {name} does not begin with a capital letter");
-            problems.push(report(var.0.pos, name.len(), what, Some(hint.into())));
+            let name = &var.0.name;
+            problems.push(report(var.0.pos, name.len(), ScriptMessage::ConstantName { name: name.to_string() }));
         }
     }
     problems
@@ -64,8 +60,8 @@ struct Check<'a> {
 }
 
 impl Check<'_> {
-    fn say(&mut self, position: Position, width: usize, what: String, hint: Option<String>) {
-        let problem = (self.report)(position, width, what, hint);
+    fn say(&mut self, position: Position, width: usize, message: ScriptMessage) {
+        let problem = (self.report)(position, width, message);
         self.problems.push(problem);
     }
 
@@ -76,11 +72,10 @@ impl Check<'_> {
             let found: Vec<usize> =
                 self.functions.iter().filter(|(known, _)| known == name).map(|(_, count)| *count).collect();
             if found.is_empty() && name == ASKED[0].0 {
-                let hint = format!("write {form} {{ .. }}, which answers with a step such as wait(60)");
-                self.say(Position::NONE, 1, "the script has no function next".into(), Some(hint));
+                self.say(Position::NONE, 1, ScriptMessage::NoNext { form });
             } else if !found.is_empty() && !found.contains(&wanted) {
-                let what = format!("the function {name} has {}", counted(found[0], "parameter", "parameters"));
-                self.say(Position::NONE, 1, what, Some(format!("write {form}")));
+                let (function, parameters) = (name.to_owned(), found[0]);
+                self.say(Position::NONE, 1, ScriptMessage::Parameters { function, parameters, form });
             }
         }
     }
@@ -107,20 +102,16 @@ impl Check<'_> {
         if self.constants.contains_key(name) {
             return;
         }
-        let near = nearest(name, self.constants.keys().map(String::as_str));
-        let hint = near.map_or_else(
-            || "let gives a variable a value; what is to last from one decision to the next is this.name".into(),
-            |near| format!("did you mean {near}?"),
-        );
-        self.say(position, name.chars().count(), format!("there is no variable {name}"), Some(hint));
+        let near = nearest(name, self.constants.keys().map(String::as_str)).map(str::to_owned);
+        self.say(position, name.chars().count(), ScriptMessage::UnknownVariable { name: name.to_owned(), near });
     }
 
     fn property(&mut self, name: &str, position: Position) {
         if SEEN.iter().any(|(known, _)| *known == name) {
             return;
         }
-        let hint = if QUESTIONS.iter().any(|word| word.name == name) {
-            format!("ask it with brackets: around.{name}(..)")
+        let help = if QUESTIONS.iter().any(|word| word.name == name) {
+            format!("write it with brackets: around.{name}(..)")
         } else {
             let known = SEEN.iter().map(|(known, _)| *known).chain(QUESTIONS.iter().map(|word| word.name));
             nearest(name, known).map_or_else(
@@ -128,7 +119,7 @@ impl Check<'_> {
                 |near| format!("did you mean around.{near}?"),
             )
         };
-        self.say(position, name.chars().count(), format!("around has no {name}"), Some(hint));
+        self.say(position, name.chars().count(), ScriptMessage::UnknownProperty { name: name.to_owned(), help });
     }
 
     fn call(&mut self, call: &FnCallExpr, position: Position) {
@@ -143,21 +134,22 @@ impl Check<'_> {
         if !words.is_empty() {
             return self.word(&words, call, position);
         }
-        let hint = if let Some((_, count)) = self.functions.iter().find(|(known, _)| known == name) {
-            format!("the script's own function of that name wants {}", counted(*count, "value", "values"))
+        let help = if let Some((_, count)) = self.functions.iter().find(|(known, _)| known == name) {
+            format!("the script's own function with this name has {}", counted(*count, "parameter", "parameters"))
         } else if standard_functions().contains(name) {
             return;
         } else if QUESTIONS.iter().any(|word| word.name == name) {
-            format!("ask what is around: around.{name}(..)")
+            format!("write around.{name}(..)")
         } else {
             let known = said().map(|word| word.name).chain(self.functions.iter().map(|(name, _)| name.as_str()));
             let known: Vec<&str> = known.chain(standard_functions().iter().map(String::as_str)).collect();
             nearest(name, known).map_or_else(
-                || "docs/reference/scripts.md lists what there is".to_owned(),
+                || "docs/reference/scripts.md lists the functions".to_owned(),
                 |near| format!("did you mean {near}?"),
             )
         };
-        self.say(position, name.chars().count(), format!("there is no function {name}"), Some(hint));
+        let message = ScriptMessage::UnknownFunction { name: name.to_owned(), help: Some(help) };
+        self.say(position, name.chars().count(), message);
     }
 
     fn method(&mut self, call: &FnCallExpr, position: Position) {
@@ -174,11 +166,12 @@ impl Check<'_> {
         }
         let known = QUESTIONS.iter().map(|word| word.name).chain(self.functions.iter().map(|(name, _)| name.as_str()));
         let near = nearest(name, known.chain(standard_functions().iter().map(String::as_str)));
-        let hint = near.map_or_else(
+        let help = near.map_or_else(
             || "docs/reference/scripts.md lists what there is".to_owned(),
             |near| format!("did you mean {near}?"),
         );
-        self.say(position, name.chars().count(), format!("there is no function {name}"), Some(hint));
+        let message = ScriptMessage::UnknownFunction { name: name.to_owned(), help: Some(help) };
+        self.say(position, name.chars().count(), message);
     }
 
     /// A word of ours, which may have several forms.
@@ -188,9 +181,9 @@ impl Check<'_> {
                 let wants: Vec<&str> = word.wants.iter().map(|(name, _)| *name).collect();
                 format!("{}({})", word.name, wants.join(", "))
             };
-            let what = format!("{} is said with {}", call.name, counted(call.args.len(), "value", "values"));
-            let hint = format!("write {}", forms.iter().map(form).collect::<Vec<_>>().join(" or "));
-            return self.say(position, call.name.chars().count(), what, Some(hint));
+            let (word, values) = (call.name.to_string(), call.args.len());
+            let message = ScriptMessage::ValueCount { word, values, forms: forms.iter().map(form).collect() };
+            return self.say(position, call.name.chars().count(), message);
         };
         for ((name, kind), value) in word.wants.iter().zip(&call.args) {
             self.value(word.name, name, *kind, value);
@@ -217,16 +210,12 @@ impl Check<'_> {
         };
         let position = expr.position();
         if !fits {
-            let what = format!("{word} wants {wanted} for the {name}, and this is {}", type_name(value.type_name()));
-            return self.say(position, 1, what, None);
+            let [word, parameter, wanted, found] =
+                [word, name, wanted, type_name(value.type_name())].map(str::to_owned);
+            return self.say(position, 1, ScriptMessage::ValueType { word, parameter, wanted, found });
         }
         if let Some(number) = number.filter(|number| kind == Kind::Seconds && *number <= 0.0) {
-            return self.say(
-                position,
-                1,
-                format!("nothing lasts {number} seconds"),
-                Some("say how many, above 0".into()),
-            );
+            return self.say(position, 1, ScriptMessage::Duration { duration_s: number });
         }
         let Ok(text) = value.into_string() else { return };
         self.name(kind, &text, position);
@@ -241,16 +230,14 @@ impl Check<'_> {
             Kind::Thing => ("thing", &self.names.things),
             Kind::Room => ("room", &self.names.rooms),
             Kind::Manner if Manner::named(text).is_none() => {
-                let hint = unknown_name("manner", text, Manner::names()).1;
-                return self.say(position, width, format!("there is no manner {text:?}"), Some(hint));
+                return self.say(position, width, unknown_manner(text));
             }
             _ => return,
         };
         if known.iter().any(|known| known.to_lowercase() == text.to_lowercase()) {
             return;
         }
-        let (what, hint) = unknown_name(noun, text, known.iter().map(String::as_str));
-        self.say(position, width, what, Some(hint));
+        self.say(position, width, unknown_name(noun, text, known.iter().map(String::as_str)));
     }
 }
 

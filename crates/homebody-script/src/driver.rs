@@ -9,6 +9,7 @@
 
 use crate::cast::Cast;
 use crate::engine::{counted, to_step};
+use crate::messages::ScriptMessage;
 use crate::moment::{Around, Moment, Other, Streams};
 use crate::program::Program;
 use crate::step::Step;
@@ -204,8 +205,7 @@ impl ScriptDriver {
     ) -> Result<Dynamic, String> {
         self.idle += 1;
         if self.idle > MOST_DECISIONS {
-            let what = format!("the script runs away: {MOST_DECISIONS} decisions in a row take no time");
-            return Err(self.program.at_next(&what, "answer with a step that takes time, such as wait(60)"));
+            return Err(self.program.at_next(ScriptMessage::NoTime { most: MOST_DECISIONS }));
         }
         let place = self.body.spot().filter(|spot| self.is_at(spot)).map_or("", |spot| spot.name.as_str());
         let streams = std::mem::take(&mut self.streams);
@@ -224,9 +224,7 @@ impl ScriptDriver {
         }
         self.spent.1 += operations + OPERATIONS_OF_ASKING;
         if self.spent.1 > MOST_OPERATIONS_AN_HOUR {
-            let what =
-                format!("the script runs away: it takes more than {MOST_OPERATIONS_AN_HOUR} operations in an hour");
-            return Err(program.at_next(&what, "decide less often, or with less work each time"));
+            return Err(program.at_next(ScriptMessage::SlowHour { most: MOST_OPERATIONS_AN_HOUR }));
         }
         answer
     }
@@ -320,8 +318,7 @@ impl ScriptDriver {
         if self.steps.len() <= MOST_STEPS {
             return Ok(());
         }
-        let what = format!("more than {MOST_STEPS} steps are to be done");
-        Err(self.program.at_next(&what, "answer with what comes next; the rest can be decided later"))
+        Err(self.program.at_next(ScriptMessage::TooManySteps { most: MOST_STEPS }))
     }
 
     /// Begins a step.
@@ -369,10 +366,12 @@ impl ScriptDriver {
                     Step::Go(spot) => spot.clone(),
                     Step::ComeHome => self.front_door()?,
                     Step::GoTo(at) if self.cast.mesh.is_free(*at) => Spot::to_stand(*at, 0),
-                    _ => self.cast.places.of(Role::Armchair).cloned().ok_or_else(|| {
-                        let what = "the home has no place to begin at";
-                        self.program.at_next(what, "answer with go(..) first: where it leads, the run begins")
-                    })?,
+                    _ => self
+                        .cast
+                        .places
+                        .of(Role::Armchair)
+                        .cloned()
+                        .ok_or_else(|| self.program.at_next(ScriptMessage::NoStart))?,
                 };
                 let posture = spot.posture;
                 self.body.place(spot, posture);
@@ -398,10 +397,7 @@ impl ScriptDriver {
 
     fn front_door(&self) -> Result<Spot, String> {
         let door = self.cast.places.of(Role::FrontDoor).cloned();
-        door.ok_or_else(|| {
-            let hint = "give one of its doors \"outside\": true";
-            self.program.at_next("the home has no front door to leave by", hint)
-        })
+        door.ok_or_else(|| self.program.at_next(ScriptMessage::NoFrontDoor))
     }
 
     /// What is done at the front door by who goes in or out.
@@ -415,10 +411,9 @@ impl ScriptDriver {
     fn walk(&mut self, step: Step, now: Micros) -> Result<(), String> {
         let hour = self.cast.hour(now);
         let moves = match &step {
-            Step::Go(spot) => self.go(spot, hour, now).ok_or_else(|| {
-                let what = format!("no way leads to {:?}", spot.name);
-                self.program.at_next(&what, "around.can_reach(..) says where a way leads")
-            })?,
+            Step::Go(spot) => self
+                .go(spot, hour, now)
+                .ok_or_else(|| self.program.at_next(ScriptMessage::NoWay { place: spot.name.clone() }))?,
             Step::GoTo(at) => {
                 let room = self.cast.home.plan.room_at(*at);
                 let moves = room.and_then(|room| self.go(&Spot::to_stand(*at, room), hour, now));

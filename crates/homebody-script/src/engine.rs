@@ -3,6 +3,7 @@
 //! It has no clock, no files, no other scripts and no chance but that of named streams. Sines and powers of the platform are
 //! left out, since machines differ in their last digits. All that a script can fill or spend has an end.
 
+use crate::messages::ScriptMessage;
 use crate::moment::{Around, Moment, Wrong, manner, number, span, type_name, wrong};
 use crate::step::Step;
 use crate::vocabulary;
@@ -121,12 +122,12 @@ fn engine() -> Engine {
 
 /// The moment that a script is asked at.
 fn around(tag: &Dynamic) -> Result<Around, Wrong> {
-    tag.clone().try_cast::<Around>().ok_or_else(|| wrong("this is said outside of a function that is asked"))
+    tag.clone().try_cast::<Around>().ok_or_else(|| wrong(ScriptMessage::NotAsked))
 }
 
 /// Does something with the moment of a call.
 fn with<T>(context: &NativeCallContext, act: impl FnOnce(&mut Moment) -> Result<T, Wrong>) -> Result<T, Wrong> {
-    let tag = context.tag().ok_or_else(|| wrong("this is said outside of a function that is asked"))?;
+    let tag = context.tag().ok_or_else(|| wrong(ScriptMessage::NotAsked))?;
     act(&mut around(tag)?.moment())
 }
 
@@ -149,9 +150,9 @@ fn steps_of_places(engine: &mut Engine) {
         })
         .register_fn("stand", || Step::Stand)
         .register_fn("step", |degrees: Dynamic, metres: Dynamic| -> Said {
-            let (degrees, metres) = (number(&degrees, "the direction")?, number(&metres, "how far one steps")?);
+            let (degrees, metres) = (number(&degrees, "the direction")?, number(&metres, "the distance")?);
             if metres <= 0.0 {
-                return Err(wrong(format!("nobody steps {metres} metres\n  hint: turn round: add 180 degrees")));
+                return Err(wrong(ScriptMessage::NegativeStep { distance_m: metres }));
             }
             Ok(Step::Straight { degrees, metres: metres.min(crate::moment::LOOKS_M) })
         });
@@ -209,8 +210,7 @@ pub fn to_step(answer: Dynamic) -> Said {
     if let Ok(list) = answer.into_array() {
         return Ok(Step::All(list.into_iter().map(to_step).collect::<Result<_, _>>()?));
     }
-    let hint = "answer with a step, such as wait(60), or with a list of steps";
-    Err(wrong(format!("the answer is {}, and no step\n  hint: {hint}", type_name(of))))
+    Err(wrong(ScriptMessage::NotAStep { found: type_name(of).to_owned() }))
 }
 
 fn chance(engine: &mut Engine) {
@@ -221,7 +221,7 @@ fn chance(engine: &mut Engine) {
         .register_fn(
             "random",
             |context: NativeCallContext, stream: &str, least: Dynamic, most: Dynamic| -> Result<f64, Wrong> {
-                let (least, most) = (number(&least, "the least")?, number(&most, "the most")?);
+                let (least, most) = (number(&least, "the lower limit")?, number(&most, "the upper limit")?);
                 with(&context, |moment| Ok(moment.stream(stream)?.between(least, most)))
             },
         )
@@ -234,7 +234,7 @@ fn chance(engine: &mut Engine) {
         )
         .register_fn("pick", |context: NativeCallContext, stream: &str, list: Array| -> Result<Dynamic, Wrong> {
             if list.is_empty() {
-                return Err(wrong("there is nothing to pick from in an empty list"));
+                return Err(wrong(ScriptMessage::EmptyList));
             }
             let index = with(&context, |moment| Ok(moment.stream(stream)?.pick(&vec![1.0; list.len()])))?;
             Ok(list[index].clone())
@@ -244,10 +244,10 @@ fn chance(engine: &mut Engine) {
 /// With libm, whose sines are the same everywhere.
 fn numbers(engine: &mut Engine) {
     let of = |function: fn(f64) -> f64| {
-        move |value: Dynamic| -> Result<f64, Wrong> { Ok(function(number(&value, "what is asked for")?)) }
+        move |value: Dynamic| -> Result<f64, Wrong> { Ok(function(number(&value, "the value")?)) }
     };
     let whole = |function: fn(f64) -> f64| {
-        move |value: Dynamic| -> Result<i64, Wrong> { Ok(function(number(&value, "what is asked for")?) as i64) }
+        move |value: Dynamic| -> Result<i64, Wrong> { Ok(function(number(&value, "the value")?) as i64) }
     };
     engine
         .register_fn("sin", of(|degrees| libm::sin(degrees.to_radians())))

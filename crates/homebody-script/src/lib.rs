@@ -19,6 +19,7 @@ mod names;
 mod moment;
 mod engine;
 mod check;
+mod messages;
 mod program;
 
 // Who lives by it.
@@ -27,5 +28,6 @@ mod driver;
 pub use cast::Cast;
 pub use driver::ScriptDriver;
 pub use engine::{known_words, standard_functions};
+pub use messages::ScriptMessage;
 pub use names::Names;
 pub use program::Program;

@@ -1,10 +1,12 @@
 //! What a script is asked with: its surroundings at an instant, and the streams that it draws from.
 
 use crate::cast::Cast;
+use crate::messages::ScriptMessage;
 use crate::step::Step;
 use homebody_core::drivers::Surroundings;
 use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;
+use homebody_core::problem::Diagnostic;
 use homebody_core::random::Stream;
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::scenario::path::Posture;
@@ -36,9 +38,9 @@ pub type Constants = Arc<BTreeMap<String, Dynamic>>;
 /// A message of ours, raised where the script called.
 pub type Wrong = Box<EvalAltResult>;
 
-/// What went wrong, with a hint, to be told with the place of the call.
-pub fn wrong(what: impl Into<String>) -> Wrong {
-    EvalAltResult::ErrorRuntime(Dynamic::from(what.into()), Position::NONE).into()
+/// An error of Rhai that carries a message; the place of the call is added later.
+pub fn wrong(message: ScriptMessage) -> Wrong {
+    EvalAltResult::ErrorRuntime(Dynamic::from(Diagnostic::from(message)), Position::NONE).into()
 }
 
 /// `around` as scripts have it. Copies are the same moment, which is over once the script has decided.
@@ -203,8 +205,7 @@ impl Moment {
     pub fn seat(&self, name: &str, posture: Posture) -> Result<Step, Wrong> {
         let spot = self.spot(name)?;
         if spot.posture == Posture::Standing {
-            let hint = "sit and lie want a piece of furniture that is `enterable`; go(..) stands beside others";
-            return Err(wrong(format!("nobody can {} at {name:?}\n  hint: {hint}", verb(posture))));
+            return Err(wrong(ScriptMessage::NotASeat { verb: verb(posture).to_owned(), place: name.to_owned() }));
         }
         Ok(Step::Go(Spot { posture, ..spot }))
     }
@@ -232,15 +233,11 @@ impl Moment {
 
     /// A stream of the script's own, which no other resident and no sensor draws from.
     pub fn stream(&mut self, name: &str) -> Result<&mut Stream, Wrong> {
-        if !self.streams.contains_key(name) {
-            if self.streams.len() >= MOST_STREAMS {
-                let hint = "name streams by what they are for, not by numbers";
-                return Err(wrong(format!("it draws from more than {MOST_STREAMS} streams\n  hint: {hint}")));
-            }
-            let stream = self.cast.stream(name);
-            self.streams.insert(name.into(), stream);
+        if self.streams.len() >= MOST_STREAMS && !self.streams.contains_key(name) {
+            return Err(wrong(ScriptMessage::TooManyStreams { most: MOST_STREAMS }));
         }
-        self.streams.get_mut(name).ok_or_else(|| wrong("there is no such stream"))
+        let cast = &self.cast;
+        Ok(self.streams.entry(name.into()).or_insert_with(|| cast.stream(name)))
     }
 }
 
@@ -250,51 +247,57 @@ fn verb(posture: Posture) -> &'static str {
 
 /// What is said of a name that there is none of.
 pub fn unknown<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> Wrong {
-    let (what, hint) = unknown_name(noun, name, known);
-    wrong(format!("{what}\n  hint: {hint}"))
+    wrong(unknown_name(noun, name, known))
 }
 
-/// The same as what is wrong, and a hint.
-pub fn unknown_name<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> (String, String) {
+/// The same as a message.
+pub fn unknown_name<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a str>) -> ScriptMessage {
+    ScriptMessage::UnknownName { noun: noun.to_owned(), name: name.to_owned(), help: nearest_or_all(name, known) }
+}
+
+/// The nearest known name, or some of all names.
+fn nearest_or_all<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
     /// Largest number of names in a list (our choice).
     const LISTED: usize = 12;
     let known: Vec<&str> = known.collect();
-    let hint = match nearest(name, known.iter().copied()) {
+    match nearest(name, known.iter().copied()) {
         Some(near) => format!("did you mean {near:?}?"),
         None => {
             let more = if known.len() > LISTED { " and more" } else { "" };
             format!("there are {}{more}", known.iter().take(LISTED).copied().collect::<Vec<_>>().join(", "))
         }
-    };
-    (format!("the home has no {noun} {name:?}"), hint)
+    }
 }
 
 /// A number as a script wrote it, whole or not.
 pub fn number(value: &Dynamic, what: &str) -> Result<f64, Wrong> {
     let number = value.as_float().or_else(|_| value.as_int().map(|whole| whole as f64));
-    let number = number.map_err(|of| wrong(format!("{what} is a number, and not a {}", type_name(of))))?;
-    if number.is_finite() {
-        Ok(number)
-    } else {
-        Err(wrong(format!("{what} is {number}, which is no number to live by")))
+    let value = || what.to_owned();
+    let number =
+        number.map_err(|of| wrong(ScriptMessage::NotANumber { value: value(), found: type_name(of).to_owned() }))?;
+    match number.is_finite() {
+        true => Ok(number),
+        false => Err(wrong(ScriptMessage::NotFinite { value: value(), number: number.to_string() })),
     }
 }
 
 /// A span as a script wrote it, in seconds.
 pub fn span(value: &Dynamic) -> Result<Micros, Wrong> {
-    let seconds = number(value, "how long it lasts")?;
+    let seconds = number(value, "the duration")?;
     if seconds <= 0.0 {
-        return Err(wrong(format!("nothing lasts {seconds} seconds\n  hint: say how many, above 0")));
+        return Err(wrong(ScriptMessage::Duration { duration_s: seconds }));
     }
     Ok(micros(seconds.clamp(SHORTEST_S, LONGEST_S)))
 }
 
 /// The manner of a name.
 pub fn manner(name: &str) -> Result<Manner, Wrong> {
-    Manner::named(name).ok_or_else(|| {
-        let (_, hint) = unknown_name("manner", name, Manner::names());
-        wrong(format!("there is no manner {name:?}\n  hint: {hint}"))
-    })
+    Manner::named(name).ok_or_else(|| wrong(unknown_manner(name)))
+}
+
+/// The message about a manner with an unknown name.
+pub fn unknown_manner(name: &str) -> ScriptMessage {
+    ScriptMessage::UnknownManner { name: name.to_owned(), help: nearest_or_all(name, Manner::names()) }
 }
 
 /// What people call a type of Rhai.

@@ -2,9 +2,10 @@
 
 use crate::check;
 use crate::engine::ENGINE;
+use crate::messages::ScriptMessage;
 use crate::moment::{Around, Constants};
 use crate::names::{BEGIN, NEXT, NOTICE, Names};
-use homebody_core::problem::{Excerpt, Problem, readable};
+use homebody_core::problem::{Diagnostic, Excerpt, Problem, readable};
 use rhai::{AST, CallFnOptions, Dynamic, EvalAltResult, Map, ParseErrorType, Position, Scope};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -26,15 +27,14 @@ impl Program {
     ///
     /// The problems of the text, each with its place.
     pub fn read(file: &str, text: &str, names: &Names) -> Result<Program, Vec<Problem>> {
-        let at = |position, what: String, hint| problem(file, text, position, 1, what, hint);
+        let at = |position, message: Diagnostic| problem(file, text, position, 1, message);
         let ast = match ENGINE.compile(text) {
             Ok(ast) => ast,
             Err(error) => {
-                let (what, hint) = misspelt(error.err_type());
-                return Err(vec![at(error.position(), what, hint)]);
+                return Err(vec![at(error.position(), misspelt(error.err_type()).into())]);
             }
         };
-        let mut report = |position, width, what, hint| problem(file, text, position, width, what, hint);
+        let mut report = |position, width, message: ScriptMessage| problem(file, text, position, width, message.into());
         let stray = check::stray(&ast, &mut report);
         if !stray.is_empty() {
             return Err(stray);
@@ -42,8 +42,8 @@ impl Program {
         let constants = match constants(&ast) {
             Ok(constants) => constants,
             Err(error) => {
-                let (position, what, hint) = told(*error);
-                return Err(vec![at(position, what, hint)]);
+                let (position, message) = told(*error);
+                return Err(vec![at(position, message)]);
             }
         };
         let mut problems = check::check(&ast, &constants, names, &mut report);
@@ -73,11 +73,7 @@ impl Program {
         let options = CallFnOptions::new().eval_ast(false).with_tag(around.clone());
         let memory = ENGINE.call_fn_with_options::<Dynamic>(options, &mut Scope::new(), &self.ast, BEGIN, ());
         let memory = memory.map_err(|error| self.why(*error))?;
-        if memory.is_map() {
-            Ok(memory)
-        } else {
-            Err(self.at_function(BEGIN, "begin() gives a map, such as #{ rounds: 0 }"))
-        }
+        if memory.is_map() { Ok(memory) } else { Err(self.at_function(BEGIN, ScriptMessage::NotAMap)) }
     }
 
     /// The answer to what comes next.
@@ -99,25 +95,24 @@ impl Program {
 
     /// An error of a run, in words with its place.
     pub(crate) fn why(&self, error: EvalAltResult) -> String {
-        let (position, what, hint) = told(error);
+        let (position, message) = told(error);
         let position = if position.is_none() { self.function(NEXT) } else { position };
-        shown(&problem(&self.file, &self.text, position, 1, what, hint))
+        shown(&problem(&self.file, &self.text, position, 1, message))
     }
 
     /// What is wrong with the answer of `next`.
     pub(crate) fn answered(&self, error: EvalAltResult) -> String {
-        let (_, what, hint) = told(error);
-        let position = self.function(NEXT);
-        shown(&problem(&self.file, &self.text, position, 1, what, hint))
+        let (_, message) = told(error);
+        shown(&problem(&self.file, &self.text, self.function(NEXT), 1, message))
     }
 
     /// What is wrong with all of the decisions rather than with a line.
-    pub(crate) fn at_next(&self, what: &str, hint: &str) -> String {
-        shown(&problem(&self.file, &self.text, self.function(NEXT), 1, what.into(), Some(hint.into())))
+    pub(crate) fn at_next(&self, message: ScriptMessage) -> String {
+        self.at_function(NEXT, message)
     }
 
-    fn at_function(&self, name: &str, what: &str) -> String {
-        shown(&problem(&self.file, &self.text, self.function(name), 1, what.into(), None))
+    fn at_function(&self, name: &str, message: ScriptMessage) -> String {
+        shown(&problem(&self.file, &self.text, self.function(name), 1, message.into()))
     }
 
     /// Where a function of the script begins.
@@ -142,8 +137,8 @@ fn constants(ast: &AST) -> Result<BTreeMap<String, Dynamic>, Box<EvalAltResult>>
 }
 
 /// A problem at a place of a script.
-fn problem(file: &str, text: &str, position: Position, width: usize, what: String, hint: Option<String>) -> Problem {
-    let problem = Problem::of_file(file, what, hint);
+fn problem(file: &str, text: &str, position: Position, width: usize, message: Diagnostic) -> Problem {
+    let problem = Problem::of_file(file, message, None);
     let Some(line) = position.line() else { return problem };
     let column = position.position().unwrap_or(1);
     let said = text.lines().nth(line - 1).unwrap_or_default();
@@ -152,71 +147,62 @@ fn problem(file: &str, text: &str, position: Position, width: usize, what: Strin
     Problem { line: line as u32, column: column as u32, excerpt, ..problem }
 }
 
-/// A problem as it is told in the middle of a run.
+/// A problem in the middle of a run as text: its place, its code, its words and its hint.
 fn shown(problem: &Problem) -> String {
-    readable(problem.to_string())
+    let place = match problem.line {
+        0 => problem.file.clone(),
+        line => format!("{}:{line}:{}", problem.file, problem.column),
+    };
+    readable(format!("{place}: {}{}", problem.label(), problem.text()))
 }
 
-/// What is wrong with a text that is no script.
-fn misspelt(error: &ParseErrorType) -> (String, Option<String>) {
+/// The message about a text with a syntax error.
+fn misspelt(error: &ParseErrorType) -> ScriptMessage {
     let text = error.to_string();
-    let hint = if text.contains("eval") {
-        Some("say what is meant where it is meant: there is no eval".into())
-    } else if text.contains("**") {
-        Some("multiply instead: there is no **".into())
-    } else {
-        None
+    let help = match () {
+        () if text.contains("eval") => Some("write the statements themselves: there is no eval".to_owned()),
+        () if text.contains("**") => Some("multiply instead: there is no **".to_owned()),
+        () => None,
     };
     let mut letters = text.chars();
     let first = letters.next().map(|letter| letter.to_lowercase().to_string()).unwrap_or_default();
-    (format!("this is no script: {first}{}", letters.as_str()), hint)
+    ScriptMessage::Syntax { what: format!("{first}{}", letters.as_str()), help }
 }
 
-/// Where an error was raised, what it says, and what can be done.
-fn told(error: EvalAltResult) -> (Position, String, Option<String>) {
+/// The place of an error, and its message.
+fn told(error: EvalAltResult) -> (Position, Diagnostic) {
     use EvalAltResult as Raised;
     let position = error.position();
-    match error {
+    let message = match error {
         Raised::ErrorInFunctionCall(_, _, inner, at) => {
-            let (position, what, hint) = told(*inner);
-            (if position.is_none() { at } else { position }, what, hint)
+            let (position, message) = told(*inner);
+            return (if position.is_none() { at } else { position }, message);
         }
         Raised::ErrorRuntime(value, _) => {
-            let text = value.into_string().unwrap_or_else(|of| format!("it throws a value of the type {of}"));
-            match text.split_once("\n  hint: ") {
-                Some((what, hint)) => (position, what.into(), Some(hint.into())),
-                None => (position, text, None),
+            if let Some(message) = value.clone().try_cast::<Diagnostic>() {
+                return (position, message);
             }
+            let what = value.into_string().unwrap_or_else(|of| format!("it throws a value of the type {of}"));
+            ScriptMessage::Failed { what }
         }
         Raised::ErrorTooManyOperations(_) | Raised::ErrorTerminated(..) => {
-            let most = crate::engine::MOST_OPERATIONS;
-            let hint = "end its loop, or spread the work over several decisions";
-            (
-                position,
-                format!("the script runs away: it takes more than {most} operations to decide"),
-                Some(hint.into()),
-            )
+            ScriptMessage::SlowDecision { most: crate::engine::MOST_OPERATIONS }
         }
-        Raised::ErrorStackOverflow(_) => {
-            (position, "functions call each other too deep".into(), Some("let one of them end".into()))
-        }
-        Raised::ErrorPropertyNotFound(name, _) => {
-            let hint = "give it a value in fn begin(), such as #{ rounds: 0 }";
-            (position, format!("nothing is remembered as {name}"), Some(hint.into()))
-        }
-        Raised::ErrorVariableNotFound(name, _) => (position, format!("there is no variable {name}"), None),
+        Raised::ErrorStackOverflow(_) => ScriptMessage::DeepCalls,
+        Raised::ErrorPropertyNotFound(name, _) => ScriptMessage::NotRemembered { name },
+        Raised::ErrorVariableNotFound(name, _) => ScriptMessage::UnknownVariable { name, near: None },
         Raised::ErrorFunctionNotFound(signature, _) if signature.contains("()") => {
-            let what = format!("a value is missing in {signature}: () is nothing");
-            (position, what, Some("give what is remembered a value in fn begin(), such as #{ rounds: 0 }".into()))
+            ScriptMessage::MissingValue { signature }
         }
-        Raised::ErrorFunctionNotFound(signature, _) => (position, format!("there is no function {signature}"), None),
+        Raised::ErrorFunctionNotFound(name, _) => ScriptMessage::UnknownFunction { name, help: None },
         mut other => {
             other.clear_position();
-            let mut text = other.to_string();
-            if let Some(first) = text.get(..1) {
-                text = first.to_lowercase() + &text[1..];
+            let mut what = other.to_string();
+            if let Some(first) = what.get(..1) {
+                what = first.to_lowercase() + &what[1..];
             }
-            (position, text, None)
+            ScriptMessage::Failed { what }
         }
-    }
+    };
+    (position, message.into())
 }

@@ -105,12 +105,17 @@ impl From<Error> for Failure {
     fn from(error: Error) -> Failure {
         match error {
             Error::Problems(problems) => Failure::Problems(problems),
+            Error::Unbeginnable(mut problems) | Error::Fleet(mut problems) => match problems.0.pop() {
+                Some(only) if problems.0.is_empty() => Failure::asked(only),
+                last => Failure::Problems(Problems(problems.0.into_iter().chain(last).collect())),
+            },
             Error::Log(error) => match error.0.downcast::<LogError>() {
                 Ok(error) => (*error).into(),
                 Err(error) => Failure::Io(error.to_string()),
             },
             Error::NoRows { .. }
             | Error::File { .. }
+            | Error::Unreadable(_)
             | Error::Exists { .. }
             | Error::StoppedAway { .. }
             | Error::NoLog { .. }

@@ -7,6 +7,7 @@ pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
     [
         homebody_core::catalogue::MESSAGES,
         homebody_log::catalogue::MESSAGES,
+        homebody_routine::catalogue::MESSAGES,
         homebody_kit::catalogue::MESSAGES,
         &[ExplainMessage::ENTRIES],
     ]

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::print::tell;
-use homebody_kit::pace::{Command, NotUnderstood, Pace, Speed};
+use homebody_kit::pace::{Command, Pace, PaceMessage, Speed};
 use homebody_log::error::no_thread;
 use std::io::{self, BufRead, Read};
 use std::sync::mpsc::{Receiver, sync_channel};
@@ -51,7 +51,7 @@ impl Asked {
         let listen = move || {
             let mut input = std::io::stdin().lock();
             while let Ok(Some(line)) = next_line(&mut input) {
-                match line.and_then(|line| line.parse().map_err(|error: NotUnderstood| error.to_string())) {
+                match line.and_then(|line| line.parse().map_err(|error: PaceMessage| error.to_string())) {
                     Ok(command) if sender.send(command).is_err() => break,
                     Ok(_) => {}
                     Err(error) => tell(error),

@@ -1,6 +1,7 @@
 //! What a log and a table of its sensors tell of a home, for a schematic one to be made.
 
 use super::inhabited::{Begun, Inhabited, inhabited};
+use super::messages::NewMessage;
 use super::sensor_table::Row;
 use super::traced::Traced;
 use crate::error::Error;
@@ -9,7 +10,7 @@ use homebody_analysis::dates::written;
 use homebody_analysis::signs::Kind;
 use homebody_analysis::walks::{Speaker, Walks, walks};
 use homebody_core::geometry::Point;
-use homebody_core::problem::counted;
+use homebody_core::problem::{Problems, counted};
 use homebody_core::time::DAY;
 use homebody_import::from_log::{LogSensor, LogWay, Schematic, Speaks, schematic};
 use homebody_log::SensorInfo;
@@ -59,7 +60,10 @@ pub fn of_log(name: &str, given: &GivenLog) -> Result<OfLog, Error> {
     let about =
         format!("Schematic: made of what the log {} tells, and of what its sensors are called. {ABOUT}", given.file);
     let home = schematic(name, &about, &sensors, &ways);
-    let home = home.map_err(|error| Error::Unbeginnable(format!("{}: {error}", given.named).into()))?;
+    let home = home.map_err(|error| {
+        let message = NewMessage::NoHome { log: given.named.to_owned(), why: error.to_string() };
+        Error::Unbeginnable(Problems(vec![message.into()]))
+    })?;
     let lived = inhabit(name, given, &home)?;
     remarks.extend(home.remarks);
     Ok(OfLog { lived, remarks })
@@ -114,7 +118,8 @@ fn told(
         };
         let at = match (row.and_then(|row| row.at), picture) {
             (Some(pixel), Some(picture)) if !picture.has(pixel) => {
-                problems.push(format!("the sensor {:?} is not on the picture: {}, {}", speaker.id, pixel[0], pixel[1]));
+                let sensor = speaker.id.clone();
+                problems.push(NewMessage::OffPicture { sensor, x_px: pixel[0], y_px: pixel[1] }.into());
                 None
             }
             (Some(pixel), Some(picture)) => Some(picture.at(pixel)),
@@ -134,18 +139,16 @@ fn told(
         });
     }
     if picture.is_some() && sensors.iter().all(|sensor| sensor.at.is_none()) {
-        problems.push(
-            "no sensor has a place on the picture\n  hint: give x and y of each, in pixels: --sensors FILE".into(),
-        );
+        problems.push(NewMessage::NothingOnPicture.into());
     }
     let is_heard = |id: &String| walks.sensors.iter().any(|speaker| speaker.id == *id);
     let unheard: Vec<&str> = table.keys().filter(|id| !is_heard(id)).map(String::as_str).collect();
     if !table.is_empty() && unheard.len() == table.len() {
-        let ids: Vec<&str> = walks.sensors.iter().take(5).map(|speaker| speaker.id.as_str()).collect();
-        problems.push(format!("none of the table's sensors is in the log\n  hint: the log has {}", ids.join(", ")));
+        let ids = walks.sensors.iter().take(5).map(|speaker| speaker.id.clone()).collect();
+        problems.push(NewMessage::OtherLog { ids }.into());
     }
     if !problems.is_empty() {
-        return Err(Error::Unbeginnable(problems.join("\nerror: ").into()));
+        return Err(Error::Unbeginnable(Problems(problems)));
     }
     let mut remarks = Vec::new();
     if !left_out.is_empty() {

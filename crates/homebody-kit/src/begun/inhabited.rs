@@ -4,7 +4,7 @@ use super::Texts;
 use crate::error::Error;
 use homebody_core::geometry::{self, Point};
 use homebody_core::home::plan::Plan;
-use homebody_core::problem::Problems;
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::load::Scenario;
 use homebody_routine::household::Household;
 use serde_json::json;
@@ -72,11 +72,7 @@ pub fn inhabited(begun: &Begun) -> Result<Inhabited, Error> {
 /// The problems that an ordinary life has in the home of a scenario that begins, a sentence and a hint each.
 pub fn lack(begun: &Begun) -> Vec<String> {
     let Err(Problems(problems)) = load(&lived_in(begun)) else { return Vec::new() };
-    let lack = problems.into_iter().map(|problem| match problem.hint {
-        Some(hint) => format!("{}\n  hint: {hint}", problem.what),
-        None => problem.what,
-    });
-    lack.collect()
+    problems.iter().map(Problem::text).collect()
 }
 
 /// The files of a scenario in whose home somebody lives an ordinary life, as soon as it has what that needs.

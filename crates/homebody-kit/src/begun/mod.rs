@@ -4,6 +4,7 @@ mod empty;
 mod from_log;
 mod furnished;
 mod inhabited;
+mod messages;
 mod sensor_table;
 mod traced;
 
@@ -11,6 +12,7 @@ pub use empty::empty;
 pub use from_log::{GivenLog, OfLog, of_log};
 pub use furnished::furnish;
 pub use inhabited::{Begun, Inhabited, inhabited, lack, lived_in};
+pub use messages::NewMessage;
 pub use sensor_table::{Row, read_table};
 pub use traced::{Known, Traced};
 

@@ -1,7 +1,9 @@
 //! A table of where somebody says that the sensors of a home are.
 
+use super::messages::NewMessage;
 use crate::error::Error;
 use homebody_analysis::signs::kind_in_home;
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::sensed::meaning;
 use homebody_log::plain;
@@ -54,15 +56,8 @@ pub fn read_table(path: &Path) -> Result<BTreeMap<String, Row>, Error> {
     let place = |names: &[&str]| names.iter().find_map(|name| header.iter().position(|cell| cell == name));
     let [id, room, place, kind, x, y] = COLUMNS.map(|(_, names)| place(names));
     let Some(id) = id else {
-        let near = header
-            .iter()
-            .find_map(|cell| nearest(cell, ["id"]))
-            .map_or_else(String::new, |near| format!("; did you mean {near}?"));
-        let what = format!(
-            "{}:1: there is no column id{near}\n  hint: its first line names the columns: id, room, place, x, y",
-            path.display()
-        );
-        return Err(Error::Unbeginnable(what.into()));
+        let near = header.iter().find(|cell| nearest(cell, ["id"]).is_some()).cloned();
+        return Err(Error::Unbeginnable(Problems(vec![at_line(path, 1, NewMessage::NoIdColumn { near })])));
     };
     let (mut rows, mut problems) = (BTreeMap::<String, Row>::new(), Vec::new());
     for record in reader.byte_records() {
@@ -72,29 +67,26 @@ pub fn read_table(path: &Path) -> Result<BTreeMap<String, Row>, Error> {
             let text = String::from_utf8_lossy(record.get(column?)?).into_owned();
             (!text.is_empty()).then_some(text)
         };
-        let mut wrong = |what: String| problems.push(format!("{}:{line}: {what}", path.display()));
+        let mut wrong = |message: NewMessage| problems.push(at_line(path, line, message));
         let Some(id) = text(Some(id)) else {
-            wrong("the row has no id".into());
+            wrong(NewMessage::NoId);
             continue;
         };
         let kind = text(kind).map(|kind| kind.to_lowercase());
         if let Some(kind) = kind.as_deref().filter(|kind| !is_known(kind)) {
-            wrong(format!(
-                "{kind:?} is no kind of sensors that a home is made with: write one of {}",
-                KINDS.join(", ")
-            ));
+            wrong(NewMessage::Kind { kind: kind.into(), known: KINDS.map(String::from).into() });
         }
-        let number = |text: Option<String>, wrong: &mut dyn FnMut(String)| {
+        let number = |text: Option<String>, wrong: &mut dyn FnMut(NewMessage)| {
             let text = text?;
             let number = text.parse().ok().filter(|number: &f64| number.is_finite());
             if number.is_none() {
-                wrong(format!("{text:?} is no number"));
+                wrong(NewMessage::Coordinate { text });
             }
             number
         };
         let (has_x, has_y) = (text(x).is_some(), text(y).is_some());
         if has_x != has_y {
-            wrong(format!("{id:?} has one of x and y"));
+            wrong(NewMessage::HalfPlace { sensor: id.clone() });
         }
         let at = [number(text(x), &mut wrong), number(text(y), &mut wrong)];
         let at = if let [Some(x), Some(y)] = at { Some([x, y]) } else { None };
@@ -106,13 +98,20 @@ pub fn read_table(path: &Path) -> Result<BTreeMap<String, Row>, Error> {
             at,
         };
         if let Some(first) = rows.insert(id.clone(), row) {
-            problems.push(format!("{}:{line}: the sensor {id:?} is in line {}, too", path.display(), first.line));
+            let message = NewMessage::SameSensor { sensor: id, first_line: first.line };
+            problems.push(at_line(path, line, message));
         }
     }
     match problems.is_empty() {
         true => Ok(rows),
-        false => Err(Error::Unbeginnable(problems.join("\nerror: ").into())),
+        false => Err(Error::Unbeginnable(Problems(problems))),
     }
+}
+
+/// A problem with a line of the table.
+fn at_line(path: &Path, line: u64, message: NewMessage) -> Problem {
+    let line = u32::try_from(line).unwrap_or(u32::MAX);
+    Problem { line, column: 1, ..Problem::of_file(&path.display().to_string(), message, None) }
 }
 
 fn is_known(kind: &str) -> bool {

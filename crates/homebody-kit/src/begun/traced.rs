@@ -1,7 +1,9 @@
 //! A picture of a plan, and where on it the home is.
 
+use super::messages::NewMessage;
 use crate::error::Error;
 use homebody_core::geometry::Point;
+use homebody_core::problem::{Problem, Problems};
 use homebody_log::plain;
 use serde_json::json;
 use std::path::Path;
@@ -18,17 +20,17 @@ pub struct Known {
 }
 
 impl FromStr for Known {
-    type Err = String;
+    type Err = NewMessage;
 
     /// `120,340=0,0`.
-    fn from_str(text: &str) -> Result<Known, String> {
+    fn from_str(text: &str) -> Result<Known, NewMessage> {
         let point = |text: &str| {
             let (x, y) = text.split_once(',')?;
             let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.is_finite());
             Some(Point::new(number(x)?, number(y)?))
         };
         let known = text.split_once('=').and_then(|(pixel, at)| Some(Known { pixel: point(pixel)?, at: point(at)? }));
-        known.ok_or_else(|| "write pixels and metres, such as 120,340=0,0".to_owned())
+        known.ok_or_else(|| NewMessage::KnownPoint { text: text.to_owned() })
     }
 }
 
@@ -54,23 +56,17 @@ impl Traced {
     pub fn read(path: &Path, known: &[Known]) -> Result<Traced, Error> {
         let bytes = plain::read(path, LARGEST_BYTES).map_err(|error| Error::io(path, error))?;
         let (file, size) = size(&bytes).ok_or_else(|| {
-            Error::Unbeginnable(
-                format!("{}: it is no picture in PNG or JPEG\n  hint: save the plan as PNG", path.display()).into(),
-            )
+            let problem = Problem::of_file(&path.display().to_string(), NewMessage::NotAPicture, None);
+            Error::Unbeginnable(Problems(vec![problem]))
         })?;
+        let unlike = |message: NewMessage| Error::Unbeginnable(Problems(vec![message.into()]));
         let &[first, second] = known else {
-            let what = format!(
-                "{} of two known points are given\n  hint: --known 120,340=0,0 --known 900,340=8.5,0 says where two points of the picture are, in pixels and in metres",
-                known.len()
-            );
-            return Err(Error::Unbeginnable(what.into()));
+            return Err(unlike(NewMessage::KnownPoints { points: known.len() }));
         };
         let on_picture = upward(second.pixel) - upward(first.pixel);
         let in_home = second.at - first.at;
         if on_picture.length() < 1.0 || in_home.length() < 0.01 {
-            return Err(Error::Unbeginnable(
-                "the two known points are one\n  hint: take two that are far apart".into(),
-            ));
+            return Err(unlike(NewMessage::SamePoint));
         }
         // The quotient of both as complex numbers.
         let turn = Point::new(in_home.dot(on_picture), on_picture.perp_dot(in_home)) / on_picture.length_squared();

@@ -28,10 +28,18 @@ pub struct DayClock {
     pub turn: Option<(Micros, Micros)>,
 }
 
-/// Why these are no hours of a day.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{0:?} are no hours of a day\n  hint: such as 0-6, 22-6 or 08:30-20:00")]
-pub struct NoHours(String);
+homebody_core::messages! {
+    /// Problems with hours of the day.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum HoursMessage in "hours" {
+        /// Hours are two times of day with a hyphen between, from 0 to 24. The second may be on the next day: `22-6` is the night.
+        NotHours {
+            /// The text.
+            text: String,
+        } error "not-hours" ("{text:?} is not a range of hours")
+            hint ("write two times of day, such as 0-6, 22-6 or 08:30-20:00");
+    }
+}
 
 const DAY_MIN: u32 = 24 * 60;
 
@@ -67,16 +75,16 @@ impl Hours {
 }
 
 impl FromStr for Hours {
-    type Err = NoHours;
+    type Err = HoursMessage;
 
-    fn from_str(text: &str) -> Result<Hours, NoHours> {
+    fn from_str(text: &str) -> Result<Hours, HoursMessage> {
         let minutes = |text: &str| {
             let (hours, minutes) = text.trim().split_once(':').unwrap_or((text.trim(), "0"));
             let (hours, minutes): (u32, u32) = (hours.parse().ok()?, minutes.parse().ok()?);
             (hours <= 24 && minutes < 60).then_some(hours * 60 + minutes)
         };
         let hours = text.split_once('-').and_then(|(from, to)| Hours::new(minutes(from)? % DAY_MIN, minutes(to)?));
-        hours.ok_or_else(|| NoHours(text.to_owned()))
+        hours.ok_or_else(|| HoursMessage::NotHours { text: text.to_owned() })
     }
 }
 

@@ -11,7 +11,7 @@ mod hours;
 
 pub use homebody_analysis::measures::Span;
 use hours::MINUTE;
-pub use hours::{DayClock, Hours};
+pub use hours::{DayClock, Hours, HoursMessage};
 
 use homebody_analysis::measures::joined;
 use homebody_analysis::signs::{Course, Says, says, without};
@@ -264,8 +264,8 @@ fn named<'n>(kind: &'static str, name: &str, known: impl Iterator<Item = &'n str
         return Ok((*one).to_owned());
     }
     let hint = match nearest(name, known.iter().copied()) {
-        Some(one) => format!("{one:?} was probably meant"),
-        None if known.is_empty() => format!("no {kind} is known here"),
+        Some(one) => format!("did you mean {one:?}?"),
+        None if known.is_empty() => format!("the log names no {kind}"),
         None => format!("there are {}", known.iter().take(30).copied().collect::<Vec<_>>().join(", ")),
     };
     Err(Unfindable::Unknown { kind, name: name.to_owned(), hint })

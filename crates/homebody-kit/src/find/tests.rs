@@ -123,7 +123,7 @@ fn falls_lost_messages_and_alerts_are_those_that_are_told_and_nobody_knows_them_
 #[test]
 fn a_name_that_leads_nowhere_is_told_with_the_nearest() {
     let error = found(&asked(What::On, "stov", "", 0), &[], None, None).unwrap_err().to_string();
-    assert!(error.contains("\"stove\" was probably meant"), "{error}");
+    assert!(error.contains("did you mean \"stove\"?"), "{error}");
     let error = found(&asked(What::Room, "attic", "", 0), &[], None, None).unwrap_err().to_string();
     assert!(error.contains("bathroom, hall, kitchen"), "{error}");
     assert!(matches!(found(&asked(What::Room, "", "", 0), &[], None, None), Err(Unfindable::NoName("room"))));

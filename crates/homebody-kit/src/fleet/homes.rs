@@ -7,6 +7,7 @@ use crate::cohort_members::seed_of_member;
 use crate::error::Error;
 use crate::pace::Speed;
 use crate::scenario::OpenScenario;
+use homebody_core::problem::Problems;
 use homebody_core::random::Stream;
 use homebody_core::recording::{LONGEST, Recording};
 use homebody_core::run::Run;
@@ -17,6 +18,33 @@ use homebody_routine::household::ManyRuns;
 use rayon::prelude::*;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+
+homebody_core::messages! {
+    /// Problems with a fleet before it starts.
+    pub enum FleetMessage in "fleet" {
+        /// The homes of a fleet have names with five digits, such as `home00001`. Several programs can simulate parts of one fleet: each
+        /// part has its own first number.
+        Homes {
+            /// The homes asked for.
+            homes: u32,
+            /// The number of the first one.
+            first: u32,
+        } error "homes" ("a fleet cannot have {homes} homes from number {first} on")
+            hint ("choose at least one home, with numbers from 1 to {MOST_HOMES}");
+        /// A fleet runs at the speed of the clock, or faster or slower by this factor.
+        Speed {
+            /// The factor asked for.
+            speed: f64,
+        } error "speed" ("a fleet cannot run {speed} times as fast as the clock")
+            hint ("choose a number from 0.1 to 1000");
+        /// The clocks of homes are ahead of the true time, or behind, by up to this much.
+        Skew {
+            /// The difference asked for, in microseconds.
+            skew_us: Micros,
+        } error "skew" ("clocks cannot differ by {skew_us} microseconds")
+            hint ("choose 0 or more");
+    }
+}
 
 /// Largest number of homes of a fleet (our choice): their numbers have five digits.
 pub const MOST_HOMES: u32 = 99_999;
@@ -115,15 +143,15 @@ impl FleetSetup {
         let mut wrong = Vec::new();
         let last = u64::from(self.first) + u64::from(self.homes) - 1;
         if self.scenarios.is_empty() || self.homes == 0 || self.first == 0 || last > u64::from(MOST_HOMES) {
-            wrong.push(format!("a fleet has at least one home, with numbers from 1 to {MOST_HOMES}"));
+            wrong.push(FleetMessage::Homes { homes: self.homes, first: self.first }.into());
         }
-        if self.speed.is_some_and(|speed| Speed::times(speed).is_none()) {
-            wrong.push("a fleet's speed is a number from 0.1 to 1000".into());
+        if let Some(speed) = self.speed.filter(|speed| Speed::times(*speed).is_none()) {
+            wrong.push(FleetMessage::Speed { speed }.into());
         }
         if self.skew < 0 {
-            wrong.push("clocks differ by nothing or more".into());
+            wrong.push(FleetMessage::Skew { skew_us: self.skew }.into());
         }
-        if wrong.is_empty() { Ok(()) } else { Err(Error::Fleet(wrong.join("\n").into())) }
+        if wrong.is_empty() { Ok(()) } else { Err(Error::Fleet(Problems(wrong))) }
     }
 }
 

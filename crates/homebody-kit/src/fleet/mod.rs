@@ -13,7 +13,7 @@ mod storms;
 
 pub use churn::Churn;
 pub use homebody_log::fleet::Patience;
-pub use homes::{FleetOf, FleetSetup, MOST_HOMES};
+pub use homes::{FleetMessage, FleetOf, FleetSetup, MOST_HOMES};
 pub use report::{FleetReport, OfDestination};
 pub use running::{FleetLived, FleetRun};
 pub use storms::Storms;

@@ -4,6 +4,8 @@ use super::homes::FleetOf;
 use super::living::Living;
 use super::report::{FleetReport, OfDestination, late_ms, memory_mb, processor_s};
 use crate::error::Error;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::Problems;
 use homebody_core::time::SECOND;
 use homebody_log::fleet::{Fleet, FleetSink, Lateness, Now, Patience, Teller, Told, has_rows_of_fleet, sink};
 use homebody_log::fresh::all_can_be_written;
@@ -66,11 +68,11 @@ impl FleetRun {
         for url in out {
             match sink(url).and_then(|sink| sink.check(is_fast).map(|()| sink)) {
                 Ok(sink) => sinks.push((url.to_string(), sink, how(url))),
-                Err(error) => wrong.push(error.to_string()),
+                Err(error) => wrong.push(error.diagnostic()),
             }
         }
         if !wrong.is_empty() {
-            return Err(Error::Fleet(wrong.join("\n").into()));
+            return Err(Error::Fleet(Problems(wrong)));
         }
         for (url, (.., how)) in out.iter().zip(&sinks) {
             let new = url.file().filter(|path| !has_rows_of_fleet(path));

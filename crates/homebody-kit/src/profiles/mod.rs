@@ -4,6 +4,7 @@
 //! loses those that say otherwise. So a member's recording holds all that the member's life depends on, and nobody who lives
 //! or replays it knows of profiles.
 
+mod messages;
 mod profile;
 mod rows;
 mod sentences;
@@ -14,6 +15,7 @@ use homebody_core::problem::{Problem, Problems};
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::plain;
 use homebody_log::sink::csv_line;
+pub(crate) use messages::ProfileMessage;
 pub(crate) use profile::Base;
 pub use profile::Profile;
 pub use rows::MOST_MEMBERS;
@@ -26,16 +28,11 @@ use table::Table;
 pub(crate) fn read(path: &Path, base: &Base, without: &[String]) -> Result<Vec<Profile>, Error> {
     let file = path.display().to_string();
     let bytes = plain::read(path, LARGEST_OF_SCENARIO_BYTES).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => {
-            Error::file(path, "there is no such file\n  hint: it is a CSV file with a row for each member")
-        }
-        ErrorKind::IsADirectory => Error::file(path, "it is a folder\n  hint: name a CSV file"),
+        ErrorKind::NotFound => Error::unreadable(path, ProfileMessage::NoFile),
+        ErrorKind::IsADirectory => Error::unreadable(path, ProfileMessage::Folder),
         _ => Error::io(path, error),
     })?;
-    let text = String::from_utf8(bytes).map_err(|_| {
-        let hint = Some("save it as CSV in UTF-8".to_owned());
-        Problem::of_file(&file, "it is not text in UTF-8", hint)
-    })?;
+    let text = String::from_utf8(bytes).map_err(|_| Problem::of_file(&file, ProfileMessage::NotUtf8, None))?;
     of(&file, &text, base, without)
 }
 

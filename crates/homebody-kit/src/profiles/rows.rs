@@ -1,9 +1,10 @@
 //! The rows of a table as profiles: each cell with what may stand there.
 
+use super::messages::{ProfileMessage, among};
 use super::profile::{Base, Other, OtherHome, Profile};
 use super::sentences::OwnSentences;
 use super::table::{Cell, Table};
-use homebody_core::problem::{Diagnostic, Problem};
+use homebody_core::problem::Problem;
 use homebody_core::scenario::GREATEST_SEED;
 use homebody_core::scenario::inside::{WHERE, outside_folder};
 use homebody_core::scenario::load::NoText;
@@ -85,19 +86,18 @@ type Piece<'a> = (&'a str, Option<&'a Cell>);
 type Row<'a> = BTreeMap<&'static str, &'a Cell>;
 
 impl<'a> Reader<'a> {
-    fn fault(&mut self, cell: &Cell, what: impl Into<Diagnostic>, hint: impl Into<String>) {
-        self.problems.push(self.table.problem(cell, what, Some(hint.into())));
+    fn fault(&mut self, cell: &Cell, message: ProfileMessage) {
+        self.problems.push(self.table.problem(cell, message, None));
     }
 
     fn profiles(&mut self, without: &[String]) -> Vec<Profile> {
         let columns = self.columns();
         if self.table.rows.is_empty() {
-            let hint = "write a row for each member below the names of the columns".to_owned();
-            self.problems.push(self.table.problem_of_file("there is nobody in it", Some(hint)));
+            self.problems.push(self.table.problem_of_file(ProfileMessage::NoMembers));
         }
         if self.table.rows.len() > MOST_MEMBERS as usize {
-            let what = format!("{} members are more than {MOST_MEMBERS}", self.table.rows.len());
-            self.problems.push(self.table.problem_of_file(what, None));
+            let message = ProfileMessage::TooMany { members: self.table.rows.len(), most: MOST_MEMBERS };
+            self.problems.push(self.table.problem_of_file(message));
             return Vec::new();
         }
         let mut names = BTreeSet::new();
@@ -119,10 +119,13 @@ impl<'a> Reader<'a> {
                 Ok(seen) => seen,
                 Err(problems) => {
                     for problem in problems {
-                        let what = format!("with this row, there is a problem at {}", place(problem));
-                        let hint =
-                            problem.hint.iter().fold(problem.what.clone(), |what, hint| format!("{what}; {hint}"));
-                        self.fault(row["name"], what, hint);
+                        let message = ProfileMessage::Scenario {
+                            place: place(problem),
+                            problem: problem.what.clone(),
+                            problem_code: problem.code,
+                            problem_hint: problem.hint.clone(),
+                        };
+                        self.fault(row["name"], message);
                     }
                     continue;
                 }
@@ -135,12 +138,11 @@ impl<'a> Reader<'a> {
             seen.values().flatten().flat_map(|seen| &seen.conditions).map(String::as_str).collect();
         let nobodys = without.iter().filter(|name| self.problems.is_empty() && !shown.contains(name.as_str()));
         let nobodys = nobodys.map(|name| {
-            let hint = match nearest(name, shown.iter().copied()) {
-                Some(near) => format!("did you mean {near:?}?"),
-                None if shown.is_empty() => "nobody in it shows a condition".to_owned(),
-                None => format!("they show {}", Vec::from_iter(shown.iter().copied()).join(", ")),
-            };
-            self.table.problem_of_file(format!("nobody in it shows {name:?}"), Some(hint))
+            self.table.problem_of_file(ProfileMessage::NoCondition {
+                condition: name.clone(),
+                near: nearest(name, shown.iter().copied()).map(str::to_owned),
+                known: shown.iter().map(|&name| name.to_owned()).collect(),
+            })
         });
         let nobodys: Vec<Problem> = nobodys.collect();
         self.problems.extend(nobodys);
@@ -164,20 +166,16 @@ impl<'a> Reader<'a> {
             let name = cell.text.to_lowercase();
             let known = COLUMNS.into_iter().find(|known| *known == name);
             if let Some(known) = known.filter(|known| columns.contains(&Some(known))) {
-                self.fault(cell, format!("there are two columns {known:?}"), "leave one of the two out");
+                self.fault(cell, ProfileMessage::SameColumn { column: known.into() });
             } else if known.is_none() && !name.is_empty() {
-                let hint = match nearest(&name, COLUMNS) {
-                    Some(near) => format!("did you mean {near:?}?"),
-                    None => format!("there are {}", COLUMNS.join(", ")),
-                };
-                self.fault(cell, format!("{:?} is no column that is known", cell.text), hint);
+                let known = among(nearest(&name, COLUMNS), &COLUMNS);
+                self.fault(cell, ProfileMessage::UnknownColumn { column: cell.text.clone(), known });
             }
             columns.push(known);
         }
         if !columns.contains(&Some("name")) {
-            let hint =
-                format!("its first line names the columns: name, and of {} what is needed", COLUMNS[1..].join(", "));
-            self.problems.push(table.problem_of_file("no column is called \"name\"", Some(hint)));
+            let others = COLUMNS[1..].iter().map(|&column| column.to_owned()).collect();
+            self.problems.push(table.problem_of_file(ProfileMessage::NoNameColumn { others }));
         }
         columns
     }
@@ -189,7 +187,7 @@ impl<'a> Reader<'a> {
                 Some(Some(column)) => drop(row.insert(column, cell)),
                 // A column of a name that is not known is a problem once.
                 Some(None) if !self.table.header[index].text.is_empty() => {}
-                _ => self.fault(cell, "no column stands above this", "name its column in the first line"),
+                _ => self.fault(cell, ProfileMessage::NoColumn),
             }
         }
         row
@@ -199,19 +197,18 @@ impl<'a> Reader<'a> {
     fn name(&mut self, row: &Row, cells: &[Cell], names: &mut BTreeSet<String>) -> String {
         let Some(cell) = row.get("name") else {
             if let Some(first) = cells.iter().find(|cell| !cell.text.is_empty()) {
-                self.fault(first, "this member has no name", "say one in the column name: the member's folder gets it");
+                self.fault(first, ProfileMessage::NoName);
             }
             return String::new();
         };
         let name = &cell.text;
         let is_odd = |c: char| c.is_control() || "/\\:*?\"<>|".contains(c);
         if name.contains(is_odd) || name.starts_with('.') || name.ends_with('.') || name.len() > 100 {
-            let hint = "at most 100 letters, digits, blanks, - and _ will do";
-            self.fault(cell, format!("no folder can be called {name:?}"), hint);
+            self.fault(cell, ProfileMessage::BadName { name: name.clone() });
         } else if name.to_lowercase() == LIST {
-            self.fault(cell, format!("{name:?} is the list of the members"), "choose another name");
+            self.fault(cell, ProfileMessage::ReservedName { name: name.clone() });
         } else if !names.insert(name.to_lowercase()) {
-            self.fault(cell, format!("two members are called {name:?}"), "give each a name of their own");
+            self.fault(cell, ProfileMessage::SameName { name: name.clone() });
         }
         name.clone()
     }
@@ -220,8 +217,7 @@ impl<'a> Reader<'a> {
         let seed = row.get("seed").and_then(|cell| {
             let seed = cell.text.parse().ok().filter(|&seed: &u64| seed <= GREATEST_SEED);
             if seed.is_none() {
-                let what = format!("{:?} is no seed", cell.text);
-                self.fault(cell, what, format!("write a whole number from 0 to {GREATEST_SEED}, or nothing"));
+                self.fault(cell, ProfileMessage::Seed { text: cell.text.clone() });
             }
             seed
         });
@@ -258,26 +254,23 @@ impl<'a> Reader<'a> {
         let names: Vec<&str> = people.iter().map(|&person| residents[person].file.name.as_str()).collect();
         let Some(cell) = row.get("resident") else {
             if people.len() != 1 {
-                let (what, hint) = match people.is_empty() {
-                    true => ("nobody in this scenario lives by a routine, in which this could be said", String::new()),
+                let message = match people.is_empty() {
+                    true => ProfileMessage::NoRoutine,
                     false => {
-                        ("it is not said whom this is about", format!("add a column resident: {}", names.join(" or ")))
+                        ProfileMessage::WhichResident { residents: names.iter().map(|&name| name.to_owned()).collect() }
                     }
                 };
-                let told = row.iter().find(|(column, _)| !OF_NOBODY.contains(column));
-                let problem = |(_, cell)| self.table.problem(cell, what, Some(hint).filter(|hint| !hint.is_empty()));
-                self.problems.extend(told.map(|(column, cell)| (column, *cell)).map(problem));
+                if let Some((_, cell)) = row.iter().find(|(column, _)| !OF_NOBODY.contains(column)) {
+                    self.fault(cell, message);
+                }
             }
             return people.first().copied().filter(|_| people.len() == 1);
         };
         let found =
             people.iter().find(|&&person| residents[person].file.name.to_lowercase() == cell.text.to_lowercase());
         if found.is_none() {
-            let hint = match nearest(&cell.text, names.iter().copied()) {
-                Some(near) => format!("did you mean {near:?}?"),
-                None => format!("there are {}", names.join(", ")),
-            };
-            self.fault(cell, format!("nobody called {:?} lives there by a routine", cell.text), hint);
+            let known = among(nearest(&cell.text, names.iter().copied()), &names);
+            self.fault(cell, ProfileMessage::NoResident { name: cell.text.clone(), known });
         }
         found.copied()
     }
@@ -314,23 +307,23 @@ impl<'a> Reader<'a> {
     /// The text of a file in the scenario's folder, such as a routine.
     fn text(&mut self, cell: &Cell, kind: &str) -> Option<String> {
         if let Some(what) = outside_folder(&cell.text, "the scenario's folder") {
-            self.fault(cell, what, WHERE);
+            self.problems.push(self.table.problem(cell, what, Some(WHERE.into())));
             return None;
         }
         let read = self.base.files.read(&cell.text);
-        let unread = |why| {
-            let what = format!("{:?} cannot be read: {why}", cell.text);
-            self.fault(cell, what, format!("name a {kind} in the scenario's folder"));
+        let unread = |why: NoText| {
+            let (file, why, kind) = (cell.text.clone(), why.to_string(), kind.to_owned());
+            self.fault(cell, ProfileMessage::Unreadable { file, why, kind });
         };
         read.map_err(unread).ok()
     }
 
     /// What is to stand in the routine.
     fn said(&mut self, row: &Row) -> OwnSentences {
-        let fact = |reader: &mut Reader, column: &str, words: [&str; 2], what: &str| {
+        let fact = |reader: &mut Reader, column: &str, words: [&str; 2], what: &'static str| {
             let cell = row.get(column)?;
             if !cell.text.parse::<f64>().is_ok_and(|number| number.is_finite() && number > 0.0) {
-                reader.fault(cell, format!("{:?} is no {what}", cell.text), "write a number, with a point for a comma");
+                reader.fault(cell, ProfileMessage::Number { text: cell.text.clone(), what });
                 return None;
             }
             let pieces = [(words[0], None), (cell.text.as_str(), Some(*cell)), (words[1], None)];
@@ -338,7 +331,7 @@ impl<'a> Reader<'a> {
         };
         OwnSentences {
             age: fact(self, "age", ["The person is ", ""], "age in years"),
-            pace: fact(self, "pace_mps", ["The person walks at ", " m/s"], "pace in metres a second"),
+            pace: fact(self, "pace_mps", ["The person walks at ", " m/s"], "pace in metres per second"),
             conditions: self.conditions(row),
         }
     }
@@ -348,8 +341,7 @@ impl<'a> Reader<'a> {
         let named = row.get("conditions").filter(|cell| cell.text.to_lowercase() != "none");
         let Some(cell) = named else {
             for cell in OF_CONDITIONS.iter().filter_map(|column| row.get(column)) {
-                let hint = "name one in the column conditions, or leave this empty";
-                self.fault(cell, "this row names no condition of which this could be said", hint);
+                self.fault(cell, ProfileMessage::NothingToDescribe);
             }
             return row.contains_key("conditions").then(Vec::new);
         };
@@ -358,8 +350,8 @@ impl<'a> Reader<'a> {
         for (column, cell) in OF_CONDITIONS.into_iter().filter_map(|column| Some((column, *row.get(column)?))) {
             let parts = cell.parts();
             if parts.len() != 1 && parts.len() != conditions.len() {
-                let what = format!("{} values for {} conditions", parts.len(), conditions.len());
-                self.fault(cell, what, "write one for all of them, or one for each with + between");
+                let (values, conditions) = (parts.len(), conditions.len());
+                self.fault(cell, ProfileMessage::ValueCount { values, conditions });
             }
             of_each.insert(column, parts);
         }
@@ -374,7 +366,7 @@ impl<'a> Reader<'a> {
             let alone = self.sentence(&[(SHOWS, None), (&condition.text, Some(condition))], condition, own);
             let name = alone.as_ref().and_then(|(_, routine)| shown_by(routine));
             if name.is_some_and(|name| !shown.insert(name.to_owned())) {
-                self.fault(condition, format!("{:?} is named twice", condition.text), "leave one of the two out");
+                self.fault(condition, ProfileMessage::SameCondition { condition: condition.text.clone() });
             }
             let together = self.condition(condition, own, alone.is_some(), of);
             said.extend(together.map(|(text, _)| text));
@@ -394,11 +386,8 @@ impl<'a> Reader<'a> {
         let of = |column| of(column).filter(|cell| !cell.text.is_empty());
         let (severity, mut known) = (of("severity"), language::severities());
         if let Some(cell) = severity.filter(|cell| !known.any(|known| known == cell.text.to_lowercase())) {
-            let hint = match nearest(&cell.text, language::severities()) {
-                Some(near) => format!("did you mean {near:?}?"),
-                None => format!("there are {}", Vec::from_iter(language::severities()).join(", ")),
-            };
-            self.fault(cell, format!("{:?} is no severity", cell.text), hint);
+            let known = among(nearest(&cell.text, language::severities()), &Vec::from_iter(language::severities()));
+            self.fault(cell, ProfileMessage::Severity { text: cell.text.clone(), known });
         }
         let phases = [("from ", "onset"), ("over ", "over"), ("until ", "until")];
         let phases: Vec<(&str, &Cell)> =
@@ -410,7 +399,7 @@ impl<'a> Reader<'a> {
             let so_far = self.problems.len();
             self.sentence(&[pieces, any].concat(), cell, None);
             let hint = match words {
-                "over " => "write how long it takes to come, such as 10 days or 4 weeks",
+                "over " => "write how long it takes to develop, such as 10 days or 4 weeks",
                 _ => "write a week, a day or a date, such as week 6, day 40 or 2009-04-13",
             };
             self.problems[so_far..].iter_mut().for_each(|problem| problem.hint = Some(hint.into()));
@@ -435,11 +424,7 @@ impl<'a> Reader<'a> {
         for cell in pieces.iter().filter_map(|(_, cell)| *cell) {
             let is_odd = |c: char| !c.is_alphanumeric() && !" -.%".contains(c);
             if cell.text.is_empty() || cell.text.contains(is_odd) || cell.text.contains(". ") {
-                self.fault(
-                    cell,
-                    format!("{:?} is not understood", cell.text),
-                    "write plain words, with + between several",
-                );
+                self.fault(cell, ProfileMessage::NotPlain { text: cell.text.clone() });
             }
         }
         if self.problems.len() > before {
@@ -462,7 +447,7 @@ impl<'a> Reader<'a> {
                 cell.is_some() && end >= problem.column
             };
             let cell = pieces.iter().cloned().find(at_or_after).and_then(|(_, cell)| cell).unwrap_or(main);
-            self.problems.push(self.table.problem(cell, problem.what, problem.hint));
+            self.problems.push(self.table.problem(cell, problem, None));
         }
         let is_one = match &routine.changes[..] {
             [_] => shown_by(&routine).is_some() && routine.person.is_none(),
@@ -470,11 +455,7 @@ impl<'a> Reader<'a> {
             _ => false,
         };
         if self.problems.len() == before && !(is_one && routine.habits.is_empty() && routine.rules.is_empty()) {
-            self.fault(
-                main,
-                format!("{:?} says something else", text.trim()),
-                "write plain words, with + between several",
-            );
+            self.fault(main, ProfileMessage::OtherMeaning { sentence: text.trim().to_owned() });
         }
         (self.problems.len() == before).then(|| {
             self.understood.insert(key, routine.clone());

@@ -1,5 +1,6 @@
 //! A table as spreadsheets save it: values parted by commas, semicolons or tabs, each with its place in the text.
 
+use super::messages::ProfileMessage;
 use csv_core::{ReadFieldResult, ReaderBuilder, Terminator};
 use homebody_core::problem::{Diagnostic, Excerpt, Problem};
 
@@ -32,10 +33,7 @@ impl<'t> Table<'t> {
         let mark = [',', ';', '\t'].into_iter().rev().max_by_key(|&mark| count(mark)).unwrap_or(',');
         let mut rows = match cells(text, mark) {
             Ok(rows) => rows.into_iter().filter(|row| row.iter().any(|cell| !cell.text.is_empty())),
-            Err(cell) => {
-                let hint = "close it with another \"; a \" within it is written twice".to_owned();
-                return Err(table.problem(&cell, "this cell is never closed", Some(hint)));
-            }
+            Err(cell) => return Err(table.problem(&cell, ProfileMessage::OpenQuote, None)),
         };
         table.header = rows.next().unwrap_or_default();
         table.rows = rows.collect();
@@ -43,17 +41,17 @@ impl<'t> Table<'t> {
     }
 
     /// A problem with a cell.
-    pub fn problem(&self, cell: &Cell, what: impl Into<Diagnostic>, hint: Option<String>) -> Problem {
+    pub fn problem(&self, cell: &Cell, message: impl Into<Diagnostic>, hint: Option<String>) -> Problem {
         let line = self.lines.get(cell.line as usize - 1).copied().unwrap_or_default();
         let at = line.char_indices().nth(cell.column as usize - 1).map_or(line.len(), |(at, _)| at);
         let excerpt = Excerpt::around(line, at).underlining(cell.text.chars().count());
         let Cell { line, column, .. } = *cell;
-        Problem { line, column, excerpt: Some(excerpt), ..Problem::of_file(self.file, what, hint) }
+        Problem { line, column, excerpt: Some(excerpt), ..Problem::of_file(self.file, message, hint) }
     }
 
     /// A problem with the file as a whole.
-    pub fn problem_of_file(&self, what: impl Into<Diagnostic>, hint: Option<String>) -> Problem {
-        Problem::of_file(self.file, what, hint)
+    pub fn problem_of_file(&self, message: impl Into<Diagnostic>) -> Problem {
+        Problem::of_file(self.file, message, None)
     }
 }
 
@@ -169,7 +167,7 @@ mod tests {
         assert_eq!(places, [(2, 3), (2, 8), (2, 14)]);
         let parts: Vec<_> = table.rows[0][2].parts().into_iter().map(|cell| (cell.text, cell.column)).collect();
         assert_eq!(parts, [("x".to_owned(), 14), ("yy".to_owned(), 18)]);
-        let problem = table.problem(&table.rows[0][0], "why", None);
+        let problem = table.problem(&table.rows[0][0], ProfileMessage::NoName, None);
         assert_eq!((problem.line, problem.column), (2, 3));
         assert_eq!(problem.excerpt.map(|excerpt| (excerpt.before, excerpt.width)), Some((2, 2)));
     }

@@ -3,6 +3,7 @@
 use super::activities;
 use super::amounts::{self, Amount, Unit, amount};
 use super::calendar;
+use super::messages::TimeMessage;
 use super::often::{self, Often};
 use super::reader::{Reader, is_beginning};
 use super::times;
@@ -79,8 +80,8 @@ pub enum Last {
 
 pub fn put<T>(reader: &mut Reader, slot: &mut Option<Slot<T>>, value: T, span: Span, kind: &str) {
     if let Some(first) = slot {
-        let what = format!("{:?} comes after {:?}: {kind}", reader.said(span), reader.said(first.span));
-        reader.fault(span, what, "leave one of them out, or make two sentences".to_owned());
+        let (text, first) = (reader.said(span), reader.said(first.span));
+        reader.fault(span, TimeMessage::Twice { text, first, meaning: kind.to_owned() });
     } else {
         *slot = Some(Slot { value, span, own: true });
     }
@@ -96,9 +97,8 @@ fn after_days(reader: &mut Reader) -> Option<Moment> {
 fn until_event(reader: &mut Reader, from: usize) -> Option<()> {
     let at = reader.at;
     activities::event(reader)?;
-    let (span, event) = (reader.span(from), reader.said(reader.span(at)));
-    let hint = format!("write a time, such as \"until 22:00\", or how long before it: \"for 2 hours before {event}\"");
-    reader.fault(span, format!("{:?} is no time of day", reader.said(span)), hint);
+    let (span, activity) = (reader.span(from), reader.said(reader.span(at)));
+    reader.fault(span, TimeMessage::UntilActivity { text: reader.said(span), activity });
     Some(())
 }
 
@@ -115,8 +115,7 @@ fn no_end(reader: &mut Reader, from: usize) -> Option<()> {
         return Some(());
     }
     reader.at = until;
-    let hint = format!("write \"at {time}\", or until when: \"from {time} to ...\"");
-    reader.fault(span, format!("{:?} leaves open until when", reader.said(span)), hint);
+    reader.fault(span, TimeMessage::NoEnd { text: reader.said(span), time });
     Some(())
 }
 
@@ -220,8 +219,7 @@ impl Adverbs {
             if !reader.eat("at first") {
                 return None;
             }
-            let hint = "write \"rarely at first, often by day 160\"".to_owned();
-            reader.fault(reader.span(from), "\"at first\" needs how often that is", hint);
+            reader.fault(reader.span(from), TimeMessage::AtFirst);
             return Some(());
         };
         let span = reader.span(from);
@@ -356,8 +354,7 @@ impl Adverbs {
         let month = reader.at;
         if calendar::months(reader).is_some() {
             let span = reader.span(month);
-            let hint = "write a date such as 2009-03-01, or \"from March to May\" for those months of all years";
-            reader.fault(span, format!("it is not clear from which day of {:?}", reader.said(span)), hint.to_owned());
+            reader.fault(span, TimeMessage::WhichDay { text: reader.said(span) });
             return Some(());
         }
         let (moment, _) = calendar::moment(reader)?;
@@ -391,8 +388,7 @@ impl Adverbs {
         let days = calendar::days(reader)?;
         let span = reader.span(start);
         if days.is_range() {
-            let hint = "say one number, such as \"over 4 weeks\"".to_owned();
-            reader.fault(span, "a change has to take one length of time", hint);
+            reader.fault(span, TimeMessage::OneLength);
         }
         let slot = if fading { &mut self.fading } else { &mut self.over };
         put(reader, slot, days.from, span, "both say over which time");
@@ -423,8 +419,7 @@ impl Adverbs {
                 reader.at += 1;
             }
             let span = if from == reader.at { reader.span(start) } else { reader.span(from) };
-            let hint = "say minutes, hours, days or weeks, such as \"for 20 minutes\"".to_owned();
-            reader.fault(span, format!("{:?} is no length of time", reader.said(span)), hint);
+            reader.fault(span, TimeMessage::NotALength { text: reader.said(span) });
             return Some(());
         };
         match amount.unit {
@@ -440,13 +435,10 @@ impl Adverbs {
                 put(reader, &mut self.for_days, amount.from, span, "both say for how long");
             }
             Unit::Day => {
-                let hint = "say one whole number, such as \"for 10 days\"".to_owned();
-                reader.fault(amount.span, "this has to be one number of whole days, at least 1", hint);
+                reader.fault(amount.span, TimeMessage::WholeDays);
             }
             _ => {
-                let what = format!("{:?} is no length of time", reader.said(amount.span));
-                let hint = "say minutes, hours, days or weeks, such as \"for 20 minutes\"".to_owned();
-                reader.fault(amount.span, what, hint);
+                reader.fault(amount.span, TimeMessage::NotALength { text: reader.said(amount.span) });
             }
         }
         Some(())
@@ -473,20 +465,22 @@ impl Adverbs {
         }
         let Some(other) = other else {
             reader.at = at;
-            let what = match times::time(reader, true) {
-                Some(_) => "leaves open when",
-                None => {
-                    reader.skip_determiners();
-                    reader.at += 1;
-                    "names nothing that Homebody knows to come before or after"
-                }
-            };
-            let what = format!("{:?} {what}", reader.said(reader.span(start)));
-            let hint = match after {
+            let is_time = times::time(reader, true).is_some();
+            if !is_time {
+                reader.skip_determiners();
+                reader.at += 1;
+            }
+            let text = reader.said(reader.span(start));
+            let help = match after {
                 2 => "write \"with breakfast\", or leave it out",
                 _ => "write \"after breakfast\", \"before she goes to bed\", or \"between 20:00 and 22:00\"",
             };
-            reader.fault(reader.span(start), what, hint.to_owned());
+            let help = help.to_owned();
+            let message = match is_time {
+                true => TimeMessage::OpenTime { text, help },
+                false => TimeMessage::UnknownEvent { text, help },
+            };
+            reader.fault(reader.span(start), message);
             reader.at = reader.words.len();
             return Some(());
         };
@@ -531,17 +525,16 @@ impl Adverbs {
         let (lasts, until) = (self.lasts.as_mut(), self.until_time.as_mut());
         match (self.last, self.when.as_mut().map(|slot| &mut slot.value), lasts, until) {
             (Last::When | Last::Until, ..) if spread.to > HALF_A_DAY_S => {
-                reader.fault(span, "this leaves open at which time", "say at most 12 hours".to_owned());
+                reader.fault(span, TimeMessage::SpreadOfTime);
             }
             (Last::When, Some(When::At(at)), _, _) => *at = around(at),
             (Last::Until, _, _, Some(until)) => until.value = around(&until.value),
             (Last::Lasts, _, Some(lasts), _) if spread.to < lasts.value.from => lasts.value = around(&lasts.value),
             (Last::Lasts, _, Some(_), _) => {
-                reader.fault(span, "this leaves no time at all", "say less than the time itself".to_owned());
+                reader.fault(span, TimeMessage::SpreadOfDuration);
             }
             _ => {
-                let hint = "write \"at about 06:45, give or take 30 minutes\"".to_owned();
-                reader.fault(span, format!("{:?} has no time or duration before it", reader.said(span)), hint);
+                reader.fault(span, TimeMessage::NothingVaries { text: reader.said(span) });
             }
         }
         self.last = Last::Nothing;

@@ -1,5 +1,6 @@
 //! Numbers with their units: durations, percent, how many times, speeds.
 
+use super::messages::TimeMessage;
 use super::reader::Reader;
 use super::words::{Span, Token};
 use homebody_core::fuzzy::Fuzzy;
@@ -112,10 +113,9 @@ pub fn amount(reader: &mut Reader) -> Option<Amount> {
         let (from, to, unit) = if reader.eat("between") { pair(reader, "and")? } else { one_or_two(reader)? };
         let span = reader.span(start);
         if !from.is_finite() || !to.is_finite() || to > 1e9 {
-            reader.fault(span, format!("{:?} is too large a number", reader.said(span)), None);
+            reader.fault(span, TimeMessage::NumberTooLarge { text: reader.said(span) });
         } else if to < from {
-            let hint = "the smaller number goes first".to_owned();
-            reader.fault(span, format!("{:?} is upside down", reader.said(span)), hint);
+            reader.fault(span, TimeMessage::ReversedNumbers { text: reader.said(span) });
         }
         let (from, to) = if to.is_finite() && to <= 1e9 { (from.min(to), from.max(to)) } else { (1.0, 1.0) };
         Some(Amount { from, to, about, unit, span })
@@ -263,8 +263,7 @@ const MOST_DAYS: f64 = 400.0;
 /// How long something lasts, which is neither nothing nor more than a day.
 pub fn duration(reader: &mut Reader, amount: &Amount) -> Fuzzy {
     if amount.to > DAY_S {
-        let what = format!("{:?} is more than a day", reader.said(amount.span));
-        reader.fault(amount.span, what, "nothing that is done lasts longer than 24 hours".to_owned());
+        reader.fault(amount.span, TimeMessage::LongerThanADay { text: reader.said(amount.span) });
     }
     length(reader, amount)
 }
@@ -272,11 +271,9 @@ pub fn duration(reader: &mut Reader, amount: &Amount) -> Fuzzy {
 /// How long something lasts that may last for days: neither nothing nor more than a year or so.
 pub fn length(reader: &mut Reader, amount: &Amount) -> Fuzzy {
     if amount.from <= 0.0 {
-        let what = format!("{:?} is no time at all", reader.said(amount.span));
-        reader.fault(amount.span, what, "say how long it lasts, such as \"for 20 minutes\"".to_owned());
+        reader.fault(amount.span, TimeMessage::NoDuration { text: reader.said(amount.span) });
     } else if amount.to > MOST_DAYS * DAY_S {
-        let what = format!("{:?} is more than a year", reader.said(amount.span));
-        reader.fault(amount.span, what, "say until when, such as \"until day 100\"".to_owned());
+        reader.fault(amount.span, TimeMessage::LongerThanAYear { text: reader.said(amount.span) });
     }
     amount.as_duration()
 }
@@ -284,8 +281,7 @@ pub fn length(reader: &mut Reader, amount: &Amount) -> Fuzzy {
 /// A share from 0 to 1.
 pub fn share(reader: &mut Reader, amount: &Amount) -> f64 {
     if amount.to > 100.0 {
-        let what = format!("{:?} is more than all", reader.said(amount.span));
-        reader.fault(amount.span, what, "say at most 100 %".to_owned());
+        reader.fault(amount.span, TimeMessage::MoreThanAll { text: reader.said(amount.span) });
     } else {
         happens(reader, amount);
     }
@@ -295,7 +291,6 @@ pub fn share(reader: &mut Reader, amount: &Amount) -> f64 {
 /// What is said to be done is done at all.
 pub fn happens(reader: &mut Reader, amount: &Amount) {
     if amount.to <= 0.0 {
-        let what = format!("{:?} never happens", reader.said(amount.span));
-        reader.fault(amount.span, what, "say \"does not\", or leave the sentence out".to_owned());
+        reader.fault(amount.span, TimeMessage::Never { text: reader.said(amount.span) });
     }
 }

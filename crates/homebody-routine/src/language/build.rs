@@ -7,6 +7,7 @@ use super::draft::Draft;
 use super::falling::time_of_fall;
 use super::meaning::Kind as Part;
 use super::measures::{self, FASTEST_MPS, Measure, Of};
+use super::messages::{SentenceMessage, TimeMessage, WordMessage};
 use super::predicates::IS;
 use super::reader::{Reader, Sort};
 use super::said::{Help, Predicate};
@@ -65,9 +66,9 @@ fn sleeps(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
 /// What somebody is, has or likes: kept as it was said.
 fn remark(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     if let Some(measure) = &clause.measure {
-        misfit(reader, measure, "this is no change");
+        misfit(reader, measure, "this is not a change");
     }
-    only(reader, &clause.adverbs, &[Part::Phase], "this is how somebody is, and nothing done");
+    only(reader, &clause.adverbs, &[Part::Phase], "this describes the person, not an activity");
     draft.routine.remarks.push(draft.said(clause.span));
 }
 
@@ -87,8 +88,7 @@ fn helps(reader: &mut Reader, draft: &mut Draft, clause: Clause, activity: Activ
         Help::Together => {
             let is_of_day = matches!(activity, Activity::GetUp | Activity::GoToBed);
             if is_of_day && !matches!(visit.when, When::At(_)) {
-                let hint = "say at what time, such as \"at about 8:00\"".to_owned();
-                return reader.fault(clause.predicate_span, "it is not said when that is", hint);
+                return reader.fault(clause.predicate_span, SentenceMessage::WhenHelped);
             }
             let when = if is_of_day { visit.when.clone() } else { When::With(Activity::Visit) };
             let (visitor, lasts, until) = (None, None, None);
@@ -107,21 +107,19 @@ fn helps(reader: &mut Reader, draft: &mut Draft, clause: Clause, activity: Activ
 pub fn only(reader: &mut Reader, adverbs: &Adverbs, allowed: &[Part], why: &str) {
     let others: Vec<Part> = Part::ALL.into_iter().filter(|kind| !allowed.contains(kind)).collect();
     for span in adverbs.spans(&others) {
-        let what = format!("{:?} does not fit here: {why}", reader.said(span));
-        reader.fault(span, what, "leave it out".to_owned());
+        reader.fault(span, SentenceMessage::DoesNotFit { text: reader.said(span), reason: why.to_owned() });
     }
 }
 
 fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     let span = clause.predicate_span;
     if draft.is_condition {
-        let what = format!("a condition is about nobody in particular, so nobody {:?}", reader.said(span));
-        return reader.fault(span, what, "say what changes: \"she walks 10 % slower\"".to_owned());
+        return reader.fault(span, WordMessage::ConditionFact { text: reader.said(span) });
     }
     only(reader, &clause.adverbs, &[], "this is always so");
     no_place(reader, clause);
     if let Some(measure) = &clause.measure {
-        misfit(reader, measure, "this is no change");
+        misfit(reader, measure, "this is not a change");
     }
     let name = draft.name.clone().or_else(|| reader.names.person.clone()).unwrap_or_default();
     let said = draft.said(clause.span);
@@ -147,14 +145,12 @@ fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
         _ => false,
     };
     if again {
-        let hint = "leave one of the two sentences out".to_owned();
-        reader.fault(span, format!("{:?} has been said before, in this way or another", reader.said(span)), hint);
+        reader.fault(span, SentenceMessage::SaidBefore { text: reader.said(span) });
     }
     if let Predicate::Pace(pace) = &clause.predicate
         && !(pace.from >= 0.05 && pace.to <= FASTEST_MPS)
     {
-        let hint = "people walk at 0.2 to 1.6 m/s".to_owned();
-        reader.fault(pace.span, format!("nobody walks at {:?}", reader.said(pace.span)), hint);
+        reader.fault(pace.span, TimeMessage::Pace { text: reader.said(pace.span) });
     }
 }
 
@@ -191,22 +187,21 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         once_a_day(reader, &clause);
     }
     if let Some(measure) = &clause.measure {
-        misfit(reader, measure, "this is something new, not a change");
+        misfit(reader, measure, "this is a new activity, not a change");
     }
     every_few_weeks(reader, adverbs);
     let when = time_of_fall(reader, &clause, adverbs.time_meant(activity == Activity::GoToBed));
     check_times(reader, adverbs, &when);
     if when == When::Then && draft.routine.habits.is_empty() {
         let span = adverbs.when.as_ref().map_or(clause.span, |slot| slot.span);
-        reader.fault(span, "\"then\" has nothing before it", "say first what is done before".to_owned());
+        reader.fault(span, SentenceMessage::NothingBeforeThen);
     }
     let until = adverbs.until_meant(&when);
     if let (Some(lasts), false) = (&adverbs.lasts, matches!(activity, Activity::Leave | Activity::Visit))
         && lasts.own
         && lasts.value.from > DAY_S
     {
-        let what = format!("{:?} is more than a day", reader.said(lasts.span));
-        reader.fault(lasts.span, what, "only who is out, or visits, is so for longer than 24 hours".to_owned());
+        reader.fault(lasts.span, TimeMessage::LongerThanADay { text: reader.said(lasts.span) });
     }
     let inherited_then = when == When::Then && adverbs.chance.as_ref().is_some_and(|chance| !chance.own);
     let chance = adverbs.chance.as_ref().filter(|_| !inherited_then).map_or(Chance::ALWAYS, |slot| slot.value);
@@ -250,9 +245,8 @@ fn only_goes(reader: &mut Reader, clause: &Clause) -> bool {
         return false;
     }
     let at = if reader.names.has(&name.to_lowercase(), Sort::Room) { "in" } else { "at" };
-    let hint = format!("say what she does there, and for how long: \"she sits {at} the {name} for 20 minutes\"");
     let span = clause.predicate_span.to(*place);
-    reader.fault(span, format!("{:?} leaves open what she does there", reader.said(span)), hint);
+    reader.fault(span, SentenceMessage::OnlyGoes { text: reader.said(span), at, place: name.clone() });
     true
 }
 
@@ -262,8 +256,7 @@ fn every_few_weeks(reader: &mut Reader, adverbs: &Adverbs) {
         && every.value % 7 == 0
         && weekdays.value.count_ones() > 1
     {
-        let what = format!("{:?} of several days leaves open which week is whose", reader.said(every.span));
-        reader.fault(every.span, what, "make a sentence for each day: \"every other Tuesday\"".to_owned());
+        reader.fault(every.span, TimeMessage::SeveralWeekdays { text: reader.said(every.span) });
     }
 }
 
@@ -292,9 +285,7 @@ fn once_a_day(reader: &mut Reader, clause: &Clause) {
     let gets_up = clause.predicate == Predicate::Does(Activity::GetUp);
     let span = clause.adverbs.times.as_ref().filter(|times| times.value != (1, 1)).map(|times| times.span);
     if let Some(span) = span.or(at_night.filter(|_| gets_up).map(|part| part.span)) {
-        let what = format!("{:?} does not fit here: a day begins and ends once", reader.said(span));
-        let hint = "for the nights, write \"goes to the bathroom\", \"lies awake\" or \"wanders\"".to_owned();
-        reader.fault(span, what, hint);
+        reader.fault(span, SentenceMessage::OnceADay { text: reader.said(span) });
     }
 }
 
@@ -311,20 +302,19 @@ fn check_times(reader: &mut Reader, adverbs: &Adverbs, when: &When) {
         };
         if at.to < from * 3600.0 || at.from > to * 3600.0 {
             let time = adverbs.when.as_ref().map_or(part.span, |slot| slot.span);
-            let what = format!("{:?} is not in the {}", reader.said(time), part.value.word());
-            reader.fault(time, what, format!("say either the time or {:?}", reader.said(part.span)));
+            let (text, part_text) = (reader.said(time), reader.said(part.span));
+            reader.fault(time, TimeMessage::PartOfDay { text, part: part.value.word().to_string(), part_text });
         }
     }
     if let (Some(lasts), Some(until)) = (&adverbs.lasts, &adverbs.until_time) {
-        let what = format!("{:?} and {:?} both say when it ends", reader.said(lasts.span), reader.said(until.span));
-        reader.fault(until.span, what, "leave one of them out".to_owned());
+        let (text, other) = (reader.said(lasts.span), reader.said(until.span));
+        reader.fault(until.span, TimeMessage::TwoEnds { text, other });
     }
     if let (When::At(at), Some(until)) = (when, &adverbs.until_time)
         && until.value.from <= at.from
         && !is_of_next_day(until.value.from, at.from)
     {
-        let what = format!("{:?} is before it begins", reader.said(until.span));
-        reader.fault(until.span, what, "the earlier time goes first".to_owned());
+        reader.fault(until.span, TimeMessage::EndBeforeBegin { text: reader.said(until.span) });
     }
 }
 
@@ -335,15 +325,14 @@ fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
         return;
     }
     let Some((effect, allowed)) = effect(reader, clause) else { return };
-    let why = "a change holds from its beginning on, on the days that are said";
+    let why = "a change holds from its beginning on, on the given days";
     only(reader, &clause.adverbs, &allowed, why);
     no_place(reader, clause);
     let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
     draft.phase(reader, &phase, &clause.adverbs, clause.span);
     let days = clause.adverbs.days_meant();
     if let (Effect::DaysAre { .. }, Some(kind)) = (&effect, &clause.adverbs.kind) {
-        let hint = "say it of days, such as \"on Sunday she has a quiet day\"".to_owned();
-        return reader.fault(kind.span, "it is not said which days are meant", hint);
+        return reader.fault(kind.span, SentenceMessage::WhichDays);
     }
     draft.routine.changes.push(Change { said: draft.said(clause.span), days, phase, effect });
 }
@@ -368,10 +357,8 @@ fn effect(reader: &mut Reader, clause: &Clause) -> Option<(Effect, Vec<Part>)> {
     let measure = clause.measure.as_ref();
     let part = clause.adverbs.part.as_ref().map(|slot| slot.value);
     if names_one_outing(reader, clause) {
-        let said = reader.said(clause.predicate_span);
-        let what = format!("{said:?} cannot change by itself: a change holds for everything she goes out for");
-        let hint = "write \"she goes out half as often\", or say until when: \"until week 12 she goes for a walk\"";
-        reader.fault(clause.predicate_span, what, hint.to_owned());
+        let text = reader.said(clause.predicate_span);
+        reader.fault(clause.predicate_span, SentenceMessage::OneOuting { text });
         return None;
     }
     let found = match (&clause.predicate, measure.map(|measure| (measure.of, measure.by))) {
@@ -478,8 +465,7 @@ fn of_activity(
         Of::Some => return Some((Effect::Oftener { activity, part, factor: by }, PHASE_AND_PART.to_vec())),
         Of::Much => {
             let span = clause.measure.as_ref().map_or(clause.span, |measure| measure.span);
-            let what = format!("{:?} may mean more often or for longer", reader.said(span));
-            reader.fault(span, what, "write \"30 % longer\" or \"30 % more often\"".to_owned());
+            reader.fault(span, SentenceMessage::MoreOrLonger { text: reader.said(span) });
             return None;
         }
         _ => {
@@ -515,21 +501,23 @@ fn not_a_change(reader: &mut Reader, clause: &Clause) {
         _ => "such changes are \"later\", \"longer\" and \"more often\"",
     };
     let span = clause.measure.as_ref().map_or(clause.predicate_span, |measure| measure.span);
-    let what = match &clause.measure {
-        Some(_) => format!("{:?} does not fit here", reader.said(span)),
-        None => format!("{:?} leaves open how", reader.said(span)),
+    let (text, help) = (reader.said(span), hint.to_owned());
+    let message = match &clause.measure {
+        Some(_) => SentenceMessage::OtherChange { text, help },
+        None => SentenceMessage::OpenChange { text, help },
     };
-    reader.fault(span, what, hint.to_owned());
+    reader.fault(span, message);
 }
 
 fn misfit(reader: &mut Reader, measure: &Measure, why: &str) {
-    reader.fault(measure.span, format!("{:?} does not fit here: {why}", reader.said(measure.span)), None);
+    let (text, reason) = (reader.said(measure.span), why.to_owned());
+    reader.fault(measure.span, SentenceMessage::NotAChange { text, reason });
 }
 
 fn no_place(reader: &mut Reader, clause: &Clause) {
     if let Some((_, span)) = &clause.place {
-        let what = format!("{:?} does not fit here: a change has no place", reader.said(*span));
-        reader.fault(*span, what, "leave it out".to_owned());
+        let (text, reason) = (reader.said(*span), "a change has no place".to_owned());
+        reader.fault(*span, SentenceMessage::DoesNotFit { text, reason });
     }
 }
 
@@ -544,8 +532,7 @@ fn needed_chance(reader: &mut Reader, clause: &Clause, example: &str) -> Option<
     let chance = chance(clause);
     if chance.is_none() {
         let span = clause.predicate_span;
-        let what = format!("it is not said how often she {:?}", reader.said(span));
-        reader.fault(span, what, format!("write {example:?}"));
+        reader.fault(span, SentenceMessage::HowOften { text: reader.said(span), example: example.to_owned() });
     }
     chance
 }

@@ -1,6 +1,7 @@
 //! Days of the run and of the calendar: weekdays, months, dates, and how many days lie between.
 
 use super::amounts::{Amount, MONTH_DAYS, Unit, YEAR_DAYS, amount, number};
+use super::messages::TimeMessage;
 use super::reader::Reader;
 use super::words::Token;
 use crate::routine::Moment;
@@ -68,8 +69,7 @@ pub fn moment(reader: &mut Reader) -> Option<(Moment, Length)> {
         let number = number(reader)?;
         let span = reader.span(start);
         if number.fract() != 0.0 || !(1.0..=36_525.0).contains(&number) {
-            let what = format!("there is no {:?}", reader.said(span));
-            reader.fault(span, what, "the first is day 1, in week 1".to_owned());
+            reader.fault(span, TimeMessage::NoDay { text: reader.said(span) });
             return Some((Moment::Day(0), length));
         }
         Some((Moment::Day((number as i32 - 1) * length.days), length))
@@ -139,8 +139,7 @@ fn date(reader: &mut Reader, year: u32, month: u32, day: u32) -> Moment {
         return Moment::Date(year as i16, month as u8, day as u8);
     }
     let span = reader.span(reader.at.saturating_sub(1));
-    let hint = "write year, month and day, such as 2009-05-01".to_owned();
-    reader.fault(span, "there is no such date between 1900 and 2200", hint);
+    reader.fault(span, TimeMessage::NoDate);
     Moment::Day(0)
 }
 

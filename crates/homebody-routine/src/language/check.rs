@@ -4,6 +4,7 @@ use super::activities::phrase;
 use super::calendar::days_between;
 use super::draft::Draft;
 use super::faults::Faults;
+use super::messages::{CheckMessage, WordMessage};
 use crate::routine::{Activity, Days, Effect, Habit, Meal, Moment, PartOfDay, Phase, Response, Rule, Trigger, When};
 use homebody_core::fuzzy::Fuzzy;
 use homebody_core::scenario::nearest::nearest;
@@ -77,11 +78,8 @@ fn twice_a_day(draft: &Draft, faults: &mut Faults) {
             let both = |other: &Habit| habit.chance.probability + other.chance.probability > 1.0 + 1e-9;
             let other = list[..later].iter().find(|(_, other)| share_days(draft, habit, other) && both(other));
             if let Some((_, other)) = other {
-                let doing = phrase(&activity);
-                let what =
-                    format!("the person {doing} at two times of the same day: line {} says so too", other.said.line);
-                let hint = "say on which days each is so: \"on weekdays\", \"at weekends\", \"until day 100\"".into();
-                faults.add(draft.habit_spans[*index], what, Some(hint));
+                let (activity, other_line) = (phrase(&activity).to_string(), other.said.line);
+                faults.add(draft.habit_spans[*index], CheckMessage::TwoTimes { activity, other_line });
             }
         }
     }
@@ -108,8 +106,8 @@ fn visitors_nearly_alike(draft: &Draft, faults: &mut Faults) {
             near.len().abs_diff(name.len()) == 1 || sorted(near) == sorted(name)
         });
         if let Some(near) = near.filter(|_| is_slip) {
-            let what = format!("{name:?} is somebody else than {near:?}, who visits, too");
-            faults.add(draft.habit_spans[index], what, Some(format!("did you mean {near:?}?")));
+            let (name, other) = (name.to_owned(), near.to_owned());
+            faults.add(draft.habit_spans[index], WordMessage::SimilarVisitors { name, other });
         }
         seen.push(name);
     }
@@ -139,10 +137,8 @@ fn done_and_not_done(draft: &Draft, faults: &mut Faults) {
             is_never && is_before && all_days && change.phase.until.is_none() && change.phase.over_days == 0.0
         });
         if let Some(never) = never {
-            let what = format!("line {} says that she does not: {:?}", never.said.line, never.said.text.trim());
-            let hint =
-                "leave one of the two out, or say from when or until when each is so: \"until day 100\"".to_owned();
-            faults.add(draft.habit_spans[index], what, Some(hint));
+            let (other_line, other) = (never.said.line, never.said.text.trim().to_owned());
+            faults.add(draft.habit_spans[index], CheckMessage::Contradiction { other_line, other });
         }
     }
 }
@@ -171,17 +167,14 @@ fn home_while_out(draft: &Draft, faults: &mut Faults) {
             let comes_home = habit.activity == Activity::ComeHome
                 && (outing.lasts.is_some() || outing.until.is_some())
                 && surely_from_to(outing).is_some();
-            let what = match (comes_home, is_within && is_meal && on_its_days && habit.chance.probability >= CERTAIN) {
-                (true, _) => {
-                    format!("line {} says, too, when she comes home: {:?}", outing.said.line, outing.said.text.trim())
-                }
-                (_, true) => {
-                    format!("the person is out then, by line {}: {:?}", outing.said.line, outing.said.text.trim())
-                }
+            let (other_line, other) = (outing.said.line, outing.said.text.trim().to_owned());
+            let message = match (comes_home, is_within && is_meal && on_its_days && habit.chance.probability >= CERTAIN)
+            {
+                (true, _) => CheckMessage::HomeTwice { other_line, other },
+                (_, true) => CheckMessage::OutThen { other_line, other },
                 _ => continue,
             };
-            let hint = "change one of the two times, or say on which days each is so: \"on weekdays\"".to_owned();
-            faults.add(draft.habit_spans[index], what, Some(hint));
+            faults.add(draft.habit_spans[index], message);
             break;
         }
     }
@@ -220,20 +213,8 @@ fn too_much_for_a_day(draft: &Draft, faults: &mut Faults) {
     for (index, habit) in own_habits(draft).filter(|(_, habit)| is_daily(habit) && length(habit) > 0.0) {
         sum += length(habit);
         if sum > awake_s {
-            let others: Vec<String> = lines.iter().map(u32::to_string).collect();
-            let what = match others.as_slice() {
-                [] => format!("this takes longer than she is up, {:.0} hours", awake_s / 3600.0),
-                _ => format!(
-                    "with lines {} this takes longer than she is up, {:.0} hours",
-                    others.join(", "),
-                    awake_s / 3600.0
-                ),
-            };
-            faults.add(
-                draft.habit_spans[index],
-                what,
-                Some("say shorter times, or on which days each is done".to_owned()),
-            );
+            let message = CheckMessage::FullDay { other_lines: lines.clone(), awake_h: awake_s / 3600.0 };
+            faults.add(draft.habit_spans[index], message);
             return;
         }
         lines.push(habit.said.line);
@@ -253,8 +234,7 @@ fn bed_before_getting_up(draft: &Draft, faults: &mut Faults) {
         let is_nap = |up: f64| !(SHORTEST_NIGHT_S..LONGEST_NIGHT_S).contains(&(up - time));
         let early = |up: &Habit| at(up).is_some_and(|up| time <= up && is_nap(up)) && share_days(draft, bed, up);
         if let Some((_, up)) = up.iter().find(|(_, up)| early(up)) {
-            let what = format!("she goes to bed before she gets up, by line {}", up.said.line);
-            faults.add(draft.habit_spans[index], what, Some("write bedtimes as 22:30 or 10:30 pm".into()));
+            faults.add(draft.habit_spans[index], CheckMessage::BedBeforeUp { other_line: up.said.line });
         }
     }
 }
@@ -264,8 +244,7 @@ fn home_without_leaving(draft: &Draft, faults: &mut Faults) {
         return;
     }
     for (index, _) in own_habits(draft).filter(|(_, habit)| habit.activity == Activity::ComeHome) {
-        let hint = "say when she leaves: \"she leaves the apartment at about 10:00\"".to_owned();
-        faults.add(draft.habit_spans[index], "she comes home, but no sentence says that she leaves", Some(hint));
+        faults.add(draft.habit_spans[index], CheckMessage::HomeWithoutLeaving);
     }
 }
 
@@ -288,14 +267,13 @@ fn missing_anchors(draft: &Draft, faults: &mut Faults) {
             other => does(draft, other),
         };
         if !is_done {
-            let what = format!("no sentence says that she {}, so this has no time", phrase(other));
-            let at = match other {
+            let time = match other {
                 Activity::Eat(Meal::Breakfast) => "8:00",
                 Activity::Eat(Meal::Dinner) => "18:00",
                 _ => "12:00",
             };
-            let hint = format!("add a sentence such as \"she {} at about {at}\"", phrase(other));
-            faults.add(draft.habit_spans[index], what, Some(hint));
+            let (activity, time) = (phrase(other).to_string(), time.to_owned());
+            faults.add(draft.habit_spans[index], CheckMessage::NoAnchor { activity, time });
         }
     }
 }
@@ -304,10 +282,7 @@ fn missing_anchors(draft: &Draft, faults: &mut Faults) {
 fn finders_who_never_come(draft: &Draft, faults: &mut Faults) {
     let comes = |who: &str| draft.routine.habits.iter().any(|habit| habit.visitor.as_deref() == Some(who));
     for (who, span) in draft.finders.iter().filter(|(who, _)| !comes(who)) {
-        let what = format!("no sentence says that the {who} visits, and would find her");
-        let hint =
-            format!("write \"until somebody comes\", or add a sentence such as \"her {who} visits every day at 9:00\"");
-        faults.add(*span, what, Some(hint));
+        faults.add(*span, CheckMessage::FinderNeverComes { visitor: who.to_owned() });
     }
 }
 
@@ -335,11 +310,11 @@ fn circles(draft: &Draft, faults: &mut Faults) -> bool {
         let Some(other) = anchor(habit) else { continue };
         let back = own_habits(draft).find(|(_, back)| back.activity == *other);
         let line = back.map_or(habit.said.line, |(_, back)| back.said.line);
-        let what = match *other == habit.activity {
-            true => format!("she {} before or after doing so: that goes in a circle", phrase(other)),
-            false => format!("this waits for line {line}, and line {line} for this: that goes in a circle"),
+        let message = match *other == habit.activity {
+            true => CheckMessage::AfterItself { activity: phrase(other).to_string() },
+            false => CheckMessage::Circle { other_line: line },
         };
-        faults.add(draft.habit_spans[index], what, Some("give one of them a time of day".into()));
+        faults.add(draft.habit_spans[index], message);
         any = true;
     }
     any
@@ -354,30 +329,25 @@ fn idle_rules(draft: &Draft, faults: &mut Faults) {
                 let used = USED_BY.iter().find(|(name, _)| folded.contains(&format!(" {name} ")));
                 let Some((_, activities)) = used else { continue };
                 if !activities.iter().any(|activity| does(draft, activity)) {
-                    let what = format!("this never comes true: no sentence has her use the {thing}");
-                    let hint = format!("add a sentence such as \"she {} at about 12:00\"", phrase(&activities[0]));
-                    faults.add(*trigger, what, Some(hint));
+                    let (thing, activity) = (thing.to_string(), phrase(&activities[0]).to_string());
+                    faults.add(*trigger, CheckMessage::NeverUsed { thing, activity });
                 }
             }
             Trigger::Away => {
                 let outings: Vec<&Habit> =
                     own_habits(draft).map(|(_, habit)| habit).filter(|h| h.activity == Activity::Leave).collect();
                 if outings.is_empty() && !does(draft, &Activity::Leave) {
-                    let hint = "add a sentence such as \"she leaves the apartment at about 10:00\"".to_owned();
-                    faults.add(*trigger, "this never comes true: no sentence says that she leaves", Some(hint));
+                    faults.add(*trigger, CheckMessage::NeverOut);
                 } else if !outings.is_empty()
                     && outings.iter().all(|habit| longest(habit).is_some_and(|most| most < rule.lasts.low))
                 {
-                    let what = "this never comes true: she is never out for so long";
-                    faults.add(*lasts, what, Some("compare how long she is out".into()));
+                    faults.add(*lasts, CheckMessage::NeverOutSoLong);
                 }
             }
             Trigger::Doing(activity) | Trigger::Done(activity)
                 if !does(draft, activity) && !is_answered(draft, activity) =>
             {
-                let what = format!("this never comes true: no sentence says that she {}", phrase(activity));
-                let hint = format!("add a sentence such as \"she {} at about 12:00\"", phrase(activity));
-                faults.add(*trigger, what, Some(hint));
+                faults.add(*trigger, CheckMessage::NeverDone { activity: phrase(activity).to_string() });
             }
             _ => {}
         }

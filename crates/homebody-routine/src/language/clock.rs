@@ -3,6 +3,7 @@
 use super::activities;
 use super::amounts::{DAY_S, is_unit, number};
 use super::calendar::{is_month, is_weekday};
+use super::messages::TimeMessage;
 use super::reader::Reader;
 use super::visits::visits;
 use super::words::{Span, Token};
@@ -63,7 +64,8 @@ pub fn clock(reader: &mut Reader, bare: bool, begin: Option<f64>) -> Option<f64>
     }
     if half.is_none() && !face.is_clear {
         let said = reader.said(span);
-        reader.fault(span, format!("it is not clear which time of day {said:?} is"), face.both(&said));
+        let help = face.both(&said);
+        reader.fault(span, TimeMessage::AmbiguousTime { text: said, help });
     }
     Some(match half {
         Some(is_late) if by_twelve => face.after_twelve_s() + if is_late { DAY_S / 2.0 } else { 0.0 },
@@ -414,14 +416,14 @@ fn no_time(reader: &mut Reader, from: usize) -> f64 {
     let span = reader.span(from);
     let text = written(reader, span);
     let meant = meant(&text);
-    let hint = match meant {
+    let help = match meant {
         Some((hours, minutes)) => format!("did you mean \"{hours}:{minutes:02}\"?"),
         None if text.split_once(':').is_some_and(|(_, minutes)| minutes.len() >= 2) || text.contains(' ') => {
             "times go from 00:00 to 24:00, or from 1 am to 12 pm".into()
         }
-        None => "hours and minutes have a colon between them: \"06:45\"".into(),
+        None => "write a colon between hours and minutes: \"06:45\"".into(),
     };
-    reader.fault(span, format!("there is no time {:?}", reader.said(span)), hint);
+    reader.fault(span, TimeMessage::NoTime { text: reader.said(span), help });
     meant.map_or(12.0 * HOUR_S, |(hours, minutes)| f64::from(hours) * HOUR_S + f64::from(minutes) * 60.0)
 }
 

@@ -2,6 +2,7 @@
 
 use super::adverbs::Adverbs;
 use super::calendar::days_between;
+use super::messages::TimeMessage;
 use super::reader::Reader;
 use super::words::{Line, Span};
 use crate::routine::{Activity, Moment, Phase, Quote, Routine};
@@ -67,15 +68,13 @@ impl Draft<'_> {
         if let Some((at, by)) = becomes {
             let from = phase.from.unwrap_or(Moment::Day(0));
             if days_between(from, by, self.first_date).is_some_and(|days| days <= 0) {
-                let what = format!("{:?} changes before it begins", reader.said(at));
-                reader.fault(at, what, "say a later day after \"by\"".to_owned());
+                reader.fault(at, TimeMessage::ChangeBeforeBegin { text: reader.said(at) });
             }
         }
         let (Some(from), Some(until)) = (phase.from, phase.until) else { return };
         if days_between(from, until, self.first_date).is_some_and(|days| days <= 0) {
             let span = adverbs.until.as_ref().map_or(span, |slot| slot.span);
-            let what = format!("{:?} is not after it begins", reader.said(span));
-            reader.fault(span, what, "the earlier day goes first".to_owned());
+            reader.fault(span, TimeMessage::EndBeforeBegin { text: reader.said(span) });
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::adverbs::Adverbs;
 use super::clause::Clause;
+use super::messages::TimeMessage;
 use super::reader::{Reader, begins_adverb};
 use super::said::Predicate;
 use super::times;
@@ -162,8 +163,7 @@ pub fn time_of_fall(reader: &mut Reader, clause: &Clause, when: When) -> When {
     // Of a clause that is joined with this one it is no matter.
     let own = |span: &Span| clause.span.start <= span.start && span.end <= clause.span.end;
     if let Some(span) = times.into_iter().flatten().find(own) {
-        let what = format!("{:?} and when it mostly is both say at which time", reader.said(span));
-        reader.fault(span, what, "leave one of them out".to_owned());
+        reader.fault(span, TimeMessage::TwoTimesOfFall { text: reader.said(span) });
     }
     When::AnyTime
 }
@@ -287,9 +287,6 @@ fn is_of_whom(reader: &mut Reader) {
         Adverbs::default().next(reader);
         let span = reader.span(from);
         reader.at = reader.words.len();
-        let what = format!("it is not clear whether {:?} is when she falls or when somebody comes", reader.said(span));
-        let hint = "say how often she falls, or when, in front; and in a sentence of its own when somebody comes: \
-            \"her daughter visits at 9:00\"";
-        reader.fault(span, what, hint.to_owned());
+        reader.fault(span, TimeMessage::WhoseTime { text: reader.said(span) });
     }
 }

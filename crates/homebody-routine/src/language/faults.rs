@@ -1,5 +1,6 @@
 //! What is wrong with a text: collected while it is read, told with line, column and underline.
 
+use super::messages::SentenceMessage;
 use super::words::{Line, Span};
 use homebody_core::problem::{Diagnostic, Excerpt, Problem};
 use homebody_core::scenario::nearest::nearest;
@@ -28,11 +29,11 @@ impl Faults {
         Faults { is_trial: true, ..Faults::default() }
     }
 
-    pub fn add(&mut self, span: Span, message: impl Into<Diagnostic>, hint: Option<String>) {
+    pub fn add(&mut self, span: Span, message: impl Into<Diagnostic>) {
         if self.list.len() < MOST {
-            let message = message.into();
-            let hint = hint.or_else(|| message.hint.clone());
-            self.list.push(Fault { span, message: Diagnostic { hint, ..message } });
+            // The words of a trial are never read.
+            let message = if self.is_trial { Diagnostic::default() } else { message.into() };
+            self.list.push(Fault { span, message });
         } else {
             self.more += 1;
         }
@@ -60,11 +61,7 @@ impl Faults {
         self.list.sort_by_key(|fault| fault.span);
         let mut problems: Vec<Problem> = self.list.into_iter().map(|fault| problem(file, lines, fault)).collect();
         if self.more > 0 {
-            let what = match self.more {
-                1 => "there is 1 more problem".to_owned(),
-                more => format!("there are {more} more problems"),
-            };
-            problems.push(Problem::of_file(file, what, Some("mend those above first".into())));
+            problems.push(Problem::of_file(file, SentenceMessage::MoreProblems { more: self.more }, None));
         }
         problems
     }

@@ -4,6 +4,7 @@
 //! names of rooms and furniture, verbs without rules, and what is said in other words. `english.words` begins with how
 //! these are written.
 
+use super::messages::LexiconMessage;
 use super::words::{self, Token, Word};
 use crate::routine::Activity;
 use homebody_core::problem::{Excerpt, Problem};
@@ -248,33 +249,29 @@ impl Words {
         }
         for (index, written) in text.lines().enumerate() {
             let line = bare(written);
-            let mut say = |what: String, hint: Option<String>| {
+            let mut say = |message: LexiconMessage| {
                 let excerpt = Some(Excerpt::around(written, 0).underlining(written.trim_end().chars().count().max(1)));
                 let (line, column) = (index as u32 + 1, 1);
-                problems.push(Problem { line, column, excerpt, ..Problem::of_file(file, what, hint) });
+                problems.push(Problem { line, column, excerpt, ..Problem::of_file(file, message, None) });
             };
             if index >= MOST_LINES {
-                say(format!("a file of words has at most {MOST_LINES} lines"), None);
+                say(LexiconMessage::TooManyLines { most: MOST_LINES });
                 break;
             }
             if written.chars().count() > LONGEST_LINE {
-                say(
-                    format!("this line has more than {LONGEST_LINE} characters"),
-                    Some("write one phrase a line".into()),
-                );
+                say(LexiconMessage::LongLine { most: LONGEST_LINE });
             } else if line.is_empty() {
             } else if let Some(head) = line.strip_prefix('[').filter(|_| line.contains(']') && !line.ends_with(')')) {
                 match self.head(head, index as u32 + 1) {
                     Ok(found) => section = Some(found),
-                    Err((what, hint)) => say(what, Some(hint)),
+                    Err(message) => say(message),
                 }
             } else if let Some(section) = &section {
-                if let Err((what, hint)) = self.line(section, line) {
-                    say(what, Some(hint));
+                if let Err(message) = self.line(section, line) {
+                    say(message);
                 }
             } else {
-                let hint = "begin with whose words these are: \"[reading]\"".to_owned();
-                say("no section stands above this line".into(), Some(hint));
+                say(LexiconMessage::NoSection);
             }
         }
         self.sort();
@@ -282,7 +279,7 @@ impl Words {
     }
 
     /// "[reading] reads", "[tending bonsai] tends the bonsai; 40 minutes; balcony".
-    fn head(&mut self, head: &str, line: u32) -> Result<Section, (String, String)> {
+    fn head(&mut self, head: &str, line: u32) -> Result<Section, LexiconMessage> {
         let (name, said) = head.split_once(']').unwrap_or((head, ""));
         let (name, said) = (name.trim(), said.trim());
         match name {
@@ -300,11 +297,8 @@ impl Words {
         let known = Activity::of_label(name);
         if known.is_none() && !self.own.contains_key(name) && told.is_empty() {
             let labels: Vec<Activity> = Activity::OWN_WAYS.into_iter().chain(Activity::everyday()).collect();
-            let near =
-                nearest(name, labels.iter().map(Activity::label)).map(|near| format!("did you mean \"[{near}]\"? "));
-            let hint = near.unwrap_or_default()
-                + "An activity of your own is told somehow: \"[tending bonsai] tends the bonsai\"";
-            return Err((format!("{name:?} is no activity of Homebody's"), hint));
+            let near = nearest(name, labels.iter().map(Activity::label)).map(str::to_owned);
+            return Err(LexiconMessage::UnknownActivity { label: name.to_owned(), near });
         }
         let activity = known.clone().unwrap_or_else(|| Activity::Other(name.to_owned()));
         if known.is_none() {
@@ -313,8 +307,7 @@ impl Words {
                 match part.strip_suffix("minutes").map(|number| number.trim().parse::<f64>()) {
                     Some(Ok(minutes)) if (1.0..=1440.0).contains(&minutes) => own.minutes = Some(minutes),
                     Some(_) => {
-                        let hint = "say 1 to 1440 minutes, such as \"40 minutes\"".to_owned();
-                        return Err((format!("{part:?} is no usual length"), hint));
+                        return Err(LexiconMessage::Minutes { text: part.to_owned() });
                     }
                     None => own.place = Some(part.to_owned()),
                 }
@@ -327,7 +320,7 @@ impl Words {
         Ok(Section::Activity(activity))
     }
 
-    fn line(&mut self, section: &Section, line: &str) -> Result<(), (String, String)> {
+    fn line(&mut self, section: &Section, line: &str) -> Result<(), LexiconMessage> {
         let sort = match section {
             Section::Activity(_) => "way",
             Section::List(name) => name,
@@ -339,7 +332,7 @@ impl Words {
             Section::Roughly => "rough",
         };
         if !self.lines.insert(format!("{sort}: {line}")) {
-            return Err((format!("{line:?} is said twice"), "leave one of the two lines out".into()));
+            return Err(LexiconMessage::SameLine { text: line.to_owned() });
         }
         match section {
             Section::Activity(activity) => match line.strip_prefix("= ") {
@@ -355,8 +348,7 @@ impl Words {
             }
             Section::Names | Section::Means | Section::Hints | Section::Roughly => {
                 let Some((said, meant)) = line.split_once("=>") else {
-                    let hint = "write the new words, then \"=>\" and known ones: \"settee => sofa\"".to_owned();
-                    return Err((format!("{line:?} does not say what it means"), hint));
+                    return Err(LexiconMessage::NoMeaning { text: line.to_owned() });
                 };
                 let (said, meant) = (said.trim(), meant.trim());
                 match section {
@@ -370,15 +362,11 @@ impl Words {
         Ok(())
     }
 
-    fn way(&self, written: &str) -> Result<Way, (String, String)> {
+    fn way(&self, written: &str) -> Result<Way, LexiconMessage> {
         let pieces: Vec<Piece> = written.split(' ').map(|piece| self.piece(piece)).collect();
         match pieces.first().map(|piece| (&piece.is, piece.optional)) {
             Some((Is::Verb(_) | Is::Word(_), false)) => Ok(Way { pieces, written: written.to_owned() }),
-            _ => {
-                let hint =
-                    "begin with a verb, such as \"~water plants\", or with a word that has to stand there".to_owned();
-                Err((format!("{written:?} may begin with anything"), hint))
-            }
+            _ => Err(LexiconMessage::NoFirstWord { text: written.to_owned() }),
         }
     }
 

@@ -3,6 +3,7 @@
 use super::adverbs::{Adverbs, Slot};
 use super::amounts::DAY_S;
 use super::calendar;
+use super::messages::TimeMessage;
 use super::reader::Reader;
 use super::times;
 use super::words::Span;
@@ -84,24 +85,22 @@ impl Adverbs {
     pub fn phase_meant(&self, reader: &mut Reader, is_condition: bool) -> Phase {
         let from = self.from.as_ref().map(|slot| slot.value);
         if let (Some(over), None, false) = (&self.over, from, is_condition) {
-            let hint = "write \"From week 6, over 4 weeks, ...\"".to_owned();
-            reader.fault(over.span, "it is not said from when the change begins", hint);
+            let help = "write \"From week 6, over 4 weeks, ...\"".to_owned();
+            reader.fault(over.span, TimeMessage::NoBeginning { help });
         }
         let days = self.for_days.as_ref().map(|slot| slot.value as i32);
         if let (Some(until), Some(for_days)) = (&self.until, &self.for_days) {
-            let what =
-                format!("{:?} and {:?} both say until when", reader.said(until.span), reader.said(for_days.span));
-            reader.fault(for_days.span, what, "leave one of them out".to_owned());
+            let (text, other) = (reader.said(until.span), reader.said(for_days.span));
+            reader.fault(for_days.span, TimeMessage::TwoEnds { text, other });
         }
         if let (Some(for_days), None, true) = (&self.for_days, from, self.months.is_some() || self.of_month.is_some()) {
-            let hint = "say from which day, such as \"from 2026-07-01, for 14 days\"".to_owned();
-            reader.fault(for_days.span, "it is not said from which day on", hint);
+            let help = "write from which day, such as \"from 2026-07-01, for 14 days\"".to_owned();
+            reader.fault(for_days.span, TimeMessage::NoBeginning { help });
         }
         let until = self.until.as_ref().map(|slot| slot.value);
         let until = until.or(days.map(|days| calendar::later(from.unwrap_or(Moment::Day(0)), days)));
         if let (Some(fading), None) = (&self.fading, until) {
-            let hint = "write \"until day 100, fading over 2 weeks\"".to_owned();
-            reader.fault(fading.span, "it is not said until when it lasts before it fades", hint);
+            reader.fault(fading.span, TimeMessage::NoEndToFade);
         }
         let days = |slot: &Option<Slot<f64>>| slot.as_ref().map_or(0.0, |slot| slot.value);
         Phase { from, over_days: days(&self.over), until, fading_days: days(&self.fading) }

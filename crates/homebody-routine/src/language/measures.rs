@@ -1,6 +1,7 @@
 //! How much something changes: "45 to 90 minutes later", "twice as often", "30 % slower".
 
 use super::amounts::{Amount, DAY_S, Unit, amount};
+use super::messages::TimeMessage;
 use super::reader::Reader;
 use super::words::Span;
 use homebody_core::fuzzy::Fuzzy;
@@ -158,8 +159,8 @@ fn signed(amount: &Amount, is_less: bool) -> Fuzzy {
 /// A change may be so great, and no greater.
 fn at_most(reader: &mut Reader, amount: &Amount, value: f64, most: f64, in_words: &str) {
     if value > most {
-        let what = format!("{:?} is more than {in_words}", reader.said(amount.span));
-        reader.fault(amount.span, what, format!("say at most {in_words}"));
+        let (text, most) = (reader.said(amount.span), in_words.to_owned());
+        reader.fault(amount.span, TimeMessage::TooGreat { text, most });
     }
 }
 
@@ -195,8 +196,8 @@ fn percent(reader: &mut Reader, amount: &Amount) -> Option<(Of, Fuzzy)> {
         ("less", (Of::Much, true)),
     ])?;
     if is_less && amount.to > 100.0 {
-        let what = format!("nothing can be {:?}", reader.said(amount.span.to(reader.span(reader.at - 1))));
-        reader.fault(amount.span, what, "say at most 100 %".to_owned());
+        let text = reader.said(amount.span.to(reader.span(reader.at - 1)));
+        reader.fault(amount.span, TimeMessage::LessThanNothing { text });
     }
     let by = signed(amount, is_less).map(|percent| (1.0 + percent / 100.0).max(0.0));
     at_most(reader, amount, by.to, MOST_TIMES, "100 times as much");

@@ -9,6 +9,7 @@
 
 mod words;
 mod faults;
+pub(crate) mod messages;
 mod known;
 pub mod lexicon;
 mod reader;
@@ -66,6 +67,7 @@ use faults::Faults;
 use homebody_core::problem::Problem;
 pub use known::Known;
 pub use lexicon::Lexicon;
+use messages::SentenceMessage;
 use reader::{Names, Reader};
 use skim::skim;
 use std::ops::Range;
@@ -135,8 +137,7 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
     for line in draft.lines.clone() {
         if line.text.chars().nth(LONGEST_LINE).is_some() {
             let span = Span { start: line.start, end: line.start };
-            let what = format!("this line has more than {LONGEST_LINE} characters");
-            faults.add(span, what, Some("write one sentence a line".into()));
+            faults.add(span, SentenceMessage::LongLine { most: LONGEST_LINE });
             continue;
         }
         // Below a heading, a sentence that says nothing is one too: one that was taken out leaves its full stop.
@@ -147,17 +148,15 @@ fn read(file: &str, text: &str, known: &Known, is_condition: bool) -> (Routine, 
         for (at, sentence) in sentences.iter().enumerate() {
             count += 1;
             if count > MOST_SENTENCES {
-                let what = format!("a routine has at most {MOST_SENTENCES} sentences");
-                faults.add(sentence.span(), what, None);
+                faults.add(sentence.span(), SentenceMessage::TooManySentences { most: MOST_SENTENCES });
                 return finish(draft, faults);
             }
             if let Some(before) = at.checked_sub(1).map(|before| &sentences[before]).filter(|_| sentence.goes_on)
                 && let Some(days) = days_in_front(&draft, &names, before)
                 && days_in_front(&draft, &names, sentence).is_none()
             {
-                let what =
-                    format!("it is not clear whether {:?} goes on after the semicolon", &text[days.start..days.end]);
-                faults.add(sentence.span(), what, Some("make two sentences, and say the days in both".into()));
+                let text = text[days.start..days.end].to_owned();
+                faults.add(sentence.span(), SentenceMessage::AfterSemicolon { text });
                 continue;
             }
             one(&mut draft, &mut names, &mut faults, &mut heading, sentence);
@@ -190,8 +189,7 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     } else if let Some(heading) = heading.as_mut() {
         heading.is_used = true;
     } else {
-        let hint = "indent only what stands below a heading such as \"Every day\"".to_owned();
-        faults.add(sentence.span(), "this line is indented, but no heading stands above it", Some(hint));
+        faults.add(sentence.span(), SentenceMessage::Indented);
     }
     let above = heading.as_ref().map(|heading| &heading.adverbs);
     let part = above.and_then(|above| above.part.as_ref()).map(|part| part.value);
@@ -223,8 +221,7 @@ fn one(draft: &mut Draft, names: &mut Names, faults: &mut Faults, heading: &mut 
     simpler::hints(faults, before, names, draft, &shaped);
     let failed = faults.count() > before;
     if sentence.indented && !failed {
-        let hint = "a heading is not indented; a sentence says who does what".to_owned();
-        faults.add(sentence.span(), "nothing is done in this sentence", Some(hint));
+        faults.add(sentence.span(), SentenceMessage::NothingDone);
     }
     if !sentence.indented {
         *heading = Some(Heading { adverbs, span: sentence.span(), is_used: failed });
@@ -289,7 +286,6 @@ fn in_parts(
 /// A heading has to have something below it.
 fn close(faults: &mut Faults, heading: Option<Heading>) {
     if let Some(heading) = heading.filter(|heading| !heading.is_used) {
-        let hint = "indent the lines that it is about, or say in the same sentence what is done".to_owned();
-        faults.add(heading.span, "nothing stands below this heading", Some(hint));
+        faults.add(heading.span, SentenceMessage::EmptyHeading);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::amounts::{ABOUT, Amount, MONTH_DAYS, Unit, amount, happens, number, share};
 use super::calendar;
+use super::messages::TimeMessage;
 use super::reader::Reader;
 use super::times;
 use crate::routine::{Chance, PartOfDay};
@@ -105,12 +106,8 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
     let from = reader.at;
     if let Some((every, weekdays)) = reader.attempt(nth_weekday) {
         if weekdays.count_ones() > 1 {
-            let what = format!(
-                "{:?} is of several days, of which each would be another week's",
-                reader.said(reader.span(from - 1))
-            );
-            let hint = "make a sentence for each day: \"every other Saturday\", \"every third Monday\"".to_owned();
-            reader.fault(reader.span(from - 1), what, hint);
+            let (span, text) = (reader.span(from - 1), reader.said(reader.span(from - 1)));
+            reader.fault(span, TimeMessage::SeveralWeekdays { text });
         }
         let part = reader.eat_any(&times::PARTS);
         return Some(Often { every: Some(every), weekdays: Some(weekdays), part, ..Often::NOTHING });
@@ -124,9 +121,9 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
     let days = if reader.ahead(|reader| reader.eat("hour")) { 1.0 } else { number(reader)? };
     if reader.eat("hour|hours") {
         const AWAKE_H: f64 = 16.0;
-        let a_day = (AWAKE_H / days.max(1.0)).round().max(1.0);
-        let what = format!("{:?} is more often than once a day", reader.said(reader.span(from - 1)));
-        reader.fault(reader.span(from - 1), what, format!("say how many times, such as \"{a_day} times a day\""));
+        let times_a_day = (AWAKE_H / days.max(1.0)).round().max(1.0);
+        let (span, text) = (reader.span(from - 1), reader.said(reader.span(from - 1)));
+        reader.fault(span, TimeMessage::EveryHours { text, times_a_day });
         return Some(Often::NOTHING);
     }
     let days = match reader.eat_any(&[("weeks", 7.0), ("months", MONTH_DAYS)]) {
@@ -139,8 +136,7 @@ fn every_so_many(reader: &mut Reader) -> Option<Often> {
     }
     let span = reader.span(from);
     if days.fract() != 0.0 || !(1.0..=365.0).contains(&days) {
-        let what = format!("nothing is done every {:?}", reader.said(span));
-        reader.fault(span, what, "write a whole number of days, such as \"every 3 days\"".to_owned());
+        reader.fault(span, TimeMessage::EveryDays { text: reader.said(span) });
     }
     Some(Often { every: Some(days.clamp(1.0, 365.0) as u32), ..Often::NOTHING })
 }
@@ -183,8 +179,7 @@ fn quantified(reader: &mut Reader) -> Option<Often> {
     let is_share = ["all", "of", "the"].iter().any(|end| reader.passed(from).ends_with(end));
     if is_share && reader.eat("day|night|morning|afternoon|evening") {
         let span = reader.span(from);
-        let hint = "say from when to when, \"from 14:00 to 17:00\", or on which days: \"every day\", \"most days\"";
-        reader.fault(span, format!("{:?} says how long, but not from when", reader.said(span)), hint.to_owned());
+        reader.fault(span, TimeMessage::PartOfEachDay { text: reader.said(span) });
         return Some(Often::NOTHING);
     }
     let (weekdays, part) = kind_of_day(reader)?;
@@ -202,8 +197,7 @@ fn one_in_so_many(reader: &mut Reader) -> Option<Often> {
     let (weekdays, part) = days?;
     if !(some > 0.0 && some <= of) {
         let span = reader.span(from);
-        let what = format!("{:?} is no share of days", reader.said(span));
-        reader.fault(span, what, "say it as in \"one day in three\"".to_owned());
+        reader.fault(span, TimeMessage::NotAShare { text: reader.said(span) });
     }
     let chance = Some(with_probability((some / of).clamp(0.0, 1.0)));
     Some(Often { chance, weekdays, part, ..Often::NOTHING })
@@ -215,8 +209,8 @@ fn days_a_week(reader: &mut Reader) -> Option<Often> {
     if !(reader.eat("a|per|each|every week") || reader.eat("of the week")) {
         return None;
     }
-    let what = format!("a week has no {:?}", reader.said(amount.span));
-    Some(once_in_a_while(reader, &amount, 7.0, (what, "say at most 7 days")))
+    let too_often = TimeMessage::DaysAWeek { text: reader.said(amount.span) };
+    Some(once_in_a_while(reader, &amount, 7.0, too_often))
 }
 
 /// "two afternoons a week".
@@ -224,15 +218,15 @@ fn parts_a_week(reader: &mut Reader) -> Option<Often> {
     let amount = amount(reader).filter(|amount| amount.unit == Unit::None)?;
     let part = reader.eat_any(&times::PARTS)?;
     reader.eat("a|per|each|every week").then_some(())?;
-    let what = format!("a week has no {:?}", reader.said(amount.span));
-    Some(Often { part: Some(part), ..once_in_a_while(reader, &amount, 7.0, (what, "say at most 7 days")) })
+    let too_often = TimeMessage::DaysAWeek { text: reader.said(amount.span) };
+    Some(Often { part: Some(part), ..once_in_a_while(reader, &amount, 7.0, too_often) })
 }
 
-/// So many times in so many days; what is said, and advised, where these are too few for it.
-fn once_in_a_while(reader: &mut Reader, amount: &Amount, days: f64, too_often: (String, &str)) -> Often {
+/// So many times in so many days, with the message for days that are too few for it.
+fn once_in_a_while(reader: &mut Reader, amount: &Amount, days: f64, too_often: TimeMessage) -> Often {
     let probability = (amount.from + amount.to) / 2.0 / days;
     if probability > 1.0 {
-        reader.fault(amount.span, too_often.0, too_often.1.to_owned());
+        reader.fault(amount.span, too_often);
     } else {
         happens(reader, amount);
     }
@@ -265,15 +259,13 @@ fn changing(reader: &mut Reader, first: Often) -> Option<Often> {
     reader.eat("then|later");
     let from = reader.at;
     let Some(then) = reader.attempt(quantified) else {
-        let (here, hint) = (reader.here(), "write \"rarely at first, often by day 160\"".to_owned());
-        reader.fault(here, "\"at first\" needs how often it is later", hint);
+        reader.fault(reader.here(), TimeMessage::AtFirst);
         return Some(first);
     };
     reader.skip_commas();
     let moment = if reader.eat("by") { calendar::moment(reader) } else { None };
     let Some((moment, _)) = moment else {
-        let (span, hint) = (reader.span(from), "write \"rarely at first, often by day 160\"".to_owned());
-        reader.fault(span, "it is not said by when it is so", hint);
+        reader.fault(reader.span(from), TimeMessage::ByWhen);
         return Some(first);
     };
     let becomes = then.chance.map(|chance| (chance.probability, moment));
@@ -310,8 +302,8 @@ pub fn times_in(reader: &mut Reader, amount: &Amount) -> Option<Often> {
     let days = period.or_else(|| reader.eat_any(&PERIODS));
     let days = days.or_else(|| if on_any_days { reader.attempt(several_periods) } else { None });
     if let Some(days) = days {
-        let what = format!("{:?} is more than once a day", reader.said(amount.span));
-        return Some(once_in_a_while(reader, amount, days, (what, "say how many times a day")));
+        let too_often = TimeMessage::OftenerThanDaily { text: reader.said(amount.span) };
+        return Some(once_in_a_while(reader, amount, days, too_often));
     }
     let part = reader.eat_any(&times::PARTS);
     let Some(part) = part else {
@@ -334,8 +326,7 @@ fn several_periods(reader: &mut Reader) -> Option<f64> {
 /// How many times, in whole numbers.
 pub fn count(reader: &mut Reader, amount: &Amount) -> (u32, u32) {
     amount.as_count().unwrap_or_else(|| {
-        let what = format!("{:?} is no number of times", reader.said(amount.span));
-        reader.fault(amount.span, what, "write a whole number from 1 to 100, such as \"2 to 3 times\"".to_owned());
+        reader.fault(amount.span, TimeMessage::Count { text: reader.said(amount.span) });
         (1, 1)
     })
 }

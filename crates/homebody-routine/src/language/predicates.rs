@@ -7,6 +7,7 @@ use super::falling::falls;
 use super::faults::did_you_mean;
 use super::lively::has_days;
 use super::measures::{Of, measure, rises_by};
+use super::messages::{TimeMessage, WordMessage};
 use super::reader::{Reader, Sort, begins_adverb};
 use super::roundabout::{
     cared, falls_asleep, has_visitors, is_doing, is_helped, is_remark, spends, takes_long, tends_not, unable,
@@ -15,7 +16,7 @@ use super::roundabout::{
 use super::said::Predicate;
 use super::subjects::Subject;
 use super::times;
-use super::unknown::unknown_name;
+use super::unknown::{no_thing, unknown_name};
 use super::words::Token;
 use crate::routine::{Activity, Kind, PartOfDay, Shy, When};
 
@@ -214,8 +215,7 @@ fn being(reader: &mut Reader, adverbs: &mut Adverbs) -> Predicate {
     });
     if let Some(age) = age {
         if age.from <= 0.0 || age.to > 130.0 {
-            let hint = "say the age in years, such as \"is 82\"".to_owned();
-            reader.fault(age.span, format!("nobody is {}", reader.said(age.span)), hint);
+            reader.fault(age.span, TimeMessage::Age { text: reader.said(age.span) });
         }
         return Predicate::Age(age.from);
     }
@@ -298,9 +298,9 @@ fn illness(reader: &mut Reader) -> Option<Predicate> {
         reader.at += 1;
     }
     let span = reader.span(from);
-    let said = if reader.at == from { "this".to_owned() } else { format!("{:?}", reader.said(span)) };
-    let hint = did_you_mean(&reader.said(span).to_lowercase(), reader.names.of(&[Sort::Condition]));
-    reader.fault(span, format!("{said} is no condition that Homebody knows"), hint);
+    let text = if reader.at == from { String::new() } else { reader.said(span) };
+    let help = did_you_mean(&reader.said(span).to_lowercase(), reader.names.of(&[Sort::Condition]));
+    reader.fault(span, WordMessage::UnknownCondition { text, help });
     Some(Predicate::Shows(String::new(), severity))
 }
 
@@ -340,7 +340,7 @@ pub fn thing(reader: &mut Reader) -> String {
     if let Some(thing) = reader.name(&[Sort::Thing]) {
         return thing;
     }
-    unknown_name(reader, &[Sort::Thing], "nothing that this home has")
+    unknown_name(reader, &[Sort::Thing], no_thing)
 }
 
 fn skipping(reader: &mut Reader) -> Option<Predicate> {

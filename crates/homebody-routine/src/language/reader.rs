@@ -241,8 +241,8 @@ impl Reader<'_> {
         if said.chars().count() <= LONGEST { said } else { said.chars().take(LONGEST).chain(['.', '.', '.']).collect() }
     }
 
-    pub fn fault(&mut self, span: Span, what: impl Into<Diagnostic>, hint: impl Into<Option<String>>) {
-        self.faults.add(span, what, hint.into());
+    pub fn fault(&mut self, span: Span, message: impl Into<Diagnostic>) {
+        self.faults.add(span, message);
     }
 
     /// Tries something; goes back to where it was if nothing comes of it.

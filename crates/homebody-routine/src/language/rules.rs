@@ -7,6 +7,7 @@ use super::build::only;
 use super::clause::{Clause, PLACES};
 use super::draft::Draft;
 use super::meaning::Kind;
+use super::messages::{RuleMessage, WordMessage};
 use super::predicates;
 use super::reader::{Reader, Sort};
 use super::said::{self, Predicate};
@@ -31,16 +32,14 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
         Some(Subject::Person) => {}
         Some(_) => {
             let span = reader.span(start);
-            let what = format!("{:?} does not live here", reader.said(span));
-            return reader.fault(span, what, "a rule says what she does".to_owned());
+            return reader.fault(span, RuleMessage::NotTheResident { text: reader.said(span) });
         }
         None if reader.is_over() => {
-            let hint = "write \"..., she turns it off\"".to_owned();
-            return reader.fault(reader.here(), "it is not said what she does then", hint);
+            return reader.fault(reader.here(), RuleMessage::NoAnswer);
         }
         None => {
-            let hint = "write \"she\" after the comma".to_owned();
-            return reader.fault(reader.here(), "it is not said who does this", hint);
+            let help = "write \"she\" after the comma".to_owned();
+            return reader.fault(reader.here(), WordMessage::NoSubject { help });
         }
     }
     adverbs.all(reader);
@@ -51,9 +50,8 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     let Some(more) = circumstances(reader) else { return };
     only_if.extend(more);
     if !reader.is_over() {
-        let (here, hint) = (reader.here(), "a rule ends with what she does".to_owned());
-        let what = format!("{:?} is not understood here", reader.said(here));
-        return reader.fault(here, what, hint);
+        let (here, help) = (reader.here(), Some("end the rule with what she does".to_owned()));
+        return reader.fault(here, WordMessage::NotUnderstood { text: reader.said(here), help });
     }
     only(reader, &adverbs, &[Kind::Chance, Kind::Lasts, Kind::Phase], "a rule holds whenever it comes true");
     let probability = adverbs.chance.as_ref().map_or(1.0, |chance| chance.value.probability);
@@ -158,7 +156,7 @@ fn response(reader: &mut Reader, whenever: &Trigger, adverbs: &mut Adverbs) -> O
             (false, _) => reader.name(&PLACES),
         };
         let Some(place) = place else {
-            unknown::unknown_name(reader, &PLACES, "no place of this home");
+            unknown::unknown_name(reader, &PLACES, unknown::no_place);
             return None;
         };
         let activity = crate::routine::Activity::Other(words);
@@ -193,7 +191,7 @@ fn turn(reader: &mut Reader, whenever: &Trigger) -> Option<Option<Response>> {
             Trigger::On(thing) | Trigger::Rings(thing) => thing.clone(),
             _ => {
                 let span = reader.span(reader.at.saturating_sub(1));
-                reader.fault(span, "it is not clear what \"it\" is", "name the thing".to_owned());
+                reader.fault(span, RuleMessage::WhichThing);
                 return Some(None);
             }
         }
@@ -203,7 +201,7 @@ fn turn(reader: &mut Reader, whenever: &Trigger) -> Option<Option<Response>> {
     on = on.or_else(|| reader.eat_any(&on_off));
     let Some(on) = on else {
         let here = reader.here();
-        reader.fault(here, "it is not said whether on or off", "write \"she turns it off\"".to_owned());
+        reader.fault(here, RuleMessage::OnOrOff);
         return Some(None);
     };
     Some(Some(Response::Turn { thing, on }))
@@ -244,8 +242,7 @@ fn done(reader: &mut Reader, predicate: Predicate, from: usize, adverbs: &mut Ad
         reader.at = reader.words.iter().position(|word| word.span.start >= join.start).unwrap_or(reader.at);
     }
     if let Some(span) = clause.measure.map(|measure| measure.span) {
-        let what = format!("{:?} does not fit here: a rule says one thing that is done", reader.said(span));
-        reader.fault(span, what, None);
+        reader.fault(span, RuleMessage::ChangeInRule { text: reader.said(span) });
         return None;
     }
     *adverbs = clause.adverbs;

@@ -9,6 +9,7 @@ use super::clause::{Clause, Join, place};
 use super::draft::Draft;
 use super::helping;
 use super::joined;
+use super::messages::{SentenceMessage, WordMessage};
 use super::predicates;
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::remarks;
@@ -51,8 +52,7 @@ pub fn sentence(reader: &mut Reader, draft: &mut Draft, heading: Option<&Adverbs
     }
     if reader.eat("whenever|when|if") || reader.eat("each|every time") {
         if let Some((_, span)) = at {
-            let hint = "write \"whenever she has been in the kitchen for 20 minutes\"".to_owned();
-            reader.fault(span, format!("{:?} does not fit before a rule", reader.said(span)), hint);
+            reader.fault(span, SentenceMessage::BeforeRule { text: reader.said(span) });
         }
         rules::rule(reader, draft, &adverbs);
         return None;
@@ -145,16 +145,14 @@ fn clauses(reader: &mut Reader, draft: &mut Draft, front: Start, heading: Option
         }
         count += 1;
         if let Some((_, join)) = goes_on.filter(|_| count == MOST_CLAUSES) {
-            let what = format!("a sentence says at most {MOST_CLAUSES} things");
-            return reader.fault(join, what, "begin a new sentence with \"Then she\"".to_owned());
+            return reader.fault(join, SentenceMessage::TooManyActivities { most: MOST_CLAUSES });
         }
         adverbs = Adverbs::default();
         start = reader.at;
         match goes_on {
             Some((join @ (Join::And | Join::Or), span)) => {
                 if joined.is_some_and(|joined| joined != join) {
-                    let what = "\"and\" and \"or\" in one sentence leave open what goes with what";
-                    return reader.fault(span, what, "make two sentences".to_owned());
+                    return reader.fault(span, SentenceMessage::AndOr);
                 }
                 joined = Some(join);
                 let from = reader.at;
@@ -187,9 +185,7 @@ fn finish(
     joined::without_waking(group);
     joined::without_count(group);
     if let Some(unclear) = joined::share(group, joined) {
-        let what = format!("it is not clear whether {:?} is about both", reader.said(unclear));
-        let hint = "make two sentences, or begin the sentence with it if it is about both".to_owned();
-        reader.fault(unclear, what, hint);
+        reader.fault(unclear, SentenceMessage::SharedPart { text: reader.said(unclear) });
         return false;
     }
     // What comes after "then" takes over from before it, not from its own neighbours.
@@ -412,11 +408,10 @@ fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
     let lexicon = reader.names.lexicon.clone();
     let done = lexicon.nouns.iter().find(|(noun, _)| noun.written.split('|').any(|noun| noun == name));
     let said = reader.said(who);
-    let (what, hint) = if let Some((_, activity)) = done {
-        let hint = format!("write \"she {}\", or who comes: \"her daughter visits\"", activities::phrase(activity));
-        (format!("{said:?} is nobody who visits"), hint)
+    let message = if let Some((_, activity)) = done {
+        WordMessage::NotAVisitor { text: said, activity: activities::phrase(activity).to_string() }
     } else if reader.names.has(name, Sort::Thing) {
-        (format!("{said:?} does nothing by itself"), format!("write what she does: \"she forgets the {name} rarely\""))
+        WordMessage::ThingActs { text: said, thing: name.to_owned() }
     } else if reader.names.lexicon.has_last("TOPICS", name) && remarks::of_topic(reader).is_some()
         || name == subjects::WRITERS && remarks::of_mind(reader)
     {
@@ -430,18 +425,12 @@ fn of_visitor(reader: &mut Reader, name: &str, who: Span) -> Option<Predicate> {
     } else {
         let is_somebody = ["PEOPLE", "RELATIVES"].iter().any(|list| lexicon.has_last(list, name));
         if is_somebody {
-            let what = format!("{said:?} is nobody who lives here: a visitor only visits");
-            (what, format!("write \"her {name} visits on Sunday for 2 hours\""))
+            WordMessage::VisitorActs { text: said, visitor: name.to_owned() }
         } else {
-            let what = format!("{said:?} is neither who lives here nor anybody known to visit");
-            (
-                what,
-                "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\""
-                    .into(),
-            )
+            WordMessage::NotAPerson { text: said }
         }
     };
-    reader.fault(who, what, hint);
+    reader.fault(who, message);
     None
 }
 
@@ -458,10 +447,7 @@ fn predicate(
         Subject::Hours | Subject::Pulse | Subject::Breathing => {
             let found = predicates::of_body(reader, subject);
             if found.is_none() {
-                let hint = "write \"her hours vary twice as much\", \"her pulse rises by 20 beats\" or \
-                    \"her breathing rises by 6 breaths a minute\"";
-                let what = format!("what is said of {:?} is not understood", reader.said(who));
-                reader.fault(reader.span(from), what, hint.to_owned());
+                reader.fault(reader.span(from), WordMessage::BodyChange { text: reader.said(who) });
                 return None;
             }
             found
@@ -478,7 +464,7 @@ fn predicate(
         return Some((found, reader.span(from)));
     }
     if reader.is_over() {
-        reader.fault(who, "the sentence ends before it says what is done", None);
+        reader.fault(who, SentenceMessage::Unfinished);
         return None;
     }
     // What is read by now says that the rest is not so.
@@ -522,9 +508,8 @@ fn activities_begin(reader: &Reader, word: &str) -> bool {
 
 /// What was done once is no routine.
 fn is_past<T>(reader: &mut Reader, verb: &str) -> Option<T> {
-    let said = reader.said(reader.here());
-    let hint = format!("say what is usually so: \"she {} ...\"", super::lexicon::third_person(verb));
-    reader.fault(reader.here(), format!("{said:?} is past: a routine says how somebody lives"), hint);
+    let (text, verb) = (reader.said(reader.here()), super::lexicon::third_person(verb));
+    reader.fault(reader.here(), WordMessage::PastTense { text, verb });
     reader.at = reader.words.len();
     None
 }
@@ -557,8 +542,7 @@ fn meal_meant(reader: &mut Reader, cooked: Option<&crate::routine::Meal>) -> Opt
         _ => {
             let span = reader.span(from);
             let meals: Vec<String> = MEALS.iter().map(|(name, _)| name.replace('|', " or ")).collect();
-            let hint = format!("name the meal: {}", meals.join(", "));
-            reader.fault(span, format!("it is not clear what {:?} is about", reader.said(span)), hint);
+            reader.fault(span, WordMessage::WhichMeal { text: reader.said(span), meals });
             Some(None)
         }
     }

@@ -23,7 +23,7 @@ const LONGEST: usize = 40;
 const MOST_SEARCHED: usize = 20;
 
 /// What can always be done with a sentence.
-const KEPT: &str = "to keep it and not live it, put a # before it";
+const KEPT: &str = "to keep it as a comment, put a # before it";
 
 /// Looks through the hints of the faults since there were so many.
 pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, words: &[Word]) {
@@ -42,7 +42,7 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
         let is_certain = fault.message.hint.as_deref().is_some_and(|hint| hint.starts_with("did you mean"));
         if !is_certain && let Some(clearer) = clearer.get_or_insert_with(|| clearer_than(names, draft, words)).clone() {
             let before = fault.message.hint.take().filter(|hint| !is_sound || !is_general(hint));
-            let clearer = format!("say it as in {clearer:?}");
+            let clearer = format!("write it as in {clearer:?}");
             fault.message.hint = Some(before.map_or(clearer.clone(), |before| format!("{before}; {clearer}")));
             continue;
         }
@@ -54,7 +54,7 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
             let without = match without {
                 Some(without) => format!("without it: {without:?}"),
                 None => match part(&mut gist) {
-                    Some(gist) => format!("what can be lived of it: {gist:?}"),
+                    Some(gist) => format!("the part that can be simulated: {gist:?}"),
                     None if is_certain => continue,
                     None => KEPT.to_owned(),
                 },
@@ -67,7 +67,7 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
 
 /// Whether a hint only lists what there is.
 fn is_general(hint: &str) -> bool {
-    ["expected", "there are", "known are", "each person", "a sentence says", "write \"after breakfast"]
+    ["expected", "there are", "known activities are", "each person", "a sentence says", "write \"after breakfast"]
         .iter()
         .any(|begin| hint.starts_with(begin))
 }

@@ -4,6 +4,7 @@ use super::amounts::DAY_S;
 use super::calendar::{self, days_between};
 use super::clause::Clause;
 use super::draft::Draft;
+use super::messages::TimeMessage;
 use super::reader::Reader;
 use crate::routine::{Activity, Phase, When};
 use homebody_core::fuzzy::Fuzzy;
@@ -53,8 +54,8 @@ pub fn staying(
             }
             None if is_often => Some((when, Phase { until: None, ..*phase }, lasts)),
             None => {
-                let hint = format!("write \"from day 30, {}, she {words}\"", reader.said(days.span));
-                reader.fault(days.span, "it is not said from when", hint);
+                let help = format!("write \"from day 30, {}, she {words}\"", reader.said(days.span));
+                reader.fault(days.span, TimeMessage::NoBeginning { help });
                 None
             }
         };

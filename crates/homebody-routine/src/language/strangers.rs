@@ -4,6 +4,7 @@ use super::activities;
 use super::adverbs::Adverbs;
 use super::draft::Draft;
 use super::faults::did_you_mean;
+use super::messages::WordMessage;
 use super::reader::{Reader, begins_adverb, is_determiner};
 use super::subjects::Subject;
 use super::tail::slip;
@@ -43,23 +44,21 @@ pub fn stranger(reader: &mut Reader) -> Option<Subject> {
 /// Whether a name may be the person's: nobody has said another, and it is said who that is.
 pub fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Span) -> bool {
     if reader.ahead(visits) {
-        let hint = "write who it is: \"her daughter visits\" or \"a nurse visits\"".to_owned();
-        reader.fault(who, format!("{name:?} is nobody that this routine knows"), hint);
+        reader.fault(who, WordMessage::UnknownVisitor { name: name.to_owned() });
         return false;
     }
     if let Some(person) = reader.names.person.clone() {
         let hint = did_you_mean(name, [person.as_str()].into_iter()).filter(|hint| hint.starts_with("did"));
-        let hint = hint.unwrap_or_else(|| "each person has a routine of their own".to_owned());
-        reader.fault(who, format!("this routine is about {person:?}, not about {name:?}"), hint);
+        let help = hint.unwrap_or_else(|| "each person has a routine of their own".to_owned());
+        reader.fault(who, WordMessage::OtherPerson { person, name: name.to_owned(), help });
         return false;
     }
     if draft.is_condition {
-        let hint = "write \"she\", \"he\", \"they\" or \"the person\"".to_owned();
-        reader.fault(who, format!("a condition is about nobody in particular, not about {name:?}"), hint);
+        reader.fault(who, WordMessage::ConditionName { name: name.to_owned() });
         return false;
     }
     if reader.peek(0) != "is" {
-        reader.fault(who, format!("{name:?} has not been said to be anybody"), format!("begin with \"{name} is 82.\""));
+        reader.fault(who, WordMessage::UnknownPerson { name: name.to_owned() });
         return false;
     }
     draft.name = Some(name.to_owned());
@@ -70,28 +69,26 @@ pub fn no_subject(reader: &mut Reader) {
     let from = reader.at;
     if activities::activity(reader).is_some() {
         let span = reader.span(from);
-        let hint = format!("write \"she {}\"", activities::in_third_person(&reader.said(span).to_lowercase()));
-        return reader.fault(span, "it is not said who does this", hint);
+        let help = format!("write \"she {}\"", activities::in_third_person(&reader.said(span).to_lowercase()));
+        return reader.fault(span, WordMessage::NoSubject { help });
     }
     if is_determiner(reader.peek(0)) && reader.token(1) == Some(Token::Word) {
         reader.at += 2;
         let span = reader.span(from);
-        let what = format!("what {:?} does is not understood", reader.said(span));
-        let hint = "write \"she reads\" for what the person does, or \"her daughter visits on Sunday\"".to_owned();
-        return reader.fault(span, what, hint);
+        return reader.fault(span, WordMessage::UnknownAction { text: reader.said(span) });
     }
     let (here, word) = (reader.here(), reader.peek(0).to_owned());
     if reader.faults.is_trial {
-        return reader.fault(here, word, None);
+        return reader.fault(here, WordMessage::NotUnderstood { text: word, help: None });
     }
     if begins_adverb(reader) {
         reader.at = (from + 3).min(reader.words.len());
-        let what = format!("{:?} is not understood here", reader.said(reader.span(from)));
-        let hint = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
-        return reader.fault(reader.span(from), what, hint.to_owned());
+        let (span, text) = (reader.span(from), reader.said(reader.span(from)));
+        let help = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
+        return reader.fault(span, WordMessage::NotUnderstood { text, help: Some(help.to_owned()) });
     }
-    let hint = slip(&word).unwrap_or_else(|| {
+    let help = slip(&word).unwrap_or_else(|| {
         "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"".into()
     });
-    reader.fault(here, format!("{:?} is not understood here", reader.said(here)), hint);
+    reader.fault(here, WordMessage::NotUnderstood { text: reader.said(here), help: Some(help) });
 }

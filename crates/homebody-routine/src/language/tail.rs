@@ -11,6 +11,7 @@ use super::clause::{Clause, Join, PLACES, eat_preposition, place};
 use super::falling::says_fall;
 use super::faults::did_you_mean;
 use super::measures::measure;
+use super::messages::{SentenceMessage, WordMessage};
 use super::predicates::IS;
 use super::reader::Reader;
 use super::said::Predicate;
@@ -74,8 +75,7 @@ pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Sp
         }
         if let Some(measure) = measure(reader) {
             if clause.measure.is_some() {
-                let what = format!("{:?} is a second change in one sentence", reader.said(measure.span));
-                reader.fault(measure.span, what, "make two sentences".to_owned());
+                reader.fault(measure.span, SentenceMessage::SecondChange { text: reader.said(measure.span) });
             }
             clause.measure = Some(measure);
             continue;
@@ -142,8 +142,8 @@ fn put_place(reader: &mut Reader, clause: &mut Clause) -> bool {
     });
     let Some((name, span)) = found else { return false };
     if let Some((first, _)) = &clause.place {
-        let what = format!("{:?} is a second place beside {first:?}", reader.said(span));
-        reader.fault(span, what, "leave one of them out, or make two sentences".to_owned());
+        let (text, first) = (reader.said(span), first.clone());
+        reader.fault(span, SentenceMessage::TwoPlaces { text, first });
     }
     clause.place = Some((name, span));
     true
@@ -155,13 +155,13 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
     if reader.eat("to") && activities::activity(reader).is_some() {
         let (span, doing) = (reader.span(at), reader.said(reader.span(at + 1)));
         if let Predicate::Own(words) = &clause.predicate {
-            let what = format!("{:?} says more than what is done", format!("{words} {}", reader.said(span)));
+            let text = format!("{words} {}", reader.said(span));
             let is_not = words.split(' ').any(|word| word == "not");
-            let hint = format!("write \"she {}\"", activities::in_third_person(&doing));
-            return reader.fault(clause.predicate_span.to(span), what, (!is_not).then_some(hint));
+            let help = (!is_not).then(|| format!("write \"she {}\"", activities::in_third_person(&doing)));
+            return reader.fault(clause.predicate_span.to(span), SentenceMessage::Roundabout { text, help });
         }
-        let hint = format!("say what she does, not what for: \"then she {}\"", activities::in_third_person(&doing));
-        return reader.fault(span, format!("{:?} is a purpose", reader.said(span)), hint);
+        let (text, activity) = (reader.said(span), activities::in_third_person(&doing));
+        return reader.fault(span, SentenceMessage::Purpose { text, activity });
     }
     reader.at = at;
     if eat_preposition(reader) && !reader.is_over() && !matches!(reader.token(0), Some(Token::Number(_))) {
@@ -170,19 +170,19 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
             other => *other == Predicate::Is,
         };
         let outside = goes.then_some("for what is outside, write \"she goes out at 10:00 for 2 hours\"");
-        unknown::unknown_name_or(reader, &PLACES, "no place of this home, and no time", outside);
+        unknown::unknown_name_or(reader, &PLACES, unknown::no_place_or_time, outside);
         return;
     }
     reader.at = at;
     if let Predicate::Own(words) = &clause.predicate {
         return unknown::unknown_verb(reader, words, clause.predicate_span);
     }
-    let what = format!("{:?} is not understood here", reader.said(here));
+    let text = reader.said(here);
     if reader.faults.is_trial {
-        return reader.fault(here, what, None);
+        return reader.fault(here, WordMessage::NotUnderstood { text, help: None });
     }
-    let hint = expected(reader, clause, &word);
-    reader.fault(here, what, hint);
+    let help = Some(expected(reader, clause, &word));
+    reader.fault(here, WordMessage::NotUnderstood { text, help });
 }
 
 /// What could stand where a word is not understood.

@@ -16,7 +16,7 @@ fn the_text_may_say_the_name_where_nothing_else_does() {
 #[test]
 fn who_has_no_name_yet_does_nothing() {
     let (_, problems) = said("Margaret reads.", &Known::default());
-    assert_eq!(problems, ["\"Margaret\" has not been said to be anybody"]);
+    assert_eq!(problems, ["the routine does not introduce \"Margaret\""]);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::amounts::{ABOUT, DAY_S};
 use super::clock::clock;
+use super::messages::TimeMessage;
 use super::reader::Reader;
 use crate::routine::PartOfDay;
 use homebody_core::fuzzy::Fuzzy;
@@ -70,8 +71,7 @@ pub fn time_range(reader: &mut Reader, between: &str) -> Option<(Time, Time)> {
             // What is no time at all is neither earlier nor later.
             if reader.faults.count() == faults {
                 let span = reader.span(start);
-                let what = format!("{:?} is upside down", reader.said(span));
-                reader.fault(span, what, "the earlier time goes first".to_owned());
+                reader.fault(span, TimeMessage::ReversedTimes { text: reader.said(span) });
             }
             to.at = from.at;
         }

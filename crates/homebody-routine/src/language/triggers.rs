@@ -3,6 +3,7 @@
 use super::activities;
 use super::amounts::{self, Unit, amount};
 use super::clause::{PLACES, eat_preposition};
+use super::messages::{RuleMessage, WordMessage};
 use super::reader::{Reader, Sort, is_determiner};
 use super::subjects::{self, Subject};
 use super::times;
@@ -22,11 +23,7 @@ pub fn trigger(reader: &mut Reader, is_first: bool) -> Option<(Trigger, Span, Fu
     };
     if whenever == Trigger::Follows && is_first {
         let span = reader.span(from);
-        reader.fault(
-            span,
-            "no rule stands before this one",
-            "say what she does: \"whenever she has eaten lunch\"".to_owned(),
-        );
+        reader.fault(span, RuleMessage::NoRuleBefore);
     }
     let span = reader.span(from);
     let needs_length = matches!(whenever, Trigger::On(_) | Trigger::At(_) | Trigger::Away | Trigger::InBed);
@@ -59,9 +56,7 @@ pub fn circumstances(reader: &mut Reader) -> Option<Vec<Circumstance>> {
             said
         } else {
             let span = if reader.is_over() { reader.here() } else { reader.span(from) };
-            let hint =
-                "write \"and she is alone\", \"and it is dark\", \"unless she is in bed\" or \"and the lamp is off\"";
-            reader.fault(span, "it is not said what has to be so", hint.to_owned());
+            reader.fault(span, RuleMessage::NoCircumstance);
             return None;
         };
         found.push(Circumstance { holds: holds == is_so, state });
@@ -246,9 +241,7 @@ fn rings(reader: &mut Reader) -> Option<Trigger> {
             }
             (reader.at > from && is_determiner(&reader.words[from].text) && reader.eat("rings")).then_some(())?;
             let span = reader.span(from);
-            let hint =
-                "give the home a piece of furniture of that name, such as \"door bell\", and let somebody ring it";
-            reader.fault(span, format!("{:?} is nothing that this home has", reader.said(span)), hint.to_owned());
+            reader.fault(span, WordMessage::NothingRings { text: reader.said(span) });
             return Some(Trigger::Rings(String::new()));
         }
     };
@@ -286,8 +279,7 @@ fn state(reader: &mut Reader) -> Option<Trigger> {
     let from = reader.at;
     if subjects::subject(reader) == Some(Subject::Person) {
         if !is_or_was(reader) {
-            let hint = "write \"she has been in the bathroom for 45 minutes\"".to_owned();
-            reader.fault(reader.here(), "it is not said where she is", hint);
+            reader.fault(reader.here(), RuleMessage::NoWhere);
             return None;
         }
         if let Some(state) = reader.attempt(of_person) {
@@ -295,12 +287,12 @@ fn state(reader: &mut Reader) -> Option<Trigger> {
         }
         reader.eat("sitting|lying|standing|staying");
         eat_preposition(reader);
-        unknown::unknown_name(reader, &PLACES, "no place of this home");
+        unknown::unknown_name(reader, &PLACES, unknown::no_place);
         return None;
     }
     reader.at = from;
     let Some(thing) = reader.name(&[Sort::Thing]) else {
-        unknown::unknown_name(reader, &[Sort::Thing], "nothing that this home has");
+        unknown::unknown_name(reader, &[Sort::Thing], unknown::no_thing);
         return None;
     };
     let is = is_or_was(reader);
@@ -308,8 +300,7 @@ fn state(reader: &mut Reader) -> Option<Trigger> {
     if is && reader.eat("on|open|running") {
         return Some(Trigger::On(thing));
     }
-    let hint = format!("write \"the {thing} has been on for 20 minutes\" or \"has been open for 5 minutes\"");
-    reader.fault(reader.here(), format!("it is not said how the {thing} is"), hint);
+    reader.fault(reader.here(), RuleMessage::NoState { thing });
     None
 }
 
@@ -318,21 +309,19 @@ fn is_or_was(reader: &mut Reader) -> bool {
 }
 
 fn how_long(reader: &mut Reader) -> Option<(Fuzzy, Span)> {
-    let hint = "write \"for 20 minutes\"".to_owned();
     let from = reader.at;
     if !reader.eat("for") {
-        reader.fault(reader.here(), "it is not said for how long", hint);
+        reader.fault(reader.here(), RuleMessage::NoLength);
         return None;
     }
     let _ = reader.eat("more|longer than") || reader.eat("over");
     let Some(amount) = amount(reader).filter(|amount| amount.unit == Unit::Second) else {
-        reader.fault(reader.here(), "it is not said for how long", hint);
+        reader.fault(reader.here(), RuleMessage::NoLength);
         return None;
     };
     let span = reader.span(from);
     if amount.from <= 0.0 {
-        let what = format!("{:?} is no time at all: this would always be so", reader.said(amount.span));
-        reader.fault(amount.span, what, hint);
+        reader.fault(amount.span, RuleMessage::Always { text: reader.said(amount.span) });
         return Some((Fuzzy::exactly(1.0), span));
     }
     Some((amounts::duration(reader, &amount), span))

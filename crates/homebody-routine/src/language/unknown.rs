@@ -2,17 +2,36 @@
 
 use super::activities;
 use super::faults::did_you_mean;
+use super::messages::WordMessage;
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::words::{Span, Token};
 use homebody_core::scenario::nearest::nearest;
 
+/// Makes a message of the words of a name and a hint.
+pub type Unknown = fn(String, Option<String>) -> WordMessage;
+
+/// The message about a place that the home does not have.
+pub fn no_place(text: String, help: Option<String>) -> WordMessage {
+    WordMessage::UnknownPlace { text, help }
+}
+
+/// The message about words that are neither a place nor a time.
+pub fn no_place_or_time(text: String, help: Option<String>) -> WordMessage {
+    WordMessage::UnknownPlaceOrTime { text, help }
+}
+
+/// The message about a thing that the home does not have.
+pub fn no_thing(text: String, help: Option<String>) -> WordMessage {
+    WordMessage::UnknownThing { text, help }
+}
+
 /// Passes over the words of a name that nothing has.
-pub fn unknown_name(reader: &mut Reader, sorts: &[Sort], what: &str) -> String {
-    unknown_name_or(reader, sorts, what, None)
+pub fn unknown_name(reader: &mut Reader, sorts: &[Sort], unknown: Unknown) -> String {
+    unknown_name_or(reader, sorts, unknown, None)
 }
 
 /// The same, with a hint for where no name is near.
-pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], what: &str, far: Option<&str>) -> String {
+pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], unknown: Unknown, far: Option<&str>) -> String {
     reader.skip_determiners();
     let from = reader.at;
     let ends = |reader: &Reader| ["she", "he", "they", "when", "if", "where"].contains(&reader.peek(0));
@@ -23,27 +42,23 @@ pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], what: &str, far: Opt
     let span = if reader.at == from { reader.here() } else { reader.span(from) };
     let said = reader.said(span);
     if reader.faults.is_trial {
-        reader.fault(span, what, None);
+        reader.fault(span, unknown(said.clone(), None));
         return said;
     }
     let known = did_you_mean(&said.to_lowercase(), reader.names.of(sorts));
     let near = known.filter(|hint| far.is_none() || hint.starts_with("did"));
     let is_weather = |word: &str| ["weather", "rain", "rainy", "sunny", "wet", "snow"].contains(&word);
     if said.to_lowercase().split(' ').any(is_weather) {
-        return with_fault(reader, span, format!("{said:?} is {what}"), NO_WEATHER.to_owned(), said);
+        reader.fault(span, unknown(said.clone(), Some(NO_WEATHER.to_owned())));
+        return said;
     }
-    reader.fault(span, format!("{said:?} is {what}"), near.or(far.map(str::to_owned)));
+    reader.fault(span, unknown(said.clone(), near.or(far.map(str::to_owned))));
     said
 }
 
 /// What is said to who speaks of rain.
 pub const NO_WEATHER: &str =
-    "Homebody knows no weather: say in which season, \"in winter\", or how often, \"on 60 % of days\"";
-
-fn with_fault(reader: &mut Reader, span: Span, what: String, hint: String, said: String) -> String {
-    reader.fault(span, what, hint);
-    said
-}
+    "Homebody has no weather: write the season, \"in winter\", or how often, \"on 60 % of days\"";
 
 /// Says that nobody knows how to do this, with what was probably meant.
 pub fn unknown_verb(reader: &mut Reader, words: &str, span: Span) {
@@ -53,13 +68,13 @@ pub fn unknown_verb(reader: &mut Reader, words: &str, span: Span) {
 /// The same, with a sentence that would do.
 pub fn unknown_doing(reader: &mut Reader, words: &str, span: Span, example: Option<String>) {
     let said = reader.said(span);
-    let what = format!("{said:?} is nothing that Homebody knows how to do");
+    let unknown = |help: Option<String>| WordMessage::UnknownVerb { text: said.clone(), help };
     if reader.faults.is_trial {
-        return reader.fault(span, what, None);
+        return reader.fault(span, unknown(None));
     }
     let known = match (meant(words), goes_with(words)) {
-        (Some(phrase), _) => return reader.fault(span, what, format!("did you mean {phrase:?}?")),
-        (None, Some(known)) => Some(format!("known are {known}")),
+        (Some(phrase), _) => return reader.fault(span, unknown(Some(format!("did you mean {phrase:?}?")))),
+        (None, Some(known)) => Some(format!("known activities are {known}")),
         (None, None) => None,
     };
     // What is done with something else is rather that than new.
@@ -71,7 +86,7 @@ pub fn unknown_doing(reader: &mut Reader, words: &str, span: Span, example: Opti
         (Some(known), Some(own)) => Some(format!("{known}; {own}")),
         (known, own) => known.or(own),
     };
-    reader.fault(span, what, hint);
+    reader.fault(span, unknown(hint));
 }
 
 /// How these words would be said as an activity of one's own, where they look like one.
@@ -108,15 +123,15 @@ pub fn looks_like_doing(words: &str) -> bool {
 pub fn unknown_not(reader: &mut Reader, span: Span) {
     let said = reader.said(span);
     if reader.faults.is_trial {
-        return reader.fault(span, said, None);
+        return reader.fault(span, WordMessage::UnknownVerb { text: said, help: None });
     }
-    let hint = match meant(&activities::in_third_person(&said.to_lowercase())) {
+    let help = match meant(&activities::in_third_person(&said.to_lowercase())) {
         Some(phrase) => format!("did you mean {phrase:?}?"),
-        None => "what is not done need not be said; to end something of your own, say until when it is so: \"until week 12 she \
-            whittles in the armchair for 1 hour\""
+        None => "leave the sentence out; to end a new activity, write until when it happens: \"until week 12 she whittles in the \
+            armchair for 1 hour\""
             .to_owned(),
     };
-    reader.fault(span, format!("{said:?} is nothing that Homebody knows how to do"), hint);
+    reader.fault(span, WordMessage::UnknownVerb { text: said, help: Some(help) });
 }
 
 /// Whether these words only say that she goes somewhere, not what she does there.

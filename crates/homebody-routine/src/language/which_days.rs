@@ -5,6 +5,7 @@ use super::build;
 use super::clause::Clause;
 use super::draft::Draft;
 use super::lively::{are_of_kind, has_days};
+use super::messages::WordMessage;
 use super::reader::Reader;
 use super::said::Predicate;
 use super::subjects::Subject;
@@ -55,8 +56,9 @@ pub fn says_kinds(reader: &mut Reader, draft: &mut Draft, mut adverbs: Adverbs, 
         }
     }
     if start > 0 {
-        let hint = "write \"some days are busy and some are quiet\"".to_owned();
-        reader.fault(reader.here(), format!("{:?} is not understood here", reader.said(reader.here())), hint);
+        let help = Some("write \"some days are busy and some are quiet\"".to_owned());
+        let (here, text) = (reader.here(), reader.said(reader.here()));
+        reader.fault(here, WordMessage::NotUnderstood { text, help });
     }
     start > 0
 }

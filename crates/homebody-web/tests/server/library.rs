@@ -355,11 +355,11 @@ fn what_a_plan_lacks_for_a_life_is_put_there_in_the_page() {
     let answer = served.send("POST", "/api/library/plans/mine", &plan.finish().unwrap().into_inner());
     let made: Value = serde_json::from_slice(&answer.body).unwrap();
     let remarks = made["remarks"].to_string();
-    assert!(remarks.contains("nowhere in this home to sleep") && !remarks.contains("hint"), "{remarks}");
+    assert!(remarks.contains("the home has no place to sleep") && !remarks.contains("hint"), "{remarks}");
     let folder = served.folder.path().join("mine");
     assert_eq!(text(&folder.join("anna.json"))["driver"]["routine"], "anna.routine");
     let check = served.told("/api/homes/mine/check", &json!({ "texts": {} }));
-    assert!(check["problems"].to_string().contains("nowhere in this home to sleep"), "{check}");
+    assert!(check["problems"].to_string().contains("the home has no place to sleep"), "{check}");
 }
 
 /// The same address and token after a restart; without the file the token is another.

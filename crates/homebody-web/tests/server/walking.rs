@@ -122,7 +122,7 @@ fn what_cannot_be_walked_back_is_said_and_leaves_nothing() {
     let strange = String::from_utf8(log.clone()).unwrap().replace(['M', 'D', 'T'], "Q");
     let header = String::from_utf8(log.clone()).unwrap().lines().next().unwrap().to_owned() + "\n";
     for (body, said) in [
-        (strange.as_bytes(), "none of the log's sensors is one of the home's\n  hint: the log has"),
+        (strange.as_bytes(), "no sensor of the log is a sensor of the home\n  hint: the log has"),
         (header.as_bytes(), "no rows"),
         (&b""[..], "it is empty"),
         (&b"Dear reader,\nthis is no log.\n"[..], "line"),

@@ -213,7 +213,7 @@ impl Arguments {
         signals: &Signals,
     ) -> Result<(), Failure> {
         let to = self.cohorts_place()?;
-        let layout = to.map_or(Ok(CohortLayout::Folders), CohortLayout::of).map_err(Failure::Usage)?;
+        let layout = to.map_or(Ok(CohortLayout::Folders), CohortLayout::of).map_err(Failure::asked)?;
         let setup = match self.truth_tables {
             Some(TruthTables::All) => setup.truth(TruthKept::All),
             Some(TruthTables::Brief) => setup.truth(TruthKept::Brief),

@@ -120,10 +120,18 @@ fn what_is_no_scenario_is_told_apart() {
     folder.write("other/scenario.json", folder.read("flat/home.json"));
     for command in ["check", "run", "coverage", "plan --svg plan.svg"] {
         for (scenario, code, said) in [
-            ("nowhere", 1, "nowhere: there is no such scenario\n  hint: name its folder, or its scenario.json"),
+            (
+                "nowhere",
+                1,
+                "error[open::no-scenario]: nowhere: there is no such scenario\n  hint: name a scenario's folder",
+            ),
             ("flot", 1, "flot: there is no such scenario\n  hint: did you mean \"flat\"?"),
-            ("empty", 1, "empty/scenario.json: there is no such file\n  hint: a scenario folder holds a scenario.json"),
-            ("folders", 1, "folders/scenario.json: it is no plain file"),
+            (
+                "empty",
+                1,
+                "error[open::no-scenario-file]: empty/scenario.json: there is no such file",
+            ),
+            ("folders", 1, "error[open::not-plain]: folders/scenario.json"),
             ("latin", 2, "cannot read \"scenario.json\": line 1 is not text in UTF-8\n  hint: save it as UTF-8"),
             ("other", 2, "scenario.json: error[file::wrong-kind]"),
             ("flat/home.json", 2, "home.json: error[file::wrong-kind]"),

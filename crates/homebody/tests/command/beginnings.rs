@@ -54,12 +54,12 @@ fn an_empty_home_says_what_it_lacks_until_it_is_drawn() {
         "walls": [{ "from": [0, 0], "to": [6, 0] }, { "from": [6, 0], "to": [6, 5] },
                   { "from": [6, 5], "to": [0, 5] }, { "from": [0, 5], "to": [0, 0] }] }"#;
     folder.write("flat/home.json", home);
-    folder.run("check flat").fails(2, "there is nowhere in this home to sleep");
+    folder.run("check flat").fails(2, "error[need::no-bed]");
     let bed =
         r#""furniture": [{ "name": "bed", "at": [1.2, 4], "size_m": [2, 0.9], "height_m": 0.6, "enterable": true }] }"#;
     folder.write("flat/home.json", home.replace("\"to\": [0, 0] }] }", &format!("\"to\": [0, 0] }}], {bed}")));
-    let lacks = folder.run("check flat").fails(2, "there is no toilet in this home").err;
-    assert!(lacks.contains("nowhere to sit") && lacks.contains("no kitchen"), "{lacks}");
+    let lacks = folder.run("check flat").fails(2, "error[need::no-toilet]").err;
+    assert!(lacks.contains("error[need::no-seat]") && lacks.contains("error[need::no-kitchen]"), "{lacks}");
     folder.run("new other --template nothing").fails(2, "templates are: empty, by-hand");
 }
 

@@ -87,6 +87,6 @@ fn what_cannot_be_fitted_is_said_and_nothing_is_written() {
         .run("fit casas:log.txt --home known --training-days yesterday --out fitted")
         .fails(2, "2016-07-01..2016-07-14");
     folder.run("new couple --template couple-with-cat").ok();
-    folder.run("fit casas:log.txt --home couple --out fitted").fails(2, "only who lives alone");
+    folder.run("fit casas:log.txt --home couple --out fitted").fails(2, "error[fit::not-alone]");
     assert!(!folder.path("fitted").exists());
 }

@@ -126,8 +126,8 @@ fn a_twin_is_the_same_until_the_onset() {
     folder.run("replay runs/tigerplace-2/ill/recording.json --out csv:a.csv").ok();
     let said = folder.run(&format!("{live} --without depresion --without grief")).fails(2, "2 problems").err;
     for part in [
-        "people.csv: nobody in it shows \"depresion\"\n  hint: did you mean \"depression\"?",
-        "people.csv: nobody in it shows \"grief\"\n  hint: they show depression, insomnia",
+        "people.csv: error[members::no-condition]: no member of the list shows \"depresion\"\n  hint: did you mean \"depression\"?",
+        "people.csv: error[members::no-condition]: no member of the list shows \"grief\"\n  hint: the members show depression, insomnia",
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }
@@ -163,12 +163,12 @@ fn another_routine_and_one_of_several_residents_may_be_meant() {
     folder.write("people.csv", "name,resident,age\na,,70\nb,minka,12\nc,hnery,7x\nd,,\n");
     let said = folder.run("run couple-with-cat --profiles people.csv").fails(2, "4 problems").err;
     for part in [
-        "people.csv:2:4: it is not said whom this is about",
+        "people.csv:2:4: error[members::which-resident]",
         "hint: add a column resident: henry or ruth",
-        "people.csv:3:3: nobody called \"minka\" lives there by a routine",
-        "people.csv:4:3: nobody called \"hnery\"",
+        "people.csv:3:3: error[members::no-resident]: no resident with a routine is called \"minka\"",
+        "people.csv:4:3: error[members::no-resident]",
         "did you mean \"henry\"?",
-        "people.csv:4:9: \"7x\" is no age",
+        "people.csv:4:9: error[members::number]: \"7x\"",
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }
@@ -216,10 +216,10 @@ fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
     folder.write("people.csv", "name,home\na,none.json\nb,../home.json\nc,broken.json\n");
     let said = folder.run("run studio --profiles people.csv --for 1d").fails(2, "3 problems").err;
     for part in [
-        "people.csv:2:3: \"none.json\" cannot be read: there is no such file\n",
+        "people.csv:2:3: error[members::unreadable]: cannot read \"none.json\": there is no such file\n",
         "hint: name a home in the scenario's folder",
         "people.csv:3:3: error[file::outside-folder]: \"../home.json\"",
-        "people.csv:4:1: with this row, there is a problem at broken.json:",
+        "people.csv:4:1: error[members::scenario]: the values of this row cause a problem at broken.json:",
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }
@@ -358,40 +358,40 @@ fn all_that_is_wrong_with_a_list_is_said_at_once() {
     let given = folder.files();
     let done = folder.run("run tigerplace --profiles people.csv --for 5000w").fails(2, "problems");
     for part in [
-        "people.csv:1:15: \"pace\" is no column that is known",
+        "people.csv:1:15: error[members::unknown-column]: there is no column \"pace\"",
         "hint: did you mean \"pace_mps\"?",
-        "people.csv:1:59: there are two columns \"name\"",
-        "people.csv:2:6: \"x\" is no seed",
-        "people.csv:2:8: \"abc\" is no age in years",
-        "people.csv:2:13: \"depresion\" is no condition that Homebody knows",
+        "people.csv:1:59: error[members::same-column]",
+        "people.csv:2:6: error[members::seed]: \"x\"",
+        "people.csv:2:8: error[members::number]: \"abc\" is not a valid age in years",
+        "people.csv:2:13: error[routine::unknown-condition]: \"depresion\"",
         "hint: did you mean \"depression\"?",
-        "people.csv:2:23: \"sever\" is no severity",
+        "people.csv:2:23: error[members::severity]: \"sever\"",
         "hint: did you mean \"severe\"?",
         "people.csv:2:29: ",
-        "people.csv:2:37: \"none.routine\" cannot be read: there is no such file",
-        "people.csv:3:1: no folder can be called \"a/b\"",
-        "people.csv:3:5: \"-1\" is no seed",
-        "people.csv:3:8: nobody is 200",
-        "people.csv:3:26: it is not said from when",
-        "people.csv:4:1: two members are called \"ANNA\"",
-        "people.csv:4:14: this row names no condition",
-        "people.csv:5:3: this member has no name",
-        "people.csv:6:24: 3 values for 2 conditions",
-        "people.csv:7:16: \"Grief\" is named twice",
-        "people.csv:7:23: there is no such date",
+        "people.csv:2:37: error[members::unreadable]: cannot read \"none.routine\"",
+        "people.csv:3:1: error[members::bad-name]: a folder cannot be called \"a/b\"",
+        "people.csv:3:5: error[members::seed]: \"-1\"",
+        "people.csv:3:8: error[routine::age]",
+        "people.csv:3:26: error[routine::no-beginning]",
+        "people.csv:4:1: error[members::same-name]: two members are called \"ANNA\"",
+        "people.csv:4:14: error[members::no-condition-in-row]",
+        "people.csv:5:3: error[members::no-name]",
+        "people.csv:6:24: error[members::value-count]: there are 3 values for 2 conditions",
+        "people.csv:7:16: error[members::same-condition]: the condition \"Grief\"",
+        "people.csv:7:23: error[routine::no-date]",
         "people.csv:7:34: ",
         "people.csv:7:42: error[file::outside-folder]: \"../a.routine\"",
-        "people.csv:7:56: no column stands above this",
-        "people.csv:8:8: \"depression. She naps\" is not understood",
-        "other.routine:1:5: \"reeds\"",
-        "people.csv:9:6: \"0x1f\" is no age",
-        "people.csv:10:34: \"Urinary-tract-infection\" is named twice",
-        "people.csv:11:21: \"mild depression\" is named twice",
-        "people.csv:12:2: this member has no name",
-        "people.csv:12:2: \"-1\" is no seed",
-        "people.csv:12:5: \"x\" is no age in years",
-        "people.csv:12:8: \"depresion\" is no condition that Homebody knows",
-        "people.csv:12:26: 3 values for 2 conditions",
+        "people.csv:7:56: error[members::no-column]",
+        "people.csv:8:8: error[members::not-plain]: cannot read \"depression. She naps\"",
+        "other.routine:1:5: error[routine::unknown-verb]: \"reeds\"",
+        "people.csv:9:6: error[members::number]: \"0x1f\"",
+        "people.csv:10:34: error[members::same-condition]: the condition \"Urinary-tract-infection\"",
+        "people.csv:11:21: error[members::same-condition]: the condition \"mild depression\"",
+        "people.csv:12:2: error[members::no-name]",
+        "people.csv:12:2: error[members::seed]: \"-1\"",
+        "people.csv:12:5: error[members::number]: \"x\" is not a valid age in years",
+        "people.csv:12:8: error[routine::unknown-condition]: \"depresion\"",
+        "people.csv:12:26: error[members::value-count]: there are 3 values for 2 conditions",
     ] {
         assert!(done.err.contains(part), "{part}\n{}", done.err);
     }
@@ -401,7 +401,7 @@ fn all_that_is_wrong_with_a_list_is_said_at_once() {
 #[test]
 fn help_documents_and_program_know_the_same_columns() {
     let folder = listed("name,qqqqqq\n");
-    let said = folder.run("run tigerplace --profiles people.csv").fails(2, "is no column that is known").err;
+    let said = folder.run("run tigerplace --profiles people.csv").fails(2, "error[members::unknown-column]").err;
     let (_, known) = said.split_once("hint: there are ").unwrap();
     let known: Vec<&str> = known.lines().next().unwrap().split(", ").collect();
     let help = folder.run("run --help").ok().out;
@@ -416,14 +416,14 @@ fn help_documents_and_program_know_the_same_columns() {
 #[test]
 fn a_list_that_is_none_is_refused() {
     let folder = flat();
-    folder.run("run flat --profiles people.csv").fails(1, "people.csv: there is no such file");
-    folder.run("run flat --profiles flat").fails(1, "flat: it is a folder");
+    folder.run("run flat --profiles people.csv").fails(1, "error[members::no-file]: people.csv: there is no such file");
+    folder.run("run flat --profiles flat").fails(1, "error[members::folder]: flat: ");
     for (text, said) in [
-        (&b""[..], "people.csv: no column is called \"name\""),
-        (b"name,age\n", "people.csv: there is nobody in it\n"),
-        (b"name\n\"anna\nbea\n", "people.csv:2:2: this cell is never closed"),
-        (b"name\n\xff\n", "people.csv: it is not text in UTF-8"),
-        (b"name,age\nanna,80\n", "people.csv:2:6: nobody in this scenario lives by a routine"),
+        (&b""[..], "people.csv: error[members::no-name-column]"),
+        (b"name,age\n", "people.csv: error[members::no-members]"),
+        (b"name\n\"anna\nbea\n", "people.csv:2:2: error[members::open-quote]"),
+        (b"name\n\xff\n", "people.csv: error[members::not-utf-8]"),
+        (b"name,age\nanna,80\n", "people.csv:2:6: error[members::no-routine]"),
     ] {
         folder.write("people.csv", text);
         folder.run("run flat --profiles people.csv").fails(2, said);
@@ -440,5 +440,5 @@ fn a_long_list_of_faults_is_cut() {
     let rows: String = (0..300).map(|row| format!("m{row},x\n")).collect();
     let folder = listed(&format!("name,age\n{rows}"));
     let said = folder.run("run tigerplace --profiles people.csv").fails(2, "the file has 200 more problems").err;
-    assert_eq!(said.matches("is no age").count(), 100);
+    assert_eq!(said.matches("error[members::number]").count(), 100);
 }

@@ -27,9 +27,9 @@ fn what_is_looked_for_is_told_with_its_times_and_what_leads_nowhere_is_refused()
     assert!(alone.contains("Nobody knows whether anybody was at home"), "{alone}");
     folder.run("find alone.csv fall").fails(2, "find::needs-truth");
 
-    ask("room batroom").fails(2, "\"bathroom\" was probably meant");
+    ask("room batroom").fails(2, "did you mean \"bathroom\"?");
     ask("on").fails(2, "find::no-name");
-    ask("room bathroom --between 7-7").fails(2, "are no hours of a day");
+    ask("room bathroom --between 7-7").fails(2, "error[find::");
     ask("room bathroom --min-duration long").fails(2, "write a number with its unit");
     ask("flying").fails(2, "invalid value");
 }

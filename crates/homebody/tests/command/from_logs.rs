@@ -110,36 +110,34 @@ fn what_is_wrong_is_told_at_once_and_nothing_is_written() {
     folder.write("wrong.csv", "id,room,x,y,kind\nM1,hall,1,,motion\nM1,hall,,,\n,kitchen,,,\nM2,hall,a,2,laser\n");
     let said = folder
         .run("new flat --from-log codes.txt --sensors wrong.csv")
-        .fails(2, "wrong.csv:2: \"M1\" has one of x and y");
+        .fails(2, "wrong.csv:2:1: error[new::half-place]: \"M1\"");
     for more in [
-        "wrong.csv:3: the sensor \"M1\" is in line 2, too",
-        "wrong.csv:4: the row has no id",
-        "wrong.csv:5: \"a\" is no number",
-        "\"laser\" is no kind",
+        "wrong.csv:3:1: error[new::same-sensor]: the sensor \"M1\" is already in line 2",
+        "wrong.csv:4:1: error[new::no-id]",
+        "wrong.csv:5:1: error[new::coordinate]: \"a\"",
+        "error[new::kind]: \"laser\"",
     ] {
         assert!(said.err.contains(more), "{more}: {}", said.err);
     }
     folder.write("ids.csv", "what,room\nM1,hall\n");
-    folder.run("new flat --from-log codes.txt --sensors ids.csv").fails(2, "there is no column id");
+    folder.run("new flat --from-log codes.txt --sensors ids.csv").fails(2, "error[new::no-id-column]: ids.csv:1:1:");
     folder.write("strange.csv", "id,room\nX1,hall\n");
-    folder
-        .run("new flat --from-log codes.txt --sensors strange.csv")
-        .fails(2, "none of the table's sensors is in the log");
+    folder.run("new flat --from-log codes.txt --sensors strange.csv").fails(2, "error[new::other-log]");
     folder.write("numbers.txt", "2016-07-12 08:00:00 T1 21.5\n");
     folder.run("new flat --from-log numbers.txt").fails(2, "no sensor of it tells of movement or of doors");
     folder.write("plan.png", PICTURE);
     folder.write("on.csv", "id,room,x,y\nM1,hall,5000,10\nM2,hall,,\nD3,hall,,\n");
     let on = "new flat --from-log codes.txt --sensors on.csv --image plan.png";
-    folder.run(on).fails(2, "0 of two known points are given");
-    folder.run(&format!("{on} --known 1,1=0,0 --known 1,1=4,4")).fails(2, "the two known points are one");
+    folder.run(on).fails(2, "error[new::known-points]");
+    folder.run(&format!("{on} --known 1,1=0,0 --known 1,1=4,4")).fails(2, "error[new::same-point]");
     let said = folder
         .run(&format!("{on} --known 0,0=0,0 --known 900,0=9,0"))
-        .fails(2, "\"M1\" is not on the picture: 5000, 10");
-    assert!(said.err.contains("no sensor has a place on the picture"), "{}", said.err);
+        .fails(2, "error[new::off-picture]: the sensor \"M1\" is not on the picture: 5000, 10");
+    assert!(said.err.contains("error[new::nothing-on-picture]"), "{}", said.err);
     folder.write("plan.gif", "GIF89a");
     folder
         .run("new flat --from-log codes.txt --image plan.gif --known 0,0=0,0 --known 9,0=9,0")
-        .fails(2, "it is no picture in PNG or JPEG");
+        .fails(2, "error[new::not-a-picture]: plan.gif: ");
     folder.run("new flat --from-log nothing.txt").fails(1, "[log::not-found]: nothing.txt");
     assert!(!folder.path("flat").exists());
     folder.write("home.txt", log());

@@ -47,7 +47,7 @@ fn a_link_that_leads_out_is_not_read_unless_it_is_trusted() {
     symlink("../secret.json", folder.path("flat/home.json")).unwrap();
     let done = folder.run("check flat");
     assert!(!done.err.contains("hunter2"), "{}", done.err);
-    done.fails(2, "it is a link that leads out of the scenario's folder");
+    done.fails(2, "it is a link to a place outside of the scenario's folder");
     fs::remove_file(folder.path("flat/home.json")).unwrap();
     symlink("../home.json", folder.path("flat/home.json")).unwrap();
     folder
@@ -67,13 +67,13 @@ fn only_plain_files_of_a_named_size_are_read() {
     let folder = beside_a_secret();
     let pipe = folder.path("pipe");
     assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    folder.run("check pipe").fails(1, "pipe: it is no plain file\n  hint: a scenario folder holds a scenario.json");
+    folder.run("check pipe").fails(1, "error[open::not-plain]: pipe: ");
     for words in ["replay pipe", "import pipe new", "convert pipe --out csv:a.csv", "compare pipe pipe"] {
         folder.run(words).fails(1, "it is no plain file, but a device or a pipe");
     }
     fs::remove_file(folder.path("flat/home.json")).unwrap();
     symlink("/dev/zero", folder.path("flat/home.json")).unwrap();
-    folder.run("check flat").fails(2, "it is a link that leads out of the scenario's folder");
+    folder.run("check flat").fails(2, "it is a link to a place outside of the scenario's folder");
     folder.run("check flat --trust").fails(2, "it is no plain file, but a device or a pipe");
     fs::remove_file(folder.path("flat/home.json")).unwrap();
     folder.write("flat/home.json", vec![b' '; (8 << 20) + 1]);
@@ -212,10 +212,10 @@ fn a_condition_that_cannot_be_read_is_told() {
     fs::create_dir(folder.path("tigerplace-depression/conditions")).unwrap();
     let pipe = || assert!(Command::new("mkfifo").arg(folder.path(own)).status().unwrap().success());
     let others: [(&str, &dyn Fn()); 5] = [
-        ("it is a link that leads out of the scenario's folder", &|| {
+        ("it is a link to a place outside of the scenario's folder", &|| {
             symlink("../../elsewhere.routine", folder.path(own)).unwrap();
         }),
-        ("it is a link that leads nowhere", &|| symlink("nowhere", folder.path(own)).unwrap()),
+        ("it is a link to a file that does not exist", &|| symlink("nowhere", folder.path(own)).unwrap()),
         ("it is no plain file, but a device or a pipe", &pipe),
         ("it is larger than 8 MB", &|| folder.write(own, vec![b' '; (8 << 20) + 1])),
         ("is too long: a routine has at most 256 KB", &|| folder.write(own, vec![b' '; (256 << 10) + 1])),
@@ -248,7 +248,7 @@ fn a_pipe_is_told_as_a_pipe() {
     folder.run("check flat").fails(2, "it is no plain file, but a device or a pipe");
     fs::remove_file(folder.path("flat/scenario.json")).unwrap();
     pipe("flat/scenario.json");
-    folder.run("check flat").fails(1, "flat/scenario.json: it is no plain file\n  hint: a scenario folder holds");
+    folder.run("check flat").fails(1, "error[open::not-plain]: flat/scenario.json: ");
 }
 
 /// What is refused for its size costs little, however it was made.

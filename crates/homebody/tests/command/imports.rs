@@ -53,21 +53,21 @@ fn a_home_that_lacks_something_says_so_until_it_is_there() {
     let folder = Folder::new();
     folder.write("room.sh3d", plan(ROOM));
     let said = folder.run("import room.sh3d mine").ok().err;
-    let lack = "the ordinary routine cannot run yet: there is nowhere in this home to sleep\n  hint: give it a piece";
-    assert!(said.contains(lack) && said.contains("--furnish adds the furniture"), "{said}");
+    let lack = "the ordinary routine cannot run yet: the home has no place to sleep\n  hint: add a piece";
+    assert!(said.contains(lack) && said.contains("--furnish adds"), "{said}");
     assert!(folder.path("mine/anna.routine").is_file());
-    let lacks = folder.run("check mine").fails(2, "there is nowhere in this home to sleep").err;
-    assert!(lacks.contains("no toilet") && lacks.contains("nowhere to sit"), "{lacks}");
-    folder.run("run mine --for 1h --quiet --out csv:log.csv").fails(2, "there is nowhere in this home to sleep");
+    let lacks = folder.run("check mine").fails(2, "error[need::no-bed]").err;
+    assert!(lacks.contains("error[need::no-toilet]") && lacks.contains("error[need::no-seat]"), "{lacks}");
+    folder.run("run mine --for 1h --quiet --out csv:log.csv").fails(2, "error[need::no-bed]");
     folder.run("plan mine --svg plan.svg").ok();
     // A room that is all furniture.
     let full = "<pieceOfFurniture name='Block' x='300' y='200' width='580' depth='380' height='90'/>";
     folder.write("full.sh3d", plan(&format!("{ROOM}{full}")));
     for words in ["import full.sh3d full", "import full.sh3d furnished --furnish"] {
         let said = folder.run(words).ok().err;
-        assert!(said.contains("nobody can stand in any of its rooms"), "{said}");
+        assert!(said.contains("no room has space to stand"), "{said}");
     }
-    folder.run("check full").fails(2, "nowhere in this home to sleep");
+    folder.run("check full").fails(2, "error[need::no-bed]");
 }
 
 /// Hours asleep, meals and visits to the bathroom on the first day of a run.
@@ -123,13 +123,13 @@ fn adds_what_a_plan_lacks_in_the_rooms_and_the_language_of_the_plan() {
         let [bed, armchair] = named;
         added(bed, plan_of[1]);
         // Nobody gets into the living room, so that the armchair is elsewhere.
-        assert!(said.contains(&format!("nobody gets into {:?}", plan_of[3])), "{said}");
+        assert!(said.contains(&format!("no resident can enter {:?}", plan_of[3])), "{said}");
         assert!(
             said.contains(&format!("{armchair:?} in ")) && !said.contains(&format!("{armchair:?} in {:?}", plan_of[3]))
         );
         // The kitchen and the bathroom are known by their names, so that neither fridge nor toilet is needed.
         let checked = folder.run(&format!("check {name}")).ok().err;
-        assert!(checked.contains(&format!("nobody gets into {:?}", plan_of[3])), "{checked}");
+        assert!(checked.contains(&format!("no resident can enter {:?}", plan_of[3])), "{checked}");
         let [asleep_h, meals, visits] = day(&folder, &name);
         assert!(asleep_h >= 4.0 && meals >= 2.0 && visits >= 2.0, "{asleep_h} {meals} {visits}");
         // The routine needs these pieces.
@@ -163,7 +163,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     assert!(said.contains("the home has no sensors") && !said.contains("no problems"), "{said}");
     // The proposed sensor is a valid line.
     let (_, sensor) = said.split_once("such as {").unwrap();
-    let (sensor, _) = sensor.split_once("}; homebody suggest-sensors").unwrap();
+    let (sensor, _) = sensor.split_once("}; `homebody suggest-sensors`").unwrap();
     let home = folder.read("mine/home.json");
     folder.write("mine/home.json", home.replace("\n  ]\n}", &format!("\n  ],\n  \"sensors\": [{{{sensor}}}]\n}}")));
     let said = folder.run("check mine").ok().err;
@@ -173,9 +173,9 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     folder.write("mine/anna.path.json", wait);
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
     let said = folder.run("check mine").ok().err;
-    let what = "warning: anna.json: anna waits for ever and does nothing: anna.path.json has no walk";
+    let what = "warning: anna.json: anna stands still for the whole run: anna.path.json has no walk";
     assert!(said.contains(what) && !said.contains("no problems"), "{said}");
-    assert!(said.contains("let anna.json say \"driver\": {\"routine\":\"anna.routine\"}"), "{said}");
+    assert!(said.contains("write \"driver\": {\"routine\":\"anna.routine\"} in anna.json"), "{said}");
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": {"routine":"anna.routine"} }"#);
     assert!(folder.run("check mine").ok().err.contains("no problems"));
     let json = folder.run("check mine --json").ok().json();
@@ -186,7 +186,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
     assert!(folder.run("check mine").ok().err.contains("no problems"));
     folder.edit("mine/scenario.json", "\"residents\": [\"anna.json\"]", "\"residents\": []");
-    assert!(folder.run("check mine").ok().err.contains("warning: scenario.json: nobody lives here"));
+    assert!(folder.run("check mine").ok().err.contains("warning: scenario.json: the scenario has no residents"));
 }
 
 #[test]
@@ -273,5 +273,5 @@ fn a_level_is_chosen_by_its_name() {
     );
     folder.run("import house.sh3d below --level below").ok();
     assert!(folder.read("below/home.json").contains("Cellar") && folder.read("above/home.json").contains("Kitchen"));
-    folder.run("check below").fails(2, "there is nowhere in this home to sleep");
+    folder.run("check below").fails(2, "error[need::no-bed]");
 }

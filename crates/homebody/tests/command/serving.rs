@@ -79,7 +79,7 @@ fn a_scenario_of_ones_own_is_served_by_its_links() {
     folder.copy_scenario("by-hand");
     fs::rename(folder.path("by-hand/home.json"), folder.path("home.json")).unwrap();
     std::os::unix::fs::symlink("../home.json", folder.path("by-hand/home.json")).unwrap();
-    folder.run("serve by-hand --no-open").fails(2, "it is a link that leads out of the scenario's folder");
+    folder.run("serve by-hand --no-open").fails(2, "it is a link to a place outside of the scenario's folder");
     let mut served = folder.command("serve by-hand --no-open --trust").stdout(Stdio::piped()).spawn().unwrap();
     let mut said = String::new();
     BufReader::new(served.stdout.take().unwrap()).read_line(&mut said).unwrap();

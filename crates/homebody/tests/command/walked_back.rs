@@ -75,7 +75,7 @@ fn what_does_not_fit_is_said_with_its_share() {
     let header = log.lines().next().unwrap();
     let of_attic: Vec<&str> = log.lines().filter(|line| line.contains("M999")).collect();
     folder.write("none.csv", format!("{header}\n{}\n", of_attic.join("\n")));
-    folder.run("locate none.csv --home home --out never").fails(2, "none of the log's sensors is one of the home's");
+    folder.run("locate none.csv --home home --out never").fails(2, "error[locate::other-home]");
     folder.write("empty.csv", format!("{header}\n"));
     folder.run("locate empty.csv --home home --out never").fails(2, "no rows");
     assert!(!folder.path("never").exists());

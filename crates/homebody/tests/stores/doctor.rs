@@ -151,12 +151,12 @@ fn the_folder_of_a_run_is_held_against_its_recording() {
     is_whole(&folder, "runs/flat-1");
     is_whole(&folder, "runs/flat-1 --replay");
     folder.write("runs/flat-1/mqtt-x.confirmed.json", r#"{"run": 7, "rows": [3]}"#);
-    tells(&folder, "runs/flat-1", "wrong", "is of another run");
+    tells(&folder, "runs/flat-1", "wrong", "belongs to another run");
     folder.write("runs/flat-1/mqtt-x.confirmed.json", "half");
-    tells(&folder, "runs/flat-1", "wrong", "is no note");
+    tells(&folder, "runs/flat-1", "wrong", "is not a valid note");
     fs::remove_file(folder.path("runs/flat-1/mqtt-x.confirmed.json")).unwrap();
     folder.write("runs/flat-1/log.db.123.part", "half");
-    tells(&folder, "runs/flat-1", "warning", "half written");
+    tells(&folder, "runs/flat-1", "warning", "is an incomplete file");
     fs::remove_file(folder.path("runs/flat-1/log.db.123.part")).unwrap();
     Connection::open(folder.path("runs/flat-1/log.db"))
         .unwrap()
@@ -164,10 +164,10 @@ fn the_folder_of_a_run_is_held_against_its_recording() {
         .unwrap();
     tells(&folder, "runs/flat-1", "wrong", "and the recording says");
     folder.edit("runs/flat-1/recording.json", "\"firings\": ", "\"firings\": 1");
-    tells(&folder, "runs/flat-1 --replay", "wrong", "not every firing is the same");
+    tells(&folder, "runs/flat-1 --replay", "wrong", "the replay has other firings");
     fs::remove_file(folder.path("runs/flat-1/sensors.csv")).unwrap();
     fs::remove_file(folder.path("runs/flat-1/truth.db")).unwrap();
-    tells(&folder, "runs/flat-1", "wrong", "there is no truth in it");
+    tells(&folder, "runs/flat-1", "wrong", "the folder has no ground truth");
     tells(&folder, "runs/flat-1", "wrong", "there is no sensors.csv");
     folder.write("runs/flat-1/recording.json", "{}");
     tells(&folder, "runs/flat-1", "wrong", "");

@@ -1,0 +1,207 @@
+//! The messages about lists of members.
+
+use homebody_core::scenario::GREATEST_SEED;
+
+/// The hint for a name that is not one of the known names.
+pub(super) fn among(near: Option<&str>, known: &[&str]) -> String {
+    match near {
+        Some(near) => format!("did you mean {near:?}?"),
+        None => format!("there are {}", known.join(", ")),
+    }
+}
+
+homebody_core::messages! {
+    /// Problems with a list of members.
+    pub enum ProfileMessage in "members" {
+        /// The list of the members of a cohort is a CSV file. Its first line names the columns, and each further line is a member:
+        ///
+        /// ```text
+        /// name,age,conditions
+        /// anna,75,
+        /// bea,88,depression
+        /// ```
+        NoFile error "no-file" ("there is no such file")
+            hint ("name a CSV file with a row for each member");
+        /// The list of the members is one CSV file, and this path is a folder.
+        Folder error "folder" ("this is a folder, and a CSV file was expected")
+            hint ("name a CSV file");
+        /// Names of members may have any letters, so the text of the list must be in one known encoding. Spreadsheets call it
+        /// `CSV UTF-8`.
+        NotUtf8 error "not-utf-8" ("the file is not text in UTF-8")
+            hint ("save it as CSV in UTF-8");
+        /// A cell that begins with a double quote ends with another one. Everything after the first one belongs to the cell, across lines.
+        OpenQuote error "open-quote" ("the double quote of this cell is never closed")
+            hint ("close it with another \"; write a \" within a cell twice");
+        /// The list has a line with the names of the columns and no row below it, so the cohort has no member.
+        NoMembers error "no-members" ("the list has no members")
+            hint ("write a row for each member below the names of the columns");
+        /// Homebody numbers the members of a cohort and stores a folder for each. The limit is our choice.
+        TooMany {
+            /// The rows of the list.
+            members: usize,
+            /// The limit.
+            most: u32,
+        } error "too-many" ("the list has {members} members, and a cohort has at most {most}")
+            hint ("split the list, and simulate a cohort of each part");
+        /// The list as a whole is sound, but a member cannot be simulated in this scenario. The text quotes the problem that the
+        /// scenario has with the values of this row, such as a home without a bed.
+        Scenario {
+            /// The file and the place in it.
+            place: String,
+            /// The problem.
+            problem: String,
+            /// The code of the problem.
+            problem_code: &'static str,
+            /// The hint of the problem.
+            problem_hint: Option<String>,
+        } error "scenario" ("the values of this row cause a problem at {place}: {problem}")
+            advice (problem_hint.clone());
+        /// `--without` names a condition that no member has, so that it removes nothing. Conditions come from the column `conditions`
+        /// and from the routines.
+        NoCondition {
+            /// The name asked for.
+            condition: String,
+            /// The nearest known name.
+            near: Option<String>,
+            /// The conditions of the members.
+            known: Vec<String>,
+        } error "no-condition" ("no member of the list shows {condition:?}")
+            advice (Some(match (near, known.is_empty()) {
+                (Some(near), _) => format!("did you mean {near:?}?"),
+                (None, true) => "leave it out: no member shows a condition".into(),
+                (None, false) => format!("the members show {}", known.join(", ")),
+            }));
+        /// A column has one place in the list, because a member has one value for it.
+        SameColumn {
+            /// The name of both columns.
+            column: String,
+        } error "same-column" ("two columns are called {column:?}")
+            hint ("delete one of them");
+        /// The name of a column decides what its cells mean. `homebody run --help` explains each column.
+        UnknownColumn {
+            /// The name in the list.
+            column: String,
+            /// The hint, with the nearest name or all of them.
+            known: String,
+        } error "unknown-column" ("there is no column {column:?}")
+            hint ("{known}");
+        /// Each member needs a name: the member's folder gets it. Names stand in the column `name`.
+        NoNameColumn {
+            /// The other columns.
+            others: Vec<String>,
+        } error "no-name-column" ("no column is called \"name\"")
+            hint ("name the columns in the first line: name, and those of {others} that you need", others = others.join(", "));
+        /// The row has more cells than the first line has names, or the first line has an empty name here.
+        NoColumn error "no-column" ("this cell has no column name above it")
+            hint ("name its column in the first line");
+        /// Each member needs a name: the member's folder gets it.
+        NoName error "no-name" ("this member has no name")
+            hint ("write one in the column name");
+        /// The name of a member is the name of a folder, on every system. Slashes, colons, quotes and some other characters cannot be
+        /// in one.
+        BadName {
+            /// The name of the member.
+            name: String,
+        } error "bad-name" ("a folder cannot be called {name:?}")
+            hint ("use at most 100 letters, digits, spaces, - and _");
+        /// Homebody writes the list of the members into a file with this name in the cohort's folder.
+        ReservedName {
+            /// The name of the member.
+            name: String,
+        } error "reserved-name" ("{name:?} is the name of the cohort's own list")
+            hint ("choose another name");
+        /// Two members would share one folder. Upper and lower case count as the same, as some systems have it.
+        SameName {
+            /// The name of both members.
+            name: String,
+        } error "same-name" ("two members are called {name:?}")
+            hint ("give each member its own name");
+        /// A seed decides all randomness of one member. Without one, Homebody makes it from the seed of the scenario and the number of the
+        /// member.
+        Seed {
+            /// The text of the cell.
+            text: String,
+        } error "seed" ("{text:?} is not a valid seed")
+            hint ("write a whole number from 0 to {GREATEST_SEED}, or leave the cell empty");
+        /// The row changes a resident, and every resident of this scenario follows a path or a script. Only routines have an age, a pace or
+        /// conditions.
+        NoRoutine error "no-routine" ("no resident of this scenario has a routine that this could change")
+            hint ("give a resident a routine, or leave this cell empty");
+        /// The scenario has several residents with routines, and the row changes one of them.
+        WhichResident {
+            /// The names of the residents.
+            residents: Vec<String>,
+        } error "which-resident" ("the list does not say which resident this is about")
+            hint ("add a column resident: {residents}", residents = residents.join(" or "));
+        /// The column `resident` names the resident that the row changes. The resident must have a routine.
+        NoResident {
+            /// The name in the list.
+            name: String,
+            /// The hint, with the nearest name or all of them.
+            known: String,
+        } error "no-resident" ("no resident with a routine is called {name:?}")
+            hint ("{known}");
+        /// The column `routine` or `home` names a file in the scenario's folder.
+        Unreadable {
+            /// The name in the list.
+            file: String,
+            /// The reason.
+            why: String,
+            /// `routine` or `home`.
+            kind: String,
+        } error "unreadable" ("cannot read {file:?}: {why}")
+            hint ("name a {kind} in the scenario's folder");
+        /// Ages and paces are numbers above 0, such as `82` and `0.65`.
+        Number {
+            /// The text of the cell.
+            text: String,
+            /// The meaning of the column.
+            what: &'static str,
+        } error "number" ("{text:?} is not a valid {what}")
+            hint ("write a number, with a point before its decimals");
+        /// Severity, onset, `over` and `until` describe conditions, and this member has none.
+        NothingToDescribe error "no-condition-in-row" ("this describes a condition, and the row names none")
+            hint ("name one in the column conditions, or leave this cell empty");
+        /// A member with several conditions has one value for all of them, or one for each in the same order:
+        ///
+        /// ```text
+        /// name,conditions,severity
+        /// anna,depression + insomnia,mild + severe
+        /// ```
+        ValueCount {
+            /// The values in this cell.
+            values: usize,
+            /// The conditions of the row.
+            conditions: usize,
+        } error "value-count" ("there are {values} values for {conditions} conditions")
+            hint ("write one for all of them, or one for each with + between");
+        /// A member shows a condition once, in one severity.
+        SameCondition {
+            /// The name of the condition.
+            condition: String,
+        } error "same-condition" ("the condition {condition:?} occurs twice")
+            hint ("delete one of the two");
+        /// The column `severity` scales a condition.
+        Severity {
+            /// The text of the cell.
+            text: String,
+            /// The hint, with the nearest word or all of them.
+            known: String,
+        } error "severity" ("{text:?} is not a valid severity")
+            hint ("{known}");
+        /// Homebody builds a sentence of the routine language from the cells of a row. A cell has letters, digits, spaces, hyphens,
+        /// points and percent signs.
+        NotPlain {
+            /// The text of the cell.
+            text: String,
+        } error "not-plain" ("cannot read {text:?}")
+            hint ("write plain words, with + between several");
+        /// The sentence that Homebody builds from this cell has another meaning than its column, such as a habit in the column
+        /// `conditions`.
+        OtherMeaning {
+            /// The sentence.
+            sentence: String,
+        } error "other-meaning" ("{sentence:?} has another meaning than this column")
+            hint ("write plain words, with + between several");
+    }
+}

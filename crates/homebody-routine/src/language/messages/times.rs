@@ -1,0 +1,286 @@
+//! The messages about numbers, times and days.
+
+homebody_core::messages! {
+    /// Problems with a number, a time or a day in a routine.
+    pub enum TimeMessage in "routine" {
+        /// Homebody computes with numbers up to a billion.
+        NumberTooLarge {
+            /// The words.
+            text: String,
+        } error "number-too-large" ("the number {text:?} is too large")
+            hint ("write a smaller number");
+        /// A range goes from a smaller number to a larger one, such as `2 to 3 times`.
+        ReversedNumbers {
+            /// The words.
+            text: String,
+        } error "reversed-numbers" ("the range {text:?} begins with the larger number")
+            hint ("write the smaller number first");
+        /// A range of times goes from an earlier time to a later one, such as `from 14:00 to 17:00`.
+        ReversedTimes {
+            /// The words.
+            text: String,
+        } error "reversed-times" ("the range {text:?} begins with the later time")
+            hint ("write the earlier time first");
+        /// A routine has days, and activities last for less than one. Only outings and visits may last longer.
+        LongerThanADay {
+            /// The words.
+            text: String,
+        } error "longer-than-a-day" ("{text:?} is more than a day")
+            hint ("write at most 24 hours; only outings and visits can last longer");
+        /// An activity without a duration would leave no trace in a run.
+        NoDuration {
+            /// The words.
+            text: String,
+        } error "no-duration" ("{text:?} is a duration of zero")
+            hint ("write how long it lasts, such as \"for 20 minutes\"");
+        /// The duration of an outing or a visit has a limit, which is our choice.
+        LongerThanAYear {
+            /// The words.
+            text: String,
+        } error "longer-than-a-year" ("{text:?} is more than a year")
+            hint ("write until when, such as \"until day 100\"");
+        /// A share is a part of all days or occasions.
+        MoreThanAll {
+            /// The words.
+            text: String,
+        } error "more-than-all" ("{text:?} is more than all")
+            hint ("write at most 100 %");
+        /// A habit with a frequency of zero has no effect.
+        Never {
+            /// The words.
+            text: String,
+        } error "never" ("at {text:?}, it never happens")
+            hint ("write \"does not\", or leave the sentence out");
+        /// Days, weeks and months of a run count from 1, and go up to a hundred years.
+        NoDay {
+            /// The words.
+            text: String,
+        } error "no-day" ("there is no {text:?}")
+            hint ("count from day 1, in week 1");
+        /// The day does not exist in this month, or the year is outside of the range.
+        NoDate error "no-date" ("there is no such date between 1900 and 2200")
+            hint ("write year, month and day, such as 2009-05-01");
+        /// Every other week is about one day of the week. With several days, each of them could be in another week.
+        SeveralWeekdays {
+            /// The words.
+            text: String,
+        } error "several-weekdays" ("{text:?} does not say which weekday is in which week")
+            hint ("write a sentence for each day: \"every other Saturday\", \"every third Monday\"");
+        /// Homebody repeats habits by days. Within a day it counts how often they happen.
+        EveryHours {
+            /// The words.
+            text: String,
+            /// The same as times a day.
+            times_a_day: f64,
+        } error "every-hours" ("{text:?} is more often than once a day")
+            hint ("write how many times, such as \"{times_a_day} times a day\"");
+        /// A habit can return every 1 to 365 days.
+        EveryDays {
+            /// The words.
+            text: String,
+        } error "every-days" ("a habit cannot return every {text:?}")
+            hint ("write a whole number of days, such as \"every 3 days\"");
+        /// A part of each day has a beginning, and the sentence leaves it open.
+        PartOfEachDay {
+            /// The words.
+            text: String,
+        } error "part-of-each-day" ("{text:?} says how long, but not from when")
+            hint ("say from when to when, \"from 14:00 to 17:00\", or on which days: \"every day\", \"most days\"");
+        /// The first number of a share is more than 0 and not more than the second.
+        NotAShare {
+            /// The words.
+            text: String,
+        } error "not-a-share" ("{text:?} is not a share of days")
+            hint ("write it as in \"one day in three\"");
+        /// A week has seven days.
+        DaysAWeek {
+            /// The words.
+            text: String,
+        } error "days-a-week" ("a week does not have {text:?}")
+            hint ("write at most 7 days");
+        /// The number of times in this period is more than its days. Several times a day are a number of times a day.
+        OftenerThanDaily {
+            /// The words.
+            text: String,
+        } error "oftener-than-daily" ("{text:?} is more than once a day")
+            hint ("write how many times a day");
+        /// "At first" begins a change of a frequency. The second part says the later frequency.
+        AtFirst error "at-first" ("\"at first\" needs a second part with the later frequency")
+            hint ("write \"rarely at first, often by day 160\"");
+        /// A change of a frequency ends on a day.
+        ByWhen error "by-when" ("the sentence does not say by when the frequency changes")
+            hint ("write \"rarely at first, often by day 160\"");
+        /// A number of times is whole.
+        Count {
+            /// The words.
+            text: String,
+        } error "count" ("{text:?} is not a number of times")
+            hint ("write a whole number from 1 to 100, such as \"2 to 3 times\"");
+        /// A day has two times for each number from 1 to 12, and nothing in the sentence decides between them.
+        AmbiguousTime {
+            /// The words.
+            text: String,
+            /// The hint.
+            help: String,
+        } error "ambiguous-time" ("the time {text:?} can be in the morning or in the afternoon")
+            hint ("{help}");
+        /// Times are hours and minutes, such as `06:45` or `6:45 pm`.
+        NoTime {
+            /// The words.
+            text: String,
+            /// The hint.
+            help: String,
+        } error "no-time" ("there is no time {text:?}")
+            hint ("{help}");
+        /// The time and the part of the day contradict each other.
+        PartOfDay {
+            /// The time.
+            text: String,
+            /// The part of the day.
+            part: String,
+            /// The words for it.
+            part_text: String,
+        } error "part-of-day" ("{text:?} is not in the {part}")
+            hint ("write either the time or {part_text:?}");
+        /// An activity and a phase have one end.
+        TwoEnds {
+            /// The words of one end.
+            text: String,
+            /// The words of the other end.
+            other: String,
+        } error "two-ends" ("{text:?} and {other:?} are two ends of the same time")
+            hint ("leave one of them out");
+        /// An activity and a phase begin before they end.
+        EndBeforeBegin {
+            /// The words of the end.
+            text: String,
+        } error "end-before-begin" ("{text:?} is not after the beginning")
+            hint ("write the earlier time first");
+        /// A frequency changes within the phase that the sentence names.
+        ChangeBeforeBegin {
+            /// The words.
+            text: String,
+        } error "change-before-begin" ("{text:?} changes before it begins")
+            hint ("write a later day after \"by\"");
+        /// The sentence has a duration, and nothing says on which day it begins.
+        NoBeginning {
+            /// The hint.
+            help: String,
+        } error "no-beginning" ("the sentence does not say from when")
+            hint ("{help}");
+        /// A change that fades has an end at which the fading begins.
+        NoEndToFade error "no-end-to-fade" ("the sentence does not say when the fading begins")
+            hint ("write \"until day 100, fading over 2 weeks\"");
+        /// The end of an activity is a time of day. Homebody cannot plan it by another activity.
+        UntilActivity {
+            /// The words.
+            text: String,
+            /// The activity.
+            activity: String,
+        } error "until-activity" ("{text:?} is not a time of day")
+            hint ("write a time, such as \"until 22:00\", or how long before it: \"for 2 hours before {activity}\"");
+        /// "From" with a time of day begins a range.
+        NoEnd {
+            /// The words.
+            text: String,
+            /// The time.
+            time: String,
+        } error "no-end" ("{text:?} does not say until when")
+            hint ("write \"at {time}\", or until when: \"from {time} to ...\"");
+        /// A month alone can be its first day, or the month in each year.
+        WhichDay {
+            /// The words.
+            text: String,
+        } error "which-day" ("the sentence does not say from which day of {text:?}")
+            hint ("write a date such as 2009-03-01, or \"from March to May\" for those months of all years");
+        /// A change builds up over one length of time.
+        OneLength error "one-length" ("a change needs one length of time, not a range")
+            hint ("write one number, such as \"over 4 weeks\"");
+        /// "For" begins a length of time with a unit.
+        NotALength {
+            /// The words.
+            text: String,
+        } error "not-a-length" ("{text:?} is not a length of time")
+            hint ("write minutes, hours, days or weeks, such as \"for 20 minutes\"");
+        /// A phase has whole days.
+        WholeDays error "whole-days" ("a phase needs one number of whole days, at least 1")
+            hint ("write one whole number, such as \"for 10 days\"");
+        /// A sentence can place an activity before or after another activity. These words name a time instead.
+        OpenTime {
+            /// The words.
+            text: String,
+            /// The hint.
+            help: String,
+        } error "open-time" ("{text:?} does not say when")
+            hint ("{help}");
+        /// A sentence can place an activity before or after another activity. Homebody does not know this one.
+        UnknownEvent {
+            /// The words.
+            text: String,
+            /// The hint.
+            help: String,
+        } error "unknown-event" ("{text:?} does not name a known activity")
+            hint ("{help}");
+        /// A time that varies by more than half a day can be any time.
+        SpreadOfTime error "spread-of-time" ("the time varies by more than 12 hours")
+            hint ("write at most 12 hours");
+        /// A duration that varies by its own length can be zero.
+        SpreadOfDuration error "spread-of-duration" ("the duration varies by as much as its own length")
+            hint ("write less than the duration itself");
+        /// "Give or take" follows a time or a duration that varies.
+        NothingVaries {
+            /// The words.
+            text: String,
+        } error "nothing-varies" ("{text:?} has no time or duration before it")
+            hint ("write \"at about 06:45, give or take 30 minutes\"");
+        /// The time of most falls and the time of this fall contradict each other.
+        TwoTimesOfFall {
+            /// The words.
+            text: String,
+        } error "two-times-of-fall" ("{text:?} is a second time, next to the time of most falls")
+            hint ("leave one of them out");
+        /// The time can be the time of the fall, or the time at which a person finds her.
+        WhoseTime {
+            /// The words.
+            text: String,
+        } error "whose-time" ("{text:?} can be the time of the fall, or of the person who comes")
+            hint
+                ("say how often she falls, or when, in front; and in a sentence of its own when the person comes: \"her daughter visits at 9:00\"");
+        /// People are up to 130 years old.
+        Age {
+            /// The words.
+            text: String,
+        } error "age" ("a person cannot be {text}")
+            hint ("write the age in years, such as \"is 82\"");
+        /// The walking speed of a person has a range.
+        Pace {
+            /// The words.
+            text: String,
+        } error "pace" ("a person cannot walk at {text:?}")
+            hint ("write 0.2 to 1.6 m/s");
+        /// A change has a limit, so that a run stays possible. The limit is our choice.
+        TooGreat {
+            /// The words.
+            text: String,
+            /// The limit.
+            most: String,
+        } error "too-great" ("{text:?} is more than {most}")
+            hint ("write at most {most}");
+        /// A decrease by more than all would be less than nothing.
+        LessThanNothing {
+            /// The words.
+            text: String,
+        } error "less-than-nothing" ("nothing can be {text:?}")
+            hint ("write at most 100 %");
+        /// Each sentence has one value of this kind.
+        Twice {
+            /// The words.
+            text: String,
+            /// The words before them.
+            first: String,
+            /// The meaning of both.
+            meaning: String,
+        } error "twice" ("{text:?} comes after {first:?}: {meaning}")
+            hint ("leave one of them out, or make two sentences");
+    }
+}

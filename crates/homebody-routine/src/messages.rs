@@ -1,0 +1,111 @@
+//! The messages about households: conditions, and the needs of residents.
+
+homebody_core::messages! {
+    /// Problems with the conditions of a household.
+    pub enum HouseholdMessage in "condition" {
+        /// `--without` names a condition that no resident shows, so that it removes nothing.
+        NotShown {
+            /// The name asked for.
+            condition: String,
+            /// The conditions of the routines.
+            known: Vec<String>,
+        } error "not-shown" ("no resident shows {condition:?}")
+            advice (Some(match known.is_empty() {
+                true => "leave it out: no routine of this scenario shows a condition".into(),
+                false => format!("the routines show {}", known.join(", ")),
+            }));
+        /// A condition can show another condition. These conditions show each other, so that reading them would never end.
+        Circle {
+            /// The names of the conditions.
+            conditions: Vec<String>,
+        } error "circle" ("the conditions {conditions} show each other in a circle", conditions = conditions.join(" and "))
+            hint ("remove one of them from the other");
+        /// The routines of a scenario read a limited number of files with conditions. The limit is our choice.
+        TooMany {
+            /// The file that is one too many.
+            file: String,
+            /// The limit.
+            most: usize,
+        } error "too-many" ("a scenario has at most {most} conditions, and {file:?} is one more")
+            hint ("remove conditions from the routines");
+        /// A file with a condition has a limit, which is our choice.
+        TooLong {
+            /// The file.
+            file: String,
+            /// The reason.
+            why: String,
+        } error "too-long" ("{file:?} is too long: {why}")
+            hint ("make it a regular file with a condition, or remove it");
+        /// The scenario has a file with this condition, so Homebody does not use its own condition instead.
+        Unreadable {
+            /// The file.
+            file: String,
+            /// The reason.
+            why: String,
+        } error "unreadable" ("cannot read {file:?}: {why}")
+            hint ("make it a regular file with a condition, or remove it");
+    }
+}
+
+homebody_core::messages! {
+    /// Problems of a home that lacks something for the life of a resident.
+    pub enum NeedMessage in "need" {
+        /// Every resident with a routine sleeps at night.
+        NoBed {
+            /// A piece of furniture with a free position, or the reason against one.
+            example: String,
+        } error "no-bed" ("the home has no place to sleep")
+            hint ("add a piece of furniture \"bed\" that is enterable, or one with the \"role\" \"bed\"{example}");
+        /// Every resident with a routine uses a toilet.
+        NoToilet {
+            /// A piece of furniture with a free position, or the reason against one.
+            example: String,
+        } error "no-toilet" ("the home has no toilet")
+            hint ("add a piece of furniture or a place \"toilet\", or a piece with the \"role\" \"toilet\"{example}");
+        /// Every resident with a routine rests in a seat between activities.
+        NoSeat {
+            /// A piece of furniture with a free position, or the reason against one.
+            example: String,
+        } error "no-seat" ("the home has no place to sit")
+            hint ("add an \"armchair\" that is enterable, or another piece with the \"role\" \"armchair\"{example}");
+        /// Every resident with a routine prepares meals.
+        NoKitchen {
+            /// A piece of furniture with a free position, or the reason against one.
+            example: String,
+        } error "no-kitchen" ("the home has no kitchen")
+            hint
+                ("add a room \"kitchen\", a place \"fridge\", or a piece of furniture with the \"role\" \"fridge\"{example}");
+        /// A body of this size finds no way out of the bed, so it cannot do anything else.
+        BoxedIn {
+            /// The resident.
+            resident: String,
+            /// The bed.
+            from: String,
+            /// The hint.
+            help: String,
+        } error "boxed-in" ("{resident} cannot get from {from:?} to the rest of the home")
+            hint ("{help}");
+        /// The routine uses this place, and a body of this size finds no way to it.
+        NoWay {
+            /// The resident.
+            resident: String,
+            /// The bed, where the way begins.
+            from: String,
+            /// The place.
+            to: String,
+            /// The hint.
+            help: String,
+        } error "no-way" ("{resident} cannot get from {from:?} to {to:?}")
+            hint ("{help}");
+        /// The routine has outings, and the home has no door for them.
+        NoWayOut error "no-way-out" ("the home has no way out")
+            hint ("mark a door as \"outside\", or name a place \"front door\"");
+        /// The routine lets a fallen resident wait for a person, and no person ever comes.
+        Unfound {
+            /// The resident.
+            resident: String,
+        } error "unfound" ("no person finds {resident}: the home has no other resident and no visitor")
+            hint
+                ("say who comes: \"her daughter visits every morning for 20 minutes\"; or for how long she lies there: \"and lies there for 2 hours\"");
+    }
+}

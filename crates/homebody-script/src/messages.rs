@@ -1,0 +1,222 @@
+//! The messages about scripts.
+
+use homebody_core::problem::counted;
+
+homebody_core::messages! {
+    /// Problems with scripts, before a run or during it.
+    pub enum ScriptMessage in "script" {
+        /// The text does not follow the syntax of Rhai, the language of scripts.
+        Syntax {
+            /// The message of the parser.
+            what: String,
+            /// The hint.
+            help: Option<String>,
+        } error "syntax" ("the script has a syntax error: {what}")
+            advice (help.clone());
+        /// Homebody calls the functions of a script when a resident has something to decide. Statements outside of them would never run:
+        ///
+        /// ```rhai
+        /// fn next(around) { wait(60) }
+        /// ```
+        OutsideFunction error "outside-function" ("this statement is outside of every function")
+            hint ("move it into fn next(around); a script has functions and constants only");
+        /// Functions see the constants of a script only if their names begin with a capital letter.
+        ConstantName {
+            /// The name.
+            name: String,
+        } error "constant-name" ("the constant {name} does not begin with a capital letter")
+            hint ("write the name in capital letters");
+        /// Homebody calls `next` whenever the resident has nothing left to do. Every script needs it.
+        NoNext {
+            /// The beginning of the function.
+            form: String,
+        } error "no-next" ("the script has no function next")
+            hint ("write {form} {{ .. }}, which returns a step such as wait(60)");
+        /// Homebody calls this function with a fixed number of values.
+        Parameters {
+            /// The name of the function.
+            function: String,
+            /// The parameters that it has.
+            parameters: usize,
+            /// The beginning of the function.
+            form: String,
+        } error "parameters" ("the function {function} has {parameters}", parameters = counted(*parameters, "parameter", "parameters"))
+            hint ("write {form}");
+        /// A variable ends with its function. `this` keeps values from one decision to the next.
+        UnknownVariable {
+            /// The name.
+            name: String,
+            /// The nearest known name.
+            near: Option<String>,
+        } error "unknown-variable" ("there is no variable {name}")
+            advice (Some(match near {
+                Some(near) => format!("did you mean {near}?"),
+                None => "give it a value with let; write this.name for a value that lasts until the next decision".into(),
+            }));
+        /// `around` is what the resident sees at the moment of a decision. The reference of scripts lists its properties.
+        UnknownProperty {
+            /// The name.
+            name: String,
+            /// The hint.
+            help: String,
+        } error "unknown-property" ("around has no property {name}")
+            hint ("{help}");
+        /// The name is not a function of the script, of Homebody or of Rhai. Some functions of Rhai, such as `eval`, are left out.
+        UnknownFunction {
+            /// The name, or its signature.
+            name: String,
+            /// The hint.
+            help: Option<String>,
+        } error "unknown-function" ("there is no function {name}")
+            advice (help.clone());
+        /// This word of Homebody has another number of values.
+        ValueCount {
+            /// The word.
+            word: String,
+            /// The values that are given.
+            values: usize,
+            /// The ways to write it.
+            forms: Vec<String>,
+        } error "value-count" ("{word} has {values}", values = counted(*values, "value", "values"))
+            hint ("write {forms}", forms = forms.join(" or "));
+        /// A constant or a literal value has a type that this word does not take.
+        ValueType {
+            /// The word.
+            word: String,
+            /// The name of the value in the reference.
+            parameter: String,
+            /// The type that it needs.
+            wanted: String,
+            /// The type that it has.
+            found: String,
+        } error "value-type" ("{word} needs {wanted} as {parameter}, and this is {found}");
+        /// Steps take time, so that the simulation can continue.
+        Duration {
+            /// The duration in seconds.
+            duration_s: f64,
+        } error "duration" ("a step cannot last {duration_s} seconds")
+            hint ("write a number of seconds above 0");
+        /// Scripts name places, furniture, things and rooms as `home.json` does.
+        UnknownName {
+            /// `place`, `seat`, `thing` or `room`.
+            noun: String,
+            /// The name.
+            name: String,
+            /// The hint.
+            help: String,
+        } error "unknown-name" ("the home has no {noun} {name:?}")
+            hint ("{help}");
+        /// The manner decides how much a resident moves while waiting. The reference of scripts lists the manners.
+        UnknownManner {
+            /// The name.
+            name: String,
+            /// The hint.
+            help: String,
+        } error "unknown-manner" ("there is no manner {name:?}")
+            hint ("{help}");
+        /// Only pieces of furniture that a resident can get on or into have a place to sit or lie.
+        NotASeat {
+            /// `sit` or `lie`.
+            verb: String,
+            /// The name of the place.
+            place: String,
+        } error "not-a-seat" ("a resident cannot {verb} at {place:?}")
+            hint ("name a piece of furniture that is \"enterable\"; go(..) stands next to the others");
+        /// Each name of a stream is a new source of random numbers. The limit is our choice.
+        TooManyStreams {
+            /// The limit.
+            most: usize,
+        } error "too-many-streams" ("the script draws from more than {most} streams")
+            hint ("name streams by their purpose, not by numbers");
+        /// This word takes numbers only.
+        NotANumber {
+            /// The meaning of the value.
+            value: String,
+            /// The type that it has.
+            found: String,
+        } error "not-a-number" ("{value} must be a number, and this is {found}");
+        /// A division by zero and similar calculations have no finite result.
+        NotFinite {
+            /// The meaning of the value.
+            value: String,
+            /// The result.
+            number: String,
+        } error "not-finite" ("{value} must be finite, and this is {number}");
+        /// `step(degrees, metres)` goes forward in a direction.
+        NegativeStep {
+            /// The distance in metres.
+            distance_m: f64,
+        } error "negative-step" ("a step cannot go {distance_m} metres")
+            hint ("turn round instead: add 180 degrees");
+        /// Homebody asks the script for the next step, and the script returned another value.
+        NotAStep {
+            /// The type that it has.
+            found: String,
+        } error "not-a-step" ("the script returned {found}, and a step was expected")
+            hint ("return a step, such as wait(60), or a list of steps");
+        /// A list without elements has nothing to choose.
+        EmptyList error "empty-list" ("pick cannot choose from an empty list")
+            hint ("check the length of the list first");
+        /// Words that look around, and random numbers, work only while Homebody asks the script for a decision.
+        NotAsked error "not-asked" ("this word works only in functions that Homebody calls");
+        /// The script decides again and again, and none of its steps takes time, so the run would not continue.
+        NoTime {
+            /// The limit.
+            most: u32,
+        } error "no-time" ("the script runs away: {most} decisions in a row take no time")
+            hint ("return a step that takes time, such as wait(60)");
+        /// All decisions of an hour together have a limit, so that one script cannot hold up a run. The limit is our choice.
+        SlowHour {
+            /// The limit.
+            most: u64,
+        } error "slow-hour" ("the script runs away: it takes more than {most} operations in an hour")
+            hint ("decide less often, or with less work each time");
+        /// A single decision has a limit, so that an endless loop ends with a message. The limit is our choice.
+        SlowDecision {
+            /// The limit.
+            most: u64,
+        } error "slow-decision" ("the script runs away: it takes more than {most} operations to decide")
+            hint ("end its loop, or spread the work over several decisions");
+        /// A function calls itself, directly or through others, and does not end.
+        DeepCalls error "deep-calls" ("functions call each other too deep")
+            hint ("let one of them end");
+        /// Homebody takes the steps of a script one after the other. The limit of waiting steps is our choice.
+        TooManySteps {
+            /// The limit.
+            most: usize,
+        } error "too-many-steps" ("more than {most} steps are waiting")
+            hint ("return the next steps only; decide on the rest later");
+        /// The resident leaves or enters the home, and no door of it leads outside.
+        NoFrontDoor error "no-front-door" ("the home has no front door")
+            hint ("give one of its doors \"outside\": true");
+        /// Furniture or a closed door blocks every way to this place.
+        NoWay {
+            /// The name of the place.
+            place: String,
+        } error "no-way" ("there is no way to {place:?}")
+            hint ("test it with around.can_reach(..)");
+        /// At the beginning of a run, the script has to place the resident in the home.
+        NoStart error "no-start" ("the home has no place for the resident to begin at")
+            hint ("return go(..) first: the run begins at that place");
+        /// `begin` returns the values that the script remembers as `this`.
+        NotAMap error "not-a-map" ("begin() must return a map")
+            hint ("return a map, such as #{{ rounds: 0 }}");
+        /// A value was read from `this` before the script stored it there.
+        NotRemembered {
+            /// The name.
+            name: String,
+        } error "not-remembered" ("there is no remembered value {name}")
+            hint ("give it a value in fn begin(), such as #{{ rounds: 0 }}");
+        /// An operation got the empty value `()`, usually because nothing was remembered under a name yet.
+        MissingValue {
+            /// The operation with the types of its values.
+            signature: String,
+        } error "missing-value" ("a value is missing in {signature}: () is empty")
+            hint ("give the remembered value a start in fn begin(), such as #{{ rounds: 0 }}");
+        /// The script ended itself with `throw`, or Rhai stopped it for the given reason.
+        Failed {
+            /// The text that was thrown, or the message of Rhai.
+            what: String,
+        } error "failed" ("the script failed: {what}");
+    }
+}
