@@ -50,3 +50,9 @@ pub use archive::MOST_BYTES;
 pub use error::NotImported;
 pub use sweet_home::{Imported, SCHEMA, sweet_home};
 pub use text::home_text;
+
+/// The messages of this crate, by area.
+pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
+    <NotImported as homebody_core::messages::Catalogue>::ENTRIES,
+    <from_log::Unsaid as homebody_core::messages::Catalogue>::ENTRIES,
+];

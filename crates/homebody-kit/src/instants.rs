@@ -6,6 +6,7 @@ use crate::log_with_run::NamedLog;
 use homebody_analysis::dates::put_on_wall;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::Micros;
+use homebody_log::problems::TruthMessage;
 use homebody_log::source::{Clock, Value, truth_rows};
 use homebody_log::table::ColumnKind;
 use homebody_log::truth::{Truth, tables};
@@ -101,8 +102,8 @@ impl NamedLog {
     ///
     /// [`Error::Log`] if there is none.
     pub fn truth_that_is_there(&self) -> Result<Url, Error> {
-        let why = || "no truth lies beside the log".to_owned();
-        Ok(self.truth().ok_or_else(|| LogError::NoTruth { place: self.place.to_string(), why: why() })?)
+        let no_truth = || LogError::no_truth(self.place.to_string(), TruthMessage::NotBeside);
+        Ok(self.truth().ok_or_else(no_truth)?)
     }
 
     /// Gives the rows of a table of the truth beside it, with instants as [`Instants`] has them.
@@ -114,9 +115,9 @@ impl NamedLog {
         let truth = self.truth_that_is_there()?;
         let all = tables();
         let Some(index) = all.iter().position(|known| known.name == table) else {
-            let names: Vec<&str> = all.iter().map(|table| table.name.as_str()).collect();
-            let why = format!("a truth has no table {table:?}\n  hint: there are {}", names.join(", "));
-            return Err(LogError::NoTruth { place: truth.to_string(), why }.into());
+            let known = all.iter().map(|table| table.name.clone()).collect();
+            let no_table = TruthMessage::NoTable { table: table.into(), known };
+            return Err(LogError::no_truth(truth.to_string(), no_table).into());
         };
         let utc = self.clock_of(Clock::Utc);
         let instants: Vec<bool> = all[index].columns.iter().map(|column| column.kind == ColumnKind::Instant).collect();

@@ -87,6 +87,16 @@ pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[
     <find::Unfindable as homebody_core::messages::Catalogue>::ENTRIES,
 ];
 
+/// The messages of destinations and sources in crates of their own, as far as this build has them.
+pub const MESSAGES_ELSEWHERE: &[&[&[homebody_core::messages::Entry]]] = &[
+    #[cfg(feature = "parquet")]
+    homebody_arrow::MESSAGES,
+    #[cfg(feature = "postgresql")]
+    homebody_postgres::MESSAGES,
+    #[cfg(feature = "mqtt")]
+    homebody_mqtt::MESSAGES,
+];
+
 pub use broker::{Tidied, tidy_up};
 pub use calibration::{Calibration, Fitted, Rates, Sight, calibrate, lived};
 pub use cohort::{Cohort, CohortSetup, LARGE_DAYS, LivedCohort};

@@ -47,6 +47,8 @@ pub mod word;
 pub mod spreadsheet;
 mod mapping;
 mod messages;
+pub mod problems;
+mod reason;
 mod packed;
 pub mod spool;
 pub mod remembered;
@@ -76,14 +78,34 @@ pub mod label;
 pub mod records;
 
 /// The messages of this crate, by area.
-pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &[<LogError as homebody_core::messages::Catalogue>::ENTRIES];
+pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &{
+    use homebody_core::messages::Catalogue;
+    let [length, truth, other_run, changed, hold, output, count, packed, sensor_table, mapping] = problems::ENTRIES;
+    [
+        LogError::ENTRIES,
+        reason::ENTRIES,
+        source::MESSAGES[0],
+        source::MESSAGES[1],
+        length,
+        truth,
+        other_run,
+        changed,
+        hold,
+        output,
+        written::REFUSED,
+        count,
+        packed,
+        sensor_table,
+        mapping,
+    ]
+};
 
 pub use anonymise::{Anonymised, Anonymising, anonymise};
 pub use cancel::Cancel;
 pub use convert::convert;
 pub use deadline::Deadline;
 pub use destination::Destination;
-pub use error::LogError;
+pub use error::{Failed, LogError, Reason};
 pub use label::{Labelled, label};
 pub use logger::{Logger, RowsOfFirings, Stored};
 pub use mapping::read_mapping;

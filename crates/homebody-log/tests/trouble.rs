@@ -183,8 +183,6 @@ fn a_committed_row_stays_when_the_database_is_locked_later() {
 #[test]
 fn an_error_names_its_place() {
     let error = LogError::Exists { place: "runs/log.db".into() };
-    assert_eq!(
-        error.to_string(),
-        "runs/log.db exists already\n  hint: name another place, or allow that what is there is replaced"
-    );
+    let hint = "choose another name, or pass --force to replace the file";
+    assert_eq!(error.to_string(), format!("runs/log.db already exists\n  hint: {hint}"));
 }

@@ -5,6 +5,7 @@ use crate::connection::Connection;
 use crate::examined_runs::runs;
 use crate::schema::{RUNS, TRUTH_SCHEMA, look, quoted, usual};
 use crate::server::{Host, Server};
+use homebody_core::problem::Problem;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::examine::{Asked, Check, is_this_machine, log_table, truth_tables};
 use homebody_log::table::Table;
@@ -48,7 +49,7 @@ fn look_at(
         Ok(holds) => holds.as_deref() == Some("truth"),
         // Who may not even ask is told which rights are missing.
         Err(_) if !problems.is_empty() => {
-            checks.extend(problems.into_iter().map(|(says, hint)| Check::wrong("tables", says, hint)));
+            checks.extend(problems.into_iter().map(check_of));
             return Ok(());
         }
         Err(error) => return Err(error),
@@ -140,12 +141,12 @@ fn schema_of(
     schema: &str,
     tables: &[Table],
     there: Vec<String>,
-    problems: Vec<(String, String)>,
+    problems: Vec<Problem>,
     run_column: &str,
     checks: &mut Vec<Check>,
 ) -> Result<(), LogError> {
     let is_well = problems.is_empty();
-    checks.extend(problems.into_iter().map(|(says, hint)| Check::wrong("tables", says, hint)));
+    checks.extend(problems.into_iter().map(check_of));
     if is_well {
         checks.push(Check::ok(
             "tables",
@@ -163,4 +164,9 @@ fn schema_of(
         checks.push(Check::warning("runs", says, "it was made by another program; it is read all the same"));
     }
     Ok(())
+}
+
+/// A problem of the tables as a check.
+fn check_of(problem: Problem) -> Check {
+    Check::wrong("tables", problem.what, problem.hint.unwrap_or_default())
 }

@@ -8,6 +8,7 @@
 
 #![warn(missing_docs)]
 
+mod messages;
 mod server;
 mod password;
 mod tls;
@@ -30,6 +31,7 @@ mod examine;
 mod examined_runs;
 
 pub use fleet::PostgresFleet;
+pub use messages::MESSAGES;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
 use homebody_log::elsewhere::Elsewhere;

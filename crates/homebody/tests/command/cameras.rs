@@ -135,7 +135,7 @@ fn silhouettes_become_a_film_tables_and_pictures() {
     // Three cameras and two gaps of three pixels.
     assert_eq!(size("film.apng"), ((3 * 160 + 6) * 2, 240, Some(instants[0].parse().unwrap())));
     // What is there is not replaced in silence.
-    folder.run("silhouettes runs/postures-1 --out film.apng").fails(1, "exists already");
+    folder.run("silhouettes runs/postures-1 --out film.apng").fails(1, "already exists");
     folder.run("silhouettes runs/postures-1 --out pictures").fails(2, "is no empty folder");
     folder.run("silhouettes runs/postures-1 --out film.apng --force --camera south-east --every 1s").ok();
 }

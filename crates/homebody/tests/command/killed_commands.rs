@@ -67,6 +67,6 @@ fn what_is_whole_is_not_replaced_unasked() {
     folder.run("run flat --for 20m --quiet").ok();
     folder.run("new my-home --template tigerplace").ok();
     folder.run("convert runs/flat-1 --to sqlite:out.db").ok();
-    folder.run("new my-home --template tigerplace").fails(1, "my-home exists already");
-    folder.run("convert runs/flat-1 --to sqlite:out.db").fails(1, "out.db exists already");
+    folder.run("new my-home --template tigerplace").fails(1, "my-home already exists");
+    folder.run("convert runs/flat-1 --to sqlite:out.db").fails(1, "out.db already exists");
 }

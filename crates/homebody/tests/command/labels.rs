@@ -69,15 +69,15 @@ fn a_truth_of_texts_labels_as_a_database_does() {
     folder.run("label beside/log.csv --to csv:found.csv --force").ok();
     assert_eq!(folder.read("found.csv"), wanted);
     // What is missing of it is told, and so is what is no row of it.
-    folder.run("label log.csv csv:texts.csv --to csv:texts.room.csv --force").fails(1, "cannot become itself");
+    folder.run("label log.csv csv:texts.csv --to csv:texts.room.csv --force").fails(1, "error[log::is-source]");
     folder.edit("texts.room.csv", "resident,at,room", "resident,at,place");
     folder
         .run("label log.csv csv:texts.csv --to csv:x.csv")
-        .fails(1, "texts.room.csv has no truth: no column \"room\"");
+        .fails(1, "error[truth::no-column]");
     fs::remove_file(folder.path("texts.off.csv")).unwrap();
     folder
         .run("label log.csv csv:texts.csv --to csv:x.csv")
-        .fails(1, "csv:texts.csv has no truth: no file texts.off.csv");
+        .fails(1, "it has no file texts.off.csv");
     assert!(!folder.path("x.csv").exists());
 }
 
@@ -89,18 +89,18 @@ fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
     let lines: Vec<&str> = text.lines().collect();
     let dirty = [&lines[..3], &["3,never,Fridge,ON", "nonsense"], &lines[3..]].concat().join("\n");
     folder.write("dirty.csv", dirty);
-    let said = folder.run("label dirty.csv truth.db --to csv:x.csv").fails(1, "dirty.csv:4: \"never\" is no date").err;
-    assert!(said.contains("dirty.csv:5: ") && said.contains("hint: ") && !said.contains("truth.db"), "{said}");
+    let said = folder.run("label dirty.csv truth.db --to csv:x.csv").fails(1, "error[log::unreadable-rows]: cannot read 2 lines").err;
+    assert!(said.contains("dirty.csv:4: ") && said.contains("hint: ") && !said.contains("truth.db"), "{said}");
 
     folder.write("empty.db", "");
     Connection::open(folder.path("other.db")).unwrap().execute_batch("CREATE TABLE cause (row)").unwrap();
     folder.write("text.txt", "no truth at all, but a text that is long enough to be looked at");
     for (truth, said) in [
-        ("empty.db", "has no truth: no table \"cause\", no table \"off\""),
-        ("other.db", "has no truth: no column \"firing\" of \"cause\""),
-        ("text.txt", "text.txt has no truth: it is no database"),
+        ("empty.db", "error[truth::missing-parts]"),
+        ("other.db", "it has no column \"firing\" of \"cause\""),
+        ("text.txt", "error[truth::not-a-database]"),
         ("none.db", "none.db does not exist"),
-        ("casas:log.csv", "has no truth"),
+        ("casas:log.csv", "error[truth::casas]"),
     ] {
         let said = folder.run(&format!("label log.csv {truth} --to csv:x.csv")).fails(1, said).err;
         assert!(said.contains("\n  hint: "), "{said}");
@@ -201,7 +201,7 @@ fn no_file_of_a_run_is_replaced() {
     fs::create_dir(folder.path("runs/flat-1/x")).unwrap();
     for to in if cfg!(unix) { &files[..] } else { &files[..4] } {
         folder.run(&format!("convert elsewhere.csv --to {to} --force")).fails(1, "is a file of the run in ");
-        let said = if to.ends_with(".db") { "cannot become itself" } else { "is a file of the run in " };
+        let said = if to.ends_with(".db") { "error[log::is-source]" } else { "is a file of the run in " };
         folder.run(&format!("label runs/flat-1 --to {to} --force")).fails(1, said);
     }
     fs::remove_dir(folder.path("runs/flat-1/x")).unwrap();
@@ -229,7 +229,7 @@ fn a_log_and_the_tables_of_a_truth_have_files_of_their_own() {
         .fails(2, "two outputs have the same file");
     assert_eq!(folder.files(), before);
     folder.write("t.cause.csv", "somebody's");
-    folder.run("run flat --for 5m --quiet --out csv:t.csv --truth csv:t.csv").fails(1, "t.cause.csv exists already");
+    folder.run("run flat --for 5m --quiet --out csv:t.csv --truth csv:t.csv").fails(1, "t.cause.csv already exists");
     assert_eq!(folder.read("t.cause.csv"), "somebody's");
     fs::remove_file(folder.path("t.cause.csv")).unwrap();
     // Of one name, but of files of their own.

@@ -87,7 +87,7 @@ fn programs_get_rows() {
     let first: Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
     assert_eq!((bundle["resourceType"].as_str(), first["kind"].as_str()), (Some("Bundle"), Some("measure")));
     assert_eq!(bundle["entry"].as_array().unwrap().len(), lines.lines().count());
-    folder.run("measure runs/tigerplace-1 --out sqlite:care.db").fails(1, "table measure of care.db exists already");
+    folder.run("measure runs/tigerplace-1 --out sqlite:care.db").fails(1, "table measure of care.db already exists");
     folder.run("alerts runs/tigerplace-1 --out sqlite:care.db").ok();
     let printed = folder.run("summarise runs/tigerplace-1 --out jsonl:- --out sqlite:care.db").ok();
     let is_row = |line: &str| serde_json::from_str::<Value>(line).is_ok_and(|row| row["kind"] == "sentence");

@@ -103,7 +103,7 @@ fn nothing_is_overwritten_unasked() {
         }
         // A link that leads nowhere is something, too.
         symlink("nowhere", folder.path("kept")).unwrap();
-        folder.run(words).fails(1, "kept exists already");
+        folder.run(words).fails(1, "kept already exists");
         assert!(folder.path("kept").is_symlink() && !folder.path("nowhere").exists(), "{words}");
         fs::remove_file(folder.path("kept")).unwrap();
 
@@ -118,7 +118,7 @@ fn nothing_is_overwritten_unasked() {
     }
     // Looked at before anything is reckoned.
     folder.write("figure-totals.svg", "precious");
-    folder.run("experiment godsey2009 --svg figure.svg").fails(1, "figure-totals.svg exists already");
+    folder.run("experiment godsey2009 --svg figure.svg").fails(1, "figure-totals.svg already exists");
     assert!(!folder.path("figure.svg").exists());
 }
 

@@ -50,7 +50,7 @@ fn killed(speed: &str, span: &str, after_ms: u64, whole: &[String]) {
     assert_eq!(folder.read("converted.csv").lines().count() - 1, stored.len());
 
     // What is left is not overwritten unasked, and nothing of it shows in what replaces it.
-    folder.run("run flat --for 5m --out sqlite:log.db").fails(1, "log.db exists already");
+    folder.run("run flat --for 5m --out sqlite:log.db").fails(1, "log.db already exists");
     assert_eq!(rows(&folder, "log.db"), stored);
     folder.run("run flat --for 5m --quiet --force --out sqlite:log.db --truth truth.db").ok();
     let again = rows(&folder, "log.db");

@@ -50,7 +50,7 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
     folder.run("new none/home").ok();
     folder.run("new file/home").fails(1, "file/home");
     folder.run("schema file").fails(1, "file: ");
-    folder.run("convert file --to csv:none2/log").fails(2, "file cannot be read as a log");
+    folder.run("convert file --to csv:none2/log").fails(2, "cannot read file as a log");
     assert_eq!(folder.read("file"), "precious");
 }
 

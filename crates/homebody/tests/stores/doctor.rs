@@ -210,7 +210,7 @@ fn what_is_wrong_with_a_database_on_a_server_is_found() {
     hurts("ALTER DATABASE hurt SET default_transaction_read_only = on", "wrong", "takes no changes from this user");
     server.psql(&database, "CREATE ROLE guest LOGIN; REVOKE CREATE ON SCHEMA public FROM PUBLIC");
     tells(&folder, &server.url("guest", &database, ""), "wrong", "has no right to INSERT");
-    tells(&folder, &server.url("guest", "postgres", "&schema=fresh"), "wrong", "may not make one");
+    tells(&folder, &server.url("guest", "postgres", "&schema=fresh"), "wrong", "may not create one");
     // That a role may only read is told once for each schema, and not for each of the truth's tables.
     let reads = "CREATE ROLE looker LOGIN; GRANT USAGE ON SCHEMA truth TO looker; \
                  GRANT SELECT ON ALL TABLES IN SCHEMA public, truth TO looker";
@@ -245,7 +245,7 @@ fn what_is_wrong_with_a_broker_is_found() {
     let broker = Broker::with(&rights("writers", "topic write homes/#\n")).unwrap();
     tells(&folder, &format!("{} --write", broker.url("homes")), "wrong", "may not listen");
     let broker = Broker::with("allow_anonymous false\n").unwrap();
-    tells(&folder, &broker.url("homes").to_string(), "wrong", "lets this user not in");
+    tells(&folder, &broker.url("homes").to_string(), "wrong", "rejects this user");
 }
 
 /// What a broker keeps below `homes`, a line each.
