@@ -99,7 +99,10 @@ fn runs_in_one_folder_leave_each_other_alone() {
     let both = Source::recognise(url.path()).unwrap();
     let error = read(&both, &LoggerFile::default()).unwrap_err();
     let LogError::NoLog(reason) = &error else { panic!("{error}") };
-    assert_eq!((error.code(), &reason.why.data["runs"]), ("parquet::several-runs", &["run=5", "run=6"].to_vec().into()));
+    assert_eq!(
+        (error.code(), &reason.why.data["runs"]),
+        ("parquet::several-runs", &["run=5", "run=6"].to_vec().into())
+    );
     let one = read(Source::recognise(&url.path().join("run=6")).unwrap(), &LoggerFile::default()).unwrap();
     assert_eq!(one.rows, 11_000);
     // Given up before its first day is whole, it has replaced nothing.

@@ -1,8 +1,8 @@
 //! What can go wrong with a log.
 
+use crate::problems::{CountMessage, LengthMessage, PackedMessage, ThreadMessage};
 use crate::reason::About;
 pub use crate::reason::{Failed, Reason};
-use crate::problems::{CountMessage, LengthMessage, PackedMessage};
 use crate::skipped::Skipped;
 use crate::written::Refused;
 use homebody_core::messages::Diagnose;
@@ -15,9 +15,9 @@ use std::io;
 use std::path::Path;
 use std::time::Duration;
 
-/// What to say where the system gives no thread `to` do something.
-pub fn no_thread(to: &str, why: impl fmt::Display) -> String {
-    format!("there is no thread {to}: {why}\n  hint: allow this user more threads or memory, or run less at once")
+/// The message that the system gives no thread for a purpose, such as `to take commands`.
+pub fn no_thread(purpose: &str, why: impl fmt::Display) -> ThreadMessage {
+    ThreadMessage::Unavailable { purpose: purpose.into(), reason: why.to_string() }
 }
 
 homebody_core::messages! {

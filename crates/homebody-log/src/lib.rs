@@ -80,7 +80,8 @@ pub mod records;
 /// The messages of this crate, by area.
 pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &{
     use homebody_core::messages::Catalogue;
-    let [length, truth, other_run, changed, hold, output, count, packed, sensor_table, mapping] = problems::ENTRIES;
+    let [length, truth, other_run, changed, hold, output, count, thread, packed, sensor_table, mapping] =
+        problems::ENTRIES;
     [
         LogError::ENTRIES,
         reason::ENTRIES,
@@ -94,6 +95,7 @@ pub const MESSAGES: &[&[homebody_core::messages::Entry]] = &{
         output,
         written::REFUSED,
         count,
+        thread,
         packed,
         sensor_table,
         mapping,

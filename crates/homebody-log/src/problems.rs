@@ -220,6 +220,20 @@ homebody_core::messages! {
 }
 
 homebody_core::messages! {
+    /// Problems with threads of the program.
+    pub enum ThreadMessage in "thread" {
+        /// The system limits the threads of a user, and the memory that each needs.
+        Unavailable {
+            /// The use of the thread, such as `to take commands`.
+            purpose: String,
+            /// The system's message.
+            reason: String,
+        } error "unavailable" ("cannot start a thread {purpose}: {reason}")
+            hint ("allow this user more threads or memory, or run less at once");
+    }
+}
+
+homebody_core::messages! {
     /// Problems with compressed files.
     #[derive(Clone, Copy)]
     pub enum PackedMessage in "packed" {
@@ -269,7 +283,7 @@ homebody_core::messages! {
 }
 
 /// The messages of this module.
-pub(crate) const ENTRIES: [&[homebody_core::messages::Entry]; 10] = {
+pub(crate) const ENTRIES: [&[homebody_core::messages::Entry]; 11] = {
     use homebody_core::messages::Catalogue;
     [
         LengthMessage::ENTRIES,
@@ -279,6 +293,7 @@ pub(crate) const ENTRIES: [&[homebody_core::messages::Entry]; 10] = {
         HoldMessage::ENTRIES,
         OutputMessage::ENTRIES,
         CountMessage::ENTRIES,
+        ThreadMessage::ENTRIES,
         PackedMessage::ENTRIES,
         SensorTableMessage::ENTRIES,
         MappingMessage::ENTRIES,

@@ -81,7 +81,8 @@ homebody_core::messages! {
 }
 
 /// The messages of this module.
-pub(crate) const ENTRIES: &[homebody_core::messages::Entry] = <OwnMessage as homebody_core::messages::Catalogue>::ENTRIES;
+pub(crate) const ENTRIES: &[homebody_core::messages::Entry] =
+    <OwnMessage as homebody_core::messages::Catalogue>::ENTRIES;
 
 /// The error of a destination.
 #[derive(Debug)]

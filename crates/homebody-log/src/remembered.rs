@@ -72,7 +72,7 @@ impl Remembered {
             Err(error) => {
                 let reason = readable(error.to_string());
                 Err(LogError::Unnoted(CountMessage::Unreadable { place: place(), reason }))
-            },
+            }
             Ok(note) => match note.rows.iter().find(|&&rows| rows > MOST_ROWS) {
                 Some(&rows) => Err(LogError::Unnoted(CountMessage::TooMany { place: place(), rows })),
                 None => Ok(Some(note).filter(|note| note.run == run)),

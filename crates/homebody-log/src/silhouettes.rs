@@ -315,8 +315,8 @@ impl Silhouettes {
         let camera = camera.ok_or_else(|| self.no_picture(&format!("no camera is called {id:?}")))?;
         let [columns, rows] = self.cameras[camera].file.pixels;
         let packed: Vec<u8> = row.get(11).map_err(wrong)?;
-        let silhouette =
-            Silhouette::unpacked(&packed, columns, rows).ok_or_else(|| self.no_picture("its bytes are not a picture"))?;
+        let silhouette = Silhouette::unpacked(&packed, columns, rows)
+            .ok_or_else(|| self.no_picture("its bytes are not a picture"))?;
         let features = || -> rusqlite::Result<Features> {
             Ok(Features {
                 area_px: row.get(2)?,

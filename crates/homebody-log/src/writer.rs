@@ -270,9 +270,7 @@ impl Work {
     fn has_no_more(&self) -> Result<(), LogError> {
         match self.there.iter().sum::<u64>() {
             0 => Ok(()),
-            rows => {
-                Err(LogError::changed(self.place.as_str(), ChangedMessage::RowsAhead { rows }))
-            }
+            rows => Err(LogError::changed(self.place.as_str(), ChangedMessage::RowsAhead { rows })),
         }
     }
 

@@ -525,10 +525,16 @@ fn letters_of_windows_midnights_and_clocks_are_read() {
 fn lists_of_other_things_are_refused_with_the_reason() {
     let place = |index: usize| ["web", "mail", "news"][index % 3];
     for (text, code) in [
-        (table("When,Url,Page", 24, |row| format!("T,https://example.org/{row},{}", place(row))), "log-table::other-list"),
+        (
+            table("When,Url,Page", 24, |row| format!("T,https://example.org/{row},{}", place(row))),
+            "log-table::other-list",
+        ),
         (table("Call,When,Number", 24, |row| format!("{},T,+4179555{row:04}", place(row))), "log-table::other-list"),
         (table("When,Email,Task", 24, |row| format!("T,a@example.org,{}", place(row))), "log-table::other-list"),
-        (table("When,Product,Quantity,Price", 24, |row| format!("T,{},{row},19.9", place(row))), "log-table::other-list"),
+        (
+            table("When,Product,Quantity,Price", 24, |row| format!("T,{},{row},19.9", place(row))),
+            "log-table::other-list",
+        ),
         (table("When,Are you well?,Note", 24, |row| format!("T,{row},{}", place(row))), "log-table::other-list"),
         (table("when,author,subject", 24, |row| format!("T,{},mend the part {row}", place(row))), "log-table::prose"),
         (

@@ -66,7 +66,8 @@ impl Connection {
     pub fn open(server: &Server, deadline: &Deadline) -> Result<Connection, LogError> {
         let connect_within = server.connect_within.min(deadline.within());
         let runtime = Builder::new_current_thread().enable_io().enable_time().build();
-        let runtime = runtime.map_err(|error| away(server, ServerMessage::NoConnection { reason: error.to_string() }))?;
+        let runtime =
+            runtime.map_err(|error| away(server, ServerMessage::NoConnection { reason: error.to_string() }))?;
         let found = password::find(server);
         let mut config = Config::new();
         config

@@ -76,9 +76,7 @@ impl FleetSink for PostgresFleet {
     fn check(&self, _: bool) -> Result<(), LogError> {
         let server = Server::parse(&self.url)?;
         match &server.run {
-            Some(run) => {
-                Err(wrong(&server, ServerUrlMessage::FleetRun { run: run.clone() }))
-            }
+            Some(run) => Err(wrong(&server, ServerUrlMessage::FleetRun { run: run.clone() })),
             None => Ok(()),
         }
     }

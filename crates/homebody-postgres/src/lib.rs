@@ -31,10 +31,10 @@ mod examine;
 mod examined_runs;
 
 pub use fleet::PostgresFleet;
-pub use messages::MESSAGES;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
 use homebody_log::elsewhere::Elsewhere;
+pub use messages::MESSAGES;
 pub use sink::Postgres;
 pub use source::FORM;
 

@@ -104,10 +104,13 @@ impl Sink for Postgres {
         let schema = Schema::make(&connection, &server, begin)?;
         if runs::has_others(&connection, &schema)? {
             let name = schema.name.clone();
-            return Err(wrong(&server, match schema.is_truth {
-                true => ServerMessage::TruthInLogs { schema: name },
-                false => ServerMessage::LogInTruths { schema: name },
-            }));
+            return Err(wrong(
+                &server,
+                match schema.is_truth {
+                    true => ServerMessage::TruthInLogs { schema: name },
+                    false => ServerMessage::LogInTruths { schema: name },
+                },
+            ));
         }
         let known = runs::find(&connection, &schema, run.id, false)?;
         let is_ours = self.has_tried && known.as_ref().is_some_and(|known| known.commits == 0);

@@ -75,9 +75,7 @@ fn run(connection: &Connection, server: &Server, schema: &str) -> Result<i64, Lo
             }
         },
         (None, [one]) => Ok(*one),
-        (None, []) => {
-            Err(LogError::no_truth(server.place.as_str(), ServerMessage::NoTruth { schema: schema.into() }))
-        }
+        (None, []) => Err(LogError::no_truth(server.place.as_str(), ServerMessage::NoTruth { schema: schema.into() })),
         (None, several) => {
             let (schema, runs) = (schema.to_owned(), listed(&names));
             Err(wrong(server, ServerMessage::SeveralTruths { schema, runs, first: several[0] }))

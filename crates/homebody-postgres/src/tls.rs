@@ -69,7 +69,8 @@ fn roots(server: &Server, file: Option<&Path>) -> Result<RootCertStore, LogError
             false => Ok(roots),
         };
     };
-    let told = |reason: String| wrong(server, ServerMessage::NoCertificates { file: file.display().to_string(), reason });
+    let told =
+        |reason: String| wrong(server, ServerMessage::NoCertificates { file: file.display().to_string(), reason });
     for certificate in CertificateDer::pem_file_iter(file).map_err(|error| told(error.to_string()))? {
         let certificate = certificate.map_err(|error| told(error.to_string()))?;
         roots.add(certificate).map_err(|error| told(error.to_string()))?;

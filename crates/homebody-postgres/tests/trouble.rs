@@ -35,7 +35,10 @@ fn no_server_is_told_soon_and_may_pass() {
     let silent = closed.local_addr().unwrap().port();
     for (url, told) in [
         ("postgresql://ann@127.0.0.1:1/homes".to_owned(), ["no server answers", "start the server"]),
-        (format!("postgresql://ann@127.0.0.1:{silent}/homes"), ["has not answered for", "rows that it has confirmed are safe"]),
+        (
+            format!("postgresql://ann@127.0.0.1:{silent}/homes"),
+            ["has not answered for", "rows that it has confirmed are safe"],
+        ),
         ("postgresql://ann@/homes?host=/nowhere".to_owned(), ["no server answers", "start the server"]),
     ] {
         let began = Instant::now();

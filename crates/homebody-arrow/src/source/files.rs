@@ -1,8 +1,8 @@
 //! The files of a data set, in the order in which they were written.
 
 use super::batches::Opened;
-use crate::messages::ColumnsMessage;
 use crate::layout::ROWS_BEFORE;
+use crate::messages::ColumnsMessage;
 use homebody_log::LogError;
 use serde_json::Value;
 use std::fs;

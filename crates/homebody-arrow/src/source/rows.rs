@@ -4,8 +4,8 @@ use super::batches::Opened;
 use super::cells::{Texts, Time, Times};
 use super::files::files;
 use super::here::{here, of_place};
-use crate::messages::ColumnsMessage;
 use crate::layout::sensors;
+use crate::messages::ColumnsMessage;
 use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::{DataType, Schema};
 use homebody_core::scenario::logger::LoggerFile;
@@ -79,7 +79,8 @@ pub(super) fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &
             batch.columns().get(place).cloned()
         };
         let arrays: Option<Vec<ArrayRef>> = columns.iter().map(column).collect();
-        let arrays = arrays.ok_or_else(|| LogError::no_log(path.display().to_string(), ColumnsMessage::MissingColumn))?;
+        let arrays =
+            arrays.ok_or_else(|| LogError::no_log(path.display().to_string(), ColumnsMessage::MissingColumn))?;
         take(batch.num_rows(), &arrays)?;
     }
     Ok(())

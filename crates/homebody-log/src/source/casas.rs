@@ -52,7 +52,8 @@ pub(super) fn objection(start: &Start) -> Option<FormMessage> {
     }
     let timed = lines().filter(|line| has_time(line)).count();
     let first = || beginning(&start.lines().next().unwrap_or_default());
-    (timed > 0 && timed * 2 >= lines().count()).then(|| FormMessage::ProgramLog { evidence: format!("line 1 is {}", first()) })
+    (timed > 0 && timed * 2 >= lines().count())
+        .then(|| FormMessage::ProgramLog { evidence: format!("line 1 is {}", first()) })
 }
 
 /// The number of lines it looks at in a text without a form.

@@ -42,8 +42,10 @@ const fn foreign(begins: &'static [u8], is: Is) -> Foreign {
 
 const ARCHIVE: Is = Is::Archive("an archive or a spreadsheet");
 const PICTURE: Is = Is::Other("a picture", "give the log whose rows it shows");
-const MATRIX: Is = Is::Other("a file of MATLAB", "write its table as CSV with writetable, or in Python with scipy.io.loadmat");
-const HDF: Is = Is::Other("a file in HDF5, as MATLAB and pandas write", "write its table as CSV with writetable or to_csv");
+const MATRIX: Is =
+    Is::Other("a file of MATLAB", "write its table as CSV with writetable, or in Python with scipy.io.loadmat");
+const HDF: Is =
+    Is::Other("a file in HDF5, as MATLAB and pandas write", "write its table as CSV with writetable or to_csv");
 const R: Is = Is::Other("a file of R", "write its table as CSV with write.csv");
 const MYSQL: Is = Is::Dump(
     "a MySQL database",
@@ -148,11 +150,18 @@ pub(super) fn foreign_kind(start: &Start) -> Option<FormMessage> {
     let lower: Vec<u8> = text.iter().take(200).map(u8::to_ascii_lowercase).collect();
     let is = match () {
         () if lower.starts_with(b"<!doctype html") || lower.starts_with(b"<html") => PAGE,
-        () if start.lines().filter(|line| line.starts_with("data: {") || line.starts_with("data: [")).count() > 1 => EVENTS,
+        () if start.lines().filter(|line| line.starts_with("data: {") || line.starts_with("data: [")).count() > 1 => {
+            EVENTS
+        }
         () if is_pickle(bytes) => PICKLE,
         () if bytes.get(257..262) == Some(b"ustar") => ARCHIVE,
         () if bytes.starts_with(b"RIFF") && bytes.get(8..12) == Some(b"WEBP") => PICTURE,
-        () if contains(b"\nINSERT INTO ") || text.starts_with(b"INSERT INTO ") || text.starts_with(b"CREATE TABLE ") => SQL,
+        () if contains(b"\nINSERT INTO ")
+            || text.starts_with(b"INSERT INTO ")
+            || text.starts_with(b"CREATE TABLE ") =>
+        {
+            SQL
+        }
         () => return None,
     };
     Some(is.message())

@@ -61,7 +61,8 @@ impl Pick<'_> {
         let kinds: [(IsText, &'static str); 3] =
             [(is_page, "addresses of web pages"), (is_mail, "e-mail addresses"), (is_phone, "telephone numbers")];
         let found = kinds.iter().find_map(|(is, what)| Some((columns().find(|&column| is_of(column, *is))?, *what)));
-        let other_list = |column: usize, content| TableMessage::OtherList { column: beginning(&names[column]), content };
+        let other_list =
+            |column: usize, content| TableMessage::OtherList { column: beginning(&names[column]), content };
         if let Some((column, what)) = found {
             return Err(other_list(column, what));
         }

@@ -38,9 +38,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
     let database = |error| LogError::database(path, error);
     let connection = connect(path).map_err(database)?;
     let table = find(&connection, file, reading).map_err(|error| match error.sqlite_error_code() {
-        Some(rusqlite::ErrorCode::NotADatabase) => {
-            LogError::no_log(place_of(path), FormMessage::NotDatabase)
-        }
+        Some(rusqlite::ErrorCode::NotADatabase) => LogError::no_log(place_of(path), FormMessage::NotDatabase),
         _ => LogError::database(path, error),
     })?;
     let table = match table {

@@ -55,9 +55,8 @@ impl Arguments {
     /// Writes the scenario of a plan into a folder.
     fn make(&self, folder: &Path, name: &str, bytes: &[u8]) -> Result<Made, Failure> {
         let imported = sweet_home(bytes, name, self.level.as_deref());
-        let imported = imported.map_err(|error| {
-            Failure::asked(Problem::of_file(&self.plan.display().to_string(), error, None))
-        })?;
+        let imported = imported
+            .map_err(|error| Failure::asked(Problem::of_file(&self.plan.display().to_string(), error, None)))?;
         let mut begun = Begun::week(name, imported.home_json);
         let mut remarks = imported.remarks;
         if self.furnish {

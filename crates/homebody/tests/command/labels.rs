@@ -71,13 +71,9 @@ fn a_truth_of_texts_labels_as_a_database_does() {
     // What is missing of it is told, and so is what is no row of it.
     folder.run("label log.csv csv:texts.csv --to csv:texts.room.csv --force").fails(1, "error[log::is-source]");
     folder.edit("texts.room.csv", "resident,at,room", "resident,at,place");
-    folder
-        .run("label log.csv csv:texts.csv --to csv:x.csv")
-        .fails(1, "error[truth::no-column]");
+    folder.run("label log.csv csv:texts.csv --to csv:x.csv").fails(1, "error[truth::no-column]");
     fs::remove_file(folder.path("texts.off.csv")).unwrap();
-    folder
-        .run("label log.csv csv:texts.csv --to csv:x.csv")
-        .fails(1, "it has no file texts.off.csv");
+    folder.run("label log.csv csv:texts.csv --to csv:x.csv").fails(1, "it has no file texts.off.csv");
     assert!(!folder.path("x.csv").exists());
 }
 
@@ -89,7 +85,10 @@ fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
     let lines: Vec<&str> = text.lines().collect();
     let dirty = [&lines[..3], &["3,never,Fridge,ON", "nonsense"], &lines[3..]].concat().join("\n");
     folder.write("dirty.csv", dirty);
-    let said = folder.run("label dirty.csv truth.db --to csv:x.csv").fails(1, "error[log::unreadable-rows]: cannot read 2 lines").err;
+    let said = folder
+        .run("label dirty.csv truth.db --to csv:x.csv")
+        .fails(1, "error[log::unreadable-rows]: cannot read 2 lines")
+        .err;
     assert!(said.contains("dirty.csv:4: ") && said.contains("hint: ") && !said.contains("truth.db"), "{said}");
 
     folder.write("empty.db", "");

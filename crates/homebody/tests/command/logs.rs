@@ -105,9 +105,7 @@ fn logs_are_compared() {
     let agreement = half["firings"]["agreement"].as_f64().unwrap();
     assert!((0.4..0.6).contains(&agreement), "{half}");
     // The truth is no log.
-    folder
-        .run("compare runs/flat-1/truth.db runs/flat-1")
-        .fails(2, "error[log-form::no-log-table]");
+    folder.run("compare runs/flat-1/truth.db runs/flat-1").fails(2, "error[log-form::no-log-table]");
 
     // What has no firings is told, as its agreement tells little.
     folder.write("room.txt", "2009-03-02 07:12:03 T1 21.5\n2009-03-02 07:13:03 T1 21.6\n");

@@ -564,7 +564,9 @@ fn labels_of_another_run_are_refused() {
     folder.run("label runs/flat-2 runs/flat-1/truth.db --to csv:labelled.csv").fails(1, "error[other-run::fewer-rows]");
     folder.edit("flat/home.json", "KitchenWall", "OtherWall");
     folder.run("run flat --for 30m --quiet").ok();
-    folder.run("label runs/flat-1 runs/flat-3/truth.db --to csv:labelled.csv").fails(1, "error[other-run::other-sensor]");
+    folder
+        .run("label runs/flat-1 runs/flat-3/truth.db --to csv:labelled.csv")
+        .fails(1, "error[other-run::other-sensor]");
     for source in ["sqlite:runs/flat-1/log.db", "csv:runs/flat-1/log.db", "csv:runs/flat-1/truth.db"] {
         folder.run(&format!("label runs/flat-1 --force --to {source}")).fails(1, "error[log::is-source]");
     }

@@ -87,9 +87,7 @@ fn columns_are_written_and_read_by_the_command() {
     assert_eq!(folder.files(), files);
     let whole = std::fs::read(folder.path("log.parquet")).unwrap();
     folder.write("cut.parquet", &whole[..whole.len() / 2]);
-    folder
-        .run("look cut.parquet")
-        .fails(2, "error[parquet::damaged]: cannot read cut.parquet as a log");
+    folder.run("look cut.parquet").fails(2, "error[parquet::damaged]: cannot read cut.parquet as a log");
 }
 
 /// A store elsewhere is told as such, and no folder is made that is called so.
