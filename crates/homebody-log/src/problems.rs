@@ -33,7 +33,7 @@ homebody_core::messages! {
     /// Problems with a place of a ground truth.
     pub enum TruthMessage in "truth" {
         /// A run writes its ground truth next to its log. A log that was copied elsewhere needs its truth there, too.
-        NotBeside error "not-beside-log" ("there is none next to the log")
+        NotBeside error "not-beside-log" ("its folder has no tables of a truth")
             hint ("copy the truth to the log's folder");
         /// A ground truth has about a dozen tables, and the command reads some of them by name. docs/reference/truth.md lists them.
         Missing {
@@ -156,7 +156,7 @@ homebody_core::messages! {
 }
 
 homebody_core::messages! {
-    /// Data for which the form of a destination has no room.
+    /// Data that the form of a destination cannot hold.
     pub enum HoldMessage in "destination" {
         /// The text form of CASAS has one table, and a ground truth has several.
         CasasTruth error "casas-truth" ("the ground truth")

@@ -113,8 +113,8 @@ fn tls_trusts_whom_it_is_told_to_and_says_what_is_wrong_with_a_certificate() {
     }
     // Whoever looks is told of the last day, whatever else is wrong.
     for (url, told) in [
-        (url(&good, Some(&ca("good"))), "good until 2100-01-01"),
-        (url(&old, Some(&ca("old"))), "has ended on 2020-01-01"),
+        (url(&good, Some(&ca("good"))), "valid until 2100-01-01"),
+        (url(&old, Some(&ca("old"))), "expired on 2020-01-01"),
         (url(&good, None), "nothing on this machine trusts the issuer"),
     ] {
         let asked = Asked { mapping: &LoggerFile::default(), may_write: true };
