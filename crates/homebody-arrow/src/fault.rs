@@ -1,8 +1,9 @@
 //! What errors of the libraries mean.
 
+use crate::messages::ColumnsMessage;
 use arrow_schema::ArrowError;
-use homebody_core::problem::readable;
 use homebody_log::LogError;
+use homebody_log::problems::HoldMessage;
 use parquet::errors::ParquetError;
 use std::error::Error;
 use std::io;
@@ -45,17 +46,13 @@ fn inner<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
 }
 
 /// A file that cannot be read as what it says it is.
-pub(crate) fn broken(path: &Path, what: &str, why: impl ToString) -> LogError {
-    let why = format!("it begins as {what}, but is damaged or cut short: {}", why.to_string());
-    LogError::NoLog { place: path.display().to_string(), why: readable(why) }
+pub(crate) fn broken(path: &Path, form: &'static str, why: impl ToString) -> LogError {
+    let damaged = ColumnsMessage::Damaged { form, reason: why.to_string() };
+    LogError::no_log(path.display().to_string(), damaged)
 }
 
 /// What becomes of the URL of an object store in a build that knows none.
 #[cfg_attr(feature = "cloud", expect(dead_code, reason = "stores are known"))]
 pub(crate) fn no_store(url: &Path) -> LogError {
-    LogError::CannotHold {
-        place: format!("parquet:{}", url.display()),
-        what: "a log: this program has no object store".into(),
-        hint: "build it with --features cloud; or take a folder, parquet:lives, and copy it",
-    }
+    LogError::cannot_hold(format!("parquet:{}", url.display()), HoldMessage::NoObjectStore)
 }

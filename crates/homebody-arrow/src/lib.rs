@@ -9,6 +9,7 @@ mod encoded;
 mod fault;
 mod frame;
 mod layout;
+mod messages;
 mod sink;
 mod source;
 #[cfg(feature = "cloud")]
@@ -22,6 +23,7 @@ pub use frame::{Frame, Texts};
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
 use homebody_log::elsewhere::Elsewhere;
+pub use messages::MESSAGES;
 pub use source::whole_file;
 #[cfg(feature = "cloud")]
 pub use store::Store;

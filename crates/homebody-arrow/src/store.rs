@@ -2,6 +2,7 @@
 //! AWS know it: `AWS_ACCESS_KEY_ID`, `AWS_SECRET_ACCESS_KEY`, `AWS_REGION`, `AWS_ENDPOINT` and so on.
 
 use crate::fault::unwritten;
+use crate::messages::StoreMessage;
 use futures_util::TryStreamExt;
 use homebody_core::problem::readable;
 use homebody_core::scenario::scheme::NoPlace;
@@ -61,7 +62,7 @@ impl Store {
                 Box::new(builder.build().map_err(|why| refused(why.to_string()))?)
             }
             "file" => Box::new(LocalFileSystem::new()),
-            other => return Err(refused(format!("{other} is no kind of store that is known"))),
+            other => return Err(refused(format!("{other} is not a kind of store that Homebody knows"))),
         };
         let runtime = Builder::new_current_thread().enable_all().build();
         let runtime = runtime.map_err(|source| LogError::NoThread { place: place.clone(), source })?;
@@ -169,32 +170,21 @@ impl Store {
     /// What an error of the store means.
     fn told(&self, error: Error) -> LogError {
         let text = error.to_string();
-        let (what, hint, passes) = match () {
+        // Of a long answer the beginning says enough.
+        let answer: String = text.chars().take(LONGEST_TOLD).collect();
+        let told = |message| LogError::destination(self.place.as_str(), message);
+        match () {
             // Of a bucket, the client passes on what the store has answered.
             _ if matches!(error, Error::NotFound { .. }) || text.contains("NoSuchBucket") => {
-                ("there is no such bucket or file", "correct the URL, or make the bucket", false)
+                told(StoreMessage::NotFound { answer })
             }
             _ if matches!(error, Error::PermissionDenied { .. } | Error::Unauthenticated { .. })
                 || text.contains("AccessDenied") =>
             {
-                (
-                    "the store does not let us",
-                    "AWS_ACCESS_KEY_ID and AWS_SECRET_ACCESS_KEY say who we are, or the machine's own role does",
-                    false,
-                )
+                told(StoreMessage::Denied { answer })
             }
-            _ => ("the store does not answer as it should", "AWS_ENDPOINT and AWS_REGION say where it is", true),
-        };
-        // Of a long answer the beginning says enough.
-        let said: String = text.chars().take(LONGEST_TOLD).collect();
-        let told = LogError::Destination {
-            place: self.place.clone(),
-            what: readable(format!("{what}: {said}")),
-            hint: Some(hint.into()),
-            passes: false,
-            source: None,
-        };
-        if passes { told.passing() } else { told }
+            _ => told(StoreMessage::NoAnswer { answer }).passing(),
+        }
     }
 }
 

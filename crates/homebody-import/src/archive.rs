@@ -77,7 +77,7 @@ fn is_unpacked(bytes: &[u8]) -> bool {
 }
 
 fn text(xml: Vec<u8>) -> Result<String, NotImported> {
-    let text = String::from_utf8(xml).map_err(|_| NotImported::disorder("it is not text in UTF-8"))?;
+    let text = String::from_utf8(xml).map_err(|_| NotImported::NotUtf8)?;
     // A byte order mark says nothing.
     Ok(text.strip_prefix('\u{feff}').map_or_else(|| text.clone(), str::to_owned))
 }

@@ -1,83 +1,86 @@
-//! Why a file is not imported: a sentence, and what to do about it.
+//! Why a file is not imported.
 
-use std::fmt::Display;
-
-/// Why there is no home in a file.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum NotImported {
-    /// The bytes are no zip archive.
-    #[error(
-        "this is no Sweet Home 3D file: it is no zip archive\n  hint: name the .sh3d file that Sweet Home 3D has saved"
-    )]
-    NoArchive,
-    /// The file is of another form.
-    #[error("this is no Sweet Home 3D file: it is {form}\n  hint: {hint}")]
-    OtherForm {
-        /// Its form, such as a picture in PNG.
-        form: &'static str,
-        /// The command that takes it.
-        hint: &'static str,
-    },
-    /// The archive has no plan in it.
-    #[error(
-        "this is no Sweet Home 3D file: it has no Home.xml\n  hint: name the .sh3d file that Sweet Home 3D has saved"
-    )]
-    NoHomeXml,
-    /// An old file, in which the plan is there as Java objects alone.
-    #[error(
-        "the file is of an old Sweet Home 3D: the plan is in it as Java objects only, and there is no Home.xml\n  hint: open it in Sweet Home 3D 5.3 or later (www.sweethome3d.com), choose File > Save as, and name the new file"
-    )]
-    OnlyJava,
-    /// The file is larger than what is read.
-    #[error("the file is too large: it has {found} {unit}, and at most {most} are read\n  hint: {hint}")]
-    TooLarge {
-        /// What there is too much of, such as bytes.
-        unit: &'static str,
-        /// How many there are.
-        found: u64,
-        /// How many are read at most.
-        most: u64,
-        /// What to do about it.
-        hint: &'static str,
-    },
-    /// The plan cannot be unpacked; the text says why.
-    #[error("the file's Home.xml cannot be unpacked: {0}\n  hint: open it in Sweet Home 3D and save it again")]
-    Damaged(String),
-    /// The plan is no XML that can be read; the text says why.
-    #[error("the file's Home.xml is not in order: {0}\n  hint: open it in Sweet Home 3D and save it again")]
-    Disorder(String),
-    /// The level that was asked for is not there.
-    #[error("the plan has no level {wanted:?}\n  hint: it has {known}")]
-    NoSuchLevel {
-        /// Its name or number, as it was asked for.
-        wanted: String,
-        /// The levels that are there, in words.
-        known: String,
-    },
-    /// The plan has more of something than a home can have.
-    #[error("the plan has {count} {what}, and a home at most {most}\n  hint: {hint}")]
-    TooMany {
-        /// What it has too many of.
-        what: &'static str,
-        /// How many it has.
-        count: usize,
-        /// How many a home can have.
-        most: usize,
-        /// What to do about it.
-        hint: &'static str,
-    },
-    /// The plan draws no rooms, and its walls enclose none.
-    #[error(
-        "the plan has no rooms, and its walls enclose none\n  hint: draw rooms in Sweet Home 3D: a double click inside walls makes one"
-    )]
-    NoRooms,
-    /// No sound home could be made of the plan; the text says what is wrong.
-    #[error("no sound home could be made of the plan: {0}\n  hint: change that in Sweet Home 3D and save it again")]
-    Unsound(String),
-}
-
-impl NotImported {
-    pub(crate) fn disorder(why: impl Display) -> NotImported {
-        NotImported::Disorder(why.to_string())
+homebody_core::messages! {
+    /// Errors of importing a plan.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum NotImported in "import" {
+        /// Sweet Home 3D saves a plan as a zip archive whose name ends in `.sh3d`.
+        NoArchive error "not-an-archive" ("this is not a Sweet Home 3D file: it is not a zip archive")
+            hint ("name the .sh3d file that Sweet Home 3D has saved");
+        /// Homebody imports plans of Sweet Home 3D. For other forms there are other ways into a home.
+        OtherForm {
+            /// Its form, such as a picture in PNG.
+            form: &'static str,
+            /// The command that takes it.
+            hint: &'static str,
+        } error "other-form" ("this is not a Sweet Home 3D file: it is {form}") hint ("{hint}");
+        /// The archive has no plan in it.
+        NoHomeXml error "no-home-xml" ("this is not a Sweet Home 3D file: it has no Home.xml")
+            hint ("name the .sh3d file that Sweet Home 3D has saved");
+        /// Sweet Home 3D before version 5.3 saved plans as Java objects, which only Sweet Home 3D reads.
+        OnlyJava error "old-version" ("an old Sweet Home 3D has saved this file: it has the plan as Java objects, and no Home.xml")
+            hint ("open it in Sweet Home 3D 5.3 or later (www.sweethome3d.com), choose File > Save as, and name the new file");
+        /// A plan of one home is smaller. Large models of furniture make files large.
+        TooLarge {
+            /// The unit, such as bytes.
+            unit: &'static str,
+            /// How many there are.
+            found: u64,
+            /// How many are read at most.
+            most: u64,
+            /// The advice.
+            hint: &'static str,
+        } error "too-large" ("the file is too large: it has {found} {unit}, and Homebody reads at most {most}") hint ("{hint}");
+        /// The file was not copied completely, or was changed.
+        Damaged(reason: String) error "damaged" ("cannot unpack the Home.xml of the file: {reason}")
+            hint ("open it in Sweet Home 3D and save it again");
+        /// The text of the plan is not well-formed XML.
+        Disorder(reason: String) error "not-xml" ("the Home.xml of the file is not valid XML: {reason}")
+            hint ("open it in Sweet Home 3D and save it again");
+        /// Sweet Home 3D writes its plans in UTF-8.
+        NotUtf8 error "not-utf-8" ("the Home.xml of the file is not text in UTF-8")
+            hint ("open it in Sweet Home 3D and save it again");
+        /// Homebody limits the number of elements and attributes, as a plan of one home has far fewer.
+        ManyParts error "many-parts" ("the Home.xml of the file has more parts than a plan")
+            hint ("open it in Sweet Home 3D and save it again");
+        /// A document type can make a small text very large. Sweet Home 3D writes none.
+        DocumentType error "document-type" ("the Home.xml of the file declares a document type, which plans never do")
+            hint ("open it in Sweet Home 3D and save it again");
+        /// Homebody limits the number of attributes of an element.
+        ManyAttributes error "many-attributes" ("a tag of Home.xml has more attributes than a plan has")
+            hint ("open it in Sweet Home 3D and save it again");
+        /// Sweet Home 3D writes its plans without namespaces.
+        Namespace error "namespace" ("the Home.xml of the file declares a namespace, which plans never do")
+            hint ("open it in Sweet Home 3D and save it again");
+        /// Homebody limits how deep elements are nested.
+        Nested {
+            /// How deep at most.
+            most: usize,
+        } error "nested" ("the Home.xml of the file is nested more than {most} deep")
+            hint ("open it in Sweet Home 3D and save it again");
+        /// A level is one floor of a plan, named as in Sweet Home 3D or by its number from the lowest.
+        NoSuchLevel {
+            /// The requested name or number.
+            wanted: String,
+            /// The levels that are there, in words.
+            known: String,
+        } error "no-such-level" ("the plan has no level {wanted:?}") hint ("it has {known}");
+        /// Homebody limits what a home can have, so that a simulation stays fast.
+        TooMany {
+            /// The kind of thing.
+            what: &'static str,
+            /// How many it has.
+            count: usize,
+            /// How many a home can have.
+            most: usize,
+            /// The advice.
+            hint: &'static str,
+        } error "too-many" ("the plan has {count} {what}, and a home at most {most}") hint ("{hint}");
+        /// Residents move through rooms. Without drawn rooms, Homebody takes the areas that walls enclose.
+        NoRooms error "no-rooms" ("the plan has no rooms, and its walls enclose none")
+            hint ("draw rooms in Sweet Home 3D: a double click inside walls makes one");
+        /// The imported home must pass the same check as a home that is written by hand.
+        Unsound(reason: String) error "unsound" ("the plan does not give a valid home: {reason}")
+            hint ("change that in Sweet Home 3D and save it again");
     }
 }

@@ -46,6 +46,8 @@ mod sweet_home;
 // From the sensors of a log to a schematic home.
 pub mod from_log;
 
+pub mod catalogue;
+
 pub use archive::MOST_BYTES;
 pub use error::NotImported;
 pub use sweet_home::{Imported, SCHEMA, sweet_home};

@@ -22,14 +22,14 @@ const GREATEST_DEPTH: usize = 100;
 pub fn parse(text: &str) -> Result<Document<'_>, NotImported> {
     look_over(text)?;
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES as u32, ..ParsingOptions::default() };
-    Document::parse_with_options(text, options).map_err(NotImported::disorder)
+    Document::parse_with_options(text, options).map_err(|error| NotImported::Disorder(error.to_string()))
 }
 
 /// Refuses what no plan has. What is no XML at all is left to the parser.
 fn look_over(text: &str) -> Result<(), NotImported> {
     let count = |wanted: u8| text.bytes().filter(|&byte| byte == wanted).count();
     if count(b'<') > MOST_NODES || count(b'=') > MOST_ATTRIBUTES {
-        return Err(NotImported::disorder("it has more parts than any plan"));
+        return Err(NotImported::ManyParts);
     }
     let (mut rest, mut depth) = (text, 0_usize);
     while let Some(at) = rest.find('<') {
@@ -41,14 +41,14 @@ fn look_over(text: &str) -> Result<(), NotImported> {
         } else if rest.starts_with("<?") {
             after(rest, "<?", "?>")
         } else if rest.starts_with("<!") {
-            return Err(NotImported::disorder("it declares a document type, which plans never do"));
+            return Err(NotImported::DocumentType);
         } else {
             let Some(tag) = tag(rest) else { return Ok(()) };
             if tag.attributes > MOST_ATTRIBUTES_OF_ONE {
-                return Err(NotImported::disorder("one of its tags has more attributes than any of a plan"));
+                return Err(NotImported::ManyAttributes);
             }
             if tag.has_namespace {
-                return Err(NotImported::disorder("it declares a namespace, which plans never do"));
+                return Err(NotImported::Namespace);
             }
             match tag.kind {
                 TagKind::Open => depth += 1,
@@ -56,7 +56,7 @@ fn look_over(text: &str) -> Result<(), NotImported> {
                 TagKind::Empty => {}
             }
             if depth > GREATEST_DEPTH {
-                return Err(NotImported::disorder(format!("it is nested more than {GREATEST_DEPTH} deep")));
+                return Err(NotImported::Nested { most: GREATEST_DEPTH });
             }
             Some(tag.length)
         };

@@ -63,7 +63,7 @@ pub fn passing(mut home: HomeFile, remarks: &mut Vec<String>) -> Result<HomeFile
         drop(&mut home.places, &wrong, List::Places);
         drop(&mut home.sensors, &wrong, List::Sensors);
     }
-    Err(NotImported::Unsound("too much of it is wrong".to_owned()))
+    Err(NotImported::Unsound("it has too many problems".to_owned()))
 }
 
 /// Everything that the check has to say.

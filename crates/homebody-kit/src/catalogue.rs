@@ -6,7 +6,6 @@ use crate::cohort_members::CohortMessage;
 use crate::error::Error;
 use crate::find::{HoursMessage, Unfindable};
 use crate::fleet::FleetMessage;
-use crate::instants::TableMessage;
 use crate::life_messages::LifeMessage;
 use crate::open_messages::OpenMessage;
 use crate::pace::PaceMessage;
@@ -21,7 +20,6 @@ pub const MESSAGES: &[&[Entry]] = &[
     Unfindable::ENTRIES,
     HoursMessage::ENTRIES,
     OpenMessage::ENTRIES,
-    TableMessage::ENTRIES,
     ProfileMessage::ENTRIES,
     CohortMessage::ENTRIES,
     FleetMessage::ENTRIES,
@@ -31,4 +29,14 @@ pub const MESSAGES: &[&[Entry]] = &[
     NewMessage::ENTRIES,
     TranslationMessage::ENTRIES,
     CalibrationMessage::ENTRIES,
+];
+
+/// The messages of destinations and sources in crates of their own, as far as this build has them.
+pub const ELSEWHERE: &[&[&[Entry]]] = &[
+    #[cfg(feature = "parquet")]
+    homebody_arrow::MESSAGES,
+    #[cfg(feature = "postgresql")]
+    homebody_postgres::MESSAGES,
+    #[cfg(feature = "mqtt")]
+    homebody_mqtt::MESSAGES,
 ];

@@ -9,6 +9,8 @@ use homebody_log::fresh::{FreshFile, remove_parts};
 use homebody_log::places::LIST;
 #[cfg(feature = "cloud")]
 use homebody_log::places::RECORDING;
+#[cfg(not(feature = "cloud"))]
+use homebody_log::problems::HoldMessage;
 use homebody_log::truth::TruthKept;
 use homebody_log::{How, LogError};
 use std::fs;
@@ -59,9 +61,7 @@ impl CohortPlace {
 
     #[cfg(not(feature = "cloud"))]
     fn in_store(url: &Path) -> Result<CohortPlace, Error> {
-        let (place, what) = (url.display().to_string(), "a cohort: this program has no object store".to_owned());
-        let hint = "build it with --features cloud; or name a folder, and copy it afterwards";
-        Err(LogError::CannotHold { place, what, hint }.into())
+        Err(LogError::cannot_hold(url.display().to_string(), HoldMessage::NoObjectStore).into())
     }
 
     /// Its path, or its URL.

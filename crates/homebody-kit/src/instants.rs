@@ -6,26 +6,13 @@ use crate::log_with_run::NamedLog;
 use homebody_analysis::dates::put_on_wall;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::Micros;
+use homebody_log::problems::TruthMessage;
 use homebody_log::source::{Clock, Value, truth_rows};
 use homebody_log::table::ColumnKind;
 use homebody_log::truth::{Truth, tables};
 use homebody_log::{Activity, Life, Log, LogError, RunClock, Url, activities, lives};
 use jiff::Timestamp;
 use jiff::tz::TimeZone;
-
-homebody_core::messages! {
-    /// Problems with a table of the ground truth.
-    pub enum TableMessage in "tables" {
-        /// The ground truth of a run is a set of tables. The reference of the ground truth describes each.
-        Unknown {
-            /// The name asked for.
-            table: String,
-            /// The names of the tables.
-            known: Vec<String>,
-        } error "unknown" ("the ground truth has no table {table:?}")
-            hint ("the tables are {known}", known = known.join(", "));
-    }
-}
 
 /// A log whose instants, and those of lives, are microseconds since 1970 in UTC; on the wall where nobody knows of which zone it is.
 pub struct Instants {
@@ -115,8 +102,8 @@ impl NamedLog {
     ///
     /// [`Error::Log`] if there is none.
     pub fn truth_that_is_there(&self) -> Result<Url, Error> {
-        let why = || "the log has none in its folder".to_owned();
-        Ok(self.truth().ok_or_else(|| LogError::NoTruth { place: self.place.to_string(), why: why() })?)
+        let no_truth = || LogError::no_truth(self.place.to_string(), TruthMessage::NotBeside);
+        Ok(self.truth().ok_or_else(no_truth)?)
     }
 
     /// Gives the rows of a table of the truth beside it, with instants as [`Instants`] has them.
@@ -128,9 +115,9 @@ impl NamedLog {
         let truth = self.truth_that_is_there()?;
         let all = tables();
         let Some(index) = all.iter().position(|known| known.name == table) else {
-            let names: Vec<&str> = all.iter().map(|table| table.name.as_str()).collect();
-            let (table, known) = (table.to_owned(), names.into_iter().map(str::to_owned).collect());
-            return Err(Error::Unreadable(TableMessage::Unknown { table, known }.into()));
+            let known = all.iter().map(|table| table.name.clone()).collect();
+            let no_table = TruthMessage::NoTable { table: table.into(), known };
+            return Err(LogError::no_truth(truth.to_string(), no_table).into());
         };
         let utc = self.clock_of(Clock::Utc);
         let instants: Vec<bool> = all[index].columns.iter().map(|column| column.kind == ColumnKind::Instant).collect();

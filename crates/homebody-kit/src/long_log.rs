@@ -109,7 +109,7 @@ impl LongLog {
                 {
                     failed = Some(why);
                     // This error only ends the reading.
-                    return Err(LogError::TooLong { place: String::new(), what: String::new() });
+                    return Err(LogError::Stopped { place: String::new() });
                 }
             }
             Ok(())

@@ -1,6 +1,7 @@
 //! Carries a log from one form into another, with what it tells of activities.
 
 use crate::error::{LogError, place_of};
+use crate::problems::HoldMessage;
 use crate::source::{Event, Log};
 use crate::spans::{CHANGE, GoingOn, LABEL, RowNotes};
 use crate::table::{Cell, Column, ColumnKind, Texts};
@@ -42,14 +43,10 @@ pub(crate) fn convert_as(
         let besides = Besides { columns, spans: &about.activities, rewrite, ..Besides::of_log() };
         return transfer.write(about, besides, &mut more, progress);
     }
-    let cannot_hold = || LogError::CannotHold {
-        place: place_of(transfer.to.file().unwrap_or(Path::new(""))),
-        what: format!(
-            "{} activities: it notes them at rows, of which there are {}",
-            about.activities.len(),
-            about.rows
-        ),
-        hint: "write it into sqlite: or csv:",
+    let cannot_hold = || {
+        let place = place_of(transfer.to.file().unwrap_or(Path::new("")));
+        let (activities, rows) = (about.activities.len(), about.rows);
+        LogError::cannot_hold(place, HoldMessage::CasasActivities { activities, rows })
     };
     let mut notes = RowNotes::of(about).ok_or_else(cannot_hold)?;
     let mut more = |seq: u64, event: &Event, _: &Log, texts: &mut Texts, cells: &mut Vec<Cell>| {

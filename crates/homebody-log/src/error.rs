@@ -1,9 +1,12 @@
 //! What can go wrong with a log.
 
-use crate::limits::LONGEST_ROW_BYTES;
+use crate::problems::{CountMessage, LengthMessage, PackedMessage, ThreadMessage};
+use crate::reason::About;
+pub use crate::reason::{Failed, Reason};
 use crate::skipped::Skipped;
 use crate::written::Refused;
-use homebody_core::problem::readable;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::{Diagnostic, Problems, readable};
 use homebody_core::scenario::scheme::NoPlace;
 use std::error::Error;
 use std::fmt;
@@ -12,11 +15,9 @@ use std::io;
 use std::path::Path;
 use std::time::Duration;
 
-/// What to say where the system gives no thread `to` do something.
-pub fn no_thread(to: &str, why: impl fmt::Display) -> String {
-    format!(
-        "there is no thread {to}: {why}\n  hint: raise this user's limits on threads or memory, or run fewer simulations at once"
-    )
+/// The message that the system gives no thread for a purpose, such as `to take commands`.
+pub fn no_thread(purpose: &str, why: impl fmt::Display) -> ThreadMessage {
+    ThreadMessage::Unavailable { purpose: purpose.into(), reason: why.to_string() }
 }
 
 homebody_core::messages! {
@@ -102,22 +103,6 @@ homebody_core::messages! {
             place: String,
         } error "leads-out" ("{place} is a link that leads out of the run's folder")
             hint ("remove the link, or start a new run");
-        /// The destination is a link, lies behind a link, or belongs to another user.
-        NotOwn {
-            /// The file.
-            place: String,
-            /// The reason, as a part of a sentence.
-            why: String,
-        } error "not-own" ("Homebody does not write {place}: {why}")
-            hint ("check what the file is; then remove it, or choose another name");
-        /// The file that counts the confirmed rows of a destination is damaged.
-        Unnoted {
-            /// The file.
-            place: String,
-            /// The reason, as a part of a sentence.
-            what: String,
-        } error "damaged-count" ("{place}: {what}")
-            hint ("this file counts the rows that a destination has confirmed; restore it, or delete it to send all rows again");
         /// Another process is running into the folder, or is writing the file.
         Busy {
             /// The folder or file.
@@ -170,58 +155,14 @@ homebody_core::messages! {
             place: String,
         } error "not-found" ("{place} does not exist")
             hint ("correct the path");
-        /// The file does not have the form of any log that Homebody reads. The page on logs lists all forms.
-        NoLog {
-            /// The file.
-            place: String,
-            /// The reason, as a part of a sentence.
-            why: String,
-        } error "not-a-log" ("cannot read {place} as a log: {why}");
-        /// The file that names the table and columns of a log is not a valid `logger.json`.
-        NoMapping {
-            /// The file.
-            place: String,
-            /// The reason.
-            why: String,
-        } error "invalid-mapping" ("{place} is not a valid logger.json: {why}")
-            hint ("docs/reference/logger.md lists its keys");
-        /// A table of sensors has the heading `id,name` and one line for each sensor.
-        SensorMap {
-            /// The problems, each with file and line.
-            problems: Vec<String>,
-        } error "invalid-sensor-table" ("{list}", list = problems.join("\n"))
-            hint ("a table of sensors has the heading id,name and one line for each sensor, with an id and a name of its own");
         /// The database has no tables. A run may have just begun, or the file may be of another program.
         NoTables {
             /// The file.
             place: String,
         } error "no-tables" ("{place} has no tables")
             hint ("name a database that has a log; Homebody reads tables, not views");
-        /// The row is longer than the rows of any log, so Homebody does not read it into memory.
-        TooLong {
-            /// The file, with the line where it is known.
-            place: String,
-            /// The part that is too long, as a sentence.
-            what: String,
-        } error "too-long" ("{place}: {what}")
-            hint ("check that the file is a log");
-        /// The place does not hold the ground truth of a run.
-        NoTruth {
-            /// The place.
-            place: String,
-            /// The reason, as a part of a sentence.
-            why: String,
-        } error "not-a-truth" ("{place} has no ground truth: {why}")
-            hint ("name the truth database of the same run, or csv:FILE or parquet:FILE where each table is a file");
-        /// The ground truth belongs to another run than the log.
-        OtherRun {
-            /// The truth.
-            truth: String,
-            /// The difference, as a part of a sentence.
-            what: String,
-        } error "other-run" ("{truth} is not the ground truth of this log: {what}")
-            hint ("name the ground truth of the same run");
-        /// The ground truth refers to rows of the log by number, and some lines of this log cannot be read.
+        /// Labels are written by the number of a row, as the run has counted its rows. Some lines of this log were changed, so its rows
+        /// have other numbers. `homebody inspect` lists these lines.
         Gaps {
             /// The log.
             place: String,
@@ -229,7 +170,7 @@ homebody_core::messages! {
             problems: Vec<Skipped>,
             /// The number of such lines.
             skipped: u64,
-        } error "gaps" ("{lines}", lines = listed(place, problems, *skipped))
+        } error "unreadable-rows" ("{lines}", lines = unreadable(place, problems, *skipped))
             hint ("the ground truth refers to rows by number: use the log exactly as the run wrote it");
         /// The output would replace a file of a run.
         OfRun {
@@ -335,15 +276,6 @@ homebody_core::messages! {
             /// The destination.
             place: String,
         } error "stopped" ("{place} takes no more rows after its error");
-        /// The form of the destination has no room for the data.
-        CannotHold {
-            /// The destination.
-            place: String,
-            /// The data, as a part of a sentence.
-            what: String,
-            /// The advice.
-            hint: &'static str,
-        } error "cannot-hold" ("{place} cannot hold {what}") hint ("{hint}");
         /// The truths of large cohorts leave out some tables, and this command needs one of them.
         LeftOut {
             /// The truth.
@@ -352,14 +284,6 @@ homebody_core::messages! {
             table: String,
         } error "table-left-out" ("{place} leaves out the table {table:?}, as the truths of large cohorts do")
             hint ("replay the recording of this member: homebody replay writes all tables");
-        /// The destination was changed since the run wrote it, or belongs to another run.
-        Changed {
-            /// The destination.
-            place: String,
-            /// The difference, as a part of a sentence.
-            what: String,
-        } error "changed" ("{place} does not match the beginning of this run: {what}")
-            hint ("it was changed, or the recording is of another run; restore it, or start a new run");
         /// The destination did not answer within the time that its policy gives it.
         Hangs {
             /// The destination.
@@ -368,23 +292,35 @@ homebody_core::messages! {
             seconds: u64,
         } error "no-answer" ("{place} has not answered for {seconds} s")
             hint ("rows that it has confirmed are safe");
-        /// A destination of the caller's own reports an error.
-        Destination {
-            /// The destination's name.
-            place: String,
-            /// The reason, as a part of a sentence.
-            what: String,
-            /// The advice.
-            hint: Option<String>,
-            /// Whether the same call may succeed a little later.
-            passes: bool,
-            /// The error that caused it.
-            source: Option<Box<dyn Error + Send + Sync>>,
-        } error "destination" ("{place}: {what}") advice (hint.clone())
-            cause (source.as_ref().map(|source| source.as_ref() as _));
         => inner {
             /// The text does not name a place for a log.
             NoPlace(NoPlace);
+            /// The URL of a server has problems.
+            BadUrl(Problems);
+            /// The file does not have the form of any log that Homebody reads.
+            NoLog(Reason);
+            /// The row is longer than the rows of any log, so Homebody does not read it into memory.
+            TooLong(Reason);
+            /// The file is compressed, and Homebody cannot unpack it.
+            Packed(Reason);
+            /// The place does not hold the ground truth of a run.
+            NoTruth(Reason);
+            /// The ground truth belongs to another run than the log.
+            OtherRun(Reason);
+            /// The destination is a link, lies behind a link, or belongs to another user.
+            NotOwn(Reason);
+            /// The destination was changed since the run wrote it, or belongs to another run.
+            Changed(Reason);
+            /// The form of the destination has no room for the data.
+            CannotHold(Reason);
+            /// A destination reports an error.
+            Destination(Failed);
+            /// The file that counts the confirmed rows of a destination is damaged.
+            Unnoted(CountMessage);
+            /// The file that names the table and columns of a log is not a valid `logger.json`.
+            NoMapping(Problems);
+            /// A table of sensors has problems.
+            SensorMap(Problems);
         }
     }
 }
@@ -402,30 +338,68 @@ impl From<serde_json::Error> for LogError {
 }
 
 impl LogError {
-    /// An error of a destination of a caller's own, which does not pass by itself.
-    pub fn destination(place: impl Into<String>, what: impl Into<String>) -> LogError {
-        LogError::Destination { place: place.into(), what: what.into(), hint: None, passes: false, source: None }
+    /// The stable code, such as `log::exists`.
+    pub fn code(&self) -> &'static str {
+        self.diagnostic().code
+    }
+
+    /// An error of a destination, which does not pass by itself. A text may have its hint in a second line, after `hint: `.
+    pub fn destination(place: impl Into<String>, why: impl Into<Diagnostic>) -> LogError {
+        LogError::Destination(Failed { place: place.into(), why: Box::new(why.into()), passes: false, source: None })
     }
 
     /// The same error, said to pass: the same call may succeed a little later.
     pub fn passing(self) -> LogError {
         match self {
-            LogError::Destination { place, what, hint, source, .. } => {
-                LogError::Destination { place, what, hint, passes: true, source }
-            }
+            LogError::Destination(failed) => LogError::Destination(Failed { passes: true, ..failed }),
             other => other,
         }
     }
 
+    /// The same error of a destination, with the error that caused it.
+    pub fn caused_by(self, source: impl Into<Box<dyn Error + Send + Sync>>) -> LogError {
+        match self {
+            LogError::Destination(failed) => LogError::Destination(Failed { source: Some(source.into()), ..failed }),
+            other => other,
+        }
+    }
+
+    /// A place that Homebody cannot read as a log.
+    pub fn no_log(place: impl Into<String>, why: impl Into<Diagnostic>) -> LogError {
+        LogError::NoLog(Reason::new(About::Log, place, why))
+    }
+
+    /// A place that does not hold the ground truth of a run.
+    pub fn no_truth(place: impl Into<String>, why: impl Into<Diagnostic>) -> LogError {
+        LogError::NoTruth(Reason::new(About::Truth, place, why))
+    }
+
+    /// The ground truth of another run.
+    pub(crate) fn other_run(truth: &str, why: impl Into<Diagnostic>) -> LogError {
+        LogError::OtherRun(Reason::new(About::OtherTruth, truth, why))
+    }
+
+    /// A destination that was changed since the run wrote it, or belongs to another run.
+    pub fn changed(place: impl Into<String>, why: impl Into<Diagnostic>) -> LogError {
+        LogError::Changed(Reason::new(About::Run, place, why))
+    }
+
+    /// A destination whose form has no room for the data, which the text of `what` names.
+    pub fn cannot_hold(place: impl Into<String>, what: impl Into<Diagnostic>) -> LogError {
+        LogError::CannotHold(Reason::new(About::Holding, place, what))
+    }
+
     /// Whether the same call may succeed a little later.
     pub fn passes(&self) -> bool {
-        matches!(self, LogError::Destination { passes: true, .. } | LogError::Hangs { .. })
+        matches!(self, LogError::Destination(Failed { passes: true, .. }) | LogError::Hangs { .. })
     }
 
     /// The same error, of a destination that is away, where the run was stopped and does not wait for it any more.
     pub(crate) fn of_stopped_run(self) -> LogError {
         match self {
-            LogError::Destination { place, what, passes: true, .. } => LogError::StoppedAway { place, why: what },
+            LogError::Destination(Failed { place, why, passes: true, .. }) => {
+                LogError::StoppedAway { place, why: why.what }
+            }
             LogError::Hangs { ref place, .. } => LogError::StoppedAway { place: place.clone(), why: self.reason() },
             other => other,
         }
@@ -439,7 +413,7 @@ impl LogError {
     /// What is wrong with a destination, as a part of a sentence.
     pub(crate) fn reason(&self) -> String {
         match self {
-            LogError::Destination { what, .. } => what.clone(),
+            LogError::Destination(failed) => failed.why.what.clone(),
             LogError::Hangs { seconds, .. } => format!("it has not answered for {seconds} s"),
             other => other.to_string(),
         }
@@ -449,7 +423,10 @@ impl LogError {
     pub fn file(path: &Path, source: io::Error) -> LogError {
         let place = place_of(path);
         if let Some(why) = Refused::of(&source) {
-            return LogError::NotOwn { place, why: why.to_string() };
+            return LogError::NotOwn(Reason::new(About::Writing, place, why));
+        }
+        if let Some(why) = source.get_ref().and_then(|why| why.downcast_ref::<PackedMessage>()) {
+            return LogError::Packed(Reason::new(About::Place, place, *why));
         }
         match source.kind() {
             io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => LogError::Full { place },
@@ -459,9 +436,9 @@ impl LogError {
         }
     }
 
-    /// What is too long in a line of a log, as a sentence.
-    pub(crate) fn too_long(path: &Path, line: u64, what: String) -> LogError {
-        LogError::TooLong { place: format!("{}:{line}", place_of(path)), what }
+    /// A line of a log with something too long.
+    pub(crate) fn too_long(path: &Path, line: u64, what: LengthMessage) -> LogError {
+        LogError::TooLong(Reason::new(About::Place, format!("{}:{line}", place_of(path)), what))
     }
 
     /// What an error of reading a file means.
@@ -488,10 +465,7 @@ impl LogError {
         match source.sqlite_error_code() {
             _ if LogError::is_in_use(&source) => LogError::Locked { place },
             Some(DiskFull) => LogError::Full { place },
-            Some(TooBig) => {
-                let what = format!("a row or a cell of it is longer than {LONGEST_ROW_BYTES} bytes");
-                LogError::TooLong { place, what }
-            }
+            Some(TooBig) => LogError::TooLong(Reason::new(About::Place, place, LengthMessage::DatabaseRow)),
             Some(NotADatabase | DatabaseCorrupt) => LogError::Broken { place, source: said(source) },
             Some(ReadOnly | PermissionDenied) => LogError::Denied { place },
             // It does not say why; the system does.
@@ -520,14 +494,13 @@ pub(crate) fn place_of(path: &Path) -> String {
     path.display().to_string()
 }
 
-/// The lines that cannot be read, each with its place, and a count of the rest.
-fn listed(place: &str, problems: &[Skipped], skipped: u64) -> String {
-    let mut lines: Vec<String> = problems.iter().map(|line| format!("{}: {}", line.place(place), line.why)).collect();
-    let rest = skipped.saturating_sub(lines.len() as u64);
-    if rest > 0 {
-        lines.push(format!("{place}: {rest} more lines cannot be read"));
+/// The first line that cannot be read, and how many there are.
+fn unreadable(place: &str, problems: &[Skipped], skipped: u64) -> String {
+    match problems.first() {
+        Some(first) if skipped == 1 => format!("cannot read {}: {}", first.place(place), first.why),
+        Some(first) => format!("cannot read {skipped} lines of {place}, such as {}: {}", first.place(place), first.why),
+        None => format!("cannot read {skipped} lines of {place}"),
     }
-    lines.join("\n")
 }
 
 #[cfg(test)]

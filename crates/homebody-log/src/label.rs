@@ -10,6 +10,7 @@
 
 use crate::error::LogError;
 use crate::limits::beginning;
+use crate::problems::OtherRunMessage;
 use crate::source::{
     Activity, Cause, Causes, Event, LABEL_TABLES, Life, Log, RecordedTruth, RunClock, lives_of, stream,
 };
@@ -98,12 +99,12 @@ fn besides() -> Besides<'static> {
 
 /// Makes sure that log and truth are of one run: that the truth tells of rows that there are, each of the same sensor.
 fn make_sure(transfer: &Transfer, about: &Log, mut causes: Causes<'_>, truth: &str) -> Result<(), LogError> {
-    let another = |what: String| LogError::OtherRun { truth: truth.into(), what };
+    let another = |why: OtherRunMessage| LogError::other_run(truth, why);
     match causes.last_row()? {
         Some(row) if row >= about.rows => {
-            return Err(another(format!("it tells of row {row}, and the log has {}", about.rows)));
+            return Err(another(OtherRunMessage::FewerRows { row, rows: about.rows }));
         }
-        None if about.rows > 0 => return Err(another("it tells of no row".into())),
+        None if about.rows > 0 => return Err(another(OtherRunMessage::NoRows)),
         _ => {}
     }
     let mut row = 0;
@@ -111,7 +112,7 @@ fn make_sure(transfer: &Transfer, about: &Log, mut causes: Causes<'_>, truth: &s
         for event in &part.events {
             let (sensor, named) = (causes.of_row(row)?.and_then(|cause| cause.sensor), part.sensor(event));
             if sensor.is_some_and(|sensor| sensor != named && one_word(&sensor) != named) {
-                return Err(another(format!("its row {row} is of another sensor than {}", beginning(named))));
+                return Err(another(OtherRunMessage::OtherSensor { row, sensor: beginning(named) }));
             }
             row += 1;
         }

@@ -3,8 +3,10 @@
 use crate::error::{LogError, place_of};
 use crate::limits::LARGEST_OF_SCENARIO_BYTES;
 use crate::plain;
+use crate::problems::MappingMessage;
 use crate::table::{Cell, Column, ColumnKind, LOG, Table, Texts, thousandths};
 use homebody_core::event::Value;
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::scenario::logger::{LoggerFile, MessagesFile, TimeFormat};
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
@@ -43,7 +45,10 @@ pub fn read_mapping(path: &Path) -> Result<LoggerFile, LogError> {
         ErrorKind::NotFound => LogError::Missing { place: place_of(path) },
         _ => LogError::reading(path, error),
     })?;
-    serde_json::from_str(&text).map_err(|why| LogError::NoMapping { place: place_of(path), why: why.to_string() })
+    serde_json::from_str(&text).map_err(|why| {
+        let invalid = MappingMessage::Invalid { reason: why.to_string() };
+        LogError::NoMapping(Problems(vec![Problem::of_file(&place_of(path), invalid, None)]))
+    })
 }
 
 impl Columns {

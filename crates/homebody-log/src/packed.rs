@@ -3,6 +3,7 @@
 use crate::error::{LogError, place_of};
 use crate::fresh::FreshFile;
 use crate::plain;
+use crate::problems::PackedMessage;
 use flate2::Compression;
 use flate2::read::MultiGzDecoder;
 use flate2::write::GzEncoder;
@@ -149,15 +150,12 @@ impl<R: Read> Read for Unpacked<R> {
         self.0.read(bytes).map_err(|error| match error.raw_os_error() {
             // The disk's own.
             Some(_) => error,
-            None => io::Error::new(io::ErrorKind::InvalidData, DAMAGED),
+            None => io::Error::new(io::ErrorKind::InvalidData, PackedMessage::Damaged),
         })
     }
 }
 
-const DAMAGED: &str = "what is packed in it is damaged or cut short\n  hint: take a copy that is whole";
-
 #[cfg(not(feature = "zstd"))]
 fn unpacked_zstd(_: File) -> io::Result<Box<dyn Read + Send>> {
-    let what = "it is packed by Zstandard, which this program was built without\n  hint: unpack it first: unzstd FILE";
-    Err(io::Error::new(io::ErrorKind::Unsupported, what))
+    Err(io::Error::new(io::ErrorKind::Unsupported, PackedMessage::NoZstandard))
 }

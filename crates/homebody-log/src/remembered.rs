@@ -7,6 +7,7 @@
 use crate::error::{LogError, place_of};
 use crate::fresh::FreshFile;
 use crate::plain::read_text;
+use crate::problems::CountMessage;
 use crate::sink::{Begin, How, Sink, Watermark};
 use crate::spool::file_name;
 use crate::table::Batch;
@@ -65,12 +66,15 @@ impl Remembered {
     /// A number that no run reaches would hold all rows back, so it is an error. A damaged file is an error, too: it would hide which rows
     /// were given before.
     fn read(&self, run: i64) -> Result<Option<Note>, LogError> {
-        let wrong = |what: String| LogError::Unnoted { place: place_of(&self.path), what };
+        let place = || place_of(&self.path);
         match Note::read(&self.path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-            Err(error) => Err(wrong(readable(error.to_string()))),
+            Err(error) => {
+                let reason = readable(error.to_string());
+                Err(LogError::Unnoted(CountMessage::Unreadable { place: place(), reason }))
+            }
             Ok(note) => match note.rows.iter().find(|&&rows| rows > MOST_ROWS) {
-                Some(rows) => Err(wrong(format!("no run has {rows} rows"))),
+                Some(&rows) => Err(LogError::Unnoted(CountMessage::TooMany { place: place(), rows })),
                 None => Ok(Some(note).filter(|note| note.run == run)),
             },
         }

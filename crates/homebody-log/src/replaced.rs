@@ -54,7 +54,7 @@ fn others(path: &Path) -> rusqlite::Result<Option<String>> {
         !is_ours
     };
     let other = found.iter().find(is_other);
-    Ok(other.map(|(kind, name, _)| format!("the {kind} {name:?}, which is none of a run")))
+    Ok(other.map(|(kind, name, _)| format!("the {kind} {name:?}, which no run writes")))
 }
 
 #[cfg(test)]

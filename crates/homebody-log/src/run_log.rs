@@ -2,7 +2,7 @@
 //! again.
 
 use crate::destination::{Destination, Treatment};
-use crate::error::LogError;
+use crate::error::{LogError, Reason};
 use crate::fresh::{FreshFile, remove_parts};
 use crate::limits::LARGEST_RECORDING_BYTES;
 use crate::lock::{FileLock, FolderLock};
@@ -307,7 +307,7 @@ impl RunLog {
         // Who stops it earlier than before has changed nothing.
         let is_early = self.how == How::GoOn && now < length;
         let early = |error| match error {
-            LogError::Changed { place, .. } if is_early => LogError::NotYet { place },
+            LogError::Changed(Reason { place, .. }) if is_early => LogError::NotYet { place },
             error => error,
         };
         let mut stored = self.logger.take().map(Logger::finish).transpose().map_err(early)?.unwrap_or_default();

@@ -6,6 +6,7 @@
 
 use crate::clock::Clock;
 use crate::error::{LogError, place_of};
+use crate::problems::ChangedMessage;
 use crate::run_info::RunInfo;
 use crate::sink::How;
 use crate::sink::database::Database;
@@ -119,8 +120,8 @@ impl SilhouetteLog {
     /// Completes the file.
     pub fn finish(mut self) -> Result<(), LogError> {
         if self.there > 0 {
-            let what = format!("\"silhouette\" has {} rows more than the run makes", self.there);
-            return Err(LogError::Changed { place: place_of(self.database.path()), what });
+            let more = ChangedMessage::RowsAhead { rows: self.there as u64 };
+            return Err(LogError::changed(place_of(self.database.path()), more));
         }
         self.insert()?;
         self.database.close()
@@ -311,11 +312,11 @@ impl Silhouettes {
         let wrong = |error| LogError::database(&self.path, error);
         let id: String = row.get(1).map_err(wrong)?;
         let camera = self.cameras.iter().position(|camera| camera.id == id);
-        let camera = camera.ok_or_else(|| self.no_picture(&format!("there is no camera {id:?}")))?;
+        let camera = camera.ok_or_else(|| self.no_picture(&format!("no camera is called {id:?}")))?;
         let [columns, rows] = self.cameras[camera].file.pixels;
         let packed: Vec<u8> = row.get(11).map_err(wrong)?;
-        let silhouette =
-            Silhouette::unpacked(&packed, columns, rows).ok_or_else(|| self.no_picture("its bytes are no picture"))?;
+        let silhouette = Silhouette::unpacked(&packed, columns, rows)
+            .ok_or_else(|| self.no_picture("its bytes are not a picture"))?;
         let features = || -> rusqlite::Result<Features> {
             Ok(Features {
                 area_px: row.get(2)?,
@@ -329,8 +330,8 @@ impl Silhouettes {
         Ok(Kept { at: utc_us - self.start_utc_us, camera, silhouette, features: features().map_err(wrong)? })
     }
 
-    fn no_picture(&self, what: &str) -> LogError {
-        LogError::Changed { place: place_of(&self.path), what: format!("a silhouette cannot be read: {what}") }
+    fn no_picture(&self, reason: &str) -> LogError {
+        LogError::changed(place_of(&self.path), ChangedMessage::Silhouette { reason: reason.into() })
     }
 }
 

@@ -10,6 +10,7 @@ use crate::destination::Destination;
 use crate::error::LogError;
 use crate::meter::Meter;
 use crate::policy::Policy;
+use crate::problems::ChangedMessage;
 use crate::sink::{Beginning, Sink, Watermark};
 use crate::table::Batch;
 use crate::waiting::Waiting;
@@ -269,10 +270,7 @@ impl Work {
     fn has_no_more(&self) -> Result<(), LogError> {
         match self.there.iter().sum::<u64>() {
             0 => Ok(()),
-            rows => {
-                let what = format!("it has been given {rows} rows more than the run has made by now");
-                Err(LogError::Changed { place: self.place.clone(), what })
-            }
+            rows => Err(LogError::changed(self.place.as_str(), ChangedMessage::RowsAhead { rows })),
         }
     }
 

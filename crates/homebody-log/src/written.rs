@@ -5,7 +5,6 @@
 //! is never one.
 
 use homebody_core::scenario::inside::{LIST, RECORDING, SENSORS};
-use std::fmt;
 use std::fs::{File, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -21,18 +20,28 @@ pub enum Opening {
     Left,
 }
 
-/// Why a file is not opened, besides what the system says.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Refused {
-    /// It is a link, or a folder on the way is one.
-    Link,
-    /// It is a folder, a pipe or a device.
-    NoPlain,
-    /// It has a second name, so it may be another file of the user.
-    TwoNames,
-    /// Somebody else owns it.
-    Foreign,
+homebody_core::messages! {
+    /// Why a file is not opened, besides what the system says.
+    #[derive(Clone, Copy, PartialEq, Eq)]
+    pub(crate) enum Refused in "own-file" {
+        /// The file is a link, or a folder on the way to it is one. A run's folder may come from another person, and a link in it could
+        /// lead anywhere.
+        Link error "link" ("it is a link, or in a folder that is a link")
+            hint ("check where the link leads; then remove it, or choose another name");
+        /// Homebody writes regular files only. A folder, a pipe or a device has this name.
+        NoPlain error "not-regular" ("it is a folder, a pipe or a device")
+            hint ("remove it, or choose another name");
+        /// A hard link gives a file a second name, so it may be another file of the user.
+        TwoNames error "second-name" ("it has a second name elsewhere (a hard link)")
+            hint ("check what the file is; then remove it, or choose another name");
+        /// The file belongs neither to this user nor to the owner of its folder.
+        Foreign error "other-user" ("it belongs to another user")
+            hint ("check what the file is; then remove it, or choose another name");
+    }
 }
+
+/// The messages of this module.
+pub(crate) const REFUSED: &[homebody_core::messages::Entry] = <Refused as homebody_core::messages::Catalogue>::ENTRIES;
 
 impl Refused {
     /// The refusal in an error, if it is one.
@@ -40,19 +49,6 @@ impl Refused {
         error.get_ref()?.downcast_ref().copied()
     }
 }
-
-impl fmt::Display for Refused {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        f.write_str(match self {
-            Refused::Link => "it is a link, or in a folder that is one",
-            Refused::NoPlain => "it is a folder, a pipe or a device",
-            Refused::TwoNames => "it has a second name elsewhere (a hard link)",
-            Refused::Foreign => "it belongs to another user",
-        })
-    }
-}
-
-impl std::error::Error for Refused {}
 
 impl From<Refused> for io::Error {
     fn from(refused: Refused) -> io::Error {

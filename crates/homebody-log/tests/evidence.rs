@@ -5,7 +5,7 @@ mod stage;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::source::{ColumnRole, Form};
-use homebody_log::{Log, Source, read};
+use homebody_log::{Log, LogError, Source, read};
 use rusqlite::Connection;
 use stage::Folder;
 use std::fs;
@@ -32,10 +32,10 @@ fn from_text(folder: &Folder, form: &str, name: &str, text: &str) -> Log {
     log
 }
 
-fn refused(path: &Path) -> String {
+fn refused(path: &Path) -> LogError {
     match Source::recognise(path) {
         Ok(source) => panic!("{} is read as {source}", path.display()),
-        Err(error) => error.to_string(),
+        Err(error) => error,
     }
 }
 
@@ -78,7 +78,7 @@ fn the_log_of_a_program_is_no_log_of_sensors() {
     .enumerate()
     {
         let error = refused(&written(&folder, &format!("{number}.txt"), text));
-        assert!(error.contains("looks like the log of a program") || error.contains("numbers in columns"), "{error}");
+        assert!(["log-form::program-log", "log-form::unnamed-columns"].contains(&error.code()), "{error}");
     }
 }
 
@@ -273,7 +273,7 @@ fn openhab_tells_of_items() {
     // Its other log has no items.
     let own = lines(30, |row| format!("[INFO ] [g.core.internal.Activator{row}] - The bundle {row} has been started"));
     let error = refused(&written(&folder, "openhab.log", own));
-    assert!(error.contains("looks like the log of a program"), "{error}");
+    assert_eq!(error.code(), "log-form::program-log", "{error}");
 }
 
 #[test]
@@ -359,7 +359,8 @@ fn logs_at_the_same_time_or_of_several_homes_are_not_one() {
             written(&folder, name, text);
         }
         let error = refused(folder.path());
-        assert!(error.contains(&format!("name one of {}, {}", names[0], names[1])), "{error}");
+        let LogError::NoLog(reason) = &error else { panic!("{error}") };
+        assert_eq!((error.code(), &reason.why.data["names"]), ("log-form::several-logs", &names.to_vec().into()));
     }
 }
 
@@ -436,7 +437,7 @@ fn a_file_that_is_no_log_is_called_what_it_is() {
         (b"INSERT INTO log VALUES ('2009-03-02 07:00:00','M1','ON');\n", "dump"),
     ] {
         let error = refused(&written(&folder, "log", bytes));
-        assert!(error.contains(said) && error.lines().count() == 1, "{said}: {error}");
+        assert!(error.code().starts_with("log-form::") && error.to_string().contains(said), "{said}: {error}");
     }
     // Such bytes inside a log do not matter.
     let text = "time,sensor,value\n2009-03-02 07:00:00,%PDF-,<html>\n";

@@ -293,7 +293,7 @@ fn a_destination_that_has_more_of_a_run_than_it_made_is_told_of() {
         stage::store(logger, &stage::firings(1000), 100)
     };
     let error = stored(1007, Policy::default()).unwrap_err();
-    assert!(matches!(&error, LogError::Changed { place, .. } if place == "a broker"), "{error}");
+    assert!(matches!(&error, LogError::Changed(reason) if reason.place == "a broker"), "{error}");
     assert!(error.to_string().contains("7 rows more"), "{error}");
     let failed = stored(1007, Policy::optional()).unwrap().failed;
     assert!(failed.len() == 1 && failed[0].0 == "a broker", "{failed:?}");

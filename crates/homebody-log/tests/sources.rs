@@ -481,7 +481,7 @@ fn an_open_quote_costs_no_other_row() {
 }
 
 #[test]
-fn what_is_no_text_is_told_as_what_it_is() {
+fn reports_the_kind_of_a_file_without_text() {
     let folder = Folder::new("no-text");
     let whole = folder.url("sqlite:whole.db");
     let rows = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 9999)
@@ -491,18 +491,18 @@ fn what_is_no_text_is_told_as_what_it_is() {
     drop(database);
     let database = fs::read(whole.file().unwrap()).unwrap();
     let utf16: Vec<u8> = "time,sensor,value\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
-    for (bytes, said) in [
-        (&b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR,1,2\n"[..], "it is a picture"),
-        (&[b"\xff\xfe", &utf16[..]].concat(), "it is a text in UTF-16: save it in UTF-8"),
-        (b"PK\x03\x04\x14\0\n", "it is an archive, or a spreadsheet's own form"),
-        (&database[..database.len() / 2], "as a database it is damaged or cut short"),
-        (&database[..50], "as a database it is damaged or cut short"),
+    for (bytes, code) in [
+        (&b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR,1,2\n"[..], "log-form::other-kind"),
+        (&[b"\xff\xfe", &utf16[..]].concat(), "log-form::utf-16"),
+        (b"PK\x03\x04\x14\0\n", "log-form::archive"),
+        (&database[..database.len() / 2], "log-form::damaged-database"),
+        (&database[..50], "log-form::damaged-database"),
     ] {
         let path = folder.path().join("log");
         fs::write(&path, bytes).unwrap();
         let read = Source::recognise(&path).and_then(|source| read(source, &LoggerFile::default()));
-        let Err(LogError::NoLog { why, .. }) = read else { panic!("{said}: {read:?}") };
-        assert!(why.contains(said), "{why}");
+        let Err(LogError::NoLog(reason)) = read else { panic!("{code}: {read:?}") };
+        assert_eq!(reason.why.code, code);
     }
     // What is text is told by its line.
     fs::write(folder.path().join("log.txt"), "nonsense\n").unwrap();

@@ -1,8 +1,9 @@
 //! Which broker, and how it is spoken to: `mqtt://user@host:1883/prefix?style=zigbee2mqtt`, with all that can be wrong with it.
 
+use crate::messages::AddressMessage;
 use crate::names::is_level;
-use homebody_core::problem::readable;
-use homebody_core::scenario::scheme::{NoPlace, Scheme};
+use homebody_core::problem::{Diagnostic, Problems, readable};
+use homebody_core::scenario::scheme::Scheme;
 use homebody_log::plain::others_may_read;
 use homebody_log::url::percent_decoded;
 use homebody_log::{LogError, Url};
@@ -11,7 +12,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// What the variable of the environment is called that a password may be in.
-pub(crate) const PASSWORD: &str = "HOMEBODY_MQTT_PASSWORD";
+const PASSWORD: &str = "HOMEBODY_MQTT_PASSWORD";
 
 /// Where topics are if nothing else is said.
 const USUAL_PREFIX: &str = "homebody";
@@ -82,9 +83,9 @@ impl Address {
     ///
     /// # Errors
     ///
-    /// [`LogError::NoPlace`] with all that is wrong with it. No error has a password in it.
+    /// [`LogError::BadUrl`] with all problems. No error has a password in it.
     pub fn of(url: &Url) -> Result<Address, LogError> {
-        Address::read(url).map_err(LogError::NoPlace)
+        Address::read(url).map_err(LogError::BadUrl)
     }
 
     /// Whether a place is a broker.
@@ -96,16 +97,12 @@ impl Address {
     ///
     /// # Errors
     ///
-    /// [`LogError::NoPlace`], which says how to go at the pace of life, and how to allow more.
+    /// [`LogError::BadUrl`], which says how to run in real time, and how to allow more.
     pub fn may_go_fast(&self) -> Result<(), LogError> {
         if self.allow_fast {
             return Ok(());
         }
-        Err(LogError::NoPlace(NoPlace {
-            what: format!("{} is told what happens as it happens, and this goes faster than life", self.place()),
-            hint: "a run at --speed 1 goes at the pace of life; ?allow-fast=true at the end of the place allows any"
-                .into(),
-        }))
+        Err(wrong(AddressMessage::TooFast { place: self.place() }))
     }
 
     /// The broker and the prefix, as errors tell them: without a name, and so without a password.
@@ -125,7 +122,7 @@ impl Address {
         Ok(Some(text.lines().next().unwrap_or_default().to_owned()))
     }
 
-    fn read(url: &Url) -> Result<Address, NoPlace> {
+    fn read(url: &Url) -> Result<Address, Problems> {
         let text = url.path().to_string_lossy();
         let (at, query) = text.split_once('?').map_or((&*text, ""), |(at, query)| (at, query));
         let (server, prefix) = at.split_once('/').unwrap_or((at, ""));
@@ -219,30 +216,25 @@ impl FromStr for Discovery {
     }
 }
 
-/// All that is wrong with a place, each with what to write instead.
+/// All problems of a URL.
 #[derive(Default)]
-struct Wrong(Vec<(String, String)>);
+struct Wrong(Vec<Diagnostic>);
 
 impl Wrong {
-    fn add(&mut self, what: impl Into<String>, hint: impl Into<String>) {
-        self.0.push((readable(what.into()), readable(hint.into())));
+    fn add(&mut self, message: AddressMessage) {
+        let message: Diagnostic = message.into();
+        self.0.push(Diagnostic { what: readable(message.what), hint: message.hint.map(readable), ..message });
     }
 
-    fn or(self, address: Address) -> Result<Address, NoPlace> {
-        let Wrong(mut all) = self;
-        let Some((what, hint)) = all.pop() else { return Ok(address) };
-        let before: String = all.iter().map(|(what, hint)| format!("{what}\n  hint: {hint}\n")).collect();
-        Err(NoPlace { what: before + &what, hint })
+    fn or(self, address: Address) -> Result<Address, Problems> {
+        if self.0.is_empty() { Ok(address) } else { Err(Problems(self.0)) }
     }
 
     /// The name before the `@`. A password there is not told again.
     fn user(&mut self, text: &str) -> String {
         let (user, password) = text.split_once(':').map_or((text, None), |(user, password)| (user, Some(password)));
         if password.is_some() {
-            self.add(
-                "a password stands in the place of a broker, where others can read it",
-                format!("leave it out, and name a file by ?password-file=FILE, or put it into {PASSWORD}"),
-            );
+            self.add(AddressMessage::Password);
         }
         self.plain("the user", user)
     }
@@ -253,15 +245,12 @@ impl Wrong {
             None => text.rsplit_once(':').map_or((text, None), |(host, port)| (host, Some(port))),
         };
         if host.is_empty() || host.contains(|letter: char| letter.is_whitespace() || letter.is_control()) {
-            self.add(
-                "the place of a broker names no host",
-                "write mqtt://HOST/PREFIX, such as mqtt://localhost/homebody",
-            );
+            self.add(AddressMessage::NoHost);
         }
         match port.map(|port| port.parse::<u16>().map_err(|_| port)) {
             Some(Ok(port)) if port > 0 => (host.to_owned(), port),
             Some(_) => {
-                self.add("the port of a broker is no number from 1 to 65535", format!("leave it out for {usual}"));
+                self.add(AddressMessage::Port { usual });
                 (host.to_owned(), usual)
             }
             None => (host.to_owned(), usual),
@@ -272,13 +261,12 @@ impl Wrong {
         let levels: Vec<&str> = text.split('/').collect();
         let fits = |level: &&str| is_level(level) && level.len() <= LONGEST_LEVEL;
         if levels.len() > MOST_LEVELS || !levels.iter().all(fits) {
-            self.add(
-                format!("{what} {text:?} is none of a topic"),
-                format!(
-                    "write up to {MOST_LEVELS} levels of a-z, A-Z, 0-9, _ and -, of up to {LONGEST_LEVEL} letters, \
-                     parted by /"
-                ),
-            );
+            self.add(AddressMessage::Topic {
+                name: what.into(),
+                text: text.into(),
+                most_levels: MOST_LEVELS,
+                longest_level: LONGEST_LEVEL,
+            });
         }
         text.to_owned()
     }
@@ -286,7 +274,7 @@ impl Wrong {
     /// A text without the `%20` that stand for letters in places.
     fn plain(&mut self, what: &str, text: &str) -> String {
         let Some(bytes) = percent_decoded(text) else {
-            self.add(format!("{what} has a % without two digits after it"), "write %25 for a %");
+            self.add(AddressMessage::Percent { name: what.into() });
             return text.to_owned();
         };
         String::from_utf8_lossy(&bytes).into_owned()
@@ -294,8 +282,9 @@ impl Wrong {
 
     /// What a word says, where it is one that is known.
     fn parsed<T: FromStr<Err = &'static str>>(&mut self, key: &str, value: &str) -> Option<T> {
-        let known =
-            |known: &'static str| self.add(format!("{key}={value} is none that is known"), format!("write {known}"));
+        let known = |known: &'static str| {
+            self.add(AddressMessage::Word { name: key.into(), value: value.into(), known });
+        };
         value.parse().map_err(known).ok()
     }
 
@@ -303,49 +292,42 @@ impl Wrong {
         match value {
             "true" => *to = true,
             "false" => *to = false,
-            _ => self.add(format!("{key}={value} is neither true nor false"), format!("write {key}=true")),
+            _ => self.add(AddressMessage::NotBoolean { name: key.into(), value: value.into() }),
         }
     }
 
     fn seconds(&mut self, to: &mut u32, value: &str) {
         match value.parse() {
             Ok(seconds) if (1..=3600).contains(&seconds) => *to = seconds,
-            _ => self.add(format!("off-delay={value} is no number of seconds from 1 to 3600"), "write off-delay=10"),
+            _ => self.add(AddressMessage::OffDelay { value: value.into() }),
         }
     }
 
     fn file(&mut self, key: &str, value: &str) -> Option<PathBuf> {
         if value.is_empty() {
-            self.add(format!("{key} names no file"), format!("write {key}=FILE"));
+            self.add(AddressMessage::NoFile { name: key.into() });
         }
         Some(value.into())
     }
 
     fn unknown(&mut self, key: &str) {
-        self.add(
-            format!("{key:?} is nothing that a broker can be told by"),
-            format!("write one of {}", KEYS.join(", ")),
-        );
+        self.add(AddressMessage::Unknown { name: key.into(), known: KEYS.to_vec() });
     }
 
     /// What is wrong with several things together.
     fn together(&mut self, address: &Address) {
         if address.ca.is_some() && !address.tls {
-            self.add("ca names certificates, and mqtt:// has none", "write mqtts:// for TLS");
+            self.add(AddressMessage::CaWithoutTls);
         }
         if address.password_file.is_some() && address.user.is_none() {
-            self.add("there is a password and no user", "write mqtt://USER@HOST/PREFIX");
+            self.add(AddressMessage::NoUser);
         }
         if address.style == Style::Plain && address.discovery != Discovery::Off {
-            let hint = "leave discovery out, or write style=homeassistant";
-            self.add("Home Assistant does not understand the style plain", hint);
+            self.add(AddressMessage::PlainDiscovery);
         }
         let (prefix, found) = (&address.prefix, &address.discovery_prefix);
         if prefix == found || prefix.starts_with(&format!("{found}/")) {
-            self.add(
-                format!("the prefix {prefix:?} is where Home Assistant looks for what there is"),
-                "name another prefix, such as homebody",
-            );
+            self.add(AddressMessage::DiscoveryPrefix { prefix: prefix.clone() });
         }
     }
 }
@@ -355,18 +337,16 @@ fn only_its_owner_reads(file: &Path) -> Result<(), LogError> {
     let about = fs::metadata(file).map_err(|error| unreadable(file, &error))?;
     match others_may_read(&about) {
         false => Ok(()),
-        true => Err(LogError::NoPlace(NoPlace {
-            what: format!("{} has a password and may be read by others", file.display()),
-            hint: format!("chmod 600 {}", file.display()),
-        })),
+        true => Err(wrong(AddressMessage::OpenPassword { file: file.display().to_string() })),
     }
 }
 
 fn unreadable(file: &Path, error: &std::io::Error) -> LogError {
-    LogError::NoPlace(NoPlace {
-        what: format!("{} cannot be read: {error}", file.display()),
-        hint: "the path is taken from the folder in which the program was started".into(),
-    })
+    wrong(AddressMessage::PasswordFile { file: file.display().to_string(), reason: error.to_string() })
+}
+
+fn wrong(message: AddressMessage) -> LogError {
+    LogError::BadUrl(Problems(vec![message.into()]))
 }
 
 #[cfg(test)]
@@ -406,9 +386,9 @@ mod tests {
         for told in [
             "password-file",
             PASSWORD,
-            "names no host",
-            "no number from 1 to 65535",
-            "is none of a topic",
+            "has no host",
+            "not a number from 1 to 65535",
+            "is not a valid topic",
             "homeassistant, zigbee2mqtt or plain",
             "device, entity or off",
             "neither true nor false",

@@ -3,8 +3,10 @@
 
 use crate::address::Address;
 use crate::flight::{Flight, Link, MOST_IN_FLIGHT, Sent, Wish};
+use crate::messages::BrokerMessage;
 use crate::speech::Message;
 use crate::trouble::Trouble;
+use homebody_core::messages::Diagnose;
 use rumqttc::{
     AsyncClient, ClientError, ConnectionError, Event, EventLoop, LastWill, MqttOptions, Outgoing, Packet, PubAckReason,
     Publish, PublishOptions, QoS, RetainForwardRule, SubscribeFilterInput, TlsConfiguration, Transport, ValidatedTopic,
@@ -86,14 +88,14 @@ pub(crate) fn open(address: &Address, client: &str) -> Result<MqttOptions, Troub
     let mut network = options.network_options();
     network.set_tcp_nodelay(true);
     options.set_network_options(network);
-    let password = address.password().map_err(|error| Trouble::new(error.to_string(), "").finally())?;
+    let password = address.password().map_err(|error| Trouble::new(error.diagnostic()).finally())?;
     match (&address.user, password) {
         (Some(user), Some(password)) => drop(options.set_credentials(user.clone(), password)),
         (Some(user), None) => drop(options.set_username(user.clone())),
         (None, _) => {}
     }
     if address.tls {
-        let untrusted = |why: String| Trouble::new(why, "?ca=FILE names a file of certificates, in PEM").finally();
+        let untrusted = |reason: String| Trouble::new(BrokerMessage::Untrusted { reason }).finally();
         let tls = match &address.ca {
             Some(file) => {
                 let ca = fs::read(file).map_err(|why| untrusted(format!("{}: {why}", file.display())))?;
@@ -112,7 +114,8 @@ impl Connection {
         let runtime = match Builder::new_current_thread().enable_all().build() {
             Ok(runtime) => runtime,
             Err(error) => {
-                return self.over(Some(Trouble::new(error.to_string(), "allow this user more files").finally()));
+                let reason = error.to_string();
+                return self.over(Some(Trouble::new(BrokerMessage::NoRuntime { reason }).finally()));
             }
         };
         let mut wait = FIRST_WAIT;
@@ -183,12 +186,8 @@ impl Connection {
                 }
                 Ok(Event::Incoming(Packet::PubAck(ack))) => {
                     if !matches!(ack.reason, PubAckReason::Success | PubAckReason::NoMatchingSubscribers) {
-                        let what = format!(
-                            "the broker does not take messages below {}: {:?}",
-                            self.speaker.base(),
-                            ack.reason
-                        );
-                        return Err(Trouble::new(what, "let this user write there").finally());
+                        let (base, code) = (self.speaker.base().to_owned(), format!("{:?}", ack.reason));
+                        return Err(Trouble::new(BrokerMessage::NotTaken { base, code }).finally());
                     }
                     if let Some(sent) = by_packet.remove(&ack.pkid) {
                         self.flight.acknowledge(sent);

@@ -53,22 +53,18 @@ fn certificate(address: &Address, checks: &mut Vec<Check>) {
             let days = last.duration_since(now).as_hours().div_euclid(24);
             let on = last.strftime("%Y-%m-%d");
             checks.push(match days {
-                ..0 => Check::wrong(
-                    "certificate",
-                    format!("it has ended on {on}"),
-                    "renew it, and have the broker read it anew",
-                ),
+                ..0 => Check::wrong("certificate", format!("it expired on {on}"), "renew it, and restart the broker"),
                 0..SOON_DAYS => {
-                    let says = format!("it ends on {on}, in {}", counted(days as usize, "day", "days"));
-                    Check::warning("certificate", says, "renew it before that day, and have the broker read it anew")
+                    let says = format!("it expires on {on}, in {}", counted(days as usize, "day", "days"));
+                    Check::warning("certificate", says, "renew it before that day, and restart the broker")
                 }
-                _ => Check::ok("certificate", format!("it is good until {on}")),
+                _ => Check::ok("certificate", format!("it is valid until {on}")),
             });
         }
         Err(why) => checks.push(Check::warning(
             "certificate",
-            format!("it could not be looked at: {why}"),
-            "is there TLS on this port? mqtts:// speaks it, usually on 8883",
+            format!("cannot read it: {why}"),
+            "check that the port has TLS; brokers use 8883 for it",
         )),
     }
 }
@@ -108,39 +104,40 @@ async fn said_and_heard(address: &Address, client: &AsyncClient, events: &mut Ev
 }
 
 fn told(address: &Address, kept: Kept, heard: Option<Heard>, checks: &mut Vec<Check>) {
-    let who = address.user.as_ref().map_or_else(|| "anybody".to_owned(), |user| format!("{user:?}"));
+    let who = address.user.as_ref().map_or_else(|| "any user".to_owned(), |user| format!("{user:?}"));
     let how = if address.tls { "over TLS" } else { "without encryption" };
-    checks.push(Check::ok("broker", format!("{} speaks MQTT 5 and lets {who} in, {how}", address.place())));
+    checks.push(Check::ok("broker", format!("{} speaks MQTT 5 and accepts {who}, {how}", address.place())));
     if !address.tls && !is_this_machine(&address.host) {
-        let says = "what is said, and the password, go over the network in the open";
-        checks.push(Check::warning("encryption", says, "write mqtts://, where the broker has TLS"));
+        let says = "messages and the password cross the network unencrypted";
+        checks.push(Check::warning("encryption", says, "write mqtts:// if the broker has TLS"));
     }
     let below = &address.prefix;
     for filter in &kept.refused {
-        let says = format!("this user may not listen to {filter}");
+        let says = format!("this user may not subscribe to {filter}");
         checks.push(Check::wrong(
             "hearing",
             says,
-            "look at the broker's list of rights: commands and marks of homes are there",
+            "change the broker's access list: commands and marks of homes arrive there",
         ));
     }
     checks.push(match heard {
         Some(Heard { refused: Some(reason), .. }) => {
-            let says = format!("this user may not speak below {below}/: {reason:?}");
-            Check::wrong("speaking", says, "let this user write there, in the broker's list of rights")
+            let says = format!("this user may not publish below {below}/: {reason:?}");
+            Check::wrong("speaking", says, "let this user write there, in the broker's access list")
         }
         Some(Heard { came_back: false, .. }) => {
-            let says = format!("what was said below {below}/ did not come back, so this user may not listen there");
-            Check::wrong("speaking", says, "let this user read there, too, in the broker's list of rights")
+            let says = format!("a test message below {below}/ did not arrive, so this user may not subscribe there");
+            Check::wrong("speaking", says, "let this user read there, too, in the broker's access list")
         }
-        Some(_) => Check::ok("speaking", format!("what was said below {below}/ came back")),
-        None => {
-            Check::ok("speaking", format!("not tried: with --write something is said below {below}/ that nobody keeps"))
-        }
+        Some(_) => Check::ok("speaking", format!("a test message below {below}/ arrived")),
+        None => Check::ok(
+            "speaking",
+            format!("not tried: --write publishes a test message below {below}/, which the broker does not keep"),
+        ),
     });
     let found = ours(address, kept.found);
     checks.push(match (&found.homes[..], found.topics.len()) {
-        ([], 0) => Check::ok("kept", format!("nothing of ours is kept below {below}/")),
+        ([], 0) => Check::ok("kept", format!("the broker keeps nothing of Homebody below {below}/")),
         (homes, topics) => {
             let named = homes.iter().take(MOST_NAMED).cloned().collect::<Vec<_>>().join(", ");
             let more = if homes.len() > MOST_NAMED { " and more" } else { "" };
@@ -149,7 +146,7 @@ fn told(address: &Address, kept: Kept, heard: Option<Heard>, checks: &mut Vec<Ch
                 counted(topics, "topic", "topics"),
                 counted(homes.len(), "home", "homes")
             );
-            let hint = "homebody mqtt clean removes them; homes that are lived now say them again";
+            let hint = "homebody mqtt clean removes them; running homes publish them again";
             Check::warning("kept", says, hint)
         }
     });

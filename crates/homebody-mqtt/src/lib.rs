@@ -18,6 +18,7 @@ mod fleet;
 mod flight;
 mod greeting;
 mod line;
+mod messages;
 mod names;
 mod order;
 mod place;
@@ -31,6 +32,7 @@ mod zigbee;
 pub use address::{Address, Discovery, Style};
 pub use clean::{Cleaned, clean};
 pub use fleet::MqttFleet;
+pub use messages::MESSAGES;
 pub use order::{Kind, Order, Reply, TakesOrders, order_of};
 pub use sink::{MqttSink, policy};
 

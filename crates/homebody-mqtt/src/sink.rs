@@ -5,11 +5,11 @@ use crate::connection::{Connection, instance, options};
 use crate::flight::{Flight, State, Wish};
 use crate::greeting::{at_rest, farewell};
 use crate::line::Line;
+use crate::messages::BrokerMessage;
 use crate::order::TakesOrders;
 use crate::place::Place;
 use crate::speaker::HomeSpeaker;
 use crate::speech::Speech;
-use crate::trouble::Trouble;
 use homebody_core::time::Micros;
 use homebody_log::table::{Batch, Cell, thousandths};
 use homebody_log::{Begin, LogError, Policy, Sink, Url, Watermark};
@@ -74,11 +74,7 @@ impl Sink for MqttSink {
         }
         let place_told = address.place();
         if begin.tables.len() != 1 || !begin.tables[0].is_numbered {
-            return Err(LogError::CannotHold {
-                place: place_told,
-                what: "anything but the rows of a log".into(),
-                hint: "write the truth into a database or files",
-            });
+            return Err(LogError::cannot_hold(place_told, BrokerMessage::RowsOnly));
         }
         not_public(&address)?;
         let place = Arc::new(Place::of(&address, begin.run));
@@ -105,14 +101,14 @@ impl Sink for MqttSink {
         let open = self.begun()?;
         for row in batch.rows() {
             let &[Cell::Integer(seq), Cell::Instant(at), sensor, value, ..] = row.cells else {
-                return Err(LogError::destination(&open.line.place, "a row is none of a log"));
+                return Err(LogError::destination(&open.line.place, BrokerMessage::OtherRow));
             };
             // After an error that passes the same rows come again.
             if (seq as u64) < open.next {
                 continue;
             }
             let Cell::Text(sensor) = sensor else {
-                return Err(LogError::destination(&open.line.place, "a row names no sensor"));
+                return Err(LogError::destination(&open.line.place, BrokerMessage::NoSensor));
             };
             let said = match value {
                 Cell::Text(text) => batch.text(text),
@@ -156,8 +152,7 @@ pub(crate) fn not_public(address: &Address) -> Result<(), LogError> {
     if address.user.is_some() || address.public || !is_public(address) {
         return Ok(());
     }
-    let what = "this broker is on the internet and asks for no name: anybody could read the home and give it orders";
-    Err(Trouble::new(what, "name a user, or allow it by ?public=true").finally().error(&address.place()))
+    Err(LogError::destination(address.place(), BrokerMessage::Public))
 }
 
 /// Whether a host is on the internet, as far as its addresses say. One that is not known is told of by who connects.

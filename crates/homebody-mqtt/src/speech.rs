@@ -2,6 +2,7 @@
 
 use crate::address::Style;
 use crate::entities::{Heard, Says, Word};
+use crate::messages::BrokerMessage;
 use crate::place::{Place, Placed};
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::Micros;
@@ -61,10 +62,8 @@ impl Speech {
     /// The message of a row.
     pub fn message(&mut self, seq: i64, at: Micros, sensor: &str, said: &str) -> Result<Message, LogError> {
         let Some(&index) = self.by_id.get(sensor) else {
-            return Err(LogError::destination(
-                &self.place.base,
-                format!("a row is of {sensor:?}, which is no sensor of the run"),
-            ));
+            let unknown = BrokerMessage::UnknownSensor { sensor: sensor.into() };
+            return Err(LogError::destination(&self.place.base, unknown));
         };
         Ok(self.said(index, seq, at, said))
     }

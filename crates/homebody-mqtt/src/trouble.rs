@@ -1,6 +1,7 @@
 //! What can go wrong with a broker, in words that say what to do.
 
-use homebody_core::problem::readable;
+use crate::messages::BrokerMessage;
+use homebody_core::problem::{Diagnostic, readable};
 use homebody_log::LogError;
 use rumqttc::tokio_rustls::rustls;
 use rumqttc::{ConnectReturnCode, ConnectionError, DisconnectReasonCode, StateError};
@@ -12,16 +13,16 @@ use std::time::Duration;
 /// What went wrong.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Trouble {
-    /// As a part of a sentence.
-    pub what: String,
-    pub hint: Option<String>,
+    pub message: Box<Diagnostic>,
     /// Whether to try again is of no use.
     pub is_final: bool,
 }
 
 impl Trouble {
-    pub fn new(what: impl Into<String>, hint: impl Into<String>) -> Trouble {
-        Trouble { what: readable(what.into()), hint: Some(hint.into()), is_final: false }
+    pub fn new(message: impl Into<Diagnostic>) -> Trouble {
+        let message: Diagnostic = message.into();
+        let message = Diagnostic { what: readable(message.what), ..message };
+        Trouble { message: Box::new(message), is_final: false }
     }
 
     pub fn finally(self) -> Trouble {
@@ -29,33 +30,22 @@ impl Trouble {
     }
 
     pub fn ended() -> Trouble {
-        Trouble { what: "the connection has ended".into(), hint: None, is_final: true }
+        Trouble::new(BrokerMessage::Ended).finally()
     }
 
     /// Another run of the same home.
     pub fn another() -> Trouble {
-        Trouble::new(
-            "another program has begun to live this home below this prefix",
-            "live one run of a home at a time, or give each a prefix of its own",
-        )
-        .finally()
+        Trouble::new(BrokerMessage::AnotherRun).finally()
     }
 
     /// A broker that does not acknowledge anything.
     pub fn silent(since: Duration) -> Trouble {
-        let what = format!("the broker has acknowledged nothing for {:.0} s", since.as_secs_f64());
-        Trouble::new(what, "look whether it is overloaded, or its disk full")
+        Trouble::new(BrokerMessage::Silent { seconds: since.as_secs_f64().round() as u64 })
     }
 
     /// As an error of the destination.
     pub fn error(self, place: &str) -> LogError {
-        let error = LogError::Destination {
-            place: place.into(),
-            what: self.what,
-            hint: self.hint,
-            passes: false,
-            source: None,
-        };
+        let error = LogError::destination(place, *self.message);
         if self.is_final { error } else { error.passing() }
     }
 
@@ -69,27 +59,25 @@ impl Trouble {
             | ConnectionError::MqttState(StateError::ConnFail { reason: code }) => refused(*code),
             ConnectionError::MqttState(StateError::ServerDisconnect { reason_code, .. }) => sent_away(*reason_code),
             ConnectionError::Tls(error) => {
-                let hint = match cause::<io::Error>(error) {
-                    // Whoever does not speak TLS hangs up, or says something else.
-                    Some(_) => "mqtt:// speaks without TLS, often on port 1883",
-                    None => "?ca=FILE names the certificates to trust",
+                let reason = error.to_string();
+                let message = match cause::<io::Error>(error) {
+                    // A broker without TLS hangs up, or answers something else.
+                    Some(_) => BrokerMessage::Tls { reason },
+                    None => BrokerMessage::Untrusted { reason },
                 };
-                Trouble::new(format!("TLS does not come about: {error}"), hint).finally()
+                Trouble::new(message).finally()
             }
             ConnectionError::MqttState(StateError::ConnectionAborted) => closed(),
-            // What came instead of an answer is told with it.
+            // The error has in it what came instead of an answer.
             ConnectionError::MqttState(StateError::Deserialization(why))
                 if why.to_string().contains("reset by peer") =>
             {
                 closed()
             }
-            ConnectionError::Timeout(_) => Trouble::new(
-                "the broker does not answer",
-                "check the host and the port, and whether a firewall is between",
-            ),
+            ConnectionError::Timeout(_) => Trouble::new(BrokerMessage::NoAnswer),
             error => match cause::<io::Error>(error) {
                 Some(cause) => of_io(cause),
-                None => Trouble::new(format!("the connection was lost: {error}"), "the broker's own log says more"),
+                None => Trouble::new(BrokerMessage::Lost { reason: error.to_string() }),
             },
         }
     }
@@ -98,79 +86,51 @@ impl Trouble {
 fn refused(code: ConnectReturnCode) -> Trouble {
     use ConnectReturnCode::*;
     match code {
-        BadUserNamePassword | NotAuthorized | BadAuthenticationMethod | Banned => Trouble::new(
-            "the broker lets this user not in: name or password is wrong, or missing",
-            "write mqtt://USER@HOST/PREFIX, with the password in ?password-file=FILE or HOMEBODY_MQTT_PASSWORD",
-        )
-        .finally(),
-        RefusedProtocolVersion | UnsupportedProtocolVersion => {
-            Trouble::new("the broker does not speak MQTT 5", "a newer one does, such as mosquitto from 1.6 on")
-                .finally()
+        BadUserNamePassword | NotAuthorized | BadAuthenticationMethod | Banned => {
+            Trouble::new(BrokerMessage::Login).finally()
         }
-        code => Trouble::new(format!("the broker takes no connection: {code:?}"), "the broker's own log says more"),
+        RefusedProtocolVersion | UnsupportedProtocolVersion => Trouble::new(BrokerMessage::Version).finally(),
+        code => Trouble::new(BrokerMessage::Refused { code: format!("{code:?}") }),
     }
 }
 
 fn sent_away(code: DisconnectReasonCode) -> Trouble {
     match code {
-        DisconnectReasonCode::NotAuthorized => {
-            Trouble::new("the broker does not let this user write here", "look at its list of rights").finally()
-        }
-        code => {
-            Trouble::new(format!("the broker has ended the connection: {code:?}"), "the broker's own log says more")
-        }
+        DisconnectReasonCode::NotAuthorized => Trouble::new(BrokerMessage::NotAuthorized).finally(),
+        code => Trouble::new(BrokerMessage::SentAway { code: format!("{code:?}") }),
     }
 }
 
 fn of_tls(error: &rustls::Error) -> Trouble {
-    let certificate = |what: &str, hint: &str| Trouble::new(what, hint).finally();
-    match error {
+    let message = match error {
         rustls::Error::InvalidCertificate(why) => match why {
-            CertificateError::Expired | CertificateError::ExpiredContext { .. } => certificate(
-                "the certificate of the broker has expired",
-                "renew it, or set this machine's clock if that is wrong",
-            ),
-            CertificateError::NotValidYet | CertificateError::NotValidYetContext { .. } => certificate(
-                "the certificate of the broker is not valid yet",
-                "look whether this machine's clock is right",
-            ),
-            CertificateError::UnknownIssuer | CertificateError::BadSignature => certificate(
-                "the certificate of the broker is of nobody that is trusted",
-                "?ca=FILE names the certificate of who has issued it",
-            ),
-            CertificateError::NotValidForName | CertificateError::NotValidForNameContext { .. } => certificate(
-                "the certificate of the broker is for another name",
-                "write the host as the certificate has it",
-            ),
-            why => certificate(
-                &format!("the certificate of the broker is not good: {why:?}"),
-                "?ca=FILE names what is trusted",
-            ),
+            CertificateError::Expired | CertificateError::ExpiredContext { .. } => BrokerMessage::Expired,
+            CertificateError::NotValidYet | CertificateError::NotValidYetContext { .. } => BrokerMessage::NotYetValid,
+            CertificateError::UnknownIssuer | CertificateError::BadSignature => BrokerMessage::UnknownIssuer,
+            CertificateError::NotValidForName | CertificateError::NotValidForNameContext { .. } => {
+                BrokerMessage::OtherName
+            }
+            why => BrokerMessage::Certificate { reason: format!("{why:?}") },
         },
-        error => {
-            Trouble::new(format!("TLS does not come about: {error}"), "mqtt:// speaks without TLS, often on port 1883")
-                .finally()
-        }
-    }
+        error => BrokerMessage::Tls { reason: error.to_string() },
+    };
+    Trouble::new(message).finally()
 }
 
 fn closed() -> Trouble {
-    let hint = "the broker's own log says why; one with TLS listens on a port of its own, for mqtts://";
-    Trouble::new("the broker has closed the connection", hint)
+    Trouble::new(BrokerMessage::Closed)
 }
 
 fn of_io(error: &io::Error) -> Trouble {
     use io::ErrorKind::*;
     match error.kind() {
-        ConnectionRefused => Trouble::new("no broker listens there", "start the broker, or correct host and port"),
-        HostUnreachable | NetworkUnreachable => {
-            Trouble::new("the host cannot be reached", "check the host and the network")
-        }
+        ConnectionRefused => Trouble::new(BrokerMessage::NoBroker),
+        HostUnreachable | NetworkUnreachable => Trouble::new(BrokerMessage::Unreachable),
         UnexpectedEof | ConnectionReset | ConnectionAborted | BrokenPipe => closed(),
         _ if error.to_string().contains("lookup") => {
-            Trouble::new(format!("the host is not known: {error}"), "correct the name of the host")
+            Trouble::new(BrokerMessage::UnknownHost { reason: error.to_string() })
         }
-        _ => Trouble::new(error.to_string(), "check host and port"),
+        _ => Trouble::new(BrokerMessage::Network { reason: error.to_string() }),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::address::Address;
 use crate::connection::open;
+use crate::messages::BrokerMessage;
 use crate::trouble::Trouble;
 use homebody_log::LogError;
 use rumqttc::{AsyncClient, ClientError, Event, EventLoop, Outgoing};
@@ -39,5 +40,5 @@ pub(crate) fn visit<T>(
 
 /// A connection that was lost while something was said on it.
 pub(crate) fn lost(error: ClientError) -> Trouble {
-    Trouble::new(format!("the connection was lost: {error}"), "the broker's own log says more")
+    Trouble::new(BrokerMessage::Lost { reason: error.to_string() })
 }

@@ -1,5 +1,6 @@
 //! A connection to a server on which each wait has an end.
 
+use crate::messages::ServerMessage;
 use crate::password;
 use crate::server::{Host, Server};
 use crate::tls;
@@ -65,7 +66,8 @@ impl Connection {
     pub fn open(server: &Server, deadline: &Deadline) -> Result<Connection, LogError> {
         let connect_within = server.connect_within.min(deadline.within());
         let runtime = Builder::new_current_thread().enable_io().enable_time().build();
-        let runtime = runtime.map_err(|error| away(server, format!("the system gives no connection: {error}")))?;
+        let runtime =
+            runtime.map_err(|error| away(server, ServerMessage::NoConnection { reason: error.to_string() }))?;
         let found = password::find(server);
         let mut config = Config::new();
         config
@@ -155,7 +157,7 @@ impl Connection {
         let ended_by = self.ended_by.lock().unwrap_or_else(PoisonError::into_inner);
         match told(&self.server, ended_by.as_ref().unwrap_or(error), None) {
             told if told.passes() => told,
-            told => away(&self.server, format!("the connection is lost: {told}")),
+            told => away(&self.server, ServerMessage::Lost { reason: told.to_string() }),
         }
     }
 }

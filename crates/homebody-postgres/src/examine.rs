@@ -5,6 +5,7 @@ use crate::connection::Connection;
 use crate::examined_runs::runs;
 use crate::schema::{RUNS, TRUTH_SCHEMA, look, quoted, usual};
 use crate::server::{Host, Server};
+use homebody_core::problem::Problem;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::examine::{Asked, Check, is_this_machine, log_table, truth_tables};
 use homebody_log::table::Table;
@@ -48,7 +49,7 @@ fn look_at(
         Ok(holds) => holds.as_deref() == Some("truth"),
         // Who may not even ask is told which rights are missing.
         Err(_) if !problems.is_empty() => {
-            checks.extend(problems.into_iter().map(|(says, hint)| Check::wrong("tables", says, hint)));
+            checks.extend(problems.into_iter().map(check_of));
             return Ok(());
         }
         Err(error) => return Err(error),
@@ -90,10 +91,10 @@ fn about_server(connection: &Connection, server: &Server, checks: &mut Vec<Check
     let says = format!("PostgreSQL {version} lets {user:?} into {database:?}, {how}");
     checks.push(match number {
         OLDEST.. => Check::ok("server", says),
-        _ => Check::warning("server", says, "this program is tried with PostgreSQL 12 and newer: take a newer one"),
+        _ => Check::warning("server", says, "Homebody is tested with PostgreSQL 12 and newer: use a newer one"),
     });
     if tls.is_none() && matches!(&server.host, Host::Name(name) if !is_this_machine(name)) {
-        let says = "rows and the password's proof go over the network in the open";
+        let says = "rows and the proof of the password cross the network unencrypted";
         checks.push(Check::warning(
             "encryption",
             says,
@@ -101,23 +102,23 @@ fn about_server(connection: &Connection, server: &Server, checks: &mut Vec<Check
         ));
     }
     if row.get::<_, bool>(4) {
-        let hint = "name the server that this one stands by for";
-        checks.push(Check::wrong("rights", "it stands by for another server, and takes no changes", hint));
+        let hint = "name its primary server";
+        checks.push(Check::wrong("rights", "it is a standby of another server, and takes no changes", hint));
     }
     if row.get::<_, String>(5) == "off" {
         let hint = "set fsync = on in postgresql.conf, and restart the server";
-        let says = "it does not wait for its disk, so that rows it has confirmed are lost with its power";
+        let says = "it does not wait for its disk, so a power failure loses confirmed rows";
         checks.push(Check::warning("durability", says, hint));
     }
     let encoding: String = row.get(7);
     if encoding != "UTF8" {
-        let says = format!("its texts are in {encoding}, which lacks letters that names may have");
+        let says = format!("its encoding is {encoding}, which lacks characters that names may have");
         checks.push(Check::warning("encoding", says, "CREATE DATABASE ... ENCODING 'UTF8'"));
     }
     let apart: f64 = row.get(8);
     if apart > MOST_APART_S {
         let says = format!("its clock and this machine's are {apart:.0} s apart");
-        checks.push(Check::warning("clock", says, "set both by the network, as by NTP"));
+        checks.push(Check::warning("clock", says, "set both from the network with NTP"));
     }
     Ok(())
 }
@@ -140,27 +141,31 @@ fn schema_of(
     schema: &str,
     tables: &[Table],
     there: Vec<String>,
-    problems: Vec<(String, String)>,
+    problems: Vec<Problem>,
     run_column: &str,
     checks: &mut Vec<Check>,
 ) -> Result<(), LogError> {
     let is_well = problems.is_empty();
-    checks.extend(problems.into_iter().map(|(says, hint)| Check::wrong("tables", says, hint)));
+    checks.extend(problems.into_iter().map(check_of));
     if is_well {
         checks.push(Check::ok(
             "tables",
             match there.len() {
-                0 => format!("the schema {schema:?} has none yet, and they may be made in it"),
-                _ => format!("those in the schema {schema:?} have the columns, keys and rights that are wanted"),
+                0 => format!("the schema {schema:?} has no tables yet, and this user may create them"),
+                _ => format!("the tables in the schema {schema:?} have the expected columns, keys and rights"),
             },
         ));
     }
     if there.iter().any(|name| name == RUNS) {
         runs(connection, schema, tables, &there, run_column, checks)?;
     } else if let Some(log) = tables.iter().find(|table| table.is_numbered && there.contains(&table.name)) {
-        let says =
-            format!("there is no table {RUNS:?} beside {:?}, so that nobody knows how far a run has come", log.name);
-        checks.push(Check::warning("runs", says, "it was made by another program; it is read all the same"));
+        let says = format!("there is no table {RUNS:?} for {:?}, so the progress of a run is unknown", log.name);
+        checks.push(Check::warning("runs", says, "another program wrote it; Homebody reads it, too"));
     }
     Ok(())
+}
+
+/// A problem of the tables as a check.
+fn check_of(problem: Problem) -> Check {
+    Check::wrong("tables", problem.what, problem.hint.unwrap_or_default())
 }

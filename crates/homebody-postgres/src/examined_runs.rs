@@ -85,13 +85,13 @@ impl Found {
             }
             let rows: i64 = well.iter().map(|(_, rows)| rows).sum();
             let how =
-                if about == "runs" { "as many as is said of them" } else { "numbered from 0 without a gap in each" };
+                if about == "runs" { "as many as homebody_run says" } else { "numbered from 0 without a gap in each" };
             checks.push(Check::ok(about, format!("{} runs: {rows} rows, {how}", well.len())));
         }
         if self.lacking.0 > 0 {
             let homes = counted(self.lacking.0, "home of a fleet lacks", "homes of a fleet lack");
             let says = format!("{homes} the rows of {} numbers", self.lacking.1);
-            let hint = "with --churn homes say nothing while they are away, and all is well; otherwise rows were removed: live the fleet anew with --replace-rows";
+            let hint = "with --churn homes send nothing while they are offline, and all is well; otherwise rows were removed: run the fleet again with --replace-rows";
             checks.push(Check::warning("rows", says, hint));
         }
         checks.extend(self.not_well);
@@ -109,8 +109,8 @@ fn rows_of(
 ) -> Result<(), LogError> {
     let run = told.run;
     if !told.is_ended {
-        let hint = "homebody run --resume FOLDER goes on with it, where nobody lives it now";
-        found.not_well.push(Check::warning("runs", format!("run {run} has not come to its end"), hint));
+        let hint = "homebody run --resume FOLDER continues it, unless it is running now";
+        found.not_well.push(Check::warning("runs", format!("run {run} is not complete"), hint));
     }
     let before = found.not_well.len();
     let mut rows = 0;
@@ -122,7 +122,7 @@ fn rows_of(
                 Some((column, _)) => column,
                 None => {
                     let says = format!("run {run}: its table {name:?} is gone");
-                    found.not_well.push(Check::wrong("runs", says, "live the run anew with --replace-rows"));
+                    found.not_well.push(Check::wrong("runs", says, "run it again with --replace-rows"));
                     continue;
                 }
             },
@@ -132,14 +132,14 @@ fn rows_of(
         // What a home of a fleet lacks its numbers tell.
         if there_are > *told_rows || there_are < *told_rows && !told.is_of_fleet {
             let says = format!("run {run}: {name:?} has {there_are} rows, and {RUNS:?} says {told_rows}");
-            let hint = "rows were added or removed by hand: live the run anew with --replace-rows";
+            let hint = "rows were added or removed by hand: run it again with --replace-rows";
             found.not_well.push(Check::wrong("runs", says, hint));
         }
     }
     let told_rows: i64 = told.tables.iter().map(|(_, rows)| rows).sum();
     if found.not_well.len() == before && told_rows == rows {
         let tables = counted(told.tables.len(), "table", "tables");
-        found.well("runs", format!("run {run}: {rows} rows in {tables}, as many as it says"), rows);
+        found.well("runs", format!("run {run}: {rows} rows in {tables}, as many as {RUNS:?} says"), rows);
     }
     Ok(())
 }
@@ -181,7 +181,7 @@ fn numbers(
             _ => found.not_well.push(check),
         }
         if known.is_none() {
-            let says = format!("of run {id} there are rows, and {RUNS:?} does not know it");
+            let says = format!("there are rows of run {id}, and {RUNS:?} has no such run");
             let hint = "another program wrote them, or the run was removed by hand: remove its rows, too";
             found.not_well.push(Check::wrong("runs", says, hint));
         }

@@ -5,6 +5,7 @@
 
 use crate::connection::Connection;
 use crate::fleet_runs;
+use crate::messages::{ContinueMessage, ServerMessage, ServerUrlMessage};
 use crate::rows::{Encoder, Rows, copy_into};
 use crate::runs::{self, At};
 use crate::schema::{InTable, Schema};
@@ -75,9 +76,7 @@ impl FleetSink for PostgresFleet {
     fn check(&self, _: bool) -> Result<(), LogError> {
         let server = Server::parse(&self.url)?;
         match &server.run {
-            Some(run) => {
-                Err(wrong(&server, format!("run={run} is one run"), "leave it out: each home is a run of its own"))
-            }
+            Some(run) => Err(wrong(&server, ServerUrlMessage::FleetRun { run: run.clone() })),
             None => Ok(()),
         }
     }
@@ -105,7 +104,7 @@ impl FleetSink for PostgresFleet {
             kinds.push(Kind { table: schema.tables[0].clone(), encoder, texts: Texts::default(), start });
             all = Some(schema);
         }
-        let none = || wrong(&server, "a fleet has no homes".into(), "ask for one or more");
+        let none = || wrong(&server, ServerMessage::NoHomes);
         let schema = all.ok_or_else(none)?;
         if how == How::Replace {
             fleet_runs::forget(&connection, &schema, &kinds_of(fleet, &kinds))?;
@@ -182,18 +181,11 @@ fn found(connection: &Connection, server: &Server, schema: &Schema, fleet: &Flee
     let known = fleet_runs::find(connection, schema, fleet)?;
     let home = |home: &homebody_log::fleet::FleetHome| {
         let Some(known) = known.get(&home.run) else {
-            return Err(wrong(
-                server,
-                format!("the run of {} is gone", home.name),
-                "look who else changes the database",
-            ));
+            return Err(wrong(server, ServerMessage::RunGone { home: home.name.to_string() }));
         };
         if known.holds != runs::holds(false) || known.version != fleet.layouts[home.layout].run.version {
-            let what = format!(
-                "the run {} is there, and is another's: {} of version {}",
-                home.run, known.holds, known.version
-            );
-            return Err(wrong(server, what, "--replace-rows replaces it, or name another schema: ?schema=NAME"));
+            let (run, holds, version) = (home.run, known.holds.to_string(), known.version.to_string());
+            return Err(wrong(server, ServerMessage::ForeignRun { run, holds, version }));
         }
         Ok(Home { rows: known.rows, commits: known.commits })
     };
@@ -229,7 +221,7 @@ impl Open {
         let after = |home: u32, rows| after_commit(homes[home as usize], rows);
         let is_taken = *is_in_doubt && is(&after);
         if !is_taken && !is(&|home, _| homes[home as usize]) {
-            return Err(changed(server, "another program has gone on with a home of this fleet"));
+            return Err(changed(server, ContinueMessage::OtherProgram));
         }
         if is_taken {
             connection.wait(connection.client.batch_execute("ROLLBACK"))?;
@@ -244,7 +236,7 @@ impl Open {
                     copy.as_mut().finish().await
                 })?;
                 if copied != rows.count {
-                    return Err(changed(server, "the server has taken another number of rows"));
+                    return Err(changed(server, ContinueMessage::OtherCount));
                 }
             }
             let rows: Vec<i64> = then.values().copied().collect();

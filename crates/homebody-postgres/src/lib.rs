@@ -8,6 +8,7 @@
 
 #![warn(missing_docs)]
 
+mod messages;
 mod server;
 mod password;
 mod tls;
@@ -33,6 +34,7 @@ pub use fleet::PostgresFleet;
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::Policy;
 use homebody_log::elsewhere::Elsewhere;
+pub use messages::MESSAGES;
 pub use sink::Postgres;
 pub use source::FORM;
 

@@ -29,10 +29,10 @@ fn in_file(file: &Path, server: &Server) -> Found {
     let Ok(found) = fs::metadata(file) else { return Found::default() };
     let ignored = |why: &str| Found { password: None, ignored: Some(format!("{} is ignored: {why}", file.display())) };
     if !found.is_file() || found.len() > LARGEST_BYTES {
-        return ignored("it is no file of passwords");
+        return ignored("it is not a file of passwords");
     }
     if others_may_read(&found) {
-        return ignored("others may read it; chmod 600 makes it yours alone");
+        return ignored("others may read it; protect it with chmod 600");
     }
     match fs::read_to_string(file) {
         Ok(text) => Found { password: text.lines().find_map(|line| of_line(line, server)), ignored: None },

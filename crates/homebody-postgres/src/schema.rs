@@ -1,9 +1,10 @@
 //! The tables of a run in the database: made where they are missing, else held against what they should be, all at once.
 
 use crate::connection::Connection;
+use crate::messages::{SchemaMessage, ServerMessage};
 use crate::server::{Server, is_plain_name};
 use crate::trouble::wrong;
-use homebody_core::problem::readable;
+use homebody_core::problem::{Problem, readable};
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_log::table::{Column, ColumnKind, Table};
 use homebody_log::{Begin, How, LogError};
@@ -96,7 +97,7 @@ impl Schema {
 /// The schema that a connection makes tables in if nobody says where.
 pub(crate) fn usual(connection: &Connection, server: &Server) -> Result<String, LogError> {
     let row = connection.wait(connection.client.query_one("SELECT current_schema()::text", &[]))?;
-    let none = || wrong(server, "this user has no schema".into(), "name one: ?schema=NAME");
+    let none = || wrong(server, ServerMessage::NoSchema);
     row.get::<_, Option<String>>(0).ok_or_else(none)
 }
 
@@ -125,9 +126,6 @@ fn in_table(schema: &str, table: &Table, run_column: &str) -> InTable {
         is_numbered: table.is_numbered,
     }
 }
-
-/// What is wrong, and what to do.
-pub(crate) type Problem = (String, String);
 
 /// What there is to say of the tables in a schema before anything is written: which of them are there, and all that is wrong, with what
 /// to do.
@@ -303,18 +301,15 @@ impl Found {
         let mut problems = Vec::new();
         let user = &self.user;
         if self.is_read_only {
-            let hint = "name a server that takes changes, or ALTER ROLE the user's default_transaction_read_only";
-            problems.push(("the server takes no changes from this user".into(), hint.into()));
+            problems.push(SchemaMessage::ReadOnly.into());
         }
         match self.schema {
-            None if !self.may_make_schemas => problems.push((
-                format!("there is no schema {schema:?}, and {user:?} may not make one"),
-                format!("CREATE SCHEMA {schema} AUTHORIZATION {user}"),
-            )),
-            Some((false, _)) => problems.push((
-                format!("{user:?} may not use the schema {schema:?}"),
-                format!("GRANT USAGE ON SCHEMA {schema} TO {user}"),
-            )),
+            None if !self.may_make_schemas => {
+                problems.push(SchemaMessage::NoSchema { schema: schema.into(), user: user.clone() }.into());
+            }
+            Some((false, _)) => {
+                problems.push(SchemaMessage::SchemaDenied { schema: schema.into(), user: user.clone() }.into());
+            }
             _ => {}
         }
         let may_make_tables = !matches!(self.schema, Some((true, false)));
@@ -327,11 +322,8 @@ impl Found {
             }
         }
         if !unmade.is_empty() {
-            let (are, them) = if unmade.len() == 1 { ("is no table", "one") } else { ("are no tables", "them") };
-            problems.push((
-                format!("there {are} {} in the schema {schema:?}, and {user:?} may not make {them}", listed(&unmade)),
-                format!("GRANT CREATE ON SCHEMA {schema} TO {user}, or name another: ?schema=NAME"),
-            ));
+            let (tables, schema, user) = (listed(&unmade), schema.to_owned(), user.clone());
+            problems.push(SchemaMessage::TablesDenied { tables, schema, user }.into());
         }
         problems.extend(self.rights(schema, wanted, how));
         problems
@@ -370,7 +362,8 @@ impl Found {
         };
         let what: Vec<String> = what.collect();
         let hint = by_tables.iter().map(grant).collect::<Vec<_>>().join("; ");
-        (!what.is_empty()).then(|| (format!("{user:?} has no right to {}", what.join(", and to ")), hint))
+        let (user, lacking) = (user.clone(), what.join(", and to "));
+        (!what.is_empty()).then(|| SchemaMessage::NoRights { user, lacking, grant: hint }.into())
     }
 
     /// What makes the tables that are missing.
@@ -390,29 +383,32 @@ impl FoundTable {
     fn problems(&self, at: &str, wanted: &Wanted, problems: &mut Vec<Problem>) {
         let name = &wanted.name;
         if !self.is_table {
-            problems.push((format!("{name:?} is no table"), "rename it, or name another schema: ?schema=NAME".into()));
+            problems.push(SchemaMessage::NotTable { name: name.clone() }.into());
             return;
         }
-        let mut wants = |what: String, hint: String| problems.push((what, hint));
+        let table = || name.clone();
+        let mut wants = |message: SchemaMessage| problems.push(message.into());
         for (column, is) in &wanted.columns {
             match self.columns.get(column) {
-                None => wants(
-                    format!("the table {name:?} has no column {column:?}"),
-                    format!("ALTER TABLE {at} ADD {column} {is}, or rename the table so that it is made anew"),
-                ),
-                Some(found) if !will_do(is, &found.is) => wants(
-                    format!("the column {column:?} of {name:?} is {}, and not {is}", found.is),
-                    format!("ALTER TABLE {at} ALTER {column} TYPE {is}, or rename the table so that it is made anew"),
-                ),
+                None => wants(SchemaMessage::NoColumn {
+                    table: table(),
+                    column: column.clone(),
+                    statement: format!("ALTER TABLE {at} ADD {column} {is}"),
+                }),
+                Some(found) if !will_do(is, &found.is) => wants(SchemaMessage::ColumnType {
+                    table: table(),
+                    column: column.clone(),
+                    has: found.is.clone(),
+                    wanted: (*is).to_owned(),
+                    statement: format!("ALTER TABLE {at} ALTER {column} TYPE {is}"),
+                }),
                 Some(_) => {}
             }
         }
         let is_ours = |column: &String| wanted.columns.iter().any(|(name, _)| name == column);
         for (column, _) in self.columns.iter().filter(|(name, found)| found.must_be_given && !is_ours(name)) {
-            wants(
-                format!("the column {column:?} of {name:?} wants a value, and no log has one"),
-                format!("ALTER TABLE {at} ALTER {column} DROP NOT NULL"),
-            );
+            let statement = format!("ALTER TABLE {at} ALTER {column} DROP NOT NULL");
+            wants(SchemaMessage::MustBeGiven { table: table(), column: column.clone(), statement });
         }
         let mut key = wanted.key.clone();
         key.sort();
@@ -423,10 +419,8 @@ impl FoundTable {
         });
         if !key.is_empty() && !has_key {
             let columns = wanted.key.join(", ");
-            wants(
-                format!("the table {name:?} has no key ({columns}), so that a row could be in it twice"),
-                format!("ALTER TABLE {at} ADD PRIMARY KEY ({columns})"),
-            );
+            let statement = format!("ALTER TABLE {at} ADD PRIMARY KEY ({columns})");
+            wants(SchemaMessage::NoKey { table: table(), columns, statement });
         }
     }
 }
@@ -442,12 +436,14 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-/// One error of all problems, each on its line.
-fn all(server: &Server, problems: Vec<Problem>) -> LogError {
-    let (what, mut hints): (Vec<String>, Vec<String>) = problems.into_iter().unzip();
+/// One error of all problems.
+fn all(server: &Server, mut problems: Vec<Problem>) -> LogError {
+    if problems.len() == 1 {
+        return wrong(server, problems.remove(0));
+    }
+    let mut hints: Vec<String> = problems.iter().filter_map(|problem| problem.hint.clone()).collect();
     hints.dedup();
-    let separator = format!("\n{}: ", server.place);
-    let what = what.into_iter().map(readable).collect::<Vec<_>>().join(&separator);
-    let hint = Some(readable(hints.join("; ")));
-    LogError::Destination { place: server.place.clone(), what, hint, passes: false, source: None }
+    let codes = problems.iter().map(|problem| problem.code).collect();
+    let problems = problems.into_iter().map(|problem| readable(problem.what)).collect();
+    LogError::destination(server.place.as_str(), SchemaMessage::Several { problems, codes, advice: hints.join("; ") })
 }

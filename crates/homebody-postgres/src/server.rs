@@ -3,9 +3,9 @@
 //! What a URL does not say, the environment does, as for libpq: `PGHOST`, `PGPORT`, `PGUSER`, `PGDATABASE`, `PGSSLMODE`,
 //! `PGSSLROOTCERT`. A password in a URL is refused: it would end up in histories, in lists of processes and in messages.
 
-use homebody_core::problem::readable;
+use crate::messages::ServerUrlMessage;
+use homebody_core::problem::{Problem, readable};
 use homebody_core::scenario::nearest::nearest;
-use homebody_core::scenario::scheme::NoPlace;
 use homebody_log::LogError;
 use homebody_log::url::percent_decoded;
 use std::path::{Path, PathBuf};
@@ -94,10 +94,6 @@ const CONNECT_WITHIN: Duration = Duration::from_secs(4);
 /// Where servers usually have their sockets.
 const SOCKETS: [&str; 2] = ["/var/run/postgresql", "/tmp"];
 
-/// What else to do than write a password into a URL.
-pub(crate) const INSTEAD: &str = "leave the password out, and write HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass, which nobody \
-                                  else may read (chmod 600), or set PGPASSWORD; ?passfile=FILE names another file";
-
 impl Server {
     /// What a URL means, or all that is wrong with it.
     pub fn parse(url: &str) -> Result<Server, LogError> {
@@ -113,26 +109,25 @@ impl Server {
         let port = problems.number("port", port, 5432, 1..=65_535) as u16;
         let host = parts.parameter("host").map(str::to_owned).or(parts.host.clone()).or_else(|| environment("PGHOST"));
         if host.as_ref().is_some_and(|host| host.contains(',')) {
-            problems.add("several hosts are named".into(), "name one");
+            problems.add(ServerUrlMessage::SeveralHosts);
         }
         let mode = said("sslmode", "PGSSLMODE").unwrap_or_else(|| "prefer".into());
         let tls = MODES.iter().find(|(name, _)| *name == mode).map(|(_, tls)| *tls);
         let tls = tls.unwrap_or_else(|| {
-            let names = MODES.map(|(name, _)| name);
-            problems.add(format!("sslmode={mode:?} is none"), &format!("write one of {}", names.join(", ")));
+            let known = MODES.map(|(name, _)| name).to_vec();
+            problems.add(ServerUrlMessage::SslMode { value: mode.clone(), known });
             Tls::VerifyFull
         });
         let schema = parts.parameter("schema").map(str::to_owned);
         if let Some(schema) = schema.as_ref().filter(|schema| !is_plain_name(schema) || is_servers_own(schema)) {
-            let hint = "use up to 63 of a-z, 0-9 and _, not a digit first, and none of the server's own";
-            problems.add(format!("{schema:?} cannot name a schema"), hint);
+            problems.add(ServerUrlMessage::Schema { name: schema.clone() });
         }
         let seconds = said("connect_timeout", "PGCONNECT_TIMEOUT");
         let seconds = problems.number("connect_timeout", seconds, CONNECT_WITHIN.as_secs(), 1..=3600);
         let user = parts.parameter("user").map(str::to_owned).or(parts.user.clone());
         let user = user.or_else(|| environment("PGUSER")).or_else(|| environment("USER"));
         let user = user.unwrap_or_else(|| {
-            problems.add("no user is named".into(), "write postgresql://USER@HOST/DATABASE");
+            problems.add(ServerUrlMessage::NoUser);
             String::new()
         });
         let database = parts.parameter("dbname").map(str::to_owned).or(parts.database.clone());
@@ -210,7 +205,7 @@ impl Parts {
         };
         problems.place.clone_from(&place);
         if has_secret {
-            problems.add("there is a password in the URL".into(), INSTEAD);
+            problems.add(ServerUrlMessage::Password);
         }
         let mut parts = Parts { place, ..Parts::default() };
         let mut decoded = |text: &str| (!text.is_empty()).then(|| problems.decode(text));
@@ -221,13 +216,13 @@ impl Parts {
         for pair in query.split('&').filter(|pair| !pair.is_empty() && !is_secret(pair)) {
             let (name, value) = pair.split_once('=').unwrap_or((pair, ""));
             if !PARAMETERS.contains(&name) {
-                let hint = match nearest(name, PARAMETERS) {
+                let advice = match nearest(name, PARAMETERS) {
                     Some(near) => format!("did you mean {near}?"),
-                    None => format!("known are {}", PARAMETERS.join(", ")),
+                    None => format!("the parameters are {}", PARAMETERS.join(", ")),
                 };
-                problems.add(format!("there is no parameter {name:?}"), &hint);
+                problems.add(ServerUrlMessage::Unknown { name: name.into(), advice });
             } else if value.is_empty() {
-                problems.add(format!("the parameter {name} has no value"), &format!("write {name}=..."));
+                problems.add(ServerUrlMessage::NoValue { name: name.into() });
             } else {
                 parts.parameters.push((name.to_owned(), problems.decode(value)));
             }
@@ -244,25 +239,25 @@ impl Parts {
 #[derive(Default)]
 struct Problems {
     place: String,
-    what: Vec<String>,
-    hints: Vec<String>,
+    all: Vec<Problem>,
 }
 
 impl Problems {
-    fn add(&mut self, what: String, hint: &str) {
-        self.what.push(what);
-        self.hints.push(hint.to_owned());
+    fn add(&mut self, message: ServerUrlMessage) {
+        if self.all.len() < MOST_TOLD {
+            self.all.push(message.into());
+        }
     }
 
     /// Percent signs and two digits are bytes.
     fn decode(&mut self, text: &str) -> String {
         // No text of the server's has a NUL.
         let Some(bytes) = percent_decoded(text).filter(|bytes| !bytes.contains(&0)) else {
-            self.add("a % is not followed by two digits".into(), "write %25 for a % itself");
+            self.add(ServerUrlMessage::Percent);
             return String::new();
         };
         String::from_utf8(bytes).unwrap_or_else(|_| {
-            self.add("what is written by % is no UTF-8".into(), "write %C3%B6 for ö");
+            self.add(ServerUrlMessage::NotUtf8);
             String::new()
         })
     }
@@ -270,25 +265,22 @@ impl Problems {
     fn number(&mut self, name: &str, text: Option<String>, usual: u64, range: std::ops::RangeInclusive<u64>) -> u64 {
         let Some(text) = text else { return usual };
         text.parse().ok().filter(|number| range.contains(number)).unwrap_or_else(|| {
-            self.add(
-                format!("the {name} {text:?} is none"),
-                &format!("write a number from {} to {}", range.start(), range.end()),
-            );
+            let (least, most) = (*range.start(), *range.end());
+            self.add(ServerUrlMessage::Number { name: name.into(), text: text.clone(), least, most });
             usual
         })
     }
 
     fn refuse(self) -> Result<(), LogError> {
-        if self.what.is_empty() {
+        if self.all.is_empty() {
             return Ok(());
         }
         let place = brief(&self.place);
-        let line = |what: String| readable(format!("{place}: {}", brief(&what)));
-        let lines: Vec<String> = self.what.into_iter().take(MOST_TOLD).map(line).collect();
-        let mut hints = self.hints;
-        hints.truncate(MOST_TOLD);
-        hints.dedup();
-        Err(NoPlace { what: lines.join("\n"), hint: readable(hints.join("; ")) }.into())
+        let of_place = |problem: Problem| {
+            let problem = Problem { what: brief(&problem.what), ..problem };
+            Problem::of_file(&place, problem, None)
+        };
+        Err(LogError::BadUrl(homebody_core::problem::Problems(self.all.into_iter().map(of_place).collect())))
     }
 }
 

@@ -6,6 +6,7 @@
 //! the next one asks: each begins with a look at the run's watermark, which waits for whatever is still on its way.
 
 use crate::connection::Connection;
+use crate::messages::{ContinueMessage, ServerMessage, ServerUrlMessage};
 use crate::rows::{Encoder, Rows, copy_into};
 use crate::runs::{self, At, Known};
 use crate::schema::{Schema, ident};
@@ -96,17 +97,20 @@ impl Sink for Postgres {
         let server = Server::parse(&self.url)?;
         let mut run = begin.run.clone();
         if let Some(id) = &server.run {
-            let no_number = || wrong(&server, format!("run={id} is no whole number"), "write run=7, or leave it out");
+            let no_number = || wrong(&server, ServerUrlMessage::Run { run: id.clone() });
             run.id = id.parse().map_err(|_| no_number())?;
         }
         let connection = Connection::open(&server, begin.deadline)?;
         let schema = Schema::make(&connection, &server, begin)?;
         if runs::has_others(&connection, &schema)? {
-            let (what, hint) = match schema.is_truth {
-                true => ("holds logs", "a truth goes into a schema of its own: ?schema=NAME"),
-                false => ("holds truths", "a log goes into another schema: ?schema=NAME"),
-            };
-            return Err(wrong(&server, format!("the schema {:?} {what}", schema.name), hint));
+            let name = schema.name.clone();
+            return Err(wrong(
+                &server,
+                match schema.is_truth {
+                    true => ServerMessage::TruthInLogs { schema: name },
+                    false => ServerMessage::LogInTruths { schema: name },
+                },
+            ));
         }
         let known = runs::find(&connection, &schema, run.id, false)?;
         let is_ours = self.has_tried && known.as_ref().is_some_and(|known| known.commits == 0);
@@ -230,7 +234,7 @@ impl Open {
         let (table, run_column) = (&schema.tables[0].quoted, &schema.tables[0].run_column);
         let sql = format!("SELECT EXISTS (SELECT FROM {table} WHERE {run_column} = $1 AND {column} > $2)");
         match connection.wait_long(connection.client.query_one(&sql, &[&run.id, end]))?.get(0) {
-            true => Err(changed(server, "it has rows from after the end of this one")),
+            true => Err(changed(server, ContinueMessage::LaterRows)),
             false => Ok(()),
         }
     }
@@ -314,13 +318,13 @@ impl Open {
         let Open { server, connection: Some(connection), schema, run, .. } = self else { return Ok(false) };
         connection.wait(connection.client.batch_execute("BEGIN"))?;
         let known = runs::find(connection, schema, run.id, true)?;
-        let known = known.ok_or_else(|| changed(server, "its row in homebody_run is gone"))?;
+        let known = known.ok_or_else(|| changed(server, ContinueMessage::NoRunRow))?;
         if known.commits != self.commits {
             connection.wait(connection.client.batch_execute("ROLLBACK"))?;
             // It has gone as asked where that was in doubt. Nobody else leaves just these numbers.
             let is_taken = |sealed: &Sealed| sealed.is_in_doubt && known.rows == sealed.then;
             let is_ours = known.commits == self.commits + 1 && self.sealed.as_ref().is_some_and(is_taken);
-            return if is_ours { Ok(false) } else { Err(changed(server, "another program has gone on with it")) };
+            return if is_ours { Ok(false) } else { Err(changed(server, ContinueMessage::OtherProgram)) };
         }
         for table in schema.tables.iter().filter(|_| self.replaces) {
             let sql = format!("DELETE FROM {} WHERE {} = $1", table.quoted, table.run_column);
@@ -356,7 +360,7 @@ impl Open {
             }
             let copied = connection.wait(copy.as_mut().finish())?;
             if copied != rows.count {
-                return Err(changed(server, "the server has taken another number of rows"));
+                return Err(changed(server, ContinueMessage::OtherCount));
             }
         }
         runs::mark(connection, schema, run, &sealed.then, sealed.end)?;
@@ -366,15 +370,15 @@ impl Open {
 }
 
 fn already(server: &Server, schema: &Schema, run: &RunInfo) -> LogError {
-    let what = format!("the run {} of {:?} is in the schema {:?} already", run.id, run.scenario, schema.name);
-    wrong(server, what, "--replace-rows replaces it, --resume goes on with it; or name another schema: ?schema=NAME")
+    let (scenario, schema) = (run.scenario.clone(), schema.name.clone());
+    wrong(server, ServerMessage::Exists { run: run.id, scenario, schema })
 }
 
 /// Refuses what was not begun as this run is.
 fn can_go_on(server: &Server, schema: &Schema, known: &Known) -> Result<(), LogError> {
     let tables: Vec<&str> = schema.tables.iter().map(|table| table.name.as_str()).collect();
     if known.tables != tables {
-        return Err(changed(server, &format!("it is in the tables {}", known.tables.join(", "))));
+        return Err(changed(server, ContinueMessage::OtherTables { tables: known.tables.clone() }));
     }
     Ok(())
 }

@@ -2,12 +2,12 @@
 //! through a cursor.
 
 use crate::connection::Connection;
+use crate::messages::ServerMessage;
 use crate::runs::At;
 use crate::schema::{RUNS, ident, quoted, usual};
 use crate::sensors;
 use crate::server::Server;
 use crate::trouble::{told, wrong};
-use homebody_core::problem::readable;
 use homebody_core::scenario::logger::{ColumnsFile, LoggerFile};
 use homebody_core::scenario::nearest::nearest;
 use homebody_log::LogError;
@@ -209,10 +209,7 @@ impl Found {
         if !missing.is_empty() {
             let known: Vec<&str> = columns.iter().map(|(name, _)| name.as_str()).collect();
             let missing: Vec<String> = missing.iter().map(|name| format!("{name:?}")).collect();
-            let what = format!("the table {table:?} has no column {}", missing.join(", no column "));
-            let hint =
-                format!("it has {}; a logger.json that names its columns is given by --mapping FILE", listed(&known));
-            return Err(wrong(server, what, &hint));
+            return Err(wrong(server, ServerMessage::MissingColumns { table, missing, known: listed(&known) }));
         }
         let is = |wanted: &String| columns.iter().find(|(name, _)| name == wanted).map_or("", |(_, is)| is.as_str());
         let clock = clock_of(is(&names.time));
@@ -253,14 +250,14 @@ impl Found {
         let found: Vec<&str> = found.iter().map(|row| row.get(0)).collect();
         match (&server.run, &found[..]) {
             (Some(asked), found) => {
-                let what = format!("the table {:?} has no run {asked}", self.table);
-                Err(wrong(server, what, &format!("it has {}", listed(found))))
+                let (table, run, known) = (self.table.clone(), asked.clone(), listed(found));
+                Err(wrong(server, ServerMessage::NoRunInTable { table, run, known }))
             }
             (None, []) => Ok(None),
             (None, [one]) => Ok(Some((*one).to_owned())),
             (None, several) => {
-                let what = format!("the table {:?} has several runs: {}", self.table, listed(several));
-                Err(wrong(server, what, &format!("name one: ?run={}", several[0])))
+                let (table, runs, first) = (self.table.clone(), listed(several), several[0].to_owned());
+                Err(wrong(server, ServerMessage::SeveralRuns { table, runs, first }))
             }
         }
     }
@@ -340,12 +337,10 @@ fn no_run(connection: &Connection, server: &Server, schema: &str) -> Option<LogE
     );
     let found = connection.wait(connection.client.query(&sql, &[])).ok()?;
     let runs: Vec<&str> = found.iter().map(|row| row.get(0)).collect();
-    let hint = match &runs[..] {
-        [] => return None,
-        [one] => format!("there is one run, {one}: ?run={one}"),
-        several => format!("there are runs {}", listed(several)),
-    };
-    Some(wrong(server, format!("there is no run {asked}"), &hint))
+    if runs.is_empty() {
+        return None;
+    }
+    Some(wrong(server, ServerMessage::NoRun { run: asked.clone(), known: listed(&runs) }))
 }
 
 /// The zone of a run's home, if there is a table of runs that may be read and names it.
@@ -390,15 +385,13 @@ fn no_table(connection: &Connection, server: &Server, schema: &str, table: &str)
          WHERE n.nspname = $1 AND c.relkind IN ('r', 'p', 'v', 'm', 'f') ORDER BY 1";
     let found = connection.wait(connection.client.query(TABLES, &[&schema]))?;
     let names: Vec<&str> = found.iter().map(|row| row.get(0)).collect();
-    let what = format!("there is no table {table:?} in the schema {schema:?}");
-    let hint = match (nearest(table, names.iter().copied()), &names[..]) {
-        (_, []) => "there is none at all in it: name another, ?schema=NAME".to_owned(),
-        (Some(near), _) => format!("did you mean {near:?}? --mapping FILE gives a logger.json that names the table"),
-        (None, names) => {
-            format!("it has {}; a logger.json that names the table is given by --mapping FILE", listed(names))
-        }
+    let advice = match (nearest(table, names.iter().copied()), &names[..]) {
+        (_, []) => "the schema has no tables: name another, ?schema=NAME".to_owned(),
+        (Some(near), _) => format!("did you mean {near:?}? name the table with --mapping logger.json"),
+        (None, names) => format!("its tables are {}; name one with --mapping logger.json", listed(names)),
     };
-    Ok(wrong(server, readable(what), &hint))
+    let (table, schema) = (table.to_owned(), schema.to_owned());
+    Ok(wrong(server, ServerMessage::NoTable { table, schema, advice }))
 }
 
 /// The first of some names.

@@ -1,11 +1,13 @@
 //! The tables of a truth in a database of PostgreSQL, read by their names: the rows of one run, in the order in which they were written.
 
 use crate::connection::Connection;
+use crate::messages::ServerMessage;
 use crate::runs::At;
 use crate::schema::{RUNS, TRUTH_SCHEMA, ident, quoted};
 use crate::server::Server;
 use crate::source::{BEGIN, ROWS_AT_ONCE, columns_of, listed};
 use crate::trouble::{told, wrong};
+use homebody_log::problems::TruthMessage;
 use homebody_log::source::{Instant, TakeRow, Value};
 use homebody_log::table::{Column, ColumnKind, Table};
 use homebody_log::{LogError, Url};
@@ -23,7 +25,7 @@ pub(crate) fn read(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) -> Resu
         found.push(Found::of(&connection, &schema, table, &mut missing)?);
     }
     if !missing.is_empty() {
-        return Err(LogError::NoTruth { place: server.place.clone(), why: missing.join(", ") });
+        return Err(LogError::no_truth(server.place.as_str(), TruthMessage::Missing { missing }));
     }
     let run = run(&connection, &server, &schema)?;
     // One instant of all tables.
@@ -68,18 +70,15 @@ fn run(connection: &Connection, server: &Server, schema: &str) -> Result<i64, Lo
         (Some(asked), runs) => match runs.iter().find(|run| run.to_string() == *asked) {
             Some(run) => Ok(*run),
             None => {
-                let what = format!("the schema {schema:?} has no truth of the run {asked}");
-                Err(wrong(server, what, &format!("it has {}", listed(&names))))
+                let (schema, run, known) = (schema.to_owned(), asked.clone(), listed(&names));
+                Err(wrong(server, ServerMessage::NoTruthOfRun { schema, run, known }))
             }
         },
         (None, [one]) => Ok(*one),
-        (None, []) => {
-            let why = format!("the schema {schema:?} has none of any run");
-            Err(LogError::NoTruth { place: server.place.clone(), why })
-        }
+        (None, []) => Err(LogError::no_truth(server.place.as_str(), ServerMessage::NoTruth { schema: schema.into() })),
         (None, several) => {
-            let what = format!("the schema {schema:?} has the truth of several runs: {}", listed(&names));
-            Err(wrong(server, what, &format!("name one: ?run={}", several[0])))
+            let (schema, runs) = (schema.to_owned(), listed(&names));
+            Err(wrong(server, ServerMessage::SeveralTruths { schema, runs, first: several[0] }))
         }
     }
 }

@@ -1,5 +1,6 @@
 //! How a connection is encrypted, and by which certificates a server is judged, as `sslmode` and `sslrootcert` say.
 
+use crate::messages::ServerMessage;
 use crate::server::{Server, Tls};
 use crate::trouble::wrong;
 use homebody_log::LogError;
@@ -42,17 +43,15 @@ pub(crate) fn connector(server: &Server) -> Result<MakeRustlsConnect, LogError> 
             let roots = Arc::new(roots(server, file.as_deref())?);
             let trusted = WebPkiServerVerifier::builder_with_provider(roots, provider.clone()).build();
             let trusted =
-                trusted.map_err(|error| wrong(server, format!("its certificates are none: {error}"), FILE))?;
+                trusted.map_err(|error| wrong(server, ServerMessage::BadCertificates { reason: error.to_string() }))?;
             Judge { trusted: Some(trusted), provider: provider.clone(), asks_name: tls == Tls::VerifyFull }
         }
     };
     let config = ClientConfig::builder_with_provider(provider).with_safe_default_protocol_versions();
-    let config = config.map_err(|error| wrong(server, format!("there is no TLS: {error}"), "write sslmode=disable"))?;
+    let config = config.map_err(|error| wrong(server, ServerMessage::NoTls { reason: error.to_string() }))?;
     let config = config.dangerous().with_custom_certificate_verifier(Arc::new(judge)).with_no_client_auth();
     Ok(MakeRustlsConnect::new(config))
 }
-
-const FILE: &str = "name a file of certificates in PEM: sslrootcert=FILE, or sslrootcert=system";
 
 /// The file that users of libpq have.
 fn usual_file() -> Option<PathBuf> {
@@ -66,16 +65,17 @@ fn roots(server: &Server, file: Option<&Path>) -> Result<RootCertStore, LogError
     let Some(file) = file else {
         roots.add_parsable_certificates(rustls_native_certs::load_native_certs().certs);
         return match roots.is_empty() {
-            true => Err(wrong(server, "this system trusts no certificates".into(), FILE)),
+            true => Err(wrong(server, ServerMessage::NoSystemCertificates)),
             false => Ok(roots),
         };
     };
-    let told = |why: String| wrong(server, format!("{} has no certificates: {why}", file.display()), FILE);
+    let told =
+        |reason: String| wrong(server, ServerMessage::NoCertificates { file: file.display().to_string(), reason });
     for certificate in CertificateDer::pem_file_iter(file).map_err(|error| told(error.to_string()))? {
         let certificate = certificate.map_err(|error| told(error.to_string()))?;
         roots.add(certificate).map_err(|error| told(error.to_string()))?;
     }
-    if roots.is_empty() { Err(told("it is empty".into())) } else { Ok(roots) }
+    if roots.is_empty() { Err(told("the file is empty".into())) } else { Ok(roots) }
 }
 
 /// Judges a server by its certificate.

@@ -69,7 +69,10 @@ fn a_connection_is_as_secret_as_the_url_wants() {
         ("localhost", "verify-full", system),
     ] {
         let error = live(host, mode, trusted).unwrap_err();
-        assert!(error.contains("no secret connection") && error.contains("sslrootcert"), "{mode} {host}: {error}");
+        assert!(
+            error.contains("cannot encrypt the connection") && error.contains("sslrootcert"),
+            "{mode} {host}: {error}"
+        );
     }
     let error = live("localhost", "verify-full", &folder.path().join("names")).unwrap_err();
     assert!(error.contains("has no certificates"), "{error}");

@@ -37,7 +37,7 @@ fn no_server_is_told_soon_and_may_pass() {
         ("postgresql://ann@127.0.0.1:1/homes".to_owned(), ["no server answers", "start the server"]),
         (
             format!("postgresql://ann@127.0.0.1:{silent}/homes"),
-            ["has not answered", "rows that it has confirmed are safe"],
+            ["has not answered for", "rows that it has confirmed are safe"],
         ),
         ("postgresql://ann@/homes?host=/nowhere".to_owned(), ["no server answers", "start the server"]),
     ] {
@@ -85,7 +85,7 @@ fn a_wrong_user_password_or_database_is_told_and_no_password_is_shown() {
         deadline: &homebody_log::Deadline::default(),
     };
     let error = Postgres::new(&own).begin(&begin).unwrap_err();
-    assert!(error.to_string().contains("password in the URL") && !format!("{error} {error:?}").contains(CANARY));
+    assert!(error.to_string().contains("the URL has a password") && !format!("{error} {error:?}").contains(CANARY));
 }
 
 #[test]
@@ -104,19 +104,19 @@ fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
             "the column \"fired_at\" of \"firing\" is timestamp without time zone, and not timestamp with time zone",
             "the column \"sensor\" of \"firing\" is integer, and not text",
             "has no column \"value\"",
-            "the column \"floor\" of \"firing\" wants a value",
+            "the column \"floor\" of \"firing\" needs a value",
             "has no key (run_id, seq)",
             "ALTER TABLE public.firing",
         ],
     );
     server.psql(&database, "DROP TABLE firing; CREATE VIEW firing AS SELECT 1 AS seq");
-    refused(&url, How::New, &["\"firing\" is no table"]);
+    refused(&url, How::New, &["\"firing\" is not a table"]);
     let truth = Life::new(1, 20).live(
         &server.url("postgres", &database, "&schema=one"),
         Some(&server.url("postgres", &database, "&schema=one")),
         Policy::default(),
     );
-    assert!(truth.unwrap_err().to_string().contains("a truth goes into a schema of its own"));
+    assert!(truth.unwrap_err().to_string().contains("write the truth to a schema of its own"));
     let log = Life::new(2, 20);
     log.live(
         &server.url("postgres", &database, "&schema=two"),
@@ -124,7 +124,7 @@ fn tables_that_do_not_fit_are_told_with_all_that_is_wrong() {
         Policy::default(),
     )
     .unwrap();
-    refused(&server.url("postgres", &database, "&schema=three"), How::New, &["holds truths"]);
+    refused(&server.url("postgres", &database, "&schema=three"), How::New, &["has truths"]);
 }
 
 #[test]
@@ -150,14 +150,14 @@ fn who_may_not_write_is_told_with_what_is_lacking() {
     refused(
         &url("bare", "&schema=home9"),
         How::New,
-        &["no schema \"home9\"", "\"bare\" may not make one", "CREATE SCHEMA home9"],
+        &["no schema \"home9\"", "\"bare\" may not create one", "CREATE SCHEMA home9"],
     );
     server.psql(&database, "CREATE SCHEMA shut; CREATE SCHEMA seen; GRANT USAGE ON SCHEMA seen TO bare");
     refused(&url("bare", "&schema=shut"), How::New, &["may not use the schema \"shut\""]);
     refused(
         &url("bare", "&schema=seen"),
         How::New,
-        &["no tables \"firing\", \"homebody_run\"", "may not make them", "GRANT CREATE ON SCHEMA seen TO bare"],
+        &["lacks \"firing\", \"homebody_run\"", "may not create tables", "GRANT CREATE ON SCHEMA seen TO bare"],
     );
     refused(&url("idle", ""), How::New, &["takes no changes", "default_transaction_read_only"]);
 }

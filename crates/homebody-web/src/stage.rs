@@ -127,7 +127,7 @@ impl Stage {
         let pace = Pace::paused(Speed::Times(1.0));
         let director = Director { shelf, act, is_broken: false, pace, heard, board: board.clone(), change };
         let thread = thread::Builder::new().name("stage".into()).spawn(move || director.direct());
-        thread.map_err(|error| no_thread("to live a run on", error))?;
+        thread.map_err(|error| no_thread("to simulate a run", error).to_string())?;
         Ok(Stage { speakers, board, changed })
     }
 

@@ -84,15 +84,16 @@ impl From<DriverError> for Failure {
 impl From<LogError> for Failure {
     fn from(error: LogError) -> Failure {
         match error {
+            LogError::BadUrl(problems) | LogError::NoMapping(problems) | LogError::SensorMap(problems) => {
+                Failure::Problems(problems)
+            }
             LogError::Name { .. }
             | LogError::SameName { .. }
             | LogError::SameSensor { .. }
             | LogError::SameFile { .. }
-            | LogError::NoMapping { .. }
-            | LogError::SensorMap { .. }
-            | LogError::NoLog { .. }
+            | LogError::NoLog(_)
             | LogError::NoTables { .. }
-            | LogError::TooLong { .. }
+            | LogError::TooLong(_)
             | LogError::NoPlace(_)
             | LogError::NotBuiltIn { .. }
             | LogError::Zone { .. } => Failure::asked(error),

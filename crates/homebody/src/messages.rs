@@ -8,10 +8,12 @@ pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
         homebody_core::catalogue::MESSAGES,
         homebody_log::catalogue::MESSAGES,
         homebody_routine::catalogue::MESSAGES,
+        homebody_import::catalogue::MESSAGES,
         homebody_kit::catalogue::MESSAGES,
         &[ExplainMessage::ENTRIES],
     ]
     .into_iter()
+    .chain(homebody_kit::catalogue::ELSEWHERE.iter().copied())
     .flatten()
     .copied()
     .flatten()

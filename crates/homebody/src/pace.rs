@@ -58,7 +58,7 @@ impl Asked {
                 }
             }
         };
-        let none = |error| Failure::Io(no_thread("to take commands", error));
+        let none = |error| Failure::file(no_thread("to take commands", error));
         thread::Builder::new().spawn(listen).map_err(none)?;
         Ok(Some(commands))
     }

@@ -27,7 +27,7 @@ impl Signals {
         let signals = Signals::default();
         let heard = signals.clone();
         system::listen(move |number| heard.hear(number))
-            .map_err(|error| Failure::Io(no_thread("to listen for signals", error)))?;
+            .map_err(|error| Failure::file(no_thread("to listen for signals", error)))?;
         Ok(signals)
     }
 

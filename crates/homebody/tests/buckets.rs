@@ -113,14 +113,14 @@ fn a_run_goes_into_a_bucket_and_comes_back() {
     store.run(&folder, "inspect parquet:s3://bucket/nowhere").fails(1, "parquet:s3://bucket/nowhere");
     store
         .run(&folder, &run.replace("bucket", "no-such-bucket").replace("truth.db", "none.db"))
-        .fails(1, "no such bucket");
+        .fails(1, "error[object-store::not-found]");
     let port = store.port;
     drop(store);
     let words = run.replace("truth.db", "third.db");
     let mut command = folder.command(&words);
     command.env("AWS_ENDPOINT", format!("http://127.0.0.1:{port}")).env("AWS_REGION", "us-east-1");
     command.env("AWS_ACCESS_KEY_ID", "ann").env("AWS_SECRET_ACCESS_KEY", SECRET);
-    Done::new(&words, command.output().unwrap()).fails(1, "has not answered for");
+    Done::new(&words, command.output().unwrap()).fails(1, "error[object-store::no-answer]");
 }
 
 #[test]

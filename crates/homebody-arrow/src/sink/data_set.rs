@@ -7,6 +7,7 @@
 
 use super::days::{Days, parquet_files, remove};
 use crate::encoded::{Format, Layout};
+use crate::messages::ColumnsMessage;
 use homebody_core::time::Micros;
 use homebody_log::clock::Clock;
 use homebody_log::lock::FileLock;
@@ -162,8 +163,7 @@ impl Sink for DataSet {
             if how == How::GoOn
                 && let Some(more) = parquet_files(&partition)?.iter().find(|file| !named.contains(*file))
             {
-                let what = "the run that was lived again does not come to it".to_owned();
-                return Err(LogError::Changed { place: more.display().to_string(), what });
+                return Err(LogError::changed(more.display().to_string(), ColumnsMessage::ExtraFile));
             }
         }
         replaced_last.iter().try_for_each(|old| remove(old))?;
@@ -177,7 +177,7 @@ fn make(folder: &Path, may_be_link: bool) -> Result<(), LogError> {
     match fs::symlink_metadata(folder) {
         Ok(found) if found.is_symlink() && !may_be_link => Err(LogError::LeadsOut { place: place() }),
         Ok(_) if folder.is_dir() => Ok(()),
-        Ok(_) => Err(LogError::destination(place(), "it is no folder, in which a data set could be")),
+        Ok(_) => Err(LogError::destination(place(), ColumnsMessage::NotFolder)),
         Err(error) if error.kind() == ErrorKind::NotFound => match fs::create_dir(folder) {
             Err(error) if error.kind() == ErrorKind::AlreadyExists => Ok(()),
             Err(error) if error.kind() == ErrorKind::NotFound => Err(LogError::NoFolder { place: place() }),

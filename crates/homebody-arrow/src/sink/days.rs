@@ -6,6 +6,7 @@
 
 use super::named::name;
 use crate::encoded::{Layout, TableFile};
+use crate::messages::ColumnsMessage;
 use homebody_core::scenario::logger::TimeFormat;
 use homebody_core::time::DAY;
 use homebody_log::clock::Clock;
@@ -118,11 +119,7 @@ impl Days {
         let number = *parts;
         *parts += 1;
         if number >= MOST_PARTS {
-            return Err(LogError::CannotHold {
-                place: self.partition.display().to_string(),
-                what: "rows that are in no order of time".into(),
-                hint: "write them into one file: parquet:log.parquet",
-            });
+            return Err(LogError::cannot_hold(self.partition.display().to_string(), ColumnsMessage::Disorder));
         }
         let folder = match self.by {
             Some(_) => self.partition.join(format!("day={}", date_of(day))),

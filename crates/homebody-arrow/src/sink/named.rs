@@ -1,9 +1,12 @@
 //! Files that are whole take their names. Where a run is gone on with, what has the name already is held against what was lived
 //! again: the same rows, or a beginning of them.
 
+use crate::messages::ColumnsMessage;
 use crate::source::Batches;
 use arrow_array::RecordBatch;
+use homebody_core::problem::Diagnostic;
 use homebody_log::fresh::FreshFile;
+use homebody_log::problems::ChangedMessage;
 use homebody_log::{How, LogError};
 use std::fs::{self, File};
 use std::io::{self, BufRead, BufReader};
@@ -48,20 +51,21 @@ fn are_same(one: &Path, other: &Path) -> io::Result<bool> {
 
 /// An error where the rows of a file are not the first ones of what was written anew.
 fn begins_with(there: &Path, written: &Path) -> Result<(), LogError> {
-    let changed = |what| LogError::Changed { place: there.display().to_string(), what };
+    let changed = |why: Diagnostic| LogError::changed(there.display().to_string(), why);
     let (mut old, mut new) = (Rows::open(there)?, Rows::open(written)?);
     let mut rows = 0;
     loop {
         let Some(here) = old.rest()? else { return Ok(()) };
         let Some(beside) = new.rest()? else {
-            return Err(changed(format!("it has more than the {rows} rows of the run")));
+            return Err(changed(ChangedMessage::MoreRows { rows: rows as u64 }.into()));
         };
         let length = here.num_rows().min(beside.num_rows());
         if here.schema().fields() != beside.schema().fields() {
-            return Err(changed("it has other columns".into()));
+            return Err(changed(ColumnsMessage::OtherColumns.into()));
         }
         if here.slice(0, length) != beside.slice(0, length) {
-            return Err(changed(format!("one of its rows {rows} to {} is another", rows + length - 1)));
+            let (first, last) = (rows, rows + length - 1);
+            return Err(changed(ColumnsMessage::OtherRows { first, last }.into()));
         }
         rows += length;
         old.taken(length);

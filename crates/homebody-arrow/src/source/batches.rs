@@ -5,6 +5,7 @@ use super::ipc::IpcRows;
 use super::pages;
 use crate::fault::broken;
 use crate::layout::ABOUT;
+use crate::messages::ColumnsMessage;
 use arrow_array::RecordBatch;
 use arrow_schema::{DataType, Field, Schema, SchemaRef};
 use homebody_log::{LogError, plain};
@@ -72,8 +73,7 @@ impl Opened {
             });
         }
         if !begins.starts_with(PARQUET) {
-            let why = "it is neither Parquet nor Arrow IPC".to_owned();
-            return Err(LogError::NoLog { place: path.display().to_string(), why });
+            return Err(LogError::no_log(path.display().to_string(), ColumnsMessage::OtherForm));
         }
         let opened = guarded(|| ArrowReaderMetadata::load(&file, ArrowReaderOptions::new()));
         let metadata = opened.map_err(|why| broken(path, "Parquet", why))?;

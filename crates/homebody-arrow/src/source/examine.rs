@@ -39,7 +39,7 @@ pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> 
     };
     for (name, folder) in folders {
         if !folder.is_dir() {
-            let hint = "live the run anew, or take the table from where it has been copied";
+            let hint = "run it again, or copy the table from the original";
             checks.push(Check::wrong("files", format!("there is no folder {}", folder.display()), hint));
             continue;
         }
@@ -60,11 +60,11 @@ pub(crate) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> 
 fn left(run: &str, on_the_way: &[PathBuf], checks: &mut Vec<Check>) {
     let Some(first) = on_the_way.first() else { return };
     let what = counted(on_the_way.len(), "file is", "files are");
-    let says = format!("{run}: {what} not whole yet, such as {}", first.display());
+    let says = format!("{run}: {what} incomplete, such as {}", first.display());
     checks.push(Check::warning(
         "files",
         says,
-        "where nobody lives this run now, homebody run --resume FOLDER goes on with it",
+        "homebody run --resume FOLDER continues the run, unless it is running now",
     ));
 }
 
@@ -78,7 +78,7 @@ fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
             Err(error) => {
                 is_whole = false;
                 let check = Check::of_error("files", &error);
-                let hint = "live the run anew: what is whole stays, and what is not is made again";
+                let hint = "run it again: complete files stay, and others are written again";
                 checks.push(Check { hint: check.hint.clone().or_else(|| Some(hint.into())), ..check });
             }
         }
@@ -87,9 +87,9 @@ fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
     let told =
         format!("{name}: {} in {}", counted(rows as usize, "row", "rows"), counted(files.len(), "file", "files"));
     if is_whole && !files.is_empty() {
-        checks.push(Check::ok("files", format!("{told}, and each is whole")));
+        checks.push(Check::ok("files", format!("{told}, and each is complete")));
     } else if files.is_empty() {
-        checks.push(Check::warning("files", told, "a run that has just begun has none yet"));
+        checks.push(Check::warning("files", told, "a run that has just begun has no rows yet"));
     }
     let mut numbers = Numbers::default();
     let mut before = 0;
@@ -99,7 +99,7 @@ fn table(name: &str, files: &[PathBuf], seq: &str, checks: &mut Vec<Check>) {
             checks.push(Check::wrong(
                 "files",
                 says,
-                "a file was removed, changed or copied from elsewhere: live the run anew",
+                "a file was removed, changed or copied from elsewhere: run it again",
             ));
             return;
         }

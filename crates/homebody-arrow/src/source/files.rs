@@ -1,9 +1,8 @@
 //! The files of a data set, in the order in which they were written.
 
 use super::batches::Opened;
-use crate::fault::broken;
 use crate::layout::ROWS_BEFORE;
-use homebody_core::problem::readable;
+use crate::messages::ColumnsMessage;
 use homebody_log::LogError;
 use serde_json::Value;
 use std::fs;
@@ -23,9 +22,8 @@ pub(super) fn files(path: &Path) -> Result<Vec<PathBuf>, LogError> {
     let mut found = Vec::new();
     collect(path, 0, &mut found)?;
     found.sort();
-    let no_log = |why: String| LogError::NoLog { place: path.display().to_string(), why: readable(why) };
     if found.is_empty() {
-        return Err(no_log("no file in it or in folders such as run=1/day=2009-03-02 ends in .parquet".into()));
+        return Err(LogError::no_log(path.display().to_string(), ColumnsMessage::NoFiles));
     }
     // Ours say how many rows come before; with others the names say their order.
     let mut in_order = Vec::new();
@@ -96,15 +94,14 @@ fn collect(folder: &Path, depth: usize, found: &mut Vec<PathBuf>) -> Result<(), 
         }
     }
     if found.len() > MOST_FILES {
-        return Err(broken(folder, "a data set", format!("it has more than {MOST_FILES} files")));
+        return Err(LogError::no_log(folder.display().to_string(), ColumnsMessage::ManyFiles { most: MOST_FILES }));
     }
     runs.sort();
     match &runs[..] {
         [] | [_] => Ok(()),
         several => {
-            let place = folder.display().to_string();
-            let why = format!("it is a data set of several runs: name one of {}", several.join(", "));
-            Err(LogError::NoLog { place, why: readable(why) })
+            let several = ColumnsMessage::SeveralRuns { runs: several.to_vec() };
+            Err(LogError::no_log(folder.display().to_string(), several))
         }
     }
 }

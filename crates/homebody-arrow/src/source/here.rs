@@ -24,8 +24,8 @@ pub(super) fn here(path: &Path) -> Result<((), PathBuf), LogError> {
 /// An error of a file that was brought here, as one of the place that it is from.
 pub(super) fn of_place(path: &Path, error: LogError) -> LogError {
     match error {
-        LogError::NoLog { why, .. } if path.to_string_lossy().contains("://") => {
-            LogError::NoLog { place: path.display().to_string(), why }
+        LogError::NoLog(reason) if path.to_string_lossy().contains("://") => {
+            LogError::no_log(path.display().to_string(), *reason.why)
         }
         error => error,
     }

@@ -4,11 +4,10 @@ use super::batches::Opened;
 use super::cells::{Texts, Time, Times};
 use super::files::files;
 use super::here::{here, of_place};
-use crate::fault::broken;
 use crate::layout::sensors;
+use crate::messages::ColumnsMessage;
 use arrow_array::{Array, ArrayRef, RecordBatch};
 use arrow_schema::{DataType, Schema};
-use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_log::LogError;
 use homebody_log::source::{Instant, Places, Reading, SPAN_COLUMNS};
@@ -80,7 +79,8 @@ pub(super) fn each_batch(path: &Path, opened: Opened, columns: &[usize], take: &
             batch.columns().get(place).cloned()
         };
         let arrays: Option<Vec<ArrayRef>> = columns.iter().map(column).collect();
-        let arrays = arrays.ok_or_else(|| broken(path, "a table", "a column is missing"))?;
+        let arrays =
+            arrays.ok_or_else(|| LogError::no_log(path.display().to_string(), ColumnsMessage::MissingColumn))?;
         take(batch.num_rows(), &arrays)?;
     }
     Ok(())
@@ -95,17 +95,17 @@ fn read_rows(
 ) -> Result<(), LogError> {
     let schema = opened.schema.clone();
     let names = names(&schema);
-    let no_log = |why: String| LogError::NoLog { place: path.display().to_string(), why: readable(why) };
+    let no_log = |why: ColumnsMessage| LogError::no_log(path.display().to_string(), why);
     let Some(places) = Places::by_name(&names, mapping).or_else(|| by_types(&opened)) else {
         let told: String = names.join(", ").chars().take(LONGEST_TOLD).collect();
-        return Err(no_log(format!("no columns of time, sensor and value are among {told}")));
+        return Err(no_log(ColumnsMessage::NoColumns { columns: told }));
     };
     let label = places.label.filter(|&place| Texts::may_be(schema.field(place).data_type()));
     for place in [places.time, places.sensor, places.value] {
         let field = schema.field(place);
         let fits = if place == places.time { Times::may_be } else { Texts::may_be };
         if !fits(field.data_type()) {
-            return Err(no_log(format!("the column {:?} has a type that no log has", field.name())));
+            return Err(no_log(ColumnsMessage::ColumnType { column: field.name().clone() }));
         }
     }
     let columns: Vec<usize> = [places.time, places.sensor, places.value].into_iter().chain(label).collect();
@@ -115,7 +115,7 @@ fn read_rows(
     }
     let [mut time_buffer, mut sensor_buffer, mut value_buffer] = [(); 3].map(|()| String::new());
     each_batch(path, opened, &columns, &mut |rows, arrays| {
-        let typed = || no_log("a column has another type than the file says".into());
+        let typed = || no_log(ColumnsMessage::OtherType);
         let times = Times::of(&arrays[0]).ok_or_else(typed)?;
         let (sensors, values) = (Texts::of(&arrays[1]).ok_or_else(typed)?, Texts::of(&arrays[2]).ok_or_else(typed)?);
         let labels = arrays.get(3).and_then(Texts::of);
@@ -152,7 +152,7 @@ fn read_spans(
 ) -> Result<(), LogError> {
     let mut buffer = String::new();
     each_batch(path, opened, columns, &mut |rows, arrays| {
-        let typed = || broken(path, "a table of activities", "a column of it has a type that none has");
+        let typed = || LogError::no_log(path.display().to_string(), ColumnsMessage::ActivityType);
         let (begins, ends) = (Times::of(&arrays[0]).ok_or_else(typed)?, Times::of(&arrays[1]).ok_or_else(typed)?);
         let activities = Texts::of(&arrays[2]).ok_or_else(typed)?;
         for row in 0..rows {

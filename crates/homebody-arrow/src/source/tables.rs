@@ -9,6 +9,7 @@ use arrow_array::cast::AsArray;
 use arrow_array::types::{Float64Type, Int64Type};
 use arrow_array::{Array, ArrayRef, Float64Array, Int64Array};
 use arrow_schema::Schema;
+use homebody_log::problems::TruthMessage;
 use homebody_log::source::{TakeRow, Value};
 use homebody_log::table::{Column, ColumnKind, Table};
 use homebody_log::url::table_file;
@@ -24,13 +25,13 @@ pub(crate) fn read_tables(url: &Url, wanted: &[&Table], take: &mut TakeRow<'_>) 
     let places: Vec<PathBuf> = wanted.iter().map(|table| place(url, table)).collect();
     let gone = places.iter().filter(|place| !place.exists());
     let what = if url.is_data_set() { "folder" } else { "file" };
-    let gone: Vec<String> = gone.map(|place| format!("no {what} {}", place.display())).collect();
-    if !gone.is_empty() {
-        return Err(LogError::NoTruth { place: named.to_string(), why: gone.join(", ") });
+    let missing: Vec<String> = gone.map(|place| format!("no {what} {}", place.display())).collect();
+    if !missing.is_empty() {
+        return Err(LogError::no_truth(named.to_string(), TruthMessage::Missing { missing }));
     }
     for (index, (table, place)) in wanted.iter().zip(&places).enumerate() {
         let files = files(place).map_err(|error| match error {
-            LogError::NoLog { why, .. } => LogError::NoTruth { place: named.to_string(), why },
+            LogError::NoLog(reason) => LogError::no_truth(named.to_string(), *reason.why),
             error => error,
         })?;
         for file in files {
@@ -57,12 +58,12 @@ fn read_file(
     take: &mut dyn FnMut(&[Value<'_>]) -> Result<(), LogError>,
 ) -> Result<(), LogError> {
     let opened = Opened::open(path)?;
-    let no_truth = |why: String| LogError::NoTruth { place: path.display().to_string(), why };
+    let no_truth = |why: TruthMessage| LogError::no_truth(path.display().to_string(), why);
     let columns = places(&opened.schema, table).map_err(no_truth)?;
     each_batch(path, opened, &columns, &mut |rows, arrays| {
         let mut columns = Vec::with_capacity(arrays.len());
         for (array, column) in arrays.iter().zip(&table.columns) {
-            let typed = || no_truth(format!("the column {:?} has another type", column.name));
+            let typed = || no_truth(TruthMessage::ColumnType { column: column.name.clone() });
             columns.push(Cells::of(array, column.kind).ok_or_else(typed)?);
         }
         // What is put together for a row, such as a number that is told as a text.
@@ -70,20 +71,20 @@ fn read_file(
         for row in 0..rows {
             let values: Option<Vec<Value>> =
                 columns.iter().zip(&mut buffers).map(|(cells, buffer)| cells.get(row, buffer)).collect();
-            take(&values.ok_or_else(|| no_truth("an instant is out of range".into()))?)?;
+            take(&values.ok_or_else(|| no_truth(TruthMessage::InstantOutOfRange))?)?;
         }
         Ok(())
     })
 }
 
 /// Where the columns of a table are in a file, or all that are missing.
-fn places(schema: &Schema, table: &Table) -> Result<Vec<usize>, String> {
+fn places(schema: &Schema, table: &Table) -> Result<Vec<usize>, TruthMessage> {
     let place = |column: &Column| schema.fields().iter().position(|field| *field.name() == column.name);
     let missing = table.columns.iter().filter(|column| place(column).is_none());
     let missing: Vec<String> = missing.map(|column| format!("no column {:?}", column.name)).collect();
     match missing.is_empty() {
         true => Ok(table.columns.iter().filter_map(place).collect()),
-        false => Err(missing.join(", ")),
+        false => Err(TruthMessage::Missing { missing }),
     }
 }
 

@@ -30,26 +30,29 @@ pub struct Schematic {
     pub remarks: Vec<String>,
 }
 
-/// Why there is no home in a log.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Unsaid {
-    /// No sensor sees movement or hangs on a door.
-    #[error("no sensor of it tells of movement or of doors\n  hint: give a log of motion sensors or contacts")]
-    NoSensors,
-    /// Nothing tells where these sensors are.
-    #[error(
-        "nothing tells where {} {}: {}\n  hint: list them with their rooms: --sensors FILE, a table with the columns id, room and \
-         place", counted(.0.len(), "sensor", "sensors"), if .0.len() == 1 { "is" } else { "are" }, listed(.0)
-    )]
-    Where(Vec<String>),
-    /// They are in more rooms than are arranged.
-    #[error(
-        "its sensors are in {0} rooms, and at most {MOST_ROOMS} are arranged\n  hint: give several sensors one room"
-    )]
-    TooManyRooms(usize),
-    /// What was made does not pass the check; the text says why.
-    #[error("no sound home could be made of it: {0}\n  hint: list its sensors with other rooms: --sensors FILE")]
-    Unsound(String),
+homebody_core::messages! {
+    /// Errors of making a home from a log.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum Unsaid in "home-from-log" {
+        /// Homebody places rooms by the sensors of movement and of doors in them. The log has none.
+        NoSensors error "no-sensors" ("no sensor of the log detects movement or doors")
+            hint ("give a log of motion sensors or contacts");
+        /// The names of these sensors have no room in them, and no table gives one:
+        ///
+        /// ```text
+        /// id,room,place
+        /// M001,hall,front door
+        /// ```
+        Where(sensors: Vec<String>) error "no-rooms-of-sensors"
+            ("nothing says in which rooms {count} are: {names}", count = counted(sensors.len(), "sensor", "sensors"), names = listed(sensors))
+            hint ("list them with their rooms: --sensors FILE, a table with the columns id, room and place");
+        /// Homebody places up to this number of rooms next to each other, because the time that it needs grows fast with their number.
+        TooManyRooms(rooms: usize) error "too-many-rooms" ("the sensors are in {rooms} rooms, and Homebody places at most {MOST_ROOMS}")
+            hint ("give several sensors one room");
+        /// The home must pass the same check as a home that is written by hand.
+        Unsound(reason: String) error "unsound" ("the log does not give a valid home: {reason}")
+            hint ("list its sensors with other rooms: --sensors FILE");
+    }
 }
 
 /// Largest number of rooms that are arranged (our choice): the time grows steeply.

@@ -218,7 +218,7 @@ fn files_of_other_forms_lead_to_what_takes_them() {
         (b"{ \"walls\": [] }", "a plan in JSON", "draw the plan"),
     ] {
         let said = said(bytes);
-        assert!(said.starts_with(&format!("this is no Sweet Home 3D file: it is {form}")), "{said}");
+        assert!(said.starts_with(&format!("this is not a Sweet Home 3D file: it is {form}")), "{said}");
         assert!(said.contains("\n  hint: ") && said.contains(hint), "{said}");
     }
     let packed = archive(&[("flat/mine.sh3d", b"PK")]);

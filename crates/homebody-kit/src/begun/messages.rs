@@ -67,13 +67,6 @@ homebody_core::messages! {
             text: String,
         } error "known-point" ("{text:?} is not a pixel and a position")
             hint ("write pixels and metres, such as 120,340=0,0");
-        /// Homebody draws the rooms of a home from the sensors that the log and the table name.
-        NoHome {
-            /// The log.
-            log: String,
-            /// The reason.
-            why: String,
-        } error "no-home" ("cannot draw a home from {log}: {why}");
         /// The coordinates in the table count pixels from the upper left corner of the picture.
         OffPicture {
             /// The id of the sensor.

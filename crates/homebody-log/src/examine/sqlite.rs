@@ -69,7 +69,7 @@ fn written_by(path: &Path) -> Check {
         Some(true) => Check::warning(
             "lock",
             "a program is writing it now, so that what follows may be different in a moment",
-            "let that program come to its end, and look again",
+            "wait until that program ends, and check again",
         ),
         Some(false) => Check::ok("lock", "a program that was killed has left a lock file, which holds nobody up"),
     }
@@ -85,13 +85,13 @@ fn left_beside(path: &Path) -> Option<Check> {
     match (size("-wal"), size("-journal")) {
         (Some(bytes), _) => Some(Check::warning(
             "journal",
-            format!("a write-ahead log of {bytes} bytes lies beside it, whose rows belong to it"),
-            "copy both files together; homebody run --resume FOLDER brings the rows in and goes on",
+            format!("a write-ahead log of {bytes} bytes next to it has rows of the database"),
+            "copy both files together; homebody run --resume FOLDER adds the rows and continues",
         )),
         (None, Some(bytes)) => Some(Check::warning(
             "journal",
-            format!("a journal of {bytes} bytes lies beside it, by which what was half written is undone"),
-            "copy both files together; whoever writes it next undoes what was half written",
+            format!("a journal of {bytes} bytes next to it undoes an incomplete change"),
+            "copy both files together; the next program that writes to the database undoes the change",
         )),
         (None, None) => None,
     }
@@ -124,7 +124,7 @@ fn look(
         checks.push(Check::wrong(
             "tables",
             says,
-            "--mapping FILE gives a logger.json that names the table; a run that was killed as it began is gone on with by homebody run --resume FOLDER",
+            "name the table with --mapping logger.json, or resume a run that was killed at its start: homebody run --resume FOLDER",
         ));
         return Ok(());
     }
@@ -140,8 +140,7 @@ fn look(
             true => "a truth",
             false => "a log",
         };
-        checks
-            .push(Check::ok("tables", format!("they are those of {what}, with the columns and keys that are wanted")));
+        checks.push(Check::ok("tables", format!("they are the tables of {what}, with the expected columns and keys")));
         match is_truth {
             true if is_brief => {}
             true => firings(connection, run_column, checks)?,
@@ -169,7 +168,7 @@ fn integrity(connection: &Connection, checks: &mut Vec<Check>) -> rusqlite::Resu
         false => Check::wrong(
             "integrity",
             format!("it is damaged: {}", told.join("; ").replace('\n', " ")),
-            "put back a copy, or live the run anew: homebody replay RECORDING --out sqlite:NEW.db",
+            "restore a copy, or run it again: homebody replay RECORDING --out sqlite:NEW.db",
         ),
     });
     Ok(is_whole)
@@ -181,7 +180,7 @@ fn schema(connection: &Connection, table: &Table, run_column: &str, checks: &mut
         .prepare("SELECT name, pk FROM pragma_table_info(?)")?
         .query_map([&table.name], |row| Ok((row.get(0)?, row.get(1)?)))?
         .collect::<rusqlite::Result<_>>()?;
-    let hint = "--mapping FILE gives a logger.json that names the columns; a log of somebody else is read all the same";
+    let hint = "name the columns with --mapping logger.json; Homebody reads logs of other programs, too";
     let mut wrong = Vec::new();
     if found.is_empty() {
         wrong.push(format!("there is no table {:?}", table.name));
@@ -213,7 +212,7 @@ fn rows(connection: &Connection, table: &Table, run_column: &str, checks: &mut V
     let of = |row: &rusqlite::Row| Ok((row.get(0)?, row.get(1)?, row.get(2)?, row.get(3)?, row.get(4)?));
     let found: Vec<OfRun> = connection.prepare(&sql)?.query_map([], of)?.collect::<rusqlite::Result<_>>()?;
     if found.is_empty() {
-        checks.push(Check::warning("rows", "there are none", "a run that has just begun has none yet"));
+        checks.push(Check::warning("rows", "the table has no rows", "a run that has just begun has no rows yet"));
     }
     for (run, count, distinct, first, last) in found {
         let missing = last.saturating_add(1).saturating_sub(distinct).max(0);
@@ -239,7 +238,7 @@ fn rows(connection: &Connection, table: &Table, run_column: &str, checks: &mut V
         checks.push(Check::wrong(
             "rows",
             says,
-            "no run of ours writes such a row: look at what else writes into this file",
+            "Homebody never writes such a row: check which other program writes to this file",
         ));
     }
     Ok(())
@@ -265,8 +264,8 @@ fn runs(connection: &Connection, path: &Path, is_there: bool, checks: &mut Vec<C
     if !is_there {
         checks.push(Check::warning(
             "runs",
-            "there is no table \"run\", so that nobody knows which run it is of",
-            "it was made by another program; it is read all the same",
+            "there is no table \"run\", so the run is unknown",
+            "another program wrote it; Homebody reads it, too",
         ));
         return Ok(());
     }
@@ -277,19 +276,19 @@ fn runs(connection: &Connection, path: &Path, is_there: bool, checks: &mut Vec<C
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     for (run, is_ended) in &runs {
         checks.push(match is_ended {
-            true => Check::ok("runs", format!("run {run} has come to its end")),
+            true => Check::ok("runs", format!("run {run} is complete")),
             false => Check::warning(
                 "runs",
-                format!("run {run} has not come to its end"),
-                format!("homebody run --resume {} goes on with it, where nobody lives it now", place_of(folder)),
+                format!("run {run} is not complete"),
+                format!("homebody run --resume {} continues it, unless it is running now", place_of(folder)),
             ),
         });
     }
     if runs.is_empty() {
         checks.push(Check::warning(
             "runs",
-            "none is told of",
-            "a run that was killed as it began is gone on with by --resume",
+            "the table \"run\" has no row",
+            "--resume continues a run that was killed at its start",
         ));
     }
     Ok(())

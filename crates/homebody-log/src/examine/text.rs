@@ -12,7 +12,7 @@ use std::path::Path;
 
 pub(super) fn examine(place: &Source, asked: &Asked) -> Result<Vec<Check>, LogError> {
     if place.path() == Path::new(OUTPUT) {
-        let what = format!("{place} is where rows go, and none are kept there");
+        let what = format!("{place} passes rows on, and stores none");
         return Err(NoPlace { what, hint: "name a file".into() }.into());
     }
     let log = match source::survey(place, asked.mapping) {
@@ -26,19 +26,20 @@ pub(super) fn examine(place: &Source, asked: &Asked) -> Result<Vec<Check>, LogEr
         Some(first) => Check::wrong(
             "file",
             format!(
-                "{rows}; {} not understood, the first is line {}: {}",
-                counted(log.skipped as usize, "line is", "lines are"),
+                "{rows}; cannot read {}, the first is line {}: {}",
+                counted(log.skipped as usize, "line", "lines"),
                 first.line,
                 first.why
             ),
-            "a file that ends in half a line was cut off: homebody run --resume FOLDER writes it to its end",
+            "a file that ends in half a line was cut off: homebody run --resume FOLDER completes it",
         ),
     };
     let scheme = [Scheme::Csv, Scheme::Jsonl].into_iter().find(|scheme| scheme.row().name == place.form().name);
     let numbers = scheme.and_then(|scheme| numbered(&Url::new(scheme, place.path()), asked));
     checks.push(Check { rows: Some(log.rows).filter(|_| numbers.is_none()), ..check });
-    checks
-        .extend(log.remarks.iter().map(|remark| Check::warning("file", remark.clone(), "look at what it was made by")));
+    checks.extend(
+        log.remarks.iter().map(|remark| Check::warning("file", remark.clone(), "check the program that wrote it")),
+    );
     checks.extend(numbers);
     Ok(checks)
 }

@@ -9,6 +9,7 @@ use crate::clock::Clock;
 use crate::error::LogError;
 use crate::limits::beginning;
 use crate::mapping::apart;
+use crate::problems::HoldMessage;
 use crate::spans::{CHANGE, LABEL};
 use crate::table::{Batch, Cell, TextId, thousandths};
 use crate::word::one_word;
@@ -48,8 +49,7 @@ const PARTS: [usize; 3] = [1, 2, 3];
 impl Sink for Casas {
     fn begin(&mut self, begin: &Begin) -> Result<Watermark, LogError> {
         let [table] = begin.tables else {
-            let hint = "write it into sqlite: or csv:";
-            return Err(LogError::CannotHold { place: self.at.place(), what: "the truth".into(), hint });
+            return Err(LogError::cannot_hold(self.at.place(), HoldMessage::CasasTruth));
         };
         let ids: Vec<String> = begin.run.sensors.iter().map(|sensor| sensor.id.clone()).collect();
         let words = ids.iter().map(|id| one_word(id)).collect();
@@ -127,6 +127,5 @@ fn can_be_told(at: &At, text: &str) -> Result<(), LogError> {
     if !text.chars().any(char::is_control) {
         return Ok(());
     }
-    let what = format!("the control characters of {}", beginning(text));
-    Err(LogError::CannotHold { place: at.place(), what, hint: "write it into sqlite: or csv:" })
+    Err(LogError::cannot_hold(at.place(), HoldMessage::ControlCharacters { text: beginning(text) }))
 }

@@ -5,9 +5,10 @@ use super::jsonl::in_json;
 use super::text::{At, Text};
 use crate::clock::{Clock, Stamp};
 use crate::deadline::Deadline;
-use crate::error::LogError;
+use crate::error::{LogError, Reason};
 use crate::fleet::{Fleet, FleetRow, FleetSink, Told};
 use crate::plain;
+use crate::problems::OutputMessage;
 use crate::sensor_table;
 use crate::table::thousandths;
 use crate::url::Url;
@@ -106,10 +107,8 @@ impl FleetSink for FleetJsonl {
 
 /// Says that a file with other rows belongs to another fleet, or to the same one at another time.
 fn of_other_homes(error: LogError) -> LogError {
-    let LogError::Changed { place, what } = error else { return error };
-    let what = format!("it has rows of other homes: {what}");
-    let hint = Some("--force replaces it; the same command with a fixed --from TIME adds to it".into());
-    LogError::Destination { place, what, hint, passes: false, source: None }
+    let LogError::Changed(Reason { place, why, .. }) = error else { return error };
+    LogError::destination(place, OutputMessage::OtherHomes { difference: why.what })
 }
 
 impl Open {

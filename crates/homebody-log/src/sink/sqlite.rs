@@ -7,6 +7,7 @@ use super::database::{Binding, Database, Insert};
 use super::{Begin, How, Sink, Watermark};
 use crate::clock::{Clock, Stamp};
 use crate::error::{LogError, place_of};
+use crate::problems::ChangedMessage;
 use crate::run_info::RunInfo;
 use crate::sensor_info::{SENSOR, SENSOR_COLUMNS, says_more_of, sensor_cells};
 use crate::table::{Batch, Cell, Column, ColumnKind, Table, TextId, thousandths};
@@ -112,8 +113,9 @@ impl Sink for Sqlite {
     fn finish(&mut self, end: Micros) -> Result<(), LogError> {
         let Some(mut open) = self.open.take() else { return Ok(()) };
         if let Some(table) = open.tables.iter().find(|table| table.come < table.there) {
-            let what = format!("{:?} has {} rows, and the run makes {}", table.name, table.there, table.come);
-            return Err(LogError::Changed { place: place_of(&self.path), what });
+            let (name, rows, of_run) = (table.name.clone(), table.there, table.come);
+            let more = ChangedMessage::MoreRowsInTable { table: name, rows, of_run };
+            return Err(LogError::changed(place_of(&self.path), more));
         }
         for index in 0..open.tables.len() {
             open.insert_waiting(index)?;
@@ -203,8 +205,8 @@ impl Open {
         match differs {
             None => Ok(()),
             Some(number) => {
-                let what = format!("row {number} of {:?} is another", table.name);
-                Err(LogError::Changed { place: place_of(database.path()), what })
+                let other = ChangedMessage::OtherRow { row: number, table: table.name.clone() };
+                Err(LogError::changed(place_of(database.path()), other))
             }
         }
     }
@@ -339,16 +341,16 @@ fn tell_sensors(connection: &Connection, run: &RunInfo) -> rusqlite::Result<()> 
 
 /// Refuses a database that another run has left, or another program.
 pub(crate) fn can_go_on(database: &Database, run: &RunInfo) -> Result<(), LogError> {
-    let other = |what: &str| LogError::Changed { place: place_of(database.path()), what: what.into() };
+    let other = |why| LogError::changed(place_of(database.path()), why);
     let columns = "SELECT count(*) FROM pragma_table_info('run') WHERE name = 'run_id'";
     if database.ask(|connection| connection.query_row(columns, [], |row| row.get::<_, i64>(0)))? == 0 {
-        return Err(other("it is the database of something else"));
+        return Err(other(ChangedMessage::ForeignDatabase));
     }
     let found: Option<i64> = database.ask(|connection| {
         use rusqlite::OptionalExtension;
         connection.query_row("SELECT run_id FROM run WHERE typeof(run_id) = 'integer'", [], |row| row.get(0)).optional()
     })?;
-    if found == Some(run.id) { Ok(()) } else { Err(other("it holds another run")) }
+    if found == Some(run.id) { Ok(()) } else { Err(other(ChangedMessage::OtherRun)) }
 }
 
 /// Refuses to replace what is no database of this run. What is not there, or empty, is replaced.

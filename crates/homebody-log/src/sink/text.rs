@@ -7,6 +7,7 @@ use crate::error::{LogError, place_of};
 use crate::fresh::{FreshFile, remove_parts};
 use crate::lock::FileLock;
 use crate::packed::{Packer, Packing, unpacked};
+use crate::problems::{ChangedMessage, HoldMessage, OutputMessage};
 use crate::table::Table;
 use crate::url::Url;
 use homebody_core::scenario::scheme::Scheme;
@@ -38,11 +39,7 @@ impl At {
         match self {
             At::File(path) => Ok(Url::new(scheme, path).files(tables).into_iter().map(At::File).collect()),
             At::Output if tables.len() == 1 => Ok(vec![At::Output]),
-            At::Output => Err(LogError::CannotHold {
-                place: self.place(),
-                what: "several tables".into(),
-                hint: "write them into a file: sqlite:truth.db",
-            }),
+            At::Output => Err(LogError::cannot_hold(self.place(), HoldMessage::OutputTables)),
         }
     }
 }
@@ -145,9 +142,7 @@ impl<W: Write> Write for Pieces<W> {
 
 fn no_output(source: io::Error) -> LogError {
     match source.kind() {
-        io::ErrorKind::BrokenPipe => {
-            LogError::destination("standard output", "nobody reads it any more, so the run has ended")
-        }
+        io::ErrorKind::BrokenPipe => LogError::destination("standard output", OutputMessage::Closed),
         _ => LogError::File { place: "standard output".into(), source },
     }
 }
@@ -171,7 +166,7 @@ impl<R: Read> Left<R> {
         let read = self.text.by_ref().take(line.len() as u64).read_to_end(&mut self.found);
         read.map_err(|error| LogError::reading(path, error))?;
         if !line.starts_with(&self.found) {
-            return Err(changed(path, format!("line {} is another", self.lines + 1)));
+            return Err(LogError::changed(place_of(path), ChangedMessage::OtherLine { line: self.lines + 1 }));
         }
         if self.found.len() < line.len() {
             return Ok(false);
@@ -185,14 +180,10 @@ impl<R: Read> Left<R> {
     fn is_all(&mut self, path: &Path) -> Result<(), LogError> {
         let more = self.text.read(&mut [0]).map_err(|error| LogError::reading(path, error))?;
         match more > 0 {
-            true => Err(changed(path, format!("it has more than the {} lines of the run", self.lines))),
+            true => Err(LogError::changed(place_of(path), ChangedMessage::MoreRows { rows: self.lines })),
             false => Ok(()),
         }
     }
-}
-
-fn changed(path: &Path, what: String) -> LogError {
-    LogError::Changed { place: place_of(path), what }
 }
 
 /// A file of lines as they are.

@@ -4,10 +4,11 @@
 //! it. Behind it some note that an activity begins or ends, as `Sleep begin` or `1-end`; others have a label on each row. The
 //! beginning of a text shows which words are what.
 
-use super::casas_layout::{Between, KIND, Layout, PROGRAM, kind, people};
+use super::casas_layout::{Between, KIND, Layout, kind, people};
 use super::casas_words::{When, behind_words_of_time, nearly, part, parted_note, when};
 use super::date_parts::no_instant;
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::instant::Instants;
 use super::lines::Lines;
 use super::reading::Reading;
@@ -43,7 +44,7 @@ pub(super) fn has_own_heading(start: &Start) -> bool {
 }
 
 /// Says why a text that begins with dates and times is not in this form. It finds times in other notations, too.
-pub(super) fn objection(start: &Start) -> Option<String> {
+pub(super) fn objection(start: &Start) -> Option<FormMessage> {
     let lines = || start.lines().take(LOOKED_AT_LINES);
     let mut instants = Instants::default();
     if lines().any(|line| when(line.as_bytes(), &mut instants).is_some()) {
@@ -51,7 +52,8 @@ pub(super) fn objection(start: &Start) -> Option<String> {
     }
     let timed = lines().filter(|line| has_time(line)).count();
     let first = || beginning(&start.lines().next().unwrap_or_default());
-    (timed > 0 && timed * 2 >= lines().count()).then(|| format!("{PROGRAM}: line 1 is {}", first()))
+    (timed > 0 && timed * 2 >= lines().count())
+        .then(|| FormMessage::ProgramLog { evidence: format!("line 1 is {}", first()) })
 }
 
 /// The number of lines it looks at in a text without a form.

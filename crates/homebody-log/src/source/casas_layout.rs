@@ -4,6 +4,7 @@
 //! and a time, too, but their words vary.
 
 use super::casas_words::{When, is_damaged, is_number, is_value, part, parted_note, when};
+use super::form_messages::FormMessage;
 use super::instant::Instants;
 use super::log::ColumnRole;
 use super::reading::Reading;
@@ -72,8 +73,8 @@ struct Rows {
 }
 
 impl Layout {
-    /// The layout of a text whose first lines these are, or a sentence that says what they look like.
-    pub fn of<'l>(lines: impl Iterator<Item = Cow<'l, str>>) -> Result<Layout, String> {
+    /// The layout of a text whose first lines these are, or a message that says what they look like.
+    pub fn of<'l>(lines: impl Iterator<Item = Cow<'l, str>>) -> Result<Layout, FormMessage> {
         let rows = Rows::of(lines);
         let layout = rows.layout();
         match rows.objection(&layout) {
@@ -286,44 +287,40 @@ impl Rows {
     }
 
     /// Says why the rows do not belong to a sensor log.
-    fn objection(&self, layout: &Layout) -> Option<String> {
+    fn objection(&self, layout: &Layout) -> Option<FormMessage> {
         let [rows, sensors, valued, _] = layout.counts;
         if rows == 0 {
-            return Some("no line has a date, a time, a sensor and a value".into());
+            return Some(FormMessage::NoTextRows);
         }
         if self.others > rows {
-            return Some(format!("only {rows} of its first {} lines begin with a date and a time", rows + self.others));
+            return Some(FormMessage::FewTextRows { rows, lines: rows + self.others });
         }
         let share = |count: usize, percent: usize| count * 100 >= rows * percent;
         let programs = self.rows.iter().filter(|row| is_of_program(&row[0])).count();
         if share(programs, 30) {
-            return Some(format!("{PROGRAM}: behind the time of line 1 is {:?}", short(&self.rows[0])));
+            return program(format!("behind the time of line 1 is {:?}", short(&self.rows[0])));
         }
         let numbers = self.rows.iter().filter(|row| row[0].contains(['.', ',']) && is_number(&row[0])).count();
         let more_numbers = self.rows.iter().filter(|row| row.len() > 3 && row.iter().all(|word| is_number(word)));
         if share(numbers, 50) || share(more_numbers.count(), 50) {
-            return Some(
-                "behind date and time it has numbers in columns and no names of sensors: it is a table with a column \
-                 for each sensor; give it a heading, and save it with commas between the cells"
-                    .into(),
-            );
+            return Some(FormMessage::UnnamedColumns);
         }
         let nameless = self.rows.iter().filter(|row| !row[0].contains(char::is_alphanumeric)).count();
         let is_prose = rows < MANY_ROWS && !share(valued, 50) && !self.has_short_rows(layout);
         if share(nameless, 50) || is_prose || self.has_free_text(layout) {
             let words: usize = self.rows.iter().map(Vec::len).sum();
-            return Some(format!("{PROGRAM}: {} words a line, and few that repeat as sensors do", words / rows));
+            return program(format!("{} words a line, and few that repeat as sensors do", words / rows));
         }
         if rows >= MANY_ROWS && sensors * 2 > rows {
-            return Some(format!(
-                "its first {rows} rows name {sensors} different things, so that they name no sensors"
-            ));
+            return Some(FormMessage::ManyNames { rows: rows as u64, names: sensors });
         }
         let values: BTreeSet<&String> = self.rows.iter().filter_map(|row| row.get(layout.value)).collect();
         let is_few = values.len() * 5 <= rows || values.len() <= 3;
         let has_values = share(valued, 50) || (is_few && (self.has_short_rows(layout) || layout.has_kind));
-        (!has_values)
-            .then(|| format!("{PROGRAM}: only {valued} of its first {rows} rows have a state such as ON, or a number"))
+        match has_values {
+            true => None,
+            false => program(format!("only {valued} of its first {rows} rows have a state such as ON, or a number")),
+        }
     }
 
     /// Whether sentences are behind the values of most rows: texts that hardly repeat, or are long.
@@ -359,9 +356,10 @@ pub(super) fn people(words: &[impl AsRef<str>]) -> Option<Vec<(u8, u8)>> {
     (!pairs.is_empty() && numbers.len().is_multiple_of(2)).then_some(pairs)
 }
 
-/// How a text is called that a program wrote for its readers.
-pub(super) const PROGRAM: &str =
-    "it looks like the log of a program, while one of sensors has a time, a sensor and a value in each row";
+/// The message about a text that a program wrote for its readers.
+fn program(evidence: String) -> Option<FormMessage> {
+    Some(FormMessage::ProgramLog { evidence })
+}
 
 /// Whether programs write such a word behind the time: a level, a thread in brackets, a name with a colon.
 fn is_of_program(word: &str) -> bool {

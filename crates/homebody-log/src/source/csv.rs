@@ -12,6 +12,7 @@ use super::records::{Record, Records};
 use super::start::{Start, TableKind};
 use super::table_events::Events;
 use super::table_intervals::Intervals;
+use super::table_messages::TableMessage;
 use super::table_wide::Wide;
 use crate::error::LogError;
 use homebody_core::scenario::logger::LoggerFile;
@@ -120,10 +121,7 @@ fn has_rows(path: &Path, rows: u64, skipped: u64, has_activities: bool) -> Resul
         true => Ok(()),
         false => {
             let all = rows + skipped;
-            Err(refused(
-                path,
-                format!("{skipped} of its {all} rows have no instant, sensor and value as the others have"),
-            ))
+            Err(refused(path, TableMessage::ManyLost { skipped, rows: all }))
         }
     }
 }

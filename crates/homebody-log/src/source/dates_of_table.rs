@@ -5,6 +5,7 @@ use super::first_rows::FirstRows;
 use super::options::DateOrder;
 use super::pick::Time;
 use super::records::Records;
+use super::table_messages::TableMessage;
 use crate::limits::beginning;
 use crate::plain::text;
 use std::path::Path;
@@ -19,13 +20,13 @@ const MOST_ROWS: usize = 2_000_000;
 ///
 /// # Errors
 ///
-/// A sentence with a hint, where nothing decides.
+/// A message, where nothing decides.
 pub(super) fn order_of(
     path: &Path,
     first: &FirstRows,
     time: &Time,
     asked: Option<DateOrder>,
-) -> Result<(Option<DateOrder>, Option<String>), String> {
+) -> Result<(Option<DateOrder>, Option<String>), TableMessage> {
     let mut orders = first.cells[time.column].order;
     orders.of_twelve += time.of_day.map_or(0, |of_day| first.cells[of_day].order.of_twelve);
     if orders.day + orders.month + orders.both == 0 {
@@ -35,22 +36,16 @@ pub(super) fn order_of(
         return Ok((asked, Some("--dates says the order of its dates".into())));
     }
     let name = beginning(&first.names[time.column]);
-    let hint = "hint: --dates day-first or --dates month-first decides it";
     if orders.day > 0 && orders.month > 0 {
-        return Err(format!(
-            "of the dates in the column {name} {} have the day first and {} the month\n  {hint}",
-            orders.day, orders.month
-        ));
+        let (day_first, month_first) = (orders.day, orders.month);
+        return Err(TableMessage::MixedDates { column: name, day_first, month_first });
     }
     let found = by_numbers(orders).or_else(|| by_days(first, time.column)).or_else(|| by_habit(orders));
     match found.or_else(|| further(path, first.first_line, time.column)) {
         Some((order, because)) => Ok((Some(order), Some(because))),
         None => {
             let example = first.column(time.column).find(|cell| !cell.trim().is_empty()).unwrap_or_default();
-            Err(format!(
-                "nothing decides whether the day or the month is first in {}, in the column {name}\n  {hint}",
-                beginning(example)
-            ))
+            Err(TableMessage::OpenDates { column: name, example: beginning(example) })
         }
     }
 }

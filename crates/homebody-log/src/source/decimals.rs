@@ -3,6 +3,7 @@
 use super::first_rows::FirstRows;
 use super::measured::measured;
 use super::options::DecimalMark;
+use super::table_messages::TableMessage;
 use crate::limits::beginning;
 use std::borrow::Cow;
 
@@ -38,7 +39,7 @@ impl Numbers {
     /// # Errors
     ///
     /// A sentence with a hint, where nothing decides.
-    pub fn of(first: &FirstRows, columns: &[usize], asked: Option<DecimalMark>) -> Result<Numbers, String> {
+    pub fn of(first: &FirstRows, columns: &[usize], asked: Option<DecimalMark>) -> Result<Numbers, TableMessage> {
         let measured = columns.iter().copied().filter(|&column| first.cells[column].measured > 0).collect();
         let has_comma = decimal_comma(first, columns, asked)?;
         let parts = |column: &usize| {
@@ -95,7 +96,7 @@ fn number_of(cell: &str) -> &str {
 }
 
 /// Whether a comma is before the decimals in these columns.
-fn decimal_comma(first: &FirstRows, columns: &[usize], asked: Option<DecimalMark>) -> Result<bool, String> {
+fn decimal_comma(first: &FirstRows, columns: &[usize], asked: Option<DecimalMark>) -> Result<bool, TableMessage> {
     let mut marks = Marks::default();
     let mut example = "";
     for &column in columns {
@@ -112,11 +113,7 @@ fn decimal_comma(first: &FirstRows, columns: &[usize], asked: Option<DecimalMark
         (_, Marks { comma: 0, either: 0, .. }) => Ok(false),
         (_, Marks { comma: 1.., .. }) => Ok(true),
         (_, Marks { point: 1.., .. }) => Ok(false),
-        _ => Err(format!(
-            "nothing decides whether the comma in {} parts thousands or decimals\n  hint: --decimals comma or --decimals point \
-             decides it",
-            beginning(example.trim())
-        )),
+        _ => Err(TableMessage::OpenDecimals { example: beginning(example.trim()) }),
     }
 }
 

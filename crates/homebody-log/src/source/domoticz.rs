@@ -5,6 +5,7 @@
 
 use super::database::{connect, tables, text};
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::reading::{Reading, open};
 use super::start::Start;
 use crate::error::{LogError, place_of};
@@ -109,8 +110,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     let connection = connect(path).map_err(database)?;
     let there = tables(&connection).map_err(database)?;
     if NEEDED.iter().any(|needed| there.iter().all(|name| name != needed)) {
-        let why = "it has no tables of devices and switches as Domoticz makes them".into();
-        return Err(LogError::NoLog { place: place_of(path), why });
+        return Err(LogError::no_log(place_of(path), FormMessage::NoDevices));
     }
     let devices = devices(&connection).map_err(database)?;
     let has_humidity = humid(&connection).map_err(database)?;

@@ -9,6 +9,7 @@
 use super::columns::Places;
 use super::date_parts::no_instant;
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::in_order::{OFF, ON};
 use super::instant::{Instant, Instants};
 use super::lines::Lines;
@@ -173,10 +174,7 @@ fn columns_of(start: &Start, header: &[String], sensors: &[usize]) -> Vec<Column
 
 fn read_openshs(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
     let mut records = Records::open(path)?;
-    let no_columns = || {
-        let why = "no columns timestamp, Activity and two sensors are in its first line".to_owned();
-        LogError::NoLog { place: place_of(path), why }
-    };
+    let no_columns = || LogError::no_log(place_of(path), FormMessage::OpenshsColumns);
     let Some((_, header)) = records.next(&mut |_| false)? else { return Ok(()) };
     let header = header.texts();
     let (time, activity, sensors) = places(&header).ok_or_else(no_columns)?;

@@ -5,6 +5,7 @@
 
 use super::dateless::{Days, time_of_day};
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::gathered::Gathered;
 use super::instant::Instants;
 use super::lines::Lines;
@@ -113,10 +114,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     let is_refused = dateless && out.reading.log.rows == 0;
     out.end()?;
     match is_refused {
-        true => Err(LogError::NoLog { place: place_of(path), why: DATELESS.into() }),
+        true => Err(LogError::no_log(place_of(path), FormMessage::Dateless { program: "ESPHome" })),
         false => Ok(()),
     }
 }
-
-const DATELESS: &str = "it is a log of ESPHome, whose lines tell times without a date\n  hint: put the date of its first line into \
-                        its name, such as hall-2026-02-02.log";

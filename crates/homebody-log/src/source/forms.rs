@@ -1,6 +1,7 @@
 //! All forms of logs, and the form of a file.
 
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::reading::Reading;
 use super::start::Start;
 use super::{
@@ -62,7 +63,7 @@ const UNREAD: Form = Form {
     name: "mqtt",
     what: "a broker, which keeps no log",
     shows: |_| Shows::Nothing,
-    read: |path, _, _| Err(LogError::NoLog { place: place_of(path), why: "a broker keeps no log".into() }),
+    read: |path, _, _| Err(LogError::no_log(place_of(path), FormMessage::Broker)),
 };
 
 /// The form of a row of the table of kinds.

@@ -5,10 +5,10 @@ use super::in_order::InOrder;
 use super::instant::Instant;
 use super::log::ColumnRole;
 use super::reading::Reading;
+use super::table_messages::TableMessage;
 use crate::error::{LogError, place_of};
 use crate::sensor_info::SensorInfo;
 use foldhash::{HashMap, HashMapExt};
-use homebody_core::problem::readable;
 use homebody_core::sensed::{Meaning, meaning};
 use homebody_core::time::Micros;
 use std::collections::BTreeMap;
@@ -154,8 +154,8 @@ impl<'r, 't> Gathered<'r, 't> {
     }
 
     /// Why the whole text is refused.
-    pub fn refused(&self, why: String) -> LogError {
-        LogError::NoLog { place: self.place.clone(), why: readable(why) }
+    pub fn refused(&self, why: TableMessage) -> LogError {
+        LogError::no_log(self.place.as_str(), why)
     }
 
     /// Hands over all that waits, and what is known.

@@ -12,6 +12,7 @@
 use super::database::{connect, instant as micros, tables, text};
 use super::entity::entity;
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::instant::{Instant, Instants, since_1970};
 use super::log::ColumnRole;
 use super::reading::{Reading, open};
@@ -103,10 +104,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     open(path)?;
     let database = |error| LogError::database(path, error);
     let connection = connect(path).map_err(database)?;
-    let no_states = || LogError::NoLog {
-        place: place_of(path),
-        why: "it has no table of states as Home Assistant makes it".into(),
-    };
+    let no_states = || LogError::no_log(place_of(path), FormMessage::NoStates);
     let columns = columns(&connection).map_err(database)?.ok_or_else(no_states)?;
     know_entities(&connection, &columns, &Registry::beside(path, &mut reading.log.remarks), reading)
         .map_err(database)?;

@@ -3,6 +3,7 @@
 use super::layout::{Layout, refused};
 use super::options::TableOptions;
 use super::records::{Record, Records};
+use super::table_messages::TableMessage;
 use crate::error::LogError;
 use crate::limits::beginning;
 use crate::plain::text;
@@ -65,23 +66,16 @@ pub(super) fn several(path: &Path, layout: &Layout) -> LogError {
     let named: Vec<String> = homes.iter().take(NAMED).map(|home| beginning(home)).collect();
     let more = if count > NAMED { format!(" and {} more", count - NAMED) } else { String::new() };
     let first = homes.first().map_or("", String::as_str);
-    refused(
-        path,
-        format!(
-            "its rows are of {count} homes or persons, by the column {}: {}{more}\n  hint: --home-column '{name}={first}' reads \
-             one of them, --home-column '{name}=*' all as one home",
-            beginning(&name),
-            named.join(", ")
-        ),
-    )
+    let (column, homes) = (format!("the column {}", beginning(&name)), format!("{}{more}", named.join(", ")));
+    refused(path, TableMessage::SeveralHomes { column, homes, key: name, first: first.into() })
 }
 
 /// Refuses a table without a row of the home that is asked for.
 pub(super) fn without(path: &Path, layout: &Layout, column: usize, home: &[u8]) -> LogError {
     let homes = homes_in(path, layout, column);
-    let named: Vec<String> = homes.iter().take(NAMED).map(|home| beginning(home)).collect();
-    let name = beginning(&layout.uses[column].column);
-    refused(path, format!("no row has {} in the column {name}: it has {}", beginning(&text(home)), named.join(", ")))
+    let homes = homes.iter().take(NAMED).map(|home| beginning(home)).collect();
+    let column = format!("the column {}", beginning(&layout.uses[column].column));
+    refused(path, TableMessage::NoSuchHome { column, home: beginning(&text(home)), homes })
 }
 
 fn homes_in(path: &Path, layout: &Layout, column: usize) -> BTreeSet<String> {

@@ -10,6 +10,7 @@
 
 use super::above::{Above, LIST, Level};
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::gathered::Gathered;
 use super::instant::Instant;
 use super::json_hint::hint;
@@ -21,6 +22,7 @@ use super::reading::Reading;
 use super::said::{Object, instant, text};
 use super::start::Start;
 use crate::error::{LogError, place_of};
+use crate::problems::LengthMessage;
 use homebody_core::scenario::logger::LoggerFile;
 use serde_json::Value;
 use std::path::Path;
@@ -78,19 +80,13 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
         return walk.out.end();
     }
     if walk.values == 1 && walk.no_row.is_none() {
-        return Err(LogError::NoLog { place: place_of(path), why: "it has no rows: its JSON is empty".into() });
+        return Err(LogError::no_log(place_of(path), FormMessage::EmptyJson));
     }
     let (at, object) = walk.no_row.unwrap_or_default();
     let at = if object.is_some() || !at.is_empty() { at } else { ".[]".into() };
-    let line = hint(&at, object.as_ref(), &mut walk.out.reading.instants);
-    Err(LogError::NoLog {
-        place: place_of(path),
-        why: format!("{NO_ROWS}\n  hint: make JSON Lines of it, such as with {line}"),
-    })
+    let command = hint(&at, object.as_ref(), &mut walk.out.reading.instants);
+    Err(LogError::no_log(place_of(path), FormMessage::JsonWithoutRows { command }))
 }
-
-const NO_ROWS: &str = "it is JSON, and no objects with a time, a sensor and a value are in it, nor lists of times and values under a \
-                       sensor's name";
 
 /// A way through a text.
 struct Walk<'w, 'r, 't> {
@@ -162,7 +158,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
     /// Goes through a value that is under a key, or in a list.
     fn value(&mut self, key: Option<String>) -> Result<Passed, LogError> {
         if self.above.depth() > DEEPEST {
-            return Err(self.text.too_long(format!("lists and objects are more than {DEEPEST} deep in each other")));
+            return Err(self.text.too_long(LengthMessage::Depth { most: DEEPEST }));
         }
         self.values += 1;
         if self.enough.is_some() && self.values > MOST_SEARCHED {
@@ -189,7 +185,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
             (Some(b'['), _, _) => self.list(key),
             (None, _, _) => Ok(Passed::End),
             (_, _, None) if self.text.is_cut() => self.cut(line, self.rows),
-            (_, _, None) => Err(self.text.too_long("a text in it is longer than a row may be".into())),
+            (_, _, None) => Err(self.text.too_long(LengthMessage::JsonText)),
             (_, None, Some(length)) => {
                 self.text.pass(length);
                 self.broken(line)
@@ -307,7 +303,7 @@ impl<'w, 'r, 't> Walk<'w, 'r, 't> {
                         if self.text.is_cut() {
                             break self.cut(begun, before)?;
                         }
-                        return Err(self.text.too_long("a key is longer than a row may be".into()));
+                        return Err(self.text.too_long(LengthMessage::JsonKey));
                     };
                     serde_json::from_slice::<String>(self.text.bytes(length)).ok().map(|key| (key, length))
                 }

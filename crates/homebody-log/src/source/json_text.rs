@@ -3,6 +3,7 @@
 use super::reading::open;
 use crate::error::LogError;
 use crate::limits::LONGEST_ROW_BYTES;
+use crate::problems::LengthMessage;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -125,7 +126,7 @@ impl JsonText {
     }
 
     /// An error that says what is too long here.
-    pub fn too_long(&self, what: String) -> LogError {
+    pub fn too_long(&self, what: LengthMessage) -> LogError {
         LogError::too_long(&self.path, self.line, what)
     }
 }

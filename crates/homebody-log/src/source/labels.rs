@@ -2,6 +2,7 @@
 
 use super::casas_words::{When, is_number, when};
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::instant::{Instant, Instants};
 use super::lines::Lines;
 use super::log::ColumnRole;
@@ -166,10 +167,8 @@ fn delimited<'l>(line: &'l str, delimiter: Option<char>, instants: &mut Instants
 }
 
 fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), LogError> {
-    let table = LabelTable::of(&Start::of(path)?).ok_or_else(|| LogError::NoLog {
-        place: place_of(path),
-        why: "it has no rows of a start, an end and a label".into(),
-    })?;
+    let table =
+        LabelTable::of(&Start::of(path)?).ok_or_else(|| LogError::no_log(place_of(path), FormMessage::NoLabels))?;
     // For labels of a log, the columns stay those of the log.
     for (name, role) in [("start", ColumnRole::Time), ("end", ColumnRole::End), ("label", ColumnRole::Label)] {
         if reading.log.rows == 0 {

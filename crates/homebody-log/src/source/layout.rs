@@ -18,6 +18,7 @@ use super::log::{ColumnRole, ColumnUse};
 use super::measured::measured;
 use super::options::{DateOrder, TableOptions};
 use super::pick::{End, Pick, Time};
+use super::table_messages::TableMessage;
 use crate::error::{LogError, place_of};
 use crate::limits::beginning;
 use crate::plain;
@@ -96,24 +97,20 @@ impl Layout {
         let is_ours = |names: &[String]| Places::by_name(names, file).is_some_and(|places| places.is_mapped);
         match first.rows.is_empty() {
             true if is_ours(&first.names) => return Ok(None),
-            true => return Err(refused(path, "it has no rows: its only line is a heading".into())),
+            true => return Err(refused(path, TableMessage::NoRows)),
             false => {}
         }
         decide(path, &first, file, options).map(Some).map_err(|why| refused(path, why))
     }
 }
 
-pub(super) fn refused(path: &Path, why: String) -> LogError {
-    LogError::NoLog { place: place_of(path), why }
+pub(super) fn refused(path: &Path, why: TableMessage) -> LogError {
+    LogError::no_log(place_of(path), why)
 }
 
-fn decide(path: &Path, first: &FirstRows, file: &LoggerFile, options: &TableOptions) -> Result<Layout, String> {
+fn decide(path: &Path, first: &FirstRows, file: &LoggerFile, options: &TableOptions) -> Result<Layout, TableMessage> {
     if 2 * first.longer > first.rows.len() {
-        return Err(format!(
-            "its rows have more cells than its heading has names: where a comma parts the cells, no number can have one \
-             before its decimals\n  hint: save it with semicolons between the cells ({} names)",
-            first.names.len()
-        ));
+        return Err(TableMessage::MoreCells { names: first.names.len() });
     }
     let mut pick = Pick::of(first);
     pick.home(options.home.as_ref())?;
@@ -139,7 +136,7 @@ fn decide(path: &Path, first: &FirstRows, file: &LoggerFile, options: &TableOpti
     finish(path, pick, time, rows, options)
 }
 
-fn finish(path: &Path, mut pick: Pick, time: Time, rows: Rows, options: &TableOptions) -> Result<Layout, String> {
+fn finish(path: &Path, mut pick: Pick, time: Time, rows: Rows, options: &TableOptions) -> Result<Layout, TableMessage> {
     let (order, because) = order_of(path, pick.first, &time, options.dates)?;
     if let Some(because) = because {
         pick.add_reason(time.column, &because);
@@ -199,7 +196,7 @@ fn says_utc(time: &Time, pick: &mut Pick) -> bool {
 }
 
 /// Rows of a start and an end.
-fn intervals(path: &Path, pick: &mut Pick, time: &Time, end: End) -> Result<Rows, String> {
+fn intervals(path: &Path, pick: &mut Pick, time: &Time, end: End) -> Result<Rows, TableMessage> {
     let label = pick.taken(ColumnRole::Label);
     let sensor = pick.by_heading(ColumnRole::Sensor);
     if let Some(label) = label.or_else(|| sensor.is_none().then(|| pick.activities()).flatten()) {
@@ -257,7 +254,7 @@ fn channel_name(path: &Path, name: &str) -> Option<String> {
     names.find(|(of, name)| *of == number && !name.trim().is_empty()).map(|(_, name)| name.trim().to_owned())
 }
 
-fn events_or_wide(path: &Path, pick: &mut Pick) -> Result<Rows, String> {
+fn events_or_wide(path: &Path, pick: &mut Pick) -> Result<Rows, TableMessage> {
     let columns = pick.value_columns();
     let named_value = pick.by_heading(ColumnRole::Value);
     let sensor = pick.sensor(columns.len() > 1)?;
@@ -303,7 +300,7 @@ fn events(sensors: Vec<usize>, value: Option<usize>) -> Rows {
 }
 
 /// A table of a time and a value: a sensor alone.
-fn one_sensor(path: &Path, pick: &mut Pick, value: usize) -> Result<Rows, String> {
+fn one_sensor(path: &Path, pick: &mut Pick, value: usize) -> Result<Rows, TableMessage> {
     let cells = &pick.first.cells[value];
     match cells.are_mostly(cells.values()) {
         true => {
@@ -324,7 +321,7 @@ fn one_sensor(path: &Path, pick: &mut Pick, value: usize) -> Result<Rows, String
 const LEAST_CELLS: usize = 4;
 
 /// A column for each sensor.
-fn wide(pick: &mut Pick, prefix: Vec<usize>) -> Result<Rows, String> {
+fn wide(pick: &mut Pick, prefix: Vec<usize>) -> Result<Rows, TableMessage> {
     for column in pick.free() {
         if let Some(because) = pick.no_value(column).filter(|_| !prefix.contains(&column)) {
             pick.take(column, ColumnRole::Unused, because);

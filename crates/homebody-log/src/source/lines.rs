@@ -4,6 +4,7 @@ use super::reading::open;
 use crate::error::LogError;
 use crate::limits::LONGEST_ROW_BYTES;
 use crate::plain::text;
+use crate::problems::LengthMessage;
 use std::borrow::Cow;
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -62,8 +63,7 @@ impl Lines {
             return Ok(None);
         }
         if line.len() > LONGEST_ROW_BYTES {
-            let what = format!("the line is longer than {LONGEST_ROW_BYTES} bytes");
-            return Err(LogError::too_long(path, self.number, what));
+            return Err(LogError::too_long(path, self.number, LengthMessage::Line));
         }
         let line = if self.number == 1 { line.strip_prefix(MARK).unwrap_or(line) } else { line };
         Ok(Some((self.number, line)))

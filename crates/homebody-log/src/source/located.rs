@@ -2,6 +2,7 @@
 
 use super::foreign::{foreign_kind, no_text};
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::forms::{ABSENT, forms, of_scheme, shown};
 use super::labels::{self, LabelTable};
 use super::options::TableOptions;
@@ -192,7 +193,7 @@ pub(crate) fn activities_of_set(folder: &Path) -> PathBuf {
 
 /// The form of a text. A text without any sign needs cells, which make a table; else it is an error that describes it.
 fn form_of(start: &Start) -> Result<&'static Form, LogError> {
-    let no_log = |why| LogError::NoLog { place: place_of(&start.path), why: readable(why) };
+    let no_log = |why| LogError::no_log(place_of(&start.path), why);
     // The log of a run that has written nothing yet.
     if start.bytes().is_empty() && start.path.with_file_name(RECORDING).is_file() {
         return Ok(&casas::FORM);
@@ -208,13 +209,9 @@ fn form_of(start: &Start) -> Result<&'static Form, LogError> {
     }
 }
 
-/// The sentence about a text without a form.
-fn unknown(start: &Start) -> String {
-    let first = start.lines().next().unwrap_or_default();
-    let first = beginning(&first);
-    format!(
-        "it is of no form that is known: line 1 is {first}\n  hint: docs/reference/logs.md lists the forms; name one before the file, as in csv:FILE"
-    )
+/// The message about a text without a form.
+fn unknown(start: &Start) -> FormMessage {
+    FormMessage::Unknown { first_line: beginning(&start.lines().next().unwrap_or_default()) }
 }
 
 /// Whether a path is a folder of a data set, such as `run=5` or `day=2009-03-02`.
@@ -234,8 +231,7 @@ fn files_in(folder: &Path) -> Result<Option<Vec<PathBuf>>, LogError> {
         }
         paths.push(path);
         if paths.len() > MOST_FILES {
-            let why = format!("it is a folder of more than {MOST_FILES} files: name the log");
-            return Err(LogError::NoLog { place: place_of(folder), why });
+            return Err(LogError::no_log(place_of(folder), FormMessage::ManyFiles { most: MOST_FILES }));
         }
     }
     paths.sort();
@@ -270,9 +266,8 @@ fn in_folder(folder: &Path) -> Result<Source, LogError> {
                 return Ok(Source { parts, ..Source::new(first.form, path) });
             }
             let names: Vec<String> = found.iter().take(MOST_NAMED).map(name).collect();
-            let more = if found.len() > MOST_NAMED { " and others" } else { "" };
-            let why = format!("it is a folder of several logs: name one of {}{more}", names.join(", "));
-            Err(LogError::NoLog { place: place_of(folder), why: readable(why) })
+            let has_more = found.len() > MOST_NAMED;
+            Err(LogError::no_log(place_of(folder), FormMessage::SeveralLogs { names, has_more }))
         }
     }
 }

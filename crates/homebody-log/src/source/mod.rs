@@ -29,6 +29,7 @@ mod esphome;
 mod first_rows;
 mod foreign;
 mod form;
+mod form_messages;
 mod forms;
 mod gathered;
 mod heading;
@@ -78,6 +79,7 @@ mod sqlite;
 mod start;
 mod table_events;
 mod table_intervals;
+mod table_messages;
 mod table_wide;
 mod tables;
 mod tables_of_text;
@@ -96,6 +98,7 @@ pub(crate) use causes::{Cause, Causes};
 pub use columns::Places;
 pub(crate) use database::{connect, connect_only, first_row, text};
 pub use form::{Form, Shows};
+use form_messages::FormMessage;
 pub use forms::{FORMS, forms};
 use homebody_core::problem::readable;
 use homebody_core::scenario::logger::LoggerFile;
@@ -117,6 +120,12 @@ use std::path::Path;
 pub use tables::{ReadTables, TakeRow, Value};
 pub(crate) use tables_of_text::read_numbers;
 pub use truth_rows::truth_rows;
+
+/// The messages about files that are not logs.
+pub(crate) const MESSAGES: [&[homebody_core::messages::Entry]; 2] = {
+    use homebody_core::messages::Catalogue;
+    [FormMessage::ENTRIES, table_messages::TableMessage::ENTRIES]
+};
 
 /// Reads a log into memory; `file` tells the names of a database's table and columns, or of a CSV file's columns, where they
 /// are neither ours nor to be guessed.
@@ -163,8 +172,8 @@ pub fn stream(
     let mut log = reading.end()?;
     match log.problems.first() {
         Some(first) if log.rows == 0 && log.activities.is_empty() => {
-            let why = format!("line {}: {}", first.line, first.why);
-            Err(no_log(&source, LogError::NoLog { place: place_of(path), why }))
+            let why = FormMessage::NoRow { line: first.line, reason: first.why.clone() };
+            Err(no_log(&source, LogError::no_log(place_of(path), why)))
         }
         _ => {
             log.skipped += table.problems.len() as u64;
@@ -219,12 +228,15 @@ fn no_log(source: &Source, error: LogError) -> LogError {
     match error {
         // Forms of crates of their own say it themselves.
         error if !FORMS.contains(source.form()) => error,
-        LogError::NoLog { place, why } => {
+        LogError::NoLog(reason) => {
             let no_text = Start::of(source.path()).ok().and_then(|start| foreign::no_text(&start));
-            LogError::NoLog { place, why: no_text.unwrap_or(why) }
+            match no_text {
+                Some(why) => LogError::no_log(reason.place, why),
+                None => LogError::NoLog(reason),
+            }
         }
         LogError::Broken { place, source } => {
-            LogError::NoLog { place, why: format!("as a database it is damaged or cut short: {source}") }
+            LogError::no_log(place, FormMessage::DamagedDatabase { reason: source.to_string() })
         }
         other => other,
     }

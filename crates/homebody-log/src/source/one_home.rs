@@ -5,6 +5,7 @@ use super::columns::{plain, role_of};
 use super::gathered::Gathered;
 use super::log::ColumnRole;
 use super::said::text;
+use super::table_messages::TableMessage;
 use crate::error::LogError;
 use crate::limits::beginning;
 use serde_json::Value;
@@ -57,12 +58,12 @@ impl OneHome {
                 Ok(true)
             }
             Some(first) if *first == home => Ok(true),
-            Some(first) => Err(out.refused(format!(
-                "its rows are of several homes or persons, by the key {key:?}: {}, {} ...\n  hint: --home-column '{key}={first}' reads \
-                 one of them, --home-column '{key}=*' all as one home",
-                beginning(first),
-                beginning(&home)
-            ))),
+            Some(first) => Err(out.refused(TableMessage::SeveralHomes {
+                column: format!("the key {key:?}"),
+                homes: format!("{}, {} ...", beginning(first), beginning(&home)),
+                key: key.to_owned(),
+                first: first.clone(),
+            })),
         }
     }
 
@@ -73,10 +74,9 @@ impl OneHome {
             None | Some("*") => Ok(()),
             Some(_) if self.has_asked => Ok(()),
             Some(home) => {
-                let others: Vec<String> = self.others.iter().map(|home| beginning(home)).collect();
-                let has =
-                    if others.is_empty() { "it has none".into() } else { format!("it has {}", others.join(", ")) };
-                Err(out.refused(format!("no row has {} under the key {:?}: {has}", beginning(home), asked.column)))
+                let homes = self.others.iter().map(|home| beginning(home)).collect();
+                let column = format!("the key {:?}", asked.column);
+                Err(out.refused(TableMessage::NoSuchHome { column, home: beginning(home), homes }))
             }
         }
     }

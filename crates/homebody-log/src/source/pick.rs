@@ -5,6 +5,7 @@ use super::columns::{CERTAIN, is_certain_sensor, is_id, is_price, is_remark, pla
 use super::first_rows::FirstRows;
 use super::log::{ColumnRole, ColumnUse};
 use super::options::{DateOrder, HomeColumn};
+use super::table_messages::TableMessage;
 use crate::limits::beginning;
 use homebody_core::problem::readable;
 use homebody_core::time::{DAY, Micros, SECOND};
@@ -175,7 +176,7 @@ impl<'f> Pick<'f> {
     }
 
     /// Takes the column of homes: the one that is asked for, or one with a heading of homes or persons.
-    pub fn home(&mut self, asked: Option<&HomeColumn>) -> Result<(), String> {
+    pub fn home(&mut self, asked: Option<&HomeColumn>) -> Result<(), TableMessage> {
         let Some(asked) = asked else {
             // Numbers that hardly come again, or states, are readings; texts that hardly come again are titles.
             let is_home = |column: &usize| {
@@ -191,7 +192,10 @@ impl<'f> Pick<'f> {
         let found = names.iter().position(|name| *name == asked.column);
         match found.or_else(|| names.iter().position(|name| name.eq_ignore_ascii_case(&asked.column))) {
             Some(column) => self.take(column, ColumnRole::Home, "--home-column names it"),
-            None => return Err(format!("no column is called {}: it has {}", beginning(&asked.column), self.names())),
+            None => {
+                let column = beginning(&asked.column);
+                return Err(TableMessage::NoHomeColumn { column, columns: self.names() });
+            }
         }
         Ok(())
     }
@@ -203,15 +207,20 @@ impl<'f> Pick<'f> {
     }
 
     /// Names the columns that a table lacks.
-    pub fn lacks(&self, what: &str) -> String {
+    pub fn lacks(&self, wanted: &'static str) -> TableMessage {
+        TableMessage::NoColumns { wanted, among: self.all_names() }
+    }
+
+    /// The names of the columns, or their number without a heading.
+    fn all_names(&self) -> String {
         match self.first.has_heading {
-            true => format!("no columns of {what} are among {}", self.names()),
-            false => format!("no columns of {what} are among its {}", self.taken.len()),
+            true => self.names(),
+            false => format!("its {} columns without a heading", self.taken.len()),
         }
     }
 
     /// Takes the column of the time, or the two of date and time of day.
-    pub fn time(&mut self) -> Result<Time, String> {
+    pub fn time(&mut self) -> Result<Time, TableMessage> {
         let headed = self.headed(ColumnRole::Time);
         let with = |is: &dyn Fn(&Cells) -> bool| headed.iter().copied().find(|column| is(self.cells(*column)));
         let by_heading =
@@ -267,7 +276,7 @@ impl<'f> Pick<'f> {
         headed: &[usize],
         date: Option<usize>,
         of_day: Option<usize>,
-    ) -> Result<Time, String> {
+    ) -> Result<Time, TableMessage> {
         let is_day_number = |column: &&usize| {
             let cells = self.cells(**column);
             cells.are(cells.numbers) && cells.are_mostly(cells.day_numbers)
@@ -285,10 +294,10 @@ impl<'f> Pick<'f> {
             return Ok(Time { is_since_start: true, ..Time::at(begin) });
         }
         if let Some(date) = date {
-            return Err(format!("its instants, in the column {}, are dates without a time of day", name(date)));
+            return Err(TableMessage::DatesAlone { column: name(date) });
         }
         if let Some(of_day) = of_day {
-            return Err(format!("its instants, in the column {}, are times of day without a date", name(of_day)));
+            return Err(TableMessage::TimesAlone { column: name(of_day) });
         }
         match headed.first().copied().filter(|&column| self.heading(column).is_some_and(|(_, rank)| rank < CERTAIN)) {
             // Each row is left out with its reason.
@@ -296,7 +305,7 @@ impl<'f> Pick<'f> {
                 self.take(column, ColumnRole::Time, ColumnUse::HEADING);
                 Ok(Time::at(column))
             }
-            _ => Err(format!("{}: no cell is a date and time", self.lacks("time, sensor and value"))),
+            _ => Err(TableMessage::NoInstants { among: self.all_names() }),
         }
     }
 
@@ -466,7 +475,7 @@ impl<'f> Pick<'f> {
     }
 
     /// Each row is a firing, where it has no value: that is certain if the sensor has a heading or comes again.
-    pub fn firings(&mut self, sensor: usize) -> Result<(), String> {
+    pub fn firings(&mut self, sensor: usize) -> Result<(), TableMessage> {
         let cells = self.cells(sensor);
         let is_known = self.heading(sensor).is_some_and(|(role, _)| role != ColumnRole::Unused);
         let comes_again = cells.filled >= 4 && 2 * cells.texts.len() <= cells.filled;
@@ -478,19 +487,12 @@ impl<'f> Pick<'f> {
         if let Some(column) =
             (0..self.first.cells.len()).find(is_told).filter(|_| !self.first.has_heading && cells.is_constant())
         {
-            return Err(format!(
-                "its sensors and values are in the sentences of column {}\n  hint: write a table with a column for the time, the sensor and \
-                 the value",
-                column + 1
-            ));
+            return Err(TableMessage::RowsInSentences { column: column + 1 });
         }
         if let Some(prose) =
             self.prose().filter(|_| self.first.has_heading && !is_certain_sensor(&self.first.names[sensor]))
         {
-            return Err(format!(
-                "what its rows tell is in the column {}, whose texts hardly come again: it is no log of sensors",
-                beginning(&self.first.names[prose])
-            ));
+            return Err(TableMessage::Prose { column: beginning(&self.first.names[prose]) });
         }
         self.supplied =
             Some(format!("no column has a value: each row is a firing, and {FIRING} is the reader's own word"));

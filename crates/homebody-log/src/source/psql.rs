@@ -3,6 +3,7 @@
 
 use super::columns::Places;
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::lines::Lines;
 use super::log::ColumnRole;
 use super::reading::Reading;
@@ -144,8 +145,7 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
             known = columns(line, file);
             known.iter().for_each(|known| known.record(line, &levels, reading));
             if known.is_none() {
-                let why = "no columns of time, sensor and value are in its first line".to_owned();
-                return Err(LogError::NoLog { place: place_of(path), why });
+                return Err(LogError::no_log(place_of(path), FormMessage::PsqlColumns));
             }
             continue;
         };

@@ -2,6 +2,7 @@
 
 use super::activities::{Activity, Notes};
 use super::date_parts::no_instant;
+use super::form_messages::FormMessage;
 use super::instant::{Instant, Instants};
 use super::log::{Clock, ColumnRole, ColumnUse, Event, Log};
 use super::options::TableOptions;
@@ -216,9 +217,7 @@ impl<'t> Reading<'t> {
         if sensors <= FEW_SENSORS || 2 * sensors as u64 <= rows {
             return Ok(());
         }
-        let why =
-            format!("its first {rows} rows have {sensors} sensors: these are no sensors, which come again and again");
-        Err(LogError::NoLog { place: self.place.clone(), why })
+        Err(LogError::no_log(self.place.as_str(), FormMessage::ManyNames { rows, names: sensors }))
     }
 
     /// Settles by which clock the log is told: that of most of its first rows. Those of the other are left out.

@@ -12,6 +12,7 @@ use super::tables_of_text::{read_csv, read_jsonl};
 use crate::elsewhere;
 use crate::error::LogError;
 use crate::places::{Places, TRUTH};
+use crate::problems::TruthMessage;
 use crate::table::Table;
 use crate::truth::{self, Truth, TruthKept, tables};
 use crate::url::{Url, table_file};
@@ -50,16 +51,16 @@ impl RecordedTruth {
         if !is_brief && !wanted.contains(&movement) {
             wanted.push(movement);
         }
-        let no_truth = |why: &str| LogError::NoTruth { place: url.to_string(), why: why.into() };
+        let no_truth = |why: TruthMessage| LogError::no_truth(url.to_string(), why);
         let scheme = url.scheme();
         let read = match scheme {
             Scheme::Sqlite => return RecordedTruth::in_place(url, &wanted),
             Scheme::Csv => read_csv,
             Scheme::Jsonl => read_jsonl,
-            Scheme::Casas => return Err(no_truth("the form of CASAS cannot hold one")),
+            Scheme::Casas => return Err(no_truth(TruthMessage::CasasForm)),
             _ => {
                 let elsewhere = elsewhere::of(scheme).ok_or_else(|| elsewhere::not_built_in(url))?;
-                elsewhere.tables.ok_or_else(|| no_truth("such a place keeps none"))?
+                elsewhere.tables.ok_or_else(|| no_truth(TruthMessage::Unstored))?
             }
         };
         gathered(url, &wanted, read)
@@ -68,11 +69,11 @@ impl RecordedTruth {
     /// One in a database of SQLite stays where it is.
     fn in_place(url: &Url, wanted: &[&Table]) -> Result<RecordedTruth, LogError> {
         let path = url.path();
-        let no_truth = |why| LogError::NoTruth { place: url.to_string(), why };
+        let no_truth = |why: TruthMessage| LogError::no_truth(url.to_string(), why);
         open(path)?;
         let found = connect(path).and_then(|connection| Ok((missing(&connection, wanted)?, connection)));
         let (missing, connection) = found.map_err(|error| match error.sqlite_error_code() {
-            Some(rusqlite::ErrorCode::NotADatabase) => no_truth("it is no database".into()),
+            Some(rusqlite::ErrorCode::NotADatabase) => no_truth(TruthMessage::NotDatabase),
             _ => LogError::database(path, error),
         })?;
         match missing.is_empty() {
@@ -82,7 +83,7 @@ impl RecordedTruth {
                 has_movements: has_movements(wanted),
                 told_by: None,
             }),
-            false => Err(no_truth(missing.join(", "))),
+            false => Err(no_truth(TruthMessage::Missing { missing })),
         }
     }
 

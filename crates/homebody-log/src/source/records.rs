@@ -8,6 +8,7 @@ use super::start::Start;
 use crate::error::LogError;
 use crate::limits::{LONGEST_ROW_BYTES, MOST_CELLS, MOST_LINES_OF_ROW};
 use crate::plain::text;
+use crate::problems::LengthMessage;
 use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -136,8 +137,7 @@ impl Records {
             number
         };
         if self.record.len() > MOST_CELLS {
-            let what = format!("the row has more than {MOST_CELLS} cells");
-            return Err(LogError::too_long(&self.path, number, what));
+            return Err(LogError::too_long(&self.path, number, LengthMessage::Cells));
         }
         Ok(Some((number, &self.record)))
     }

@@ -3,9 +3,9 @@
 use super::columns::{CERTAIN, is_certain_sensor, is_price, plain};
 use super::log::ColumnRole;
 use super::pick::Pick;
+use super::table_messages::TableMessage;
 use crate::limits::beginning;
 use homebody_core::names::words;
-use homebody_core::problem::readable;
 use homebody_core::role::Role;
 use homebody_core::sensed::{Kind, Meaning, meaning};
 use homebody_core::vocabulary::{DOOR_WORDS, ROLE_WORDS, has_any};
@@ -20,7 +20,7 @@ type IsText = fn(&str) -> bool;
 impl Pick<'_> {
     /// Refuses rows without a heading of a time, a number and a thing that is used or opened, in any order: nothing says whether the
     /// number is a duration or a reading.
-    pub fn no_lengths(&self, sensor: usize, value: usize) -> Result<(), String> {
+    pub fn no_lengths(&self, sensor: usize, value: usize) -> Result<(), TableMessage> {
         /// Longest use of a thing, in seconds (our choice).
         const LONGEST_S: f64 = 1e6;
         let (things, numbers) = (self.cells(sensor), self.cells(value));
@@ -43,17 +43,12 @@ impl Pick<'_> {
             columns.sort_unstable();
             columns.iter().map(|(_, name)| *name).collect::<Vec<_>>().join(",")
         };
-        Err(format!(
-            "the numbers in column {} may be how long its things were used, as in a table of intervals, or readings\n  hint: write a first \
-             line above it, {} for intervals in seconds or {} for readings",
-            value + 1,
-            names("duration"),
-            names("value")
-        ))
+        let (intervals, readings) = (names("duration"), names("value"));
+        Err(TableMessage::OpenNumbers { column: value + 1, intervals, readings })
     }
 
     /// Refuses a table by what its columns hold, if none is certain to name sensors.
-    pub fn no_other_list(&self) -> Result<(), String> {
+    pub fn no_other_list(&self) -> Result<(), TableMessage> {
         let columns = || (0..self.first.cells.len()).filter(|&column| self.cells(column).filled > 0);
         let names = &self.first.names;
         if !self.first.has_heading || columns().any(|column| is_certain_sensor(&names[column])) {
@@ -63,14 +58,16 @@ impl Pick<'_> {
             let cells = self.cells(column);
             cells.are_mostly(cells.texts.iter().filter(|(text, _)| is(text)).map(|(_, count)| count).sum())
         };
-        let kinds: [(IsText, &str); 3] =
-            [(is_page, "addresses of pages"), (is_mail, "addresses of mail"), (is_phone, "numbers of telephones")];
-        let found = kinds.iter().find_map(|(is, what)| Some((columns().find(|&column| is_of(column, *is))?, what)));
+        let kinds: [(IsText, &'static str); 3] =
+            [(is_page, "addresses of web pages"), (is_mail, "e-mail addresses"), (is_phone, "telephone numbers")];
+        let found = kinds.iter().find_map(|(is, what)| Some((columns().find(|&column| is_of(column, *is))?, *what)));
+        let other_list =
+            |column: usize, content| TableMessage::OtherList { column: beginning(&names[column]), content };
         if let Some((column, what)) = found {
-            return Err(format!("its column {} holds {what}: it is no log of sensors", beginning(&names[column])));
+            return Err(other_list(column, what));
         }
         if let Some(question) = columns().find(|&column| names[column].ends_with('?') && names[column].contains(' ')) {
-            return Err(format!("its column {} asks people: it is no log of sensors", beginning(&names[question])));
+            return Err(other_list(question, "answers to a question"));
         }
         let all: Vec<String> = names.iter().map(|name| plain(name)).collect();
         let has = |wanted: &[&str]| columns().any(|column| wanted.contains(&all[column].as_str()));
@@ -78,10 +75,10 @@ impl Pick<'_> {
             columns().any(|column| wanted.contains(&all[column].as_str()) && self.cells(column).hardly_come_again())
         };
         if moves(&["latitude", "lat"]) && moves(&["longitude", "lon", "lng", "long"]) {
-            return Err("its rows are of places on a map: it is no log of a home's sensors".into());
+            return Err(TableMessage::Track);
         }
         if has(&["subject"]) && has(&["startdate"]) && has(&["enddate"]) {
-            return Err("it is a calendar: its rows have a subject, a start date and an end date".into());
+            return Err(TableMessage::Calendar);
         }
         let is_used = |column: usize| {
             let is_of = |text: &str| USED.contains(&text.to_lowercase().as_str());
@@ -89,46 +86,35 @@ impl Pick<'_> {
             words.any(is_of) || self.cells(column).texts.keys().any(|text| is_of(text))
         };
         match columns().find(|&column| is_price(&names[column]) || self.cells(column).are(self.cells(column).money)) {
-            Some(price) if !columns().any(is_used) => {
-                Err(format!("its column {} holds prices: it is no log of sensors", beginning(&names[price])))
-            }
+            Some(price) if !columns().any(is_used) => Err(other_list(price, "prices")),
             _ => Ok(()),
         }
     }
 
     /// Refuses names that hardly come again, and values that are sentences: these are other tables.
-    pub fn no_keys(&self, sensor: usize, value: Option<usize>) -> Result<(), String> {
+    pub fn no_keys(&self, sensor: usize, value: Option<usize>) -> Result<(), TableMessage> {
         let cells = self.cells(sensor);
         let is_certain = self.first.has_heading && is_certain_sensor(&self.first.names[sensor]);
         let name = |column: usize| beginning(&self.first.names[column]);
         if cells.hardly_come_again() && !is_certain {
-            return Err(format!(
-                "the column {} names no sensors: {} of {} rows have a name of their own, and sensors come again",
-                name(sensor),
-                cells.texts.len(),
-                cells.filled
-            ));
+            let (column, names, rows) = (name(sensor), cells.texts.len(), cells.filled);
+            return Err(TableMessage::ManyNames { column, names, rows });
         }
         if let Some(sentences) = value.and_then(|value| self.devices_in_sentences(sensor, value)) {
-            return Err(format!(
-                "its devices stand in the sentences of the column {} alone: the column {} says what they measure\n  \
-                 hint: write the device of each row into a column of its own, under the heading device",
-                name(sentences),
-                name(sensor)
-            ));
+            return Err(TableMessage::DevicesInSentences { column: name(sentences), measured: name(sensor) });
         }
         if let Some(value) = value
             && let cells = self.cells(value)
             && cells.are_mostly(cells.sentences)
             && cells.hardly_come_again()
         {
-            return Err(format!("the column {} holds sentences, and no values of sensors", name(value)));
+            return Err(TableMessage::Sentences { column: name(value) });
         }
         Ok(())
     }
 
     /// Refuses the log of a program.
-    pub fn no_program_log(&self) -> Result<(), String> {
+    pub fn no_program_log(&self) -> Result<(), TableMessage> {
         let columns = 0..self.first.cells.len();
         let is_known = |role| {
             columns.clone().any(|column| self.heading(column).is_some_and(|(of, rank)| of == role && rank < CERTAIN))
@@ -140,8 +126,8 @@ impl Pick<'_> {
         match grave {
             Some(column) if !(is_known(ColumnRole::Sensor) && is_known(ColumnRole::Value)) => {
                 let words: Vec<&str> = self.cells(column).texts.keys().map(String::as_str).take(3).collect();
-                let name = beginning(&self.first.names[column]);
-                Err(format!("it is the log of a program: the column {name} says {}", readable(words.join(", "))))
+                let column = beginning(&self.first.names[column]);
+                Err(TableMessage::ProgramLog { column, levels: words.join(", ") })
             }
             _ => Ok(()),
         }

@@ -4,6 +4,7 @@ use super::cells::{Cells, is_blank};
 use super::columns::{ATTRIBUTES, CERTAIN, is_certain_sensor, is_id, plain};
 use super::log::{ColumnRole, ColumnUse};
 use super::pick::Pick;
+use super::table_messages::TableMessage;
 use crate::limits::beginning;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -32,8 +33,8 @@ impl Pick<'_> {
     ///
     /// # Errors
     ///
-    /// A sentence with a hint, where two columns are equally good.
-    pub fn sensor(&mut self, beside_values: bool) -> Result<Option<usize>, String> {
+    /// A message, where two columns are equally good.
+    pub fn sensor(&mut self, beside_values: bool) -> Result<Option<usize>, TableMessage> {
         let is_sure = |column: &usize| {
             self.heading(*column).is_some_and(|(_, rank)| rank < CERTAIN) || self.cells(*column).come_again()
         };
@@ -72,7 +73,7 @@ impl Pick<'_> {
     }
 
     /// Refuses a table with another column as good as that of the sensor: the same names stand in both.
-    fn no_rival(&self, sensor: usize, all: &[usize]) -> Result<(), String> {
+    fn no_rival(&self, sensor: usize, all: &[usize]) -> Result<(), TableMessage> {
         let is_open = |column: usize| self.first.has_heading && self.heading(column).is_none();
         let texts = |column: usize| &self.cells(column).texts;
         let is_rival = |other: usize| {
@@ -82,10 +83,7 @@ impl Pick<'_> {
         match all.iter().copied().find(|&other| is_open(sensor) && is_rival(other)) {
             Some(other) => {
                 let [sensor, other] = [sensor, other].map(|column| beginning(&self.first.names[column]));
-                Err(format!(
-                    "the columns {sensor} and {other} have the same names in them, and nothing says which of them names its sensors\n  \
-                     hint: --mapping logger.json decides it: {{\"columns\": {{\"time\": ..., \"sensor\": {sensor}, \"value\": ...}}}}"
-                ))
+                Err(TableMessage::OpenSensors { column: sensor, other })
             }
             None => Ok(()),
         }

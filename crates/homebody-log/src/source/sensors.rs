@@ -4,11 +4,12 @@ use crate::error::{LogError, place_of};
 use crate::limits::beginning;
 use crate::places::SENSORS;
 use crate::plain;
+use crate::problems::SensorTableMessage;
 use crate::sensor_info::SensorInfo;
 use crate::sensor_table::{self, LARGEST_TABLE_BYTES};
 use crate::skipped::Skipped;
 use crate::spreadsheet::unescaped;
-use homebody_core::problem::readable;
+use homebody_core::problem::{Problem, Problems, readable};
 use homebody_core::sensed::{Kind, meaning};
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
@@ -139,11 +140,14 @@ impl SensorMap {
             _ => LogError::reading(path, error),
         })?;
         let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(&table[..]);
-        let wrong = |line: u64, what: String| format!("{}:{line}: {what}", place_of(path));
+        let wrong = |line: u64, what: SensorTableMessage| {
+            let problem = Problem::of_file(&place_of(path), what, None);
+            Problem { line: u32::try_from(line).unwrap_or(u32::MAX), column: 1, ..problem }
+        };
         let header = reader.byte_headers().cloned().unwrap_or_default();
         let place = |name: &str| header.iter().position(|cell| cell.trim_ascii() == name.as_bytes());
         let (Some(id), Some(name)) = (place("id"), place("name")) else {
-            return Err(LogError::SensorMap { problems: vec![wrong(1, "there are no columns id and name".into())] });
+            return Err(LogError::SensorMap(Problems(vec![wrong(1, SensorTableMessage::NoHeading)])));
         };
         let (mut map, mut names, mut problems) = (BTreeMap::new(), BTreeMap::new(), Vec::new());
         for row in reader.byte_records() {
@@ -152,17 +156,17 @@ impl SensorMap {
             let cell = |place: usize| String::from_utf8_lossy(row.get(place).unwrap_or_default()).into_owned();
             let [id, name] = [id, name].map(|place| unescaped(&cell(place)).to_owned());
             if id.is_empty() || name.is_empty() {
-                problems.push(wrong(line, "an id or a name is empty".into()));
+                problems.push(wrong(line, SensorTableMessage::EmptyCell));
                 continue;
             }
             if let Some(first) = names.insert(name.clone(), line) {
-                problems.push(wrong(line, format!("the name {} is that of line {first}, too", beginning(&name))));
+                problems.push(wrong(line, SensorTableMessage::SameName { name: beginning(&name), line: first }));
             }
             if map.insert(id.clone(), name).is_some() {
-                problems.push(wrong(line, format!("the id {} has a name already", beginning(&id))));
+                problems.push(wrong(line, SensorTableMessage::SameId { id: beginning(&id) }));
             }
         }
-        if problems.is_empty() { Ok(SensorMap(map)) } else { Err(LogError::SensorMap { problems }) }
+        if problems.is_empty() { Ok(SensorMap(map)) } else { Err(LogError::SensorMap(Problems(problems))) }
     }
 
     /// What the home calls a sensor, if the table has its id.

@@ -3,6 +3,7 @@
 use super::columns::Places;
 use super::database::{connect, tables, text};
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::instant::{since_1970, since_1970_whole};
 use super::reading::{Reading, open};
 use super::start::Start;
@@ -37,18 +38,15 @@ fn read(path: &Path, file: &LoggerFile, reading: &mut Reading<'_>) -> Result<(),
     let database = |error| LogError::database(path, error);
     let connection = connect(path).map_err(database)?;
     let table = find(&connection, file, reading).map_err(|error| match error.sqlite_error_code() {
-        Some(rusqlite::ErrorCode::NotADatabase) => {
-            LogError::NoLog { place: place_of(path), why: "it is no database".into() }
-        }
+        Some(rusqlite::ErrorCode::NotADatabase) => LogError::no_log(place_of(path), FormMessage::NotDatabase),
         _ => LogError::database(path, error),
     })?;
-    let why = || "no table in it has columns of time, sensor and value".to_string();
     let table = match table {
         Some(table) => table,
         None if tables(&connection).map_err(database)?.is_empty() => {
             return Err(LogError::NoTables { place: place_of(path) });
         }
-        None => return Err(LogError::NoLog { place: place_of(path), why: why() }),
+        None => return Err(LogError::no_log(place_of(path), FormMessage::NoLogTable)),
     };
     reading.has_spans = spans(&connection, reading).map_err(database)?;
     if let Some(zone) = zone(&connection).map_err(database)? {

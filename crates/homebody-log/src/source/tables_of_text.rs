@@ -4,6 +4,7 @@ use super::lines::Lines;
 use super::records::Records;
 use super::tables::{TakeRow, Value};
 use crate::error::{LogError, place_of};
+use crate::problems::TruthMessage;
 use crate::spreadsheet::unescaped;
 use crate::table::{Column, ColumnKind, Table};
 use crate::url::{Url, table_file};
@@ -79,7 +80,7 @@ fn files<'t>(url: &Url, wanted: &[&'t Table]) -> Result<Vec<(&'t Table, PathBuf)
     let missing: Vec<String> = missing.map(|(_, file)| format!("no file {}", place_of(file))).collect();
     match missing.is_empty() {
         true => Ok(files),
-        false => Err(LogError::NoTruth { place: url.to_string(), why: missing.join(", ") }),
+        false => Err(LogError::no_truth(url.to_string(), TruthMessage::Missing { missing })),
     }
 }
 
@@ -108,9 +109,9 @@ fn value(kind: ColumnKind, said: &Json) -> Option<Value<'_>> {
 }
 
 fn no_column(path: &Path, column: &Column) -> LogError {
-    LogError::NoTruth { place: place_of(path), why: format!("no column {:?}", column.name) }
+    LogError::no_truth(place_of(path), TruthMessage::NoColumn { column: column.name.clone() })
 }
 
 fn no_row(path: &Path, line: u64, table: &Table) -> LogError {
-    LogError::NoTruth { place: place_of(path), why: format!("line {line} is none of the table {:?}", table.name) }
+    LogError::no_truth(place_of(path), TruthMessage::BadRow { line, table: table.name.clone() })
 }

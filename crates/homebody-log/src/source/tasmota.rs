@@ -5,6 +5,7 @@
 
 use super::dateless::{Days, time_of_day};
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::gathered::Gathered;
 use super::instant::{Instant, Instants};
 use super::lines::Lines;
@@ -115,12 +116,9 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
             None => at,
         };
         let Some(instant) = at else {
-            return Err(LogError::NoLog { place: place_of(path), why: DATELESS.into() });
+            return Err(LogError::no_log(place_of(path), FormMessage::Dateless { program: "Tasmota" }));
         };
         payloads.text(&Message { line, instant, topic, is_zigbee: false }, payload, &mut out)?;
     }
     out.end()
 }
-
-const DATELESS: &str = "it is a log of Tasmota, whose lines tell times without a date, and no payload in it has a Time\n  hint: put \
-                        the date of its first line into its name, such as hall-2026-02-02.log";

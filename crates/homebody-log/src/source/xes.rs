@@ -14,6 +14,7 @@ use super::reading::{Reading, open};
 use super::start::Start;
 use crate::error::LogError;
 use crate::limits::{LONGEST_ROW_BYTES, LONGEST_VALUE};
+use crate::problems::LengthMessage;
 use homebody_core::scenario::logger::LoggerFile;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -67,9 +68,7 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
                 break;
             }
             if text.len() > LONGEST_ROW_BYTES {
-                let what =
-                    format!("the tag is longer than {LONGEST_ROW_BYTES} bytes, or a quote in it is never closed");
-                return Err(LogError::too_long(path, line, what));
+                return Err(LogError::too_long(path, line, LengthMessage::Tag));
             }
         }
         if text.is_empty() {

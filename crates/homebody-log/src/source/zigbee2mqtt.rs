@@ -3,6 +3,7 @@
 //! A line has a date and a time, and behind them `MQTT publish: topic '...', payload '...'`. All other lines are about the program itself.
 
 use super::form::{Form, Shows};
+use super::form_messages::FormMessage;
 use super::gathered::Gathered;
 use super::instant::{Instant, Instants};
 use super::lines::Lines;
@@ -69,9 +70,6 @@ fn read(path: &Path, _: &LoggerFile, reading: &mut Reading<'_>) -> Result<(), Lo
     out.end()?;
     match published {
         true => Ok(()),
-        false => Err(LogError::NoLog { place: place_of(path), why: NONE.into() }),
+        false => Err(LogError::no_log(place_of(path), FormMessage::NoMessages)),
     }
 }
-
-const NONE: &str = "it is the log of Zigbee2MQTT, and no line of it publishes a message\n  hint: set its log_level to debug, or \
-                    log the messages themselves with mosquitto_sub -t 'zigbee2mqtt/#' -F '%I %t %p'";

@@ -5,6 +5,7 @@ mod gateways;
 #[path = "../stage/mod.rs"]
 mod stage;
 
+use homebody_core::messages::Diagnose;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::source::{Clock, ColumnRole, HomeColumn, TableOptions};
@@ -216,23 +217,21 @@ fn rows_of_two_homes_are_refused_and_those_of_one_are_read() {
         assert_eq!(told(&log), [(0.0, "hall", "on"), (1.0, "hall", "on")]);
         assert!(is_used(&log, "home_id", ColumnRole::Home) && is_used(&log, "room", ColumnRole::Room));
         assert_eq!(about(&log, "hall"), ["hall", "motion", "", "hall"]);
-        let error = result(&folder, form, name, &text(["A", "B"])).unwrap_err().to_string();
-        assert!(
-            error.contains("of several homes or persons, by the key \"home_id\": \"A\", \"B\"")
-                && error.contains("hint: --home-column 'home_id=A'"),
-            "{error}"
-        );
+        let error = result(&folder, form, name, &text(["A", "B"])).unwrap_err().diagnostic();
+        assert_eq!((error.code, &error.data["first"]), ("log-table::several-homes", &"A".into()));
+        assert!(error.hint.unwrap().contains("--home-column 'home_id=A'"));
         let of_home = |home: &str| {
             let home = Some(HomeColumn { column: "home_id".into(), home: Some(home.into()) });
             let place = Source::recognise(&folder.path().join(name)).unwrap();
             read(place.with_options(TableOptions { home, ..TableOptions::default() }), &LoggerFile::default())
         };
         assert_eq!((told(&of_home("B").unwrap()), of_home("*").unwrap().rows), (vec![(1.0, "hall", "on")], 2));
-        let error = of_home("C").unwrap_err().to_string();
-        assert!(error.contains("no row has \"C\" under the key \"home_id\": it has \"A\", \"B\""), "{error}");
+        let error = of_home("C").unwrap_err().diagnostic();
+        let homes = ["\"A\"", "\"B\""].to_vec();
+        assert_eq!((error.code, &error.data["homes"]), ("log-table::no-such-home", &homes.into()));
     }
     let above = r#"[{"home": "A", "rows": [{"time": 1770012000, "sensor": "hall", "value": 1}]}, {"home": "B", "rows": [{"time": 1770012000, "sensor": "hall", "value": 1}]}]"#;
-    assert!(result(&folder, "json", "above.json", above).unwrap_err().to_string().contains("of several homes"));
+    assert_eq!(result(&folder, "json", "above.json", above).unwrap_err().code(), "log-table::several-homes");
 }
 
 #[test]
@@ -269,16 +268,16 @@ fn a_row_that_is_no_json_costs_no_other_row() {
 #[test]
 fn json_that_is_no_log_is_refused_with_what_would_do() {
     let folder = Folder::new("refused");
-    let empty = result(&folder, "json", "other.json", "[]").unwrap_err().to_string();
-    assert!(empty.contains("it has no rows") && !empty.contains("hint"), "{empty}");
+    assert_eq!(result(&folder, "json", "other.json", "[]").unwrap_err().code(), "log-form::empty-json");
     for text in [
         "{}",
         r#"{"name": "a home", "rooms": [{"name": "hall"}]}"#,
         r#"[{"a": 1}, {"a": 2}]"#,
         r#"{"time": ["2026-02-02T06:00:00Z"], "value": [1]}"#,
     ] {
-        let error = result(&folder, "json", "other.json", text).unwrap_err().to_string();
-        assert!(error.contains("it is JSON") && error.contains("jq -c"), "{text}: {error}");
+        let error = result(&folder, "json", "other.json", text).unwrap_err().diagnostic();
+        assert_eq!(error.code, "log-form::json-without-rows", "{text}");
+        assert!(error.data["command"].as_str().unwrap().starts_with("jq -c"), "{text}: {error}");
     }
     // A folder with a log and another JSON has one log.
     let folder = Folder::new("beside");

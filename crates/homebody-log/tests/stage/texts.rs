@@ -1,6 +1,8 @@
 //! Short tables, written by tests and read as logs.
 
 use super::Folder;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::Diagnostic;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::source::TableOptions;
@@ -34,9 +36,9 @@ pub fn read_text(text: &str) -> Result<(String, Log), LogError> {
 }
 
 /// The error of a text that cannot be read as a log.
-pub fn why(text: &str) -> String {
+pub fn why(text: &str) -> Diagnostic {
     match read_text(text) {
-        Err(error) => error.to_string(),
+        Err(error) => error.diagnostic(),
         Ok((form, log)) => panic!("{form} of {} sensors: {text}", log.sensors.len()),
     }
 }

@@ -108,6 +108,6 @@ fn what_is_no_plan_is_refused_with_a_hint_and_large_ones_are_not_cut_short() {
         let answer = post(body);
         let said = String::from_utf8_lossy(&answer.body).into_owned();
         assert_eq!(answer.code, 422, "{said}");
-        assert!(said.contains("no Sweet Home 3D file") && said.contains("hint"), "{said}");
+        assert!(said.contains("not a Sweet Home 3D file") && said.contains("hint"), "{said}");
     }
 }

@@ -137,7 +137,7 @@ fn lines() -> Result<Receiver<Vec<u8>>, Failure> {
             }
         }
     };
-    let none = |error| Failure::Io(homebody_log::error::no_thread("to read standard input", error));
+    let none = |error| Failure::file(homebody_log::error::no_thread("to read standard input", error));
     thread::Builder::new().spawn(read).map_err(none)?;
     Ok(lines)
 }

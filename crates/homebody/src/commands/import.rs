@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::print::tell;
-use homebody_core::problem::counted;
+use homebody_core::problem::{Problem, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
 use homebody_kit::begun::{Begun, begin, furnish, lack, lived_in, write};
@@ -56,7 +56,8 @@ impl Arguments {
     /// Writes the scenario of a plan into a folder.
     fn make(&self, folder: &Path, name: &str, bytes: &[u8]) -> Result<Made, Failure> {
         let imported = sweet_home(bytes, name, self.level.as_deref());
-        let imported = imported.map_err(|error| Failure::usage(format!("{}: {error}", self.plan.display())))?;
+        let imported = imported
+            .map_err(|error| Failure::asked(Problem::of_file(&self.plan.display().to_string(), error, None)))?;
         let mut begun = Begun::week(name, imported.home_json);
         let mut remarks = imported.remarks;
         if self.furnish {

@@ -124,7 +124,7 @@ fn what_is_wrong_is_told_at_once_and_nothing_is_written() {
     folder.write("strange.csv", "id,room\nX1,hall\n");
     folder.run("new flat --from-log codes.txt --sensors strange.csv").fails(2, "error[new::other-log]");
     folder.write("numbers.txt", "2016-07-12 08:00:00 T1 21.5\n");
-    folder.run("new flat --from-log numbers.txt").fails(2, "no sensor of it tells of movement or of doors");
+    folder.run("new flat --from-log numbers.txt").fails(2, "error[home-from-log::no-sensors]");
     folder.write("plan.png", PICTURE);
     folder.write("on.csv", "id,room,x,y\nM1,hall,5000,10\nM2,hall,,\nD3,hall,,\n");
     let on = "new flat --from-log codes.txt --sensors on.csv --image plan.png";

@@ -69,15 +69,11 @@ fn a_truth_of_texts_labels_as_a_database_does() {
     folder.run("label beside/log.csv --out csv:found.csv --force").ok();
     assert_eq!(folder.read("found.csv"), wanted);
     // What is missing of it is told, and so is what is no row of it.
-    folder.run("label log.csv csv:texts.csv --out csv:texts.room.csv --force").fails(1, "is the input");
+    folder.run("label log.csv csv:texts.csv --out csv:texts.room.csv --force").fails(1, "error[log::is-source]");
     folder.edit("texts.room.csv", "resident,at,room", "resident,at,place");
-    folder
-        .run("label log.csv csv:texts.csv --out csv:x.csv")
-        .fails(1, "texts.room.csv has no ground truth: no column \"room\"");
+    folder.run("label log.csv csv:texts.csv --out csv:x.csv").fails(1, "error[truth::no-column]");
     fs::remove_file(folder.path("texts.off.csv")).unwrap();
-    folder
-        .run("label log.csv csv:texts.csv --out csv:x.csv")
-        .fails(1, "csv:texts.csv has no ground truth: no file texts.off.csv");
+    folder.run("label log.csv csv:texts.csv --out csv:x.csv").fails(1, "it has no file texts.off.csv");
     assert!(!folder.path("x.csv").exists());
 }
 
@@ -89,18 +85,21 @@ fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
     let lines: Vec<&str> = text.lines().collect();
     let dirty = [&lines[..3], &["3,never,Fridge,ON", "nonsense"], &lines[3..]].concat().join("\n");
     folder.write("dirty.csv", dirty);
-    let said = folder.run("label dirty.csv truth.db --out csv:x.csv").fails(1, "dirty.csv:4: \"never\" is no date").err;
-    assert!(said.contains("dirty.csv:5: ") && said.contains("hint: ") && !said.contains("truth.db"), "{said}");
+    let said = folder
+        .run("label dirty.csv truth.db --out csv:x.csv")
+        .fails(1, "error[log::unreadable-rows]: cannot read 2 lines")
+        .err;
+    assert!(said.contains("dirty.csv:4: ") && said.contains("hint: ") && !said.contains("truth.db"), "{said}");
 
     folder.write("empty.db", "");
     Connection::open(folder.path("other.db")).unwrap().execute_batch("CREATE TABLE cause (row)").unwrap();
     folder.write("text.txt", "no truth at all, but a text that is long enough to be looked at");
     for (truth, said) in [
-        ("empty.db", "has no ground truth: no table \"cause\", no table \"off\""),
-        ("other.db", "has no ground truth: no column \"firing\" of \"cause\""),
-        ("text.txt", "text.txt has no ground truth: it is no database"),
+        ("empty.db", "error[truth::missing-parts]"),
+        ("other.db", "it has no column \"firing\" of \"cause\""),
+        ("text.txt", "error[truth::not-a-database]"),
         ("none.db", "[log::not-found]: none.db"),
-        ("casas:log.csv", "has no ground truth"),
+        ("casas:log.csv", "error[truth::casas]"),
     ] {
         let said = folder.run(&format!("label log.csv {truth} --out csv:x.csv")).fails(1, said).err;
         assert!(said.contains("\n  hint: "), "{said}");
@@ -200,7 +199,7 @@ fn no_file_of_a_run_is_replaced() {
     fs::create_dir(folder.path("runs/flat-1/x")).unwrap();
     for to in if cfg!(unix) { &files[..] } else { &files[..4] } {
         folder.run(&format!("convert elsewhere.csv --out {to} --force")).fails(1, "log::file-of-run");
-        let said = if to.ends_with(".db") { "is the input" } else { "log::file-of-run" };
+        let said = if to.ends_with(".db") { "error[log::is-source]" } else { "log::file-of-run" };
         folder.run(&format!("label runs/flat-1 --out {to} --force")).fails(1, said);
     }
     fs::remove_dir(folder.path("runs/flat-1/x")).unwrap();

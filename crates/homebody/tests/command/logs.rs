@@ -63,7 +63,7 @@ fn no_log_is_carried_onto_itself() {
     for (from, to) in [("log.csv", "csv:log.csv"), ("log.db", "sqlite:./flat/../log.db"), ("log.csv", "casas:log.csv")]
     {
         let before = folder.sha256(from);
-        folder.run(&format!("convert {from} --out {to} --force")).fails(1, "is the input");
+        folder.run(&format!("convert {from} --out {to} --force")).fails(1, "error[log::is-source]");
         assert_eq!(folder.sha256(from), before);
     }
 }
@@ -106,9 +106,7 @@ fn logs_are_compared() {
     let agreement = half["firings"]["agreement"].as_f64().unwrap();
     assert!((0.4..0.6).contains(&agreement), "{half}");
     // The truth is no log.
-    folder
-        .run("compare runs/flat-1/truth.db runs/flat-1")
-        .fails(2, "no table in it has columns of time, sensor and value");
+    folder.run("compare runs/flat-1/truth.db runs/flat-1").fails(2, "error[log-form::no-log-table]");
 
     // What has no firings is told, as its agreement tells little.
     folder.write("room.txt", "2009-03-02 07:12:03 T1 21.5\n2009-03-02 07:13:03 T1 21.6\n");

@@ -38,14 +38,14 @@ fn what_a_log_holds_is_told_as_figures_words_and_pictures() {
     // Nothing is replaced that is there, and nothing is written then.
     folder.run("inspect log.txt --html look.html").fails(1, "[log::exists]: look.html");
     folder.write("empty.txt", "");
-    folder.run("inspect empty.txt").fails(2, "it is empty");
+    folder.run("inspect empty.txt").fails(2, "error[log-form::empty]");
     assert!(folder.run("inspect casas:empty.txt").ok().out.contains("0 rows of 0 sensors"));
     folder.run("inspect casas:empty.txt --svg empty.svg").ok();
     assert!(folder.read("empty.svg").contains("There is no row."));
     folder.run("inspect none.txt").fails(1, "[log::not-found]: none.txt");
     folder.write("junk.bin", "\u{0}\u{1},\u{2}\n");
-    folder.run("inspect junk.bin").fails(2, "it is neither a text nor a database");
-    folder.run("convert junk.bin --out csv:junk.csv").fails(2, "it is neither a text nor a database");
+    folder.run("inspect junk.bin").fails(2, "error[log-form::binary]");
+    folder.run("convert junk.bin --out csv:junk.csv").fails(2, "error[log-form::binary]");
     assert!(!folder.path("junk.csv").exists());
 }
 
@@ -61,16 +61,15 @@ fn a_home_and_a_map_say_what_fits() {
     assert_eq!(home["misfits"][0]["name"], "BedroomWall");
     assert!(home["unheard"].as_array().unwrap().contains(&json!("StudyFloor")), "{home}");
     folder.write("twice.csv", "id,name\nM1,a\nM2,a\nM1,b\n,c\n");
-    let said = folder
-        .run("inspect log.txt --sensors twice.csv")
-        .fails(2, "twice.csv:3: the name \"a\" is that of line 2, too");
+    let said =
+        folder.run("inspect log.txt --sensors twice.csv").fails(2, "twice.csv:3:1: error[sensor-table::duplicate-name]");
     assert!(
-        said.err.contains("twice.csv:4: the id \"M1\" has a name already") && said.err.contains("twice.csv:5:"),
+        said.err.contains("twice.csv:4:1: error[sensor-table::duplicate-id]") && said.err.contains("twice.csv:5:"),
         "{}",
         said.err
     );
     folder.write("other.csv", "what,name\n");
-    folder.run("inspect log.txt --sensors other.csv").fails(2, "there are no columns id and name");
+    folder.run("inspect log.txt --sensors other.csv").fails(2, "other.csv:1:1: error[sensor-table::no-heading]");
     // One log by its ids, the other by names: the map ties them.
     folder.write("named.txt", "2009-03-02 07:00:00 KitchenWall ON\n2009-03-02 07:00:09 KitchenWall ON\n");
     let compared = folder.run("compare log.txt named.txt --sensors map.csv --json").ok().json();
@@ -126,5 +125,5 @@ fn a_log_becomes_nobodys() {
     assert_eq!(spans, ["2009-02-23 07:00:00.000000 2009-02-23 07:00:30.000000 Cook"]);
     let everything = folder.dump("kept.db");
     assert!(!everything.contains("M1") && !everything.contains("log.txt"), "{everything}");
-    folder.run("anonymise log.txt --out casas:log.txt --force").fails(1, "is the input");
+    folder.run("anonymise log.txt --out casas:log.txt --force").fails(1, "error[log::is-source]");
 }

@@ -49,7 +49,7 @@ fn the_table_of_sensors_is_not_taken_for_the_log() {
     // Also where ids look like instants, and no other table is a log.
     folder.query("week.db", "DROP TABLE firing");
     folder.query("week.db", "UPDATE sensor SET id = '2009-03-02 07:12:03', name = 'M1', kind = 'ON'");
-    folder.run("convert week.db --out csv:none.csv").fails(2, "no table in it has columns of time, sensor and value");
+    folder.run("convert week.db --out csv:none.csv").fails(2, "error[log-form::no-log-table]");
 }
 
 #[test]

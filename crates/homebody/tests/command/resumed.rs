@@ -264,8 +264,8 @@ fn what_was_changed_is_not_gone_on_with() {
         assert_eq!(database.execute(sql, []).unwrap(), 1, "{sql}");
     };
     for (sql, said) in [
-        ("UPDATE firing SET sensor = 'another' WHERE seq = 7", "row 7 of \"firing\" is another"),
-        ("UPDATE run SET run_id = 7", "it holds another run"),
+        ("UPDATE firing SET sensor = 'another' WHERE seq = 7", "error[resume::other-row]: "),
+        ("UPDATE run SET run_id = 7", "error[resume::other-run]"),
     ] {
         stopped(&folder);
         change(sql);
@@ -288,10 +288,10 @@ fn a_file_of_something_else_is_not_replaced() {
         |sql: &'static str| move |path: &std::path::Path| Connection::open(path).unwrap().execute_batch(sql).unwrap();
     type Lay<'a> = &'a dyn Fn(&std::path::Path);
     let others: [(&str, Lay); 4] = [
-        ("it is the database of something else", &database("CREATE TABLE photo (name TEXT)")),
-        ("it is the database of something else", &database("CREATE TABLE run (name TEXT)")),
-        ("it holds another run", &database("CREATE TABLE run (run_id TEXT); INSERT INTO run VALUES ('seven')")),
-        ("log::not-a-database", &|path| fs::write(path, "a diary").unwrap()),
+        ("error[resume::foreign-database]", &database("CREATE TABLE photo (name TEXT)")),
+        ("error[resume::foreign-database]", &database("CREATE TABLE run (name TEXT)")),
+        ("error[resume::other-run]", &database("CREATE TABLE run (run_id TEXT); INSERT INTO run VALUES ('seven')")),
+        ("error[log::not-a-database]", &|path| fs::write(path, "a diary").unwrap()),
     ];
     // One that was stopped, whose truth is written anew, and one that was killed.
     for is_killed in [false, true] {
@@ -565,12 +565,14 @@ fn labels_of_another_run_are_refused() {
     let folder = flat();
     folder.run("run flat --for 30m --quiet").ok();
     folder.run("run flat --for 20m --quiet").ok();
-    folder.run("label runs/flat-2 runs/flat-1/truth.db --out csv:labelled.csv").fails(1, "it tells of row");
+    folder.run("label runs/flat-2 runs/flat-1/truth.db --out csv:labelled.csv").fails(1, "error[other-run::fewer-rows]");
     folder.edit("flat/home.json", "KitchenWall", "OtherWall");
     folder.run("run flat --for 30m --quiet").ok();
-    folder.run("label runs/flat-1 runs/flat-3/truth.db --out csv:labelled.csv").fails(1, "is of another sensor");
+    folder
+        .run("label runs/flat-1 runs/flat-3/truth.db --out csv:labelled.csv")
+        .fails(1, "error[other-run::other-sensor]");
     for source in ["sqlite:runs/flat-1/log.db", "csv:runs/flat-1/log.db", "csv:runs/flat-1/truth.db"] {
-        folder.run(&format!("label runs/flat-1 --force --out {source}")).fails(1, "is the input");
+        folder.run(&format!("label runs/flat-1 --force --out {source}")).fails(1, "error[log::is-source]");
     }
     assert!(!folder.path("labelled.csv").exists());
 }

@@ -52,7 +52,7 @@ fn a_place_that_cannot_be_is_told_before_the_run() {
     folder.run("new none/home").ok();
     folder.run("new file/home").fails(1, "file/home");
     folder.run("schema file").fails(1, "file: ");
-    folder.run("convert file --out csv:none2/log").fails(2, "[log::not-a-log]: cannot read file");
+    folder.run("convert file --out csv:none2/log").fails(2, "cannot read file");
     assert_eq!(folder.read("file"), "precious");
 }
 

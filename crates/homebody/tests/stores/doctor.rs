@@ -52,7 +52,7 @@ fn an_installation_is_looked_at() {
         ("nonsense:x", "is not a place for a log"),
         ("postgresql://ann:s3cr3t-canary@host/homes", "had a password in it"),
         ("mqtt://ann:s3cr3t-canary@host/homes", "password"),
-        ("jsonl:-", "none are kept there"),
+        ("jsonl:-", "stores none"),
     ] {
         let said = folder.run(&format!("doctor {place}")).fails(2, what);
         assert!(!said.err.contains("s3cr3t-canary") && !said.out.contains("s3cr3t-canary"), "{}", said.err);
@@ -89,7 +89,7 @@ fn what_is_wrong_with_files_is_found() {
         tells(&folder, "sqlite:hurt.db", "wrong", wanted);
     }
     change("UPDATE run SET ended_at = NULL");
-    tells(&folder, "sqlite:hurt.db", "warning", "has not come to its end");
+    tells(&folder, "sqlite:hurt.db", "warning", "is not complete");
     change("DROP TABLE run");
     tells(&folder, "hurt.db", "warning", "there is no table \"run\"");
     // Pages of nonsense in the middle.
@@ -114,7 +114,7 @@ fn what_is_wrong_with_files_is_found() {
     tells(&folder, "csv:hurt.csv", "wrong", "2 rows have numbers that were there before");
     let text = folder.read("log.jsonl");
     folder.write("hurt.jsonl", &text[..text.len() - 9]);
-    tells(&folder, "jsonl:hurt.jsonl", "wrong", "1 line is not understood");
+    tells(&folder, "jsonl:hurt.jsonl", "wrong", "cannot read 1 line");
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn what_is_wrong_with_columns_is_found() {
         folder.files().into_iter().find(|file| file.starts_with("lives/") && file.ends_with(".parquet")).unwrap();
     let hidden = part.replace("part-0", ".part-1").replace(".parquet", ".parquet.77.part");
     folder.write(&hidden, "half");
-    tells(&folder, "lives", "warning", "1 file is not whole yet");
+    tells(&folder, "lives", "warning", "1 file is incomplete");
     fs::remove_file(folder.path(&hidden)).unwrap();
     // A day that is of another place in the run.
     folder.run("run flat --for 5m --seed 3 --quiet --out parquet:other").ok();
@@ -203,14 +203,14 @@ fn what_is_wrong_with_a_database_on_a_server_is_found() {
     );
     hurts("ALTER TABLE firing ALTER value TYPE char(9)", "wrong", "is character(9), and not text");
     hurts("ALTER TABLE firing DROP COLUMN sensor", "wrong", "has no column \"sensor\"");
-    hurts("UPDATE homebody_run SET ended_at = NULL", "warning", "has not come to its end");
-    hurts("DELETE FROM homebody_run", "wrong", "does not know it");
+    hurts("UPDATE homebody_run SET ended_at = NULL", "warning", "is not complete");
+    hurts("DELETE FROM homebody_run", "wrong", "has no such run");
     hurts("DROP TABLE homebody_run", "warning", "there is no table \"homebody_run\"");
     hurts("DELETE FROM truth.movement", "wrong", "\"movement\" has 0 rows");
     hurts("ALTER DATABASE hurt SET default_transaction_read_only = on", "wrong", "takes no changes from this user");
     server.psql(&database, "CREATE ROLE guest LOGIN; REVOKE CREATE ON SCHEMA public FROM PUBLIC");
     tells(&folder, &server.url("guest", &database, ""), "wrong", "has no right to INSERT");
-    tells(&folder, &server.url("guest", "postgres", "&schema=fresh"), "wrong", "may not make one");
+    tells(&folder, &server.url("guest", "postgres", "&schema=fresh"), "wrong", "may not create one");
     // That a role may only read is told once for each schema, and not for each of the truth's tables.
     let reads = "CREATE ROLE looker LOGIN; GRANT USAGE ON SCHEMA truth TO looker; \
                  GRANT SELECT ON ALL TABLES IN SCHEMA public, truth TO looker";
@@ -241,11 +241,11 @@ fn what_is_wrong_with_a_broker_is_found() {
         format!("allow_anonymous true\nacl_file {}\n", folder.path(name).display())
     };
     let broker = Broker::with(&rights("readers", "topic read homes/#\n")).unwrap();
-    tells(&folder, &format!("{} --write", broker.url("homes")), "wrong", "this user may not speak below homes/");
+    tells(&folder, &format!("{} --write", broker.url("homes")), "wrong", "this user may not publish below homes/");
     let broker = Broker::with(&rights("writers", "topic write homes/#\n")).unwrap();
-    tells(&folder, &format!("{} --write", broker.url("homes")), "wrong", "may not listen");
+    tells(&folder, &format!("{} --write", broker.url("homes")), "wrong", "may not subscribe");
     let broker = Broker::with("allow_anonymous false\n").unwrap();
-    tells(&folder, &broker.url("homes").to_string(), "wrong", "lets this user not in");
+    tells(&folder, &broker.url("homes").to_string(), "wrong", "rejects this user");
 }
 
 /// What a broker keeps below `homes`, a line each.

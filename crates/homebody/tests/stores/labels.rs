@@ -39,9 +39,10 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
     // What is missing is told, all of it.
     std::fs::remove_file(folder.path("columns.off.arrow")).unwrap();
     std::fs::remove_file(folder.path("columns.room.arrow")).unwrap();
-    let said = folder.run("label log.csv arrow:columns.arrow --out csv:x.csv").fails(1, "has no ground truth").err;
+    let said =
+        folder.run("label log.csv arrow:columns.arrow --out csv:x.csv").fails(1, "error[truth::missing-parts]").err;
     assert!(said.contains("no file columns.off.arrow, no file columns.room.arrow"), "{said}");
-    folder.run("label log.csv mqtt://127.0.0.1/homes --out csv:x.csv").fails(1, "such a place keeps none");
+    folder.run("label log.csv mqtt://127.0.0.1/homes --out csv:x.csv").fails(1, "error[truth::not-stored]");
 
     let Some(server) = Server::shared() else { return };
     let database = server.database("labels");

@@ -14,8 +14,8 @@ fn force_replaces_no_rows() {
     // The transaction of each row.
     let written = || server.psql(&database, "SELECT count(*), min(xmin::text), max(xmin::text) FROM firing");
     let before = written();
-    folder.run(&format!("{run} --force")).fails(1, "--replace-rows replaces it");
-    folder.run(&run).fails(1, "--replace-rows replaces it");
+    folder.run(&format!("{run} --force")).fails(1, "error[postgresql::run-exists]");
+    folder.run(&run).fails(1, "error[postgresql::run-exists]");
     assert_eq!(written(), before);
     folder.run(&format!("{run} --replace-rows")).ok();
     assert_ne!(written(), before);

@@ -1,0 +1,136 @@
+//! Why a file is not a log that Homebody reads.
+
+homebody_core::messages! {
+    /// Files that are not logs, or whose form Homebody does not know.
+    pub(crate) enum FormMessage in "log-form" {
+        /// A program that has just started may have created its log without a row so far.
+        Empty error "empty" ("the file is empty")
+            hint ("wait until the program that writes it has written its rows");
+        /// The file has another purpose, or keeps its table in a form of its own. Save the table as CSV with a time, a sensor and a value in
+        /// each row:
+        ///
+        /// ```text
+        /// time,sensor,value
+        /// 2026-03-02 07:12:03,hall motion,ON
+        /// ```
+        OtherKind { kind: &'static str, advice: &'static str }
+            error "other-kind" ("the file is {kind}") hint ("{advice}");
+        /// A repository keeps large files elsewhere, and has a short text in their place.
+        Pointer { program: &'static str, command: &'static str }
+            error "pointer" ("the file is a pointer of {program}, without the data")
+            hint ("fetch the data: {command}");
+        /// Homebody reads texts in UTF-8. Some programs of Windows save texts in UTF-16.
+        Utf16 error "utf-16" ("the file is text in UTF-16")
+            hint ("save it in UTF-8");
+        /// Homebody reads files that are compressed with gzip or Zstandard, but not archives of several files. The files of spreadsheets
+        /// are such archives.
+        Archive { kind: &'static str }
+            error "archive" ("the file is {kind}")
+            hint ("extract the log from it, or save the sheet as CSV");
+        /// Homebody reads files that are compressed with gzip or Zstandard.
+        Packed error "packed" ("the file is compressed in a form that Homebody does not read")
+            hint ("unpack it first, or compress it with gzip");
+        /// A dump has the commands that make a database. Homebody reads the database itself, or a table of it as CSV.
+        Dump { kind: &'static str, advice: &'static str }
+            error "dump" ("the file is a dump of {kind}") hint ("{advice}");
+        /// Logs are texts, SQLite databases, or files in Parquet or Arrow IPC. This file has bytes that no text has.
+        Binary error "binary" ("the file is neither text nor a database")
+            hint ("export the log from the program that wrote it, for example as CSV");
+        /// Of the XML files, Homebody reads event logs in XES.
+        Xml error "xml" ("the file is XML, and not an event log in XES")
+            hint ("write its rows as CSV with a time, a sensor and a value");
+        /// Homebody recognises a log by its first lines. docs/reference/logs.md lists all forms, and the signs of each.
+        Unknown { first_line: String }
+            error "unknown" ("the file has no form that Homebody knows: line 1 is {first_line}")
+            hint ("docs/reference/logs.md lists the forms; name one before the file, as in csv:FILE");
+        /// The database was copied while a program wrote it, or the copy is not complete.
+        DamagedDatabase { reason: String }
+            error "damaged-database" ("the database is damaged or cut short: {reason}")
+            hint ("copy it again with sqlite3 FILE '.backup COPY', or restore it");
+        /// The name or the scheme says that the file is a database, and its first bytes are not those of one.
+        NotDatabase error "not-a-database" ("the file is not an SQLite database")
+            hint ("name the database, or name the file without sqlite: so that Homebody recognises its form");
+        /// Homebody looks for a table with columns of a time, a sensor and a value, by their names. `--mapping logger.json` gives other names:
+        ///
+        /// ```json
+        /// {"table": "events", "columns": {"time": "at", "sensor": "device", "value": "state"}}
+        /// ```
+        NoLogTable error "no-log-table" ("no table of the database has columns of time, sensor and value")
+            hint ("name the table and its columns with --mapping logger.json");
+        /// Home Assistant keeps the states of its entities in the tables `states` and `states_meta`.
+        NoStates error "no-states" ("the database has no table of states as Home Assistant makes it")
+            hint ("name Home Assistant's own home-assistant_v2.db, or a copy of it");
+        /// Domoticz keeps its devices and their history in tables such as `DeviceStatus` and `LightingLog`.
+        NoDevices error "no-devices" ("the database has no tables of devices and switches as Domoticz makes them")
+            hint ("name Domoticz's own domoticz.db, or a copy of it");
+        /// A broker passes messages on and does not store them.
+        Broker error "broker" ("an MQTT broker stores no log")
+            hint ("record its messages to a file: mosquitto_sub -v -F '%U %t %p' -t '#' > log.txt");
+        /// The folder has several files that are logs, and they are not parts of one.
+        SeveralLogs { names: Vec<String>, has_more: bool }
+            error "several-logs" ("the folder has several logs")
+            hint ("name one of {names}{more}", names = names.join(", "), more = if *has_more { " and others" } else { "" });
+        /// Homebody looks at each file of a folder to find the log in it, so it limits their number.
+        ManyFiles { most: usize }
+            error "many-files" ("the folder has more than {most} files")
+            hint ("name the log");
+        /// The text in brackets or braces has no values.
+        EmptyJson error "empty-json" ("the file has no rows: its JSON is empty")
+            hint ("check that the program that writes it has written its rows");
+        /// A row in JSON is an object with a time, a sensor and a value, or a list of times and values under a sensor's name:
+        ///
+        /// ```json
+        /// [{"time": "2026-03-02T07:12:03Z", "sensor": "hall motion", "value": "ON"}]
+        /// ```
+        JsonWithoutRows { command: String }
+            error "json-without-rows" ("no object of the JSON has a time, a sensor and a value")
+            hint ("make JSON Lines of it, for example with {command}");
+        /// No line of the file could be parsed. The first of them shows the problem.
+        NoRow { line: u64, reason: String }
+            error "no-row" ("line {line}: {reason}")
+            hint ("correct the rows, or name the form of the log before the file, as in csv:FILE");
+        /// The lines of this program have times of day. Homebody takes the date of the first line from the name of the file.
+        Dateless { program: &'static str }
+            error "no-date" ("it is a log of {program}, whose lines have times without a date")
+            hint ("put the date of its first line into its name, such as hall-2026-02-02.log");
+        /// Zigbee2MQTT logs the messages that it publishes only at the level `debug`, or `info` in older versions.
+        NoMessages error "no-messages" ("it is a log of Zigbee2MQTT, and no line of it publishes a message")
+            hint ("set log_level to debug, or record the messages with mosquitto_sub -t 'zigbee2mqtt/#' -F '%I %t %p'");
+        /// The output of `psql` begins with a line of the names of columns.
+        PsqlColumns error "psql-columns" ("its first line has no columns of time, sensor and value")
+            hint ("select a time, a sensor and a value, or name the columns with --mapping logger.json");
+        /// The tables of OpenSHS have a column for each sensor, one for the time and one for the activity.
+        OpenshsColumns error "openshs-columns" ("its first line has no columns timestamp, Activity and of two sensors")
+            hint ("name the file without openshs: so that Homebody recognises its form");
+        /// Each row of a table of labels has two instants and a text.
+        NoLabels error "no-labels" ("no row has a start, an end and a label")
+            hint ("name the file without labels: so that Homebody recognises its form");
+        /// A log of sensors repeats a few names, while a log of a program has sentences, levels and names of modules.
+        ProgramLog { evidence: String }
+            error "program-log" ("it looks like the log of a program: {evidence}")
+            hint ("give a log with a time, a sensor and a value in each row");
+        /// A log in the text form of CASAS has a date, a time, a sensor and a value in each line:
+        ///
+        /// ```text
+        /// 2009-03-02 07:12:03.123456  M001  ON
+        /// ```
+        NoTextRows error "no-text-rows" ("no line has a date, a time, a sensor and a value")
+            hint ("docs/reference/logs.md lists the forms; name one before the file, as in csv:FILE");
+        /// Most lines of a log begin with a date and a time.
+        FewTextRows { rows: usize, lines: usize }
+            error "few-text-rows" ("only {rows} of its first {lines} lines begin with a date and a time")
+            hint ("remove the other lines, or name the form of the log before the file, as in csv:FILE");
+        /// The rows are a table with a column for each sensor, and nothing names the columns. With a heading Homebody reads it:
+        ///
+        /// ```text
+        /// time,kitchen temperature,bedroom temperature
+        /// 2026-03-02 07:12:03,21.5,19.0
+        /// ```
+        UnnamedColumns error "unnamed-columns" ("its lines have numbers in columns, and no names of sensors")
+            hint ("write a heading with a name for each column, and separate the cells by commas");
+        /// The same sensors come again and again in a log. Here nearly each row has a name of its own.
+        ManyNames { rows: u64, names: usize }
+            error "many-names" ("its first {rows} rows have {names} names: sensors come again and again")
+            hint ("check which column names the sensors; --mapping logger.json names it");
+    }
+}
