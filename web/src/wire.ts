@@ -1109,7 +1109,7 @@ export type Suggest = { draft: Draft,
  */
 sensors: number, 
 /**
- * What is to be seen, as `homebody place` has it.
+ * What is to be seen, as `homebody suggest-sensors` has it.
  */
 to_see: Array<string>, 
 /**

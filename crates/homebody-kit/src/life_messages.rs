@@ -10,7 +10,7 @@ homebody_core::messages! {
             /// A sensor to begin with, as JSON.
             example: String,
         } warning "no-sensors" ("the home has no sensors, so a run has an empty log")
-            hint ("add some to \"sensors\"{example}; `homebody place` proposes positions, and the page's Plan has sensors to drag");
+            hint ("add some to \"sensors\"{example}; `homebody suggest-sensors` proposes positions, and the page's Plan has sensors to drag");
         /// Sensors fire when residents move. A home without residents has only the firings of devices and of faults.
         NoResidents warning "no-residents" ("the scenario has no residents, so no sensor fires on movement")
             hint ("add a file to \"residents\", as in a scenario of `homebody new`");

@@ -10,7 +10,7 @@ use homebody_analysis::dates::written;
 use homebody_analysis::signs::Kind;
 use homebody_analysis::walks::{Speaker, Walks, walks};
 use homebody_core::geometry::Point;
-use homebody_core::problem::{Problem, counted};
+use homebody_core::problem::{Problem, Problems, counted};
 use homebody_core::time::DAY;
 use homebody_import::from_log::{LogSensor, LogWay, Schematic, Speaks, schematic};
 use homebody_log::SensorInfo;
@@ -60,7 +60,7 @@ pub fn of_log(name: &str, given: &GivenLog) -> Result<OfLog, Error> {
     let about =
         format!("Schematic: made of what the log {} tells, and of what its sensors are called. {ABOUT}", given.file);
     let home = schematic(name, &about, &sensors, &ways);
-    let home = home.map_err(|error| Error::Unbeginnable(Problem::of_file(given.named, error, None)))?;
+    let home = home.map_err(|error| Error::Unbeginnable(Problems(vec![Problem::of_file(given.named, error, None)])))?;
     let lived = inhabit(name, given, &home)?;
     remarks.extend(home.remarks);
     Ok(OfLog { lived, remarks })

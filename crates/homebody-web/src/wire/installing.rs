@@ -77,7 +77,7 @@ pub struct Suggest {
     pub draft: Draft,
     /// How many there may be.
     pub sensors: u16,
-    /// What is to be seen, as `homebody place` has it.
+    /// What is to be seen, as `homebody suggest-sensors` has it.
     pub to_see: Vec<String>,
     /// How many people live there, where that is asked for which somebody has to.
     pub people: u32,
