@@ -145,8 +145,8 @@ impl Examining {
     fn recorded(&self, folder: &Path, run: &Recording) -> Check {
         let resume = match has_no_end(run) {
             _ if !run.lives_again() => "run it again with the program that has its driver".into(),
-            true => format!("homebody live SCENARIO --folder {} continues it", folder.display()),
-            false => format!("homebody run --resume {} continues it", folder.display()),
+            true => format!("homebody live SCENARIO --folder {} resumes it", folder.display()),
+            false => format!("homebody run --resume {} resumes it", folder.display()),
         };
         let version = &run.version;
         match () {

@@ -109,7 +109,7 @@ fn rows_of(
 ) -> Result<(), LogError> {
     let run = told.run;
     if !told.is_ended {
-        let hint = "homebody run --resume FOLDER continues it, unless it is running now";
+        let hint = "homebody run --resume FOLDER resumes it, unless it is running now";
         found.not_well.push(Check::warning("runs", format!("run {run} is not complete"), hint));
     }
     let before = found.not_well.len();

@@ -64,7 +64,7 @@ fn left(run: &str, on_the_way: &[PathBuf], checks: &mut Vec<Check>) {
     checks.push(Check::warning(
         "files",
         says,
-        "homebody run --resume FOLDER continues the run, unless it is running now",
+        "homebody run --resume FOLDER resumes the run, unless it is running now",
     ));
 }
 

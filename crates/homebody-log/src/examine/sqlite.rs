@@ -48,7 +48,7 @@ pub(super) fn examine(url: &Url, asked: &Asked) -> Result<Vec<Check>, LogError> 
                 true => Check::warning(
                     "file",
                     "a transaction was half written as a program was killed, so nothing more is looked at: to open it would change it",
-                    "homebody inspect reads it and undoes what was half written; homebody run --resume FOLDER goes on with the run",
+                    "homebody inspect reads it and undoes what was half written; homebody run --resume FOLDER resumes the run",
                 ),
                 false => Check::of_error("file", &LogError::database(path, error)),
             });
@@ -280,7 +280,7 @@ fn runs(connection: &Connection, path: &Path, is_there: bool, checks: &mut Vec<C
             false => Check::warning(
                 "runs",
                 format!("run {run} is not complete"),
-                format!("homebody run --resume {} continues it, unless it is running now", place_of(folder)),
+                format!("homebody run --resume {} resumes it, unless it is running now", place_of(folder)),
             ),
         });
     }

@@ -86,7 +86,7 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     folder.run("live studio --folder home --seed 7").fails(2, "another --folder");
     folder.run("run --resume home").fails(2, "homebody live SCENARIO --folder home resumes it");
     let said = folder.run("doctor home").ok().out;
-    assert!(said.contains("homebody live SCENARIO --folder home goes on with it"), "{said}");
+    assert!(said.contains("homebody live SCENARIO --folder home resumes it"), "{said}");
     let home = Living::begin(&folder, "fifth", "live studio --folder home --start 2024-11-01 --seed 74");
     home.until("it says so", || {
         home.told().contains("resumes in home; simulated from 2024-11-01 00:00:00; press Ctrl-C")
