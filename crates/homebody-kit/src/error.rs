@@ -341,9 +341,7 @@ mod tests {
     fn an_error_of_a_file_leads_to_that_of_the_system() {
         assert!(Error::io(Path::new("a"), io::ErrorKind::NotFound.into()).source().is_some());
         assert!(Error::file(Path::new("a"), "it is empty").source().is_none());
-        let source = Some("the third is too many".into());
-        let (place, what, hint) = ("mine".to_owned(), "it failed".to_owned(), None);
-        let error = LogError::Destination { place, what, hint, passes: false, source };
+        let error = LogError::destination("mine", "it failed").caused_by("the third is too many");
         assert_eq!(error.source().map(ToString::to_string).as_deref(), Some("the third is too many"));
     }
 }
