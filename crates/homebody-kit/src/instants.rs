@@ -3,6 +3,7 @@
 
 use crate::error::Error;
 use crate::log_with_run::NamedLog;
+use crate::own_truth::MOST_COMPARED;
 use homebody_analysis::dates::put_on_wall;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::Micros;
@@ -58,6 +59,8 @@ impl NamedLog {
     pub fn instants(&self, zone: Option<&str>) -> Result<Instants, Error> {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         let mut log = self.read()?;
+        let first = log.events.iter().take(MOST_COMPARED).copied().collect();
+        let truth = self.truth_of(&mut log, first)?;
         let known = self.zone();
         let off_the_wall = asked.clone().filter(|_| known.is_none() && log.clock == Clock::Local);
         let clock_of = |file: RunClock| OnEarth {
@@ -74,7 +77,7 @@ impl NamedLog {
         for Activity { begin, end, .. } in &mut noted {
             (*begin, *end) = (clock.at(*begin), clock.at(*end));
         }
-        let mut lives = match self.truth() {
+        let mut lives = match truth {
             Some(truth) => lives(&truth, &self.clock())?,
             None => Vec::new(),
         };
@@ -145,10 +148,12 @@ impl NamedLog {
     pub fn with_activities(&self, zone: Option<&str>) -> Result<Log, Error> {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         let mut log = self.read()?;
+        let first = log.events.iter().take(MOST_COMPARED).copied().collect();
+        let truth = self.truth_of(&mut log, first)?;
         if let Some(zone) = asked.filter(|_| self.zone().is_none()) {
             put_on_wall(&mut log, &zone);
         }
-        if let Some(truth) = self.truth() {
+        if let Some(truth) = truth {
             log.activities = activities(&truth, &self.clock())?;
             // Rows are put on the clock of the run, which is never set, as activities of the truth are.
             let clock = self.clock_of(log.clock);

@@ -36,6 +36,7 @@ pub const VERSION: &str = env!("HOMEBODY_VERSION");
 pub mod outside;
 pub mod pace;
 mod own_driver;
+mod own_truth;
 mod stretch;
 mod meters;
 mod run;

@@ -3,6 +3,7 @@
 
 use crate::error::Error;
 use crate::long_log::{Kept, LongLog, MOST_ROWS, TakeRow};
+use crate::own_truth::MOST_COMPARED;
 use homebody_analysis::dates::{date_of, on_wall, put_on_wall, zone_of};
 use homebody_analysis::density::{Asked, Map, Mapping, NoMap};
 use homebody_analysis::look::HomeSensor;
@@ -100,7 +101,9 @@ impl LogWithRun {
     ///
     /// Those of [`LogWithRun::read`].
     pub fn of(named: NamedLog, zone: Option<&str>) -> Result<LogWithRun, Error> {
-        let (log, truth) = (named.read()?, named.truth());
+        let mut log = named.read()?;
+        let first = log.events.iter().take(MOST_COMPARED).copied().collect();
+        let truth = named.truth_of(&mut log, first)?;
         LogWithRun::with(named, log, None, truth, zone)
     }
 
@@ -116,10 +119,14 @@ impl LogWithRun {
 
     /// The same, with so many rows in memory at most.
     pub(crate) fn of_length(named: NamedLog, zone: Option<&str>, most: usize) -> Result<LogWithRun, Error> {
-        let mut kept = Kept::new(most);
-        let mut log = named.stream(&mut |part| kept.take(part))?;
+        let (mut kept, mut first) = (Kept::new(most), Vec::new());
+        let mut log = named.stream(&mut |part| {
+            let left = MOST_COMPARED - first.len();
+            first.extend(part.events.iter().take(left).copied());
+            kept.take(part);
+        })?;
         let long = kept.give(&mut log, &named.place, &named.mapping);
-        let truth = named.truth();
+        let truth = named.truth_of(&mut log, first)?;
         LogWithRun::with(named, log, long, truth, zone)
     }
 
@@ -533,11 +540,6 @@ impl NamedLog {
         let file = self.place.path();
         let folder = file.parent().unwrap_or(Path::new(""));
         logs_of(folder, self.scenario.as_ref()).any(|url| url.file() == Some(file))
-    }
-
-    /// The truth that lies beside it, or that its server has of its run.
-    pub fn truth(&self) -> Option<Url> {
-        truth_of(&self.place)
     }
 
     /// Reads instants of its run from the truth beside it. Where the run is not known, they are as they are told.

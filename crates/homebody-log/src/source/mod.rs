@@ -84,6 +84,7 @@ mod table_wide;
 mod tables;
 mod tables_of_text;
 mod tasmota;
+mod truth_of_log;
 mod truth_rows;
 mod turns;
 mod xes;
@@ -119,6 +120,7 @@ pub use start::Start;
 use std::path::Path;
 pub use tables::{ReadTables, TakeRow, Value};
 pub(crate) use tables_of_text::read_numbers;
+pub use truth_of_log::is_truth_of;
 pub use truth_rows::truth_rows;
 
 /// The messages about files that are not logs.

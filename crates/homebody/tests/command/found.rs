@@ -2,6 +2,7 @@
 
 use crate::folder::Folder;
 use serde_json::Value;
+use std::fs;
 
 #[test]
 fn what_is_looked_for_is_told_with_its_times_and_what_leads_nowhere_is_refused() {
@@ -32,4 +33,25 @@ fn what_is_looked_for_is_told_with_its_times_and_what_leads_nowhere_is_refused()
     ask("room bathroom --between 7-7").fails(2, "error[find::");
     ask("room bathroom --min-duration long").fails(2, "write a number with its unit");
     ask("flying").fails(2, "invalid value");
+}
+
+#[test]
+fn ignores_a_ground_truth_of_another_run() {
+    let folder = Folder::new();
+    folder.run("run tigerplace --quiet --for 2d").ok();
+    folder.run("run tigerplace --quiet --for 2d --seed 8").ok();
+    folder.run("convert runs/tigerplace-1 --from 2009-03-03 --out csv:runs/tigerplace-1/part.csv").ok();
+    folder.run("convert runs/tigerplace-1 --out casas:runs/tigerplace-1/casas.txt").ok();
+    let own = folder.run("find runs/tigerplace-1/log.db doing sleeping").ok();
+    for of_same_run in ["part.csv", "casas.txt"] {
+        let found = folder.run(&format!("find runs/tigerplace-1/{of_same_run} doing sleeping")).ok();
+        assert!(found.out.contains("margaret") && !found.err.contains("ignores"), "{}{}", found.out, found.err);
+    }
+    fs::copy(folder.path("runs/tigerplace-2/log.db"), folder.path("runs/tigerplace-1/other.db")).unwrap();
+    for command in ["find runs/tigerplace-1/other.db room bathroom", "day runs/tigerplace-1/other.db first"] {
+        let ignored = folder.run(command).ok();
+        assert!(ignored.err.contains("it is the ground truth of another run"), "{}", ignored.err);
+    }
+    assert!(own.out.contains("margaret") && !own.err.contains("ignores"), "{}{}", own.out, own.err);
+    folder.run("find runs/tigerplace-1/other.db fall").fails(2, "find::needs-truth");
 }

@@ -1,0 +1,33 @@
+//! The ground truth next to a log, if both are of the same run.
+
+use crate::error::Error;
+use crate::log_with_run::NamedLog;
+use homebody_analysis::dates::on_wall;
+use homebody_core::time::Micros;
+use homebody_log::source::is_truth_of;
+use homebody_log::{Event, Log, Url};
+
+/// Largest number of rows of a log that are compared with its ground truth (our choice).
+pub(crate) const MOST_COMPARED: usize = 2000;
+
+impl NamedLog {
+    /// The ground truth next to the log, if it is of the same run: `first` are the first rows. Otherwise a remark of the log says so.
+    pub(crate) fn truth_of(&self, log: &mut Log, first: Vec<Event>) -> Result<Option<Url>, Error> {
+        let Some(truth) = self.truth() else { return Ok(None) };
+        let zone = self.zone();
+        let also = |at| zone.as_ref().map_or(at, |zone| on_wall(at, zone));
+        let rows: Vec<(&str, Micros)> = first.iter().map(|event| (log.sensor(event), event.at)).collect();
+        if is_truth_of(&truth, &rows, &also)? {
+            return Ok(Some(truth));
+        }
+        log.remarks.push(format!(
+            "Homebody ignores {truth}: it is the ground truth of another run. Move the log to a folder of its own."
+        ));
+        Ok(None)
+    }
+
+    /// The truth that lies beside it, or that its server has of its run.
+    pub fn truth(&self) -> Option<Url> {
+        truth_of(&self.place)
+    }
+}
