@@ -76,23 +76,23 @@ fn a_camera_wakes_with_its_sensor_and_sleeps_after_it() {
 }
 
 #[test]
-fn what_is_wrong_with_a_camera_is_told() {
+fn rejects_cameras_that_see_nothing_or_never_wake() {
     let told = |camera: serde_json::Value| {
         let problems = Scenario::load(&texts(&camera), "scenario.json").err().map(|problems| problems.to_string());
         problems.unwrap_or_default()
     };
     assert_eq!(told(first(&["motion"])), "");
-    assert!(told(first(&[])).contains("no sensor wakes the camera \"first\""));
-    assert!(told(first(&["moton"])).contains("\"motion\""), "{}", told(first(&["moton"])));
-    assert!(told(first(&["second"])).contains("has no sensor that could wake a camera, called \"second\""));
+    assert!(told(first(&[])).contains("error[sensor::camera-never-wakes]"));
+    assert!(told(first(&["moton"])).contains("did you mean \"motion\"?"), "{}", told(first(&["moton"])));
+    assert!(told(first(&["second"])).contains("error[sensor::unknown-part]"));
     let with = |key: &str, value: serde_json::Value| {
         let mut camera = first(&["motion"]);
         camera[key] = value;
         told(camera)
     };
-    assert!(with("at", json!([9, 9])).contains("is in no room"));
-    assert!(with("at", json!([0.02, 2])).contains("is inside the west wall of"));
-    assert!(with("facing_deg", json!(225)).contains("looks at nothing"));
+    assert!(with("at", json!([9, 9])).contains("error[sensor::camera-outside]"));
+    assert!(with("at", json!([0.02, 2])).contains("error[sensor::camera-inside-solid]"));
+    assert!(with("facing_deg", json!(225)).contains("error[sensor::camera-sees-nothing]"));
     assert!(with("pixels", json!([0, 120])).contains("pixels"));
     assert!(with("frames_per_s", json!(10_000)).contains("frames_per_s"));
     assert!(with("height_m", json!(0)).contains("height_m"));
@@ -100,7 +100,7 @@ fn what_is_wrong_with_a_camera_is_told() {
 }
 
 #[test]
-fn a_body_that_is_taller_than_its_room_and_a_camera_above_the_ceiling_are_told() {
+fn rejects_bodies_and_cameras_above_the_ceiling() {
     let told = |ceiling_m: f64| {
         let mut texts = texts(&first(&["motion"]));
         let mut home: serde_json::Value = serde_json::from_str(&texts["home.json"]).unwrap();
@@ -110,7 +110,7 @@ fn a_body_that_is_taller_than_its_room_and_a_camera_above_the_ceiling_are_told()
     };
     assert_eq!(told(2.4), "");
     let low = told(1.5);
-    assert!(low.contains("m tall, and the ceiling of \"room\" is at 1.5 m"), "{low}");
-    assert!(low.contains("the camera \"first\" hangs above the ceiling of \"room\""), "{low}");
+    assert!(low.contains("error[resident::too-tall]"), "{low}");
+    assert!(low.contains("error[sensor::camera-above-ceiling]"), "{low}");
     assert!(told(0.1).contains("ceiling_m"));
 }

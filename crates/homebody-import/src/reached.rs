@@ -199,7 +199,7 @@ fn told(home: &HomeFile, drawn: &[Option<At>]) -> Option<String> {
     let more = moved.len().saturating_sub(NAMED);
     let named = moved[..moved.len() - more].join(", ");
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-    let what = "moved out of a table, a wall or what else stands there, so that people get to";
+    let what = "moved away from furniture or walls, so that residents can reach them";
     (!moved.is_empty()).then(|| format!("{what}: {named}{more}"))
 }
 
@@ -208,7 +208,7 @@ fn closed_rooms(home: &HomeFile) -> Option<String> {
     let plan = Plan::new(home);
     let places = Places::new(home, &plan, &Mesh::new(&plan, BODY_M), "");
     let names: Vec<String> = places.closed_rooms().map(|room| format!("{:?}", home.rooms[room].name)).collect();
-    let what = "nobody gets into";
+    let what = "no resident can enter";
     let why = "no door leads there from the rest of the home, or something is in the way";
     (!names.is_empty()).then(|| format!("{what} {}: {why}", names.join(", ")))
 }

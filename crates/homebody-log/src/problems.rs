@@ -229,7 +229,7 @@ homebody_core::messages! {
             /// The system's message.
             reason: String,
         } error "unavailable" ("cannot start a thread {purpose}: {reason}")
-            hint ("allow this user more threads or memory, or run less at once");
+            hint ("raise this user's limits on threads or memory, or run fewer simulations at once");
     }
 }
 

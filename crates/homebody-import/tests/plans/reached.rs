@@ -34,7 +34,7 @@ fn chairs_under_a_table_are_pulled_out() {
     for away_cm in [25.0, 35.0, 45.0] {
         let home = Home::of(&table_and_chairs(away_cm, ["Stuhl", "Chair", "Sedia", "Hocker"]));
         assert_eq!(unreached(&home), [""; 0], "{away_cm} {:?}", home.remarks);
-        home.remarks("moved out of a table, a wall or what else stands there, so that people get to");
+        home.remarks("moved away from furniture or walls, so that residents can reach them");
         let table = geometry::point(home.file.furniture[0].at.unwrap());
         for chair in &home.file.furniture[1..] {
             let away_m = geometry::point(chair.at.unwrap()).distance(table);
@@ -80,12 +80,12 @@ fn what_stands_into_a_wall_is_moved_out() {
 fn rooms_that_nobody_gets_into_are_named() {
     let shut = two_rooms().replace(&door("Bedroom door", [600.0, 200.0], FRAC_PI_2, ""), "");
     let chair = piece("Chair", [300.0, 300.0], CHAIR, "");
-    Home::of(&(shut + &chair)).remarks("nobody gets into \"Bedroom\"");
+    Home::of(&(shut + &chair)).remarks("no resident can enter \"Bedroom\"");
     let open = Home::of(&(two_rooms() + &chair));
-    assert!(!open.remarks.iter().any(|remark| remark.contains("nobody gets into")), "{:?}", open.remarks);
+    assert!(!open.remarks.iter().any(|remark| remark.contains("no resident can enter")), "{:?}", open.remarks);
     // The same of a room of another name.
     let whole = room("Studio", &[[110.0, 110.0], [590.0, 110.0], [590.0, 490.0], [110.0, 490.0]]);
     let east = room("East", &[[610.0, 110.0], [890.0, 110.0], [890.0, 490.0], [610.0, 490.0]]);
     let drawn = two_rooms_walls() + &whole + &east + &door("Front door", [200.0, 500.0], 0.0, "") + &chair;
-    Home::of(&drawn).remarks("nobody gets into \"East\"");
+    Home::of(&drawn).remarks("no resident can enter \"East\"");
 }

@@ -11,7 +11,7 @@ use homebody_core::scenario::scheme::{KNOWN_EXTENSIONS, SCHEMES, SchemeRow};
 use homebody_log::fresh::same_file;
 use homebody_log::source::{Form, forms};
 use homebody_log::truth::tables;
-use homebody_log::{Activity, Life, RunClock, Transfer, Url, convert, lives};
+use homebody_log::{Activity, Life, LogError, RunClock, Transfer, Url, convert, lives};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -145,7 +145,7 @@ pub fn keep(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
         None => to.is_data_set() && source.ancestors().any(|folder| same_file(folder, to.path())),
     };
     if sources.iter().any(is_in) {
-        return Err(Failure::Io(format!("{to} is the input\n  hint: name another file")));
+        return Err(LogError::IsSource { place: to.to_string() }.into());
     }
     Ok(())
 }

@@ -66,8 +66,8 @@ fn the_same_command_adds_to_the_rows_of_a_fleet() {
     assert!(whole.as_bytes()[cut - 1] != b'\n' && whole.lines().count() > 100);
     folder.write("all.jsonl", &whole[..cut]);
     let other = fleet(3, " --seed 7");
-    assert!(other.code == Some(1) && other.err.contains("rows of other homes: line "), "{}", other.err);
-    assert!(other.err.contains("hint: --force replaces it"), "{}", other.err);
+    assert!(other.code == Some(1) && other.err.contains("error[destination::other-homes]"), "{}", other.err);
+    assert!(other.err.contains("hint: pass --force to replace the file"), "{}", other.err);
     assert_eq!(folder.read("all.jsonl"), &whole[..cut]);
     fleet(4, "").ok();
     let after = folder.read("all.jsonl");

@@ -30,7 +30,7 @@ fn what_is_looked_for_is_told_with_its_times_and_what_leads_nowhere_is_refused()
 
     ask("room batroom").fails(2, "did you mean \"bathroom\"?");
     ask("on").fails(2, "find::no-name");
-    ask("room bathroom --between 7-7").fails(2, "error[find::");
+    ask("room bathroom --between 7-7").fails(2, "is not a range of hours");
     ask("room bathroom --min-duration long").fails(2, "write a number with its unit");
     ask("flying").fails(2, "invalid value");
 }

@@ -193,7 +193,7 @@ fn a_log_takes_no_place_of_its_run() {
         folder.write("flat/logger.json", serde_json::json!({ "to": to }).to_string());
         for words in ["check flat", "run flat --for 2m --quiet"] {
             let done = folder.run(words).fails(2, "logger.json:1:");
-            assert!(done.err.contains("hint: name a file that nothing else has"), "{}", done.err);
+            assert!(done.err.contains("error[file::"), "{}", done.err);
         }
         assert!(!folder.path("runs").exists());
     }
@@ -224,7 +224,7 @@ fn a_condition_that_cannot_be_read_is_told() {
         make();
         let done = folder.run("check tigerplace-depression").fails(2, why);
         assert!(done.err.contains("\"conditions/depression.routine\""), "{}", done.err);
-        assert!(done.err.contains("hint: make it a plain file with a condition, or remove it"), "{}", done.err);
+        assert!(done.err.contains("hint: make it a regular file with a condition, or remove it"), "{}", done.err);
         fs::remove_file(folder.path(own)).unwrap();
     }
     folder.run("check tigerplace-depression").ok();

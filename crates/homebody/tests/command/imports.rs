@@ -249,7 +249,7 @@ fn what_is_there_stays_and_what_fails_leaves_nothing() {
     folder.run("import . new").fails(1, ".: ");
     folder
         .run("import text.sh3d new")
-        .fails(2, "text.sh3d: this is no Sweet Home 3D file: it is no zip archive\n  hint: ");
+        .fails(2, "error[import::not-an-archive]: text.sh3d: ");
     folder.run("import old.sh3d new").fails(2, "the plan has no rooms");
     folder
         .run("import old.sh3d new --level attic")

@@ -87,7 +87,7 @@ fn a_mapping_names_another_networks_table() {
     folder.write("wrong.json", r#"{ "colums": {} }"#);
     folder
         .run("inspect odd.csv --mapping wrong.json")
-        .fails(2, "[log::invalid-mapping]: wrong.json is not a valid logger.json: unknown field `colums`");
+        .fails(2, "wrong.json: error[mapping::invalid]: ");
 }
 
 #[test]

@@ -127,7 +127,7 @@ fn a_recording_of_another_version_says_so() {
 fn what_is_no_file_of_a_recording_is_told_apart() {
     let folder = flat();
     folder.run("replay nothing.json").fails(1, "kit::no-recording");
-    folder.run("replay flat").fails(1, "it is a folder\n  hint: name the recording.json in it");
+    folder.run("replay flat").fails(1, "error[open::recording-folder]");
     folder.write("noise", [0xff, 0xfe, 0x00]);
     folder.run("replay noise").fails(1, "noise: ");
     folder.run("replay flat/scenario.json").fails(2, "kit::not-a-recording");
@@ -160,7 +160,7 @@ fn a_number_that_cannot_be_set_is_refused_with_its_place() {
     let folder = Folder::new();
     folder.run("new home --template studio").ok();
     folder.run("run home --set gait.slowst=0.3").fails(2, "did you mean \"gait.slowest\"?");
-    folder.run("run home --set gait.slowest=9").fails(2, "must be from 0.05 to 0.6");
+    folder.run("run home --set gait.slowest=9").fails(2, "error[parameter::out-of-range]");
     folder.run("run home --set gait.slowest").fails(2, "write NAME=VALUE");
     folder.run("run home --set gait.slowest=slow").fails(2, "is not a number");
     let twice = "run home --set gait.slowest=0.25 --set need.thirst=3 --set gait.slowest=0.3 --set need.thirst=3";
@@ -172,7 +172,7 @@ fn a_number_that_cannot_be_set_is_refused_with_its_place() {
     folder.run("check home").fails(2, "scenario.json:4:5: error[parameter::unknown]");
     folder.write("home/scenario.json", with("{ \"gait.slowest\": 9, \"need.thirst\": -1 }"));
     let done = folder.run("check home");
-    assert!(done.err.contains("must be from 0.05 to 0.6") && done.err.contains("2 problems"), "{}", done.err);
+    assert!(done.err.contains("error[parameter::out-of-range]") && done.err.contains("2 problems"), "{}", done.err);
     folder.write("home/scenario.json", with("{ \"gait.slowest\": \"slow\" }"));
     folder.run("check home").fails(2, "scenario.json:2:");
     folder.write("home/scenario.json", with("{ \"gait.slowest\": 0.3 }"));

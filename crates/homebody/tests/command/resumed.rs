@@ -392,7 +392,7 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     let before = left(&folder, "flat-2");
     folder
         .run("run --resume runs/flat-2")
-        .fails(1, "it holds another run\n  hint: it was changed, or the recording is of");
+        .fails(1, "error[resume::other-run]");
     assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "and no journal is left");
     folder.write("runs/flat-2/recording.json", &recording);
     folder.run("run --resume runs/flat-2").fails(2, "the run in runs/flat-2 is complete");
@@ -419,7 +419,7 @@ fn a_refused_run_leaves_no_journals() {
     let last = "UPDATE movement SET kind = 'flight' WHERE rowid = (SELECT max(rowid) FROM movement)";
     assert_eq!(database.execute(last, []).unwrap(), 1);
     drop(database);
-    folder.run("run --resume runs/flat-2").fails(1, "of \"movement\" is another");
+    folder.run("run --resume runs/flat-2").fails(1, "error[resume::other-row]");
     assert_eq!(companions(&folder), Vec::<String>::new());
     assert_eq!(folder.query("runs/flat-2/log.db", "PRAGMA integrity_check"), ["ok"]);
 }

@@ -67,7 +67,7 @@ homebody_core::messages! {
             visitor: String,
         } error "finder-never-comes" ("no sentence says that the {visitor} visits and could find her")
             hint
-                ("write \"until somebody comes\", or add a sentence such as \"her {visitor} visits every day at 9:00\"");
+                ("write \"until she reaches the phone\", or add a sentence such as \"her {visitor} visits every day at 9:00\"");
         /// Activities that wait for each other never start. The circle can have more than two sentences.
         Circle {
             /// The line of the other sentence.
