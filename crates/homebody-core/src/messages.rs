@@ -134,10 +134,9 @@ impl<T: Datum> Datum for Option<T> {
 /// assert_eq!(DoorMessage::ENTRIES[0].hint, Some("move it into a wall"));
 /// ```
 ///
-/// A hint that depends on the data is `advice (EXPRESSION)`, an `Option` of a text or of an
-/// [`Advice`](crate::problem::Advice), which has a text and a fix. A hint that has a fix has `fix (EXPRESSION)` after it, an
-/// `Option<Box<Fix>>`. The last clause is `cause (EXPRESSION)`, an `Option` of the error that caused this one. A part `=> inner { Variant(Type); }` at the end holds
-/// errors of other areas unchanged.
+/// A hint that depends on the data is `advice (EXPRESSION)`, an `Option` of a text or of an [`Advice`](crate::problem::Advice), which has a
+/// text and a fix. `fix (EXPRESSION)` after a hint is its fix, an `Option<Box<Fix>>`. The last clause is `cause (EXPRESSION)`, an `Option`
+/// of the error that caused this one. A part `=> inner { Variant(Type); }` at the end holds errors of other areas unchanged.
 #[macro_export]
 macro_rules! messages {
     (

@@ -20,7 +20,7 @@ const PAGE: &str = "\
 This page explains every message of the program by its code. `homebody explain CODE` prints the same text. Names in braces stand for data,
 which `--json` and Python carry under `data`.
 
-Where one change solves a problem, they carry it under `fix`:
+They also carry the change that solves the problem under `fix`, if one change is enough:
 
 - `{\"kind\": \"replace\", \"with\": NAME}` replaces the words or the JSON string at the place of the problem.
 - `{\"kind\": \"let_enter\", \"furniture\": NAME}` sets `\"enterable\"` of that piece of furniture to `true`.
