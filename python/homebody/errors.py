@@ -25,6 +25,8 @@ class Problem:
     severity: str = "error"
     #: The values that the text quotes, by name.
     data: Mapping[str, object] = field(default_factory=dict)
+    #: The change that solves it, where there is one: its ``kind`` is ``replace``, ``let_enter`` or ``add``.
+    fix: Mapping[str, object] | None = None
 
     def __str__(self) -> str:
         place = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
@@ -38,6 +40,8 @@ class HomebodyError(Exception):
     code: str = ""
     #: The way to solve it, which the text contains, too.
     hint: str | None = None
+    #: The change that solves it, where there is one.
+    fix: Mapping[str, object] | None = None
     #: The values that the text quotes, by name.
     data: Mapping[str, object] = MappingProxyType({})
 

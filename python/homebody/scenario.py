@@ -162,7 +162,7 @@ class Scenario:
 
     def _remarks(self, days: float | None, start: str | None, numbers: Mapping[str, float]) -> list[Problem]:
         told = json.loads(self._scenario.remarks(self._scenario.days if days is None else days, start, numbers))
-        return [Problem(t["file"], t["line"], t["column"], t["what"], t.get("hint")) for t in told]
+        return [Problem(t["file"], t["line"], t["column"], t["what"], t.get("hint"), fix=t.get("fix")) for t in told]
 
     def data(self, name: str = "home.json") -> Any:
         """A JSON file as Python data, to change and pass to :meth:`change`.

@@ -845,7 +845,17 @@ column: number,
 /**
  * How many characters are meant.
  */
-width: number, what: string, hint: string | null, };
+width: number, what: string, hint: string | null, 
+/**
+ * The change that solves it, where there is one.
+ */
+fix?: FixView, };
+
+export type FixView = { "kind": "replace", with: string, } | { "kind": "let_enter", furniture: string, } | { "kind": "add", piece: Record<string, unknown>, room: string | null, 
+/**
+ * The hint without the words for this change.
+ */
+rest: string, };
 
 export type PlanView = { 
 /**

@@ -2,6 +2,7 @@
 //! and written into one snapshot for readers.
 
 use crate::geometry::Point;
+use crate::problem::Advice;
 pub use crate::problem::{Diagnose, Severity};
 pub use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -81,6 +82,12 @@ impl Datum for serde_json::Error {
     }
 }
 
+impl Datum for Advice {
+    fn datum(&self) -> Value {
+        Value::from(self.text.clone())
+    }
+}
+
 impl<T: Datum> Datum for Vec<T> {
     fn datum(&self) -> Value {
         Value::Array(self.iter().map(Datum::datum).collect())
@@ -127,8 +134,9 @@ impl<T: Datum> Datum for Option<T> {
 /// assert_eq!(DoorMessage::ENTRIES[0].hint, Some("move it into a wall"));
 /// ```
 ///
-/// After the hint may stand `cause (EXPRESSION)`, an `Option` of the error that caused this one. A hint that depends on the data is
-/// `advice (EXPRESSION)`, an `Option<String>`. A part `=> inner { Variant(Type); }` at the end holds errors of other areas unchanged.
+/// A hint that depends on the data is `advice (EXPRESSION)`, an `Option` of a text or of an [`Advice`](crate::problem::Advice), which has a
+/// text and a fix. `fix (EXPRESSION)` after a hint is its fix, an `Option<Box<Fix>>`. The last clause is `cause (EXPRESSION)`, an `Option`
+/// of the error that caused this one. A part `=> inner { Variant(Type); }` at the end holds errors of other areas unchanged.
 #[macro_export]
 macro_rules! messages {
     (
@@ -140,6 +148,7 @@ macro_rules! messages {
                     $severity:ident $code:literal ($text:literal $($text_args:tt)*)
                     $(hint ($hint:literal $($hint_args:tt)*))?
                     $(advice ($advice:expr))?
+                    $(fix ($fix:expr))?
                     $(cause ($cause:expr))?;
             )*
             $(=> inner { $($(#[doc = $inner_doc:literal])* $inner:ident($inner_type:ty);)* })?
@@ -174,14 +183,15 @@ macro_rules! messages {
                 match self {
                     $(
                         Self::$variant $(($only))? $({ $($field),* })? => {
-                            let mut hint: Option<String> = None;
-                            $(hint = Some(format!($hint $($hint_args)*));)?
-                            $(hint = $advice;)?
+                            let mut advice: Option<$crate::problem::Advice> = None;
+                            $(advice = Some($crate::problem::Advice::from(format!($hint $($hint_args)*)));)?
+                            $(advice = $crate::problem::Advice::of($advice);)?
+                            $(advice = advice.map(|advice| advice.with_fix($fix));)?
                             $crate::problem::Diagnostic::new(
                                 concat!($prefix, "::", $code),
                                 $crate::messages!(@severity $severity),
                                 format!($text $($text_args)*),
-                                hint,
+                                advice,
                                 vec![
                                     $((stringify!($only), $crate::messages::Datum::datum($only)))?
                                     $($((stringify!($field), $crate::messages::Datum::datum($field))),*)?

@@ -4,6 +4,7 @@
 //! for as `numbers.of(&SLOWEST)`: that is its own value, unless the scenario says otherwise. Whoever does something often
 //! asks once, when it is made.
 
+use crate::problem::Advice;
 use crate::scenario::nearest::nearest;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -20,7 +21,7 @@ crate::messages! {
             nearest: Option<String>,
         } error "unknown" ("there is no parameter {name:?}")
             advice (Some(match nearest {
-                Some(near) => format!("did you mean {near:?}?"),
+                Some(near) => Advice::meant(near),
                 None => "list the parameters with: homebody parameters".into(),
             }));
         /// A parameter is a finite number.

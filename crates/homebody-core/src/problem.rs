@@ -51,6 +51,9 @@ pub struct Diagnostic {
     /// The way to solve it, such as the nearest known name.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub hint: Option<String>,
+    /// The change that solves it, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fix: Option<Box<Fix>>,
     /// The values that the text quotes, by name.
     #[serde(skip_serializing_if = "Map::is_empty")]
     pub data: Map<String, Value>,
@@ -61,6 +64,38 @@ pub struct Diagnostic {
 
 /// A diagnostic that a file has caused.
 pub type Problem = Diagnostic;
+
+/// A change that solves a problem. A program can offer it without reading the hint.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Fix {
+    /// Replace the words or the JSON string at the place of the problem.
+    Replace {
+        /// The new words.
+        with: String,
+    },
+    /// Let residents enter a piece of furniture: set its `"enterable"` to `true`.
+    LetEnter {
+        /// The name of the piece.
+        furniture: String,
+    },
+    /// Add a piece to the `"furniture"` of the home.
+    Add {
+        /// The piece, as `home.json` has it.
+        piece: Value,
+        /// The room that the piece stands in.
+        room: Option<String>,
+    },
+}
+
+/// The way to solve a problem: the words of the hint and, where one change is enough, that change.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Advice {
+    /// The hint.
+    pub text: String,
+    /// The change.
+    pub fix: Option<Box<Fix>>,
+}
 
 /// The part of a source line around a problem.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -93,24 +128,39 @@ impl Diagnostic {
         code: &'static str,
         severity: Severity,
         what: impl Into<String>,
-        hint: Option<String>,
+        advice: Option<Advice>,
         data: Vec<(&'static str, Value)>,
     ) -> Diagnostic {
         let mut what = what.into();
-        let mut hint = hint;
+        let (mut hint, fix) = advice.map_or((None, None), |Advice { text, fix }| (Some(text), fix));
         if let (None, Some(at)) = (&hint, what.find(BEFORE_HINT)) {
             hint = Some(what[at + BEFORE_HINT.len()..].to_owned());
             what.truncate(at);
         }
         let data = data.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
-        Diagnostic { code, severity, what, hint, data, ..Diagnostic::default() }
+        Diagnostic { code, severity, what, hint, fix, data, ..Diagnostic::default() }
     }
 
-    /// A problem with a file as a whole. A hint given here takes the place of the message's own.
+    /// A problem with a file as a whole. A hint given here takes the place of the message's own hint and fix.
     pub fn of_file(file: &str, message: impl Into<Diagnostic>, hint: Option<String>) -> Diagnostic {
         let message = message.into();
+        let fix = if hint.is_some() { None } else { message.fix };
         let (what, hint) = (readable(message.what), hint.or(message.hint).map(readable));
-        Diagnostic { file: file.into(), what, hint, ..message }
+        Diagnostic { file: file.into(), what, hint, fix, ..message }
+    }
+
+    /// The hint and the fix together.
+    pub fn advice(&self) -> Option<Advice> {
+        self.hint.clone().map(|text| Advice { text, fix: self.fix.clone() })
+    }
+
+    /// The hint without the words that only describe the fix.
+    pub fn hint_before_fix(&self) -> Option<&str> {
+        let hint = self.hint.as_deref()?;
+        let Some(Fix::Add { piece, room }) = self.fix.as_deref() else { return Some(hint) };
+        let rest =
+            hint.strip_suffix(addition(piece, room.as_deref()).as_str()).and_then(|rest| rest.strip_suffix("; "));
+        Some(rest.unwrap_or(hint))
     }
 
     /// The text, and the hint on a line of its own.
@@ -154,6 +204,60 @@ impl Diagnostic {
             "" => String::new(),
             code => format!("{}[{code}]: ", self.severity.word()),
         }
+    }
+}
+
+impl Advice {
+    /// The advice to write another name, which is nearly the one at the place of the problem.
+    pub fn meant(name: &str) -> Advice {
+        Advice::from(format!("did you mean {name:?}?")).with_fix(Some(Fix::Replace { with: name.to_owned() }.into()))
+    }
+
+    /// The advice to add a piece of furniture that the home lacks, in a place that is free.
+    pub fn addition(piece: Value, room: Option<String>) -> Advice {
+        let text = addition(&piece, room.as_deref());
+        Advice::from(text).with_fix(Some(Fix::Add { piece, room }.into()))
+    }
+
+    /// The advice of a message, which may be words alone.
+    pub fn of(advice: Option<impl Into<Advice>>) -> Option<Advice> {
+        advice.map(Into::into)
+    }
+
+    /// The same words with this fix.
+    pub fn with_fix(self, fix: Option<Box<Fix>>) -> Advice {
+        Advice { fix, ..self }
+    }
+
+    /// The same fix with more words before its own.
+    pub fn after(self, words: &str) -> Advice {
+        Advice { text: format!("{words}{}", self.text), ..self }
+    }
+}
+
+/// The words of the hint to add a piece of furniture to a room.
+fn addition(piece: &Value, room: Option<&str>) -> String {
+    let room = room.map(|room| format!(" in {room:?}")).unwrap_or_default();
+    let piece = piece.to_string().replace("\":", "\": ").replace(',', ", ");
+    format!("there is room{room}: add to \"furniture\" {piece}")
+}
+
+impl From<String> for Advice {
+    fn from(text: String) -> Advice {
+        Advice { text, fix: None }
+    }
+}
+
+impl From<&str> for Advice {
+    fn from(text: &str) -> Advice {
+        text.to_owned().into()
+    }
+}
+
+/// The words.
+impl fmt::Display for Advice {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str(&self.text)
     }
 }
 
@@ -257,6 +361,43 @@ mod tests {
             assert!(is_unseen(c), "{}", c.escape_unicode());
         }
         assert!(!"Öz 好 é ‘a’ – → █ ° 👵".contains(is_unseen));
+    }
+
+    /// A message with this advice.
+    fn advised(advice: Advice) -> Diagnostic {
+        Diagnostic::new("door::unknown", Severity::Error, "there is no such door", Some(advice), Vec::new())
+    }
+
+    #[test]
+    fn a_name_that_was_meant_is_a_hint_and_a_fix() {
+        let advice = Advice::meant("front \"door\"");
+        assert_eq!(advice.text, r#"did you mean "front \"door\""?"#);
+        assert_eq!(advice.fix, Some(Box::new(Fix::Replace { with: "front \"door\"".into() })));
+        let problem = advised(advice.clone());
+        assert_eq!(problem.advice(), Some(advice.clone()));
+        assert_eq!(problem.hint_before_fix(), Some(&*advice.text));
+        let json = serde_json::to_value(&problem).unwrap();
+        assert_eq!(json["fix"], serde_json::json!({ "kind": "replace", "with": "front \"door\"" }));
+        assert!(serde_json::to_value(advised("name a door".into())).unwrap().get("fix").is_none());
+    }
+
+    #[test]
+    fn another_hint_takes_the_fix_away() {
+        let meant = || advised(Advice::meant("front door"));
+        assert!(Diagnostic::of_file("home.json", meant(), None).fix.is_some());
+        let other = Diagnostic::of_file("home.json", meant(), Some("draw a door".into()));
+        assert_eq!((other.hint.as_deref(), other.fix), (Some("draw a door"), None));
+    }
+
+    #[test]
+    fn a_hint_is_told_apart_from_the_piece_that_it_adds() {
+        let piece = serde_json::json!({ "name": "bed", "at": [0.5, 1.5], "enterable": true });
+        let advice = Advice::addition(piece.clone(), Some("hall".into())).after("add a bed; ");
+        let words =
+            r#"there is room in "hall": add to "furniture" {"name": "bed", "at": [0.5, 1.5], "enterable": true}"#;
+        assert_eq!(advice.to_string(), format!("add a bed; {words}"));
+        assert_eq!(advice.fix, Some(Box::new(Fix::Add { piece, room: Some("hall".into()) })));
+        assert_eq!(advised(advice).hint_before_fix(), Some("add a bed"));
     }
 
     #[test]

@@ -117,8 +117,8 @@ homebody_core::messages! {
             is_cohort: bool,
         } error "not-empty" ("{} already contains {file}", folder.display())
             advice (Some(match is_cohort {
-                true => "resume the cohort that is there, or name a new folder".into(),
-                false => "name a new or an empty folder".into(),
+                true => "resume the cohort that is there, or name a new folder",
+                false => "name a new or an empty folder",
             }));
         /// The number of members is out of range.
         Members {

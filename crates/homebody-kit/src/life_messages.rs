@@ -1,6 +1,6 @@
 //! The warnings about a scenario whose files are right and whose runs still lack something.
 
-use homebody_core::problem::counted;
+use homebody_core::problem::{Advice, counted};
 
 homebody_core::messages! {
     /// Warnings about a scenario.
@@ -49,7 +49,7 @@ homebody_core::messages! {
             /// The code of the problem.
             problem_code: &'static str,
             /// The hint of the problem.
-            problem_hint: Option<String>,
+            problem_hint: Option<Advice>,
         } warning "lacks" ("a routine of {resident} is not possible: {problem}")
             advice (problem_hint.clone());
         /// A body of the residents' size finds no way into these rooms, because they have no door or because a piece of furniture

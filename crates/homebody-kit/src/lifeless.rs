@@ -101,9 +101,9 @@ fn waiting(scenario: &Scenario, resident: usize) -> Vec<Problem> {
     let lack = |problem: Problem| {
         let message = LifeMessage::Lacks {
             resident: name.clone(),
+            problem_hint: problem.advice(),
             problem: problem.what,
             problem_code: problem.code,
-            problem_hint: problem.hint,
         };
         Problem::of_file(&scenario.file.home, message, None)
     };

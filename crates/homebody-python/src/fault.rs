@@ -21,18 +21,18 @@ pub fn raised(error: Error) -> PyErr {
     })
 }
 
-/// Gives an exception the code, the hint and the data of its message.
+/// Gives an exception the code, the hint, the fix and the data of its message.
 fn with_message(py: Python<'_>, raised: &PyErr, message: &Diagnostic) -> PyResult<()> {
     let value = raised.value(py);
     value.setattr("code", message.code)?;
     value.setattr("hint", &message.hint)?;
-    value.setattr("data", data(py, message)?)
+    value.setattr("fix", loaded(py, &message.fix)?)?;
+    value.setattr("data", loaded(py, &message.data)?)
 }
 
-/// The data of a message as a dictionary.
-fn data<'py>(py: Python<'py>, message: &Diagnostic) -> PyResult<Bound<'py, PyAny>> {
-    let text = serde_json::to_string(&message.data).unwrap_or_else(|_| "{}".into());
-    py.import("json")?.call_method1("loads", (text,))
+/// A value as dictionaries and lists.
+fn loaded<'py>(py: Python<'py>, value: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
+    py.import("json")?.call_method1("loads", (json(value)?,))
 }
 
 fn of_class(error: Error) -> PyErr {
@@ -70,7 +70,7 @@ pub fn named(class: &str, what: impl Display) -> PyErr {
     })
 }
 
-/// One exception with all problems: file, line, column, what, hint.
+/// One exception with all problems: each with its place, its words, its code, its fix and its data.
 fn with_problems(problems: &Problems) -> PyErr {
     let raise = |py: Python<'_>| -> PyResult<PyErr> {
         let list = PyList::empty(py);
@@ -84,7 +84,8 @@ fn with_problems(problems: &Problems) -> PyErr {
             keys.set_item("hint", &problem.hint)?;
             keys.set_item("code", problem.code)?;
             keys.set_item("severity", problem.severity.word())?;
-            keys.set_item("data", data(py, problem)?)?;
+            keys.set_item("fix", loaded(py, &problem.fix)?)?;
+            keys.set_item("data", loaded(py, &problem.data)?)?;
             list.append(class.call((), Some(&keys))?)?;
         }
         Ok(PyErr::from_value(py.import(ERRORS)?.getattr("ScenarioError")?.call1((problems.render(), list))?))

@@ -1,5 +1,7 @@
 //! The messages about households: conditions, and the needs of residents.
 
+use homebody_core::problem::Advice;
+
 homebody_core::messages! {
     /// Problems with the conditions of a household.
     pub enum HouseholdMessage in "condition" {
@@ -11,7 +13,7 @@ homebody_core::messages! {
             known: Vec<String>,
         } error "not-shown" ("no resident shows {condition:?}")
             advice (Some(match known.is_empty() {
-                true => "leave it out: no routine of this scenario shows a condition".into(),
+                true => "leave it out: no routine of this scenario shows a condition".to_owned(),
                 false => format!("the routines show {}", known.join(", ")),
             }));
         /// A condition can show another condition. These conditions show each other, so that reading them would never end.
@@ -53,28 +55,32 @@ homebody_core::messages! {
         /// Every resident with a routine sleeps at night.
         NoBed {
             /// A piece of furniture with a free position, or the reason against one.
-            example: String,
+            example: Advice,
         } error "no-bed" ("the home has no place to sleep")
-            hint ("add a piece of furniture \"bed\" that is enterable, or one with the \"role\" \"bed\"{example}");
+            hint ("add a piece of furniture \"bed\" that is enterable, or one with the \"role\" \"bed\"{example}")
+            fix (example.fix.clone());
         /// Every resident with a routine uses a toilet.
         NoToilet {
             /// A piece of furniture with a free position, or the reason against one.
-            example: String,
+            example: Advice,
         } error "no-toilet" ("the home has no toilet")
-            hint ("add a piece of furniture or a place \"toilet\", or a piece with the \"role\" \"toilet\"{example}");
+            hint ("add a piece of furniture or a place \"toilet\", or a piece with the \"role\" \"toilet\"{example}")
+            fix (example.fix.clone());
         /// Every resident with a routine rests in a seat between activities.
         NoSeat {
             /// A piece of furniture with a free position, or the reason against one.
-            example: String,
+            example: Advice,
         } error "no-seat" ("the home has no place to sit")
-            hint ("add an \"armchair\" that is enterable, or another piece with the \"role\" \"armchair\"{example}");
+            hint ("add an \"armchair\" that is enterable, or another piece with the \"role\" \"armchair\"{example}")
+            fix (example.fix.clone());
         /// Every resident with a routine prepares meals.
         NoKitchen {
             /// A piece of furniture with a free position, or the reason against one.
-            example: String,
+            example: Advice,
         } error "no-kitchen" ("the home has no kitchen")
             hint
-                ("add a room \"kitchen\", a place \"fridge\", or a piece of furniture with the \"role\" \"fridge\"{example}");
+                ("add a room \"kitchen\", a place \"fridge\", or a piece of furniture with the \"role\" \"fridge\"{example}")
+            fix (example.fix.clone());
         /// A body of this size finds no way out of the bed, so it cannot do anything else.
         BoxedIn {
             /// The resident.
@@ -82,9 +88,9 @@ homebody_core::messages! {
             /// The bed.
             from: String,
             /// The hint.
-            help: String,
+            help: Advice,
         } error "boxed-in" ("{resident} cannot get from {from:?} to the rest of the home")
-            hint ("{help}");
+            advice (Some(help.clone()));
         /// The routine uses this place, and a body of this size finds no way to it.
         NoWay {
             /// The resident.
@@ -94,9 +100,9 @@ homebody_core::messages! {
             /// The place.
             to: String,
             /// The hint.
-            help: String,
+            help: Advice,
         } error "no-way" ("{resident} cannot get from {from:?} to {to:?}")
-            hint ("{help}");
+            advice (Some(help.clone()));
         /// The routine has outings, and the home has no door for them.
         NoWayOut error "no-way-out" ("the home has no way out")
             hint ("mark a door as \"outside\", or name a place \"front door\"");

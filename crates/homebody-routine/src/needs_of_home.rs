@@ -8,7 +8,7 @@ use crate::routine::{Activity, FallEnds, Habit, Quote, Response, Routine, Rule, 
 use homebody_core::geometry;
 use homebody_core::home::plan::{self, Plan};
 use homebody_core::numbers::Numbers;
-use homebody_core::problem::Problem;
+use homebody_core::problem::{Advice, Problem};
 use homebody_core::role::Role;
 use homebody_core::scenario::home::{FurnitureFile, HomeFile};
 use homebody_core::scenario::load::Scenario;
@@ -126,7 +126,7 @@ const MOST_EXPLAINED: usize = 3;
 const MOST_PIECES: usize = 12;
 
 /// A place that everybody needs, with the message about a home without it.
-type Need = (Role, fn(String) -> NeedMessage);
+type Need = (Role, fn(Advice) -> NeedMessage);
 
 const BASIC_NEEDS: [Need; 4] = [
     (Role::Bed, |example| NeedMessage::NoBed { example }),
@@ -161,7 +161,7 @@ impl Check<'_> {
         }
         let Some(bed) = places.of(Role::Bed).or_else(anybodys) else {
             if !is_person {
-                self.say(None, NeedMessage::NoBed { example: String::new() });
+                self.say(None, NeedMessage::NoBed { example: Advice::from("") });
             }
             return;
         };
@@ -169,7 +169,7 @@ impl Check<'_> {
         // Who cannot get out of bed gets nowhere.
         let boxed_in = places.out_of_reach(Role::Bed).filter(|_| is_person);
         if let Some(bed) = boxed_in {
-            let help = format!("{}{}", self.what_to_do(bed), self.instead(Role::Bed));
+            let help = self.instead(Role::Bed).after(&self.what_to_do(bed));
             let (resident, from) = (self.resident.name.clone(), bed.name.clone());
             return self.say(None, NeedMessage::BoxedIn { resident, from, help });
         }
@@ -177,12 +177,12 @@ impl Check<'_> {
         let used = if is_person { used_roles(places, texts) } else { of_pets.into() };
         for (role, said) in used {
             if let Some(spot) = places.out_of_reach(role) {
-                self.no_way(spot, said, &self.instead(role));
+                self.no_way(spot, said, self.instead(role));
             }
         }
         for (place, said) in texts.iter().flat_map(|text| named_places(text)) {
             if let Some(spot) = places.named(place).filter(|spot| !spot.is_reachable) {
-                self.no_way(&Spot { name: place.to_owned(), ..spot.clone() }, Some(said), "");
+                self.no_way(&Spot { name: place.to_owned(), ..spot.clone() }, Some(said), Advice::from(""));
             }
         }
         let goes_out = |activity: &Activity| matches!(activity, Activity::Leave | Activity::Visit);
@@ -211,26 +211,25 @@ impl Check<'_> {
     fn missing(&mut self, places: &Places) {
         for (role, message) in BASIC_NEEDS {
             if places.of(role).is_none() {
-                let example = self.lacking.piece(role).map_or_else(|| self.no_room(), |piece| self.example(piece));
-                self.say(None, message(format!("; {example}")));
+                let piece = self.lacking.piece(role);
+                let example = piece.map_or_else(|| Advice::from(self.no_room()), |piece| self.example(piece));
+                self.say(None, message(example.after("; ")));
             }
         }
     }
 
     /// Another piece for a role whose own is out of reach, where there is room for one.
-    fn instead(&self, role: Role) -> String {
-        self.lacking
-            .piece(role)
-            .map_or_else(String::new, |piece| format!(", or another such piece; {}", self.example(piece)))
+    fn instead(&self, role: Role) -> Advice {
+        let example = self.lacking.piece(role).map(|piece| self.example(piece));
+        example.map_or_else(|| Advice::from(""), |example| example.after(", or another such piece; "))
     }
 
     /// A piece as it is written into a home, and in which room that is.
-    fn example(&self, piece: &FurnitureFile) -> String {
+    fn example(&self, piece: &FurnitureFile) -> Advice {
         let outline = plan::furniture_outline(piece);
         let room = Plan::new(self.home).room_at(geometry::inner_point(&outline));
-        let room = room.map(|room| format!(" in {:?}", self.home.rooms[room].name)).unwrap_or_default();
-        let text = serde_json::to_string(piece).unwrap_or_default();
-        format!("there is room{room}: add to \"furniture\" {}", text.replace("\":", "\": ").replace(',', ", "))
+        let room = room.map(|room| self.home.rooms[room].name.clone());
+        Advice::addition(serde_json::to_value(piece).unwrap_or_default(), room)
     }
 
     /// Why no place is named for a piece.
@@ -247,9 +246,9 @@ impl Check<'_> {
     }
 
     /// Reports once that no way leads to a place.
-    fn no_way(&mut self, spot: &Spot, said: Option<(&str, &Quote)>, instead: &str) {
+    fn no_way(&mut self, spot: &Spot, said: Option<(&str, &Quote)>, instead: Advice) {
         if self.told.insert(spot.name.to_lowercase()) {
-            let help = format!("{}{instead}", self.what_to_do(spot));
+            let help = instead.after(&self.what_to_do(spot));
             let (resident, from, to) = (self.resident.name.clone(), self.bed.clone(), spot.name.clone());
             self.say(said, NeedMessage::NoWay { resident, from, to, help });
         }

@@ -1,6 +1,6 @@
 //! The messages about scripts.
 
-use homebody_core::problem::counted;
+use homebody_core::problem::{Advice, counted};
 
 homebody_core::messages! {
     /// Problems with scripts, before a run or during it.
@@ -103,17 +103,17 @@ homebody_core::messages! {
             /// The name.
             name: String,
             /// The hint.
-            help: String,
+            help: Advice,
         } error "unknown-name" ("the home has no {noun} {name:?}")
-            hint ("{help}");
+            advice (Some(help.clone()));
         /// The manner decides how much a resident moves while waiting. The reference of scripts lists the manners.
         UnknownManner {
             /// The name.
             name: String,
             /// The hint.
-            help: String,
+            help: Advice,
         } error "unknown-manner" ("there is no manner {name:?}")
-            hint ("{help}");
+            advice (Some(help.clone()));
         /// Only pieces of furniture that a resident can get on or into have a place to sit or lie.
         NotASeat {
             /// `sit` or `lie`.

@@ -6,7 +6,7 @@ use crate::step::Step;
 use homebody_core::drivers::Surroundings;
 use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;
-use homebody_core::problem::Diagnostic;
+use homebody_core::problem::{Advice, Diagnostic};
 use homebody_core::random::Stream;
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::scenario::path::Posture;
@@ -256,15 +256,15 @@ pub fn unknown_name<'a>(noun: &str, name: &str, known: impl Iterator<Item = &'a 
 }
 
 /// The nearest known name, or some of all names.
-fn nearest_or_all<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
+fn nearest_or_all<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Advice {
     /// Largest number of names in a list (our choice).
     const LISTED: usize = 12;
     let known: Vec<&str> = known.collect();
     match nearest(name, known.iter().copied()) {
-        Some(near) => format!("did you mean {near:?}?"),
+        Some(near) => Advice::meant(near),
         None => {
             let more = if known.len() > LISTED { " and more" } else { "" };
-            format!("there are {}{more}", known.iter().take(LISTED).copied().collect::<Vec<_>>().join(", "))
+            format!("there are {}{more}", known.iter().take(LISTED).copied().collect::<Vec<_>>().join(", ")).into()
         }
     }
 }

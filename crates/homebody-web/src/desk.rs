@@ -13,9 +13,9 @@ mod suggesting;
 use crate::shelf::Shelf;
 use crate::turns::Turns;
 use crate::wire::{
-    CheckView, Draft, FileView, FilesView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView,
+    CheckView, Draft, FileView, FilesView, FixView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView,
 };
-use homebody_core::problem::{Problem, readable};
+use homebody_core::problem::{Fix, Problem, readable};
 use homebody_core::scenario::load::{Files, Overlay, Scenario};
 use homebody_core::scenario::remarks;
 use homebody_log::LogError;
@@ -202,6 +202,17 @@ pub fn problems(problems: &[Problem]) -> Vec<ProblemView> {
         width: problem.excerpt.as_ref().map_or(1, |excerpt| excerpt.width),
         what: problem.what.clone(),
         hint: problem.hint.clone(),
+        fix: problem.fix.as_deref().map(|fix| fix_view(problem, fix)),
     };
     problems.iter().map(view).collect()
+}
+
+fn fix_view(problem: &Problem, fix: &Fix) -> FixView {
+    match fix.clone() {
+        Fix::Replace { with } => FixView::Replace { with },
+        Fix::LetEnter { furniture } => FixView::LetEnter { furniture },
+        Fix::Add { piece, room } => {
+            FixView::Add { piece, room, rest: problem.hint_before_fix().unwrap_or_default().to_owned() }
+        }
+    }
 }

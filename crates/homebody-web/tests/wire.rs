@@ -98,6 +98,7 @@ fn declarations() -> Vec<String> {
         MentionView,
         MendView,
         ProblemView,
+        FixView,
         PlanView,
         CoverageView,
         FloorView,

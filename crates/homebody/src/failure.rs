@@ -47,7 +47,7 @@ impl Failure {
     pub fn advising(self, hint: &str) -> Failure {
         match self {
             Failure::Coded(message, code) => {
-                Failure::Coded(Box::new(Diagnostic { hint: Some(hint.to_owned()), ..*message }), code)
+                Failure::Coded(Box::new(Diagnostic { hint: Some(hint.to_owned()), fix: None, ..*message }), code)
             }
             other => other,
         }

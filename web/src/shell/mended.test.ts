@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import type { FilesView, ProblemView } from '../wire';
+import type { FilesView, FixView, ProblemView } from '../wire';
 import { mendOf, wayTo } from './mended';
 
 const files: FilesView = { entry: 'scenario.json', home: 'home.json', logger: 'logger.json', lives: [{ name: 'ann / b', routine: 'ann.routine' }], files: [] };
@@ -27,27 +27,30 @@ test('what is wrong leads to where it is mended', () => {
 const home = '{\n  "furniture": [\n    { "name": "table", "at": [1, 1] }\n  ],\n  "sensors": [\n    { "kind": "contact", "on": "dor \\"1\\"", "nam": "x" }\n  ]\n}\n';
 const texts: Record<string, string> = { 'home.json': home, 'ann.routine': 'Ann is 80.\nShe 😀 wtches television at 8.\n' };
 const mend = (of: Partial<ProblemView>) => mendOf({ ...problem('home.json', 1), ...of }, { files, check: null, text: (name) => texts[name] });
+const meant = (name: string): FixView => ({ kind: 'replace', with: name });
 
 test('a name that is nearly one is written as it was meant, in files of JSON and in sentences', () => {
-  const value = mend({ line: 6, column: 32, hint: 'did you mean "door \\"1\\""?' })!;
-  expect(value.what).toBe('Change to “door "1"”');
+  const value = mend({ line: 6, column: 32, hint: 'another door is meant', fix: meant('door "1"') })!;
+  expect([value.what, value.rest]).toEqual(['Change to “door "1"”', 'another door is meant']);
   expect(value.texts()).toEqual({ 'home.json': home.replace('dor', 'door') });
-  expect(mend({ line: 6, column: 45, hint: 'did you mean "name"?' })!.texts()).toEqual({ 'home.json': home.replace('"nam"', '"name"') });
-  const said = mend({ file: 'ann.routine', line: 2, column: 7, width: 17, hint: 'did you mean "watches television"?' })!;
+  expect(mend({ line: 6, column: 45, fix: meant('name') })!.texts()).toEqual({ 'home.json': home.replace('"nam"', '"name"') });
+  const said = mend({ file: 'ann.routine', line: 2, column: 7, width: 17, fix: meant('watches television') })!;
   expect(said.texts()).toEqual({ 'ann.routine': 'Ann is 80.\nShe 😀 watches television at 8.\n' });
   // Where no name stands, or more than one thing could be meant, nothing is offered.
-  expect(mend({ line: 6, column: 5, hint: 'did you mean "door"?' })).toBeNull();
-  expect(mend({ line: 6, column: 32, hint: 'it is one of "door" and "window"' })).toBeNull();
-  expect(mend({ file: 'gone.json', line: 6, column: 32, hint: 'did you mean "door"?' })).toBeNull();
-  expect(mend({ line: 0, hint: 'did you mean "door"?' })).toBeNull();
+  expect(mend({ line: 6, column: 5, fix: meant('door') })).toBeNull();
+  expect(mend({ line: 6, column: 32, hint: 'did you mean "door"?' })).toBeNull();
+  expect(mend({ file: 'gone.json', line: 6, column: 32, fix: meant('door') })).toBeNull();
+  expect(mend({ line: 0, fix: meant('door') })).toBeNull();
 });
 
-test('what the home lacks is put where the hint says that there is room', () => {
-  const bed = '{"name": "bed", "at": [0.55, 1.05], "size_m": [0.9, 2.0], "height_m": 0.5, "enterable": true}';
-  const lacks = mend({ file: 'ann.routine', line: 0, hint: `give it a bed; there is room in "room": add to "furniture" ${bed}` })!;
+test('what the home lacks is put where there is room for it', () => {
+  const bed = { name: 'bed', at: [0.55, 1.05], size_m: [0.9, 2], height_m: 0.5, enterable: true };
+  const fix: FixView = { kind: 'add', piece: bed, room: 'room', rest: 'give it a bed' };
+  const lacks = mend({ file: 'ann.routine', line: 0, hint: `give it a bed; add ${JSON.stringify(bed)}`, fix })!;
   expect([lacks.what, lacks.rest]).toEqual(['Add “bed” to “room”', 'give it a bed']);
-  expect(JSON.parse(lacks.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1] }, JSON.parse(bed)]);
-  const enterable = mend({ hint: 'write "enterable": true for "table"' })!;
+  expect(JSON.parse(lacks.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1] }, bed]);
+  expect(mend({ fix: { ...fix, room: null } })!.what).toBe('Add “bed”');
+  const enterable = mend({ fix: { kind: 'let_enter', furniture: 'table' } })!;
   expect(enterable.what).toBe('Let residents use “table”');
   expect(JSON.parse(enterable.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1], enterable: true }]);
   expect(mend({ hint: 'add to "furniture" what it lacks' })).toBeNull();

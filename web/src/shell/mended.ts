@@ -8,7 +8,7 @@ import { quoted } from './thing';
 
 export type Way = { word: string; href: string };
 
-/** What does what a problem's hint says. */
+/** A problem's fix as a button. */
 export type Mend = {
   /** As a button says it. */
   what: string;
@@ -24,39 +24,29 @@ type Texts = { files: FilesView | null; check: CheckView | null; text(name: stri
 /** So many problems of a file are told one by one; another of the whole file then stands for the rest. */
 const MOST_TOLD = 100;
 
-const QUOTED = String.raw`"(?:[^"\\]|\\.)*"`;
-const MEANT = new RegExp(`^did you mean (${QUOTED})\\?$`);
-const ENTERABLE = new RegExp(`^write "enterable": true for (${QUOTED})$`);
-const PIECE = new RegExp(`; there is room(?: in (${QUOTED}))?: add to "furniture" (\\{.*\\})$`);
-const LITERAL = new RegExp(QUOTED, 'y');
+/** A JSON string. */
+const LITERAL = /"(?:[^"\\]|\\.)*"/y;
 
-/** What a hint has one answer to; nothing where somebody has to choose. */
+/** The button for a problem's fix; null without a fix, or where the page has not the file or the place that it changes. */
 export function mendOf(problem: ProblemView, texts: Texts): Mend | null {
+  const { fix } = problem;
+  if (fix === undefined) return null;
   const hint = problem.hint ?? '';
-  const home = texts.files?.home ?? null;
-  const meant = read(MEANT.exec(hint)?.[1]);
-  if (typeof meant === 'string') {
+  if (fix.kind === 'replace') {
     const now = texts.text(problem.file);
     const place = now === undefined ? null : placeOf(problem, now);
     if (now === undefined || place === null) return null;
-    const written = now[place.from] === '"' ? JSON.stringify(meant) : meant;
-    return { what: `Change to ${quoted(meant)}`, rest: hint, texts: () => ({ [problem.file]: now.slice(0, place.from) + written + now.slice(place.to) }) };
+    const written = now[place.from] === '"' ? JSON.stringify(fix.with) : fix.with;
+    return { what: `Change to ${quoted(fix.with)}`, rest: hint, texts: () => ({ [problem.file]: now.slice(0, place.from) + written + now.slice(place.to) }) };
   }
+  const home = texts.files?.home ?? null;
   const ofHome = home === null ? undefined : texts.text(home);
   if (home === null || ofHome === undefined) return null;
-  const named = read(ENTERABLE.exec(hint)?.[1]);
-  if (typeof named === 'string') {
-    return { what: `Let residents use ${quoted(named)}`, rest: hint, texts: () => ({ [home]: enterable(ofHome, named) }) };
+  if (fix.kind === 'let_enter') {
+    return { what: `Let residents use ${quoted(fix.furniture)}`, rest: hint, texts: () => ({ [home]: enterable(ofHome, fix.furniture) }) };
   }
-  const found = PIECE.exec(hint);
-  const [room, piece] = [read(found?.[1]), read(found?.[2])];
-  if (found === null || !isObject(piece)) return null;
-  const into = typeof room === 'string' ? ` to ${quoted(room)}` : '';
-  return { what: `Add ${quoted(String(piece.name))}${into}`, rest: hint.slice(0, found.index), texts: () => ({ [home]: insert(ofHome, 'furniture', piece) }) };
-}
-
-function read(json: string | undefined): unknown {
-  return json === undefined ? undefined : valueOf(json);
+  const into = fix.room === null ? '' : ` to ${quoted(fix.room)}`;
+  return { what: `Add ${quoted(String(fix.piece.name))}${into}`, rest: fix.rest, texts: () => ({ [home]: insert(ofHome, 'furniture', fix.piece) }) };
 }
 
 /** Where the name or the words stand that a problem is about. */

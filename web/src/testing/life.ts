@@ -39,7 +39,7 @@ function problemsOf(file: string, text: string): ProblemView[] {
   return text.split('\n').flatMap((line, index) => {
     const at = line.indexOf('wtches');
     if (at === -1) return [];
-    return [{ file, line: index + 1, column: [...line.slice(0, at)].length + 1, width: 6, what: '"wtches" is nothing that can be done', hint: 'did you mean "watches television"?' }];
+    return [{ file, line: index + 1, column: [...line.slice(0, at)].length + 1, width: 6, what: '"wtches" is nothing that can be done', hint: 'did you mean "watches television"?', fix: { kind: 'replace', with: 'watches television' } }];
   });
 }
 

@@ -1,7 +1,7 @@
 //! Local time at the edges: the world itself knows only microseconds since the start.
 
 use super::nearest::nearest;
-use crate::problem::readable;
+use crate::problem::{Advice, readable};
 use crate::time::{DAY, Micros, SECOND};
 use jiff::civil::DateTime;
 use jiff::tz::{AmbiguousOffset, TimeZone, TimeZoneDatabase};
@@ -19,7 +19,7 @@ crate::messages! {
             nearest: Option<String>,
         } error "unknown-zone" ("there is no time zone {name:?}")
             advice (Some(match nearest {
-                Some(near) => format!("did you mean {near:?}?"),
+                Some(near) => Advice::meant(near),
                 None => "write an IANA name such as \"America/Chicago\"".into(),
             }));
         /// A start is a date and a time of day. The date must exist: February has no day 30.

@@ -1,5 +1,7 @@
 //! Places stay inside: what a file names is read and written below one folder, whoever wrote the file.
 
+use crate::problem::Advice;
+
 /// The hint for a link that leads out of the scenario's folder.
 pub const WHERE: &str = "name a file relative to the scenario's folder, with / between folders";
 
@@ -70,7 +72,7 @@ crate::messages! {
             nearest: Option<String>,
         } error "not-found" ("there is no file {name:?}")
             advice (Some(match nearest {
-                Some(near) => format!("did you mean {near:?}?"),
+                Some(near) => Advice::meant(near),
                 None => "create the file, or correct the name".into(),
             }));
         /// The file exists and cannot be read as text: it may be a folder, a link, larger than Homebody reads, or not in UTF-8.

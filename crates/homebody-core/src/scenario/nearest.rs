@@ -1,5 +1,7 @@
 //! The known name that someone probably meant.
 
+use crate::problem::Advice;
+
 /// Number of characters above which no similar name is searched (our choice): a longer name is rarely mistyped by a
 /// letter or two, and each comparison takes the square of the length.
 const LONGEST_CHARS: usize = 40;
@@ -33,12 +35,12 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
 const MOST_SHOWN: usize = 12;
 
 /// The hint for an unknown name: the nearest known name, or some of the known names. `None` without known names.
-pub fn suggestion(nearest: &Option<String>, known: &[String]) -> Option<String> {
+pub fn suggestion(nearest: &Option<String>, known: &[String]) -> Option<Advice> {
     let few = &known[..known.len().min(MOST_SHOWN)];
     let more = if few.len() < known.len() { ", ..." } else { "" };
     match nearest {
-        Some(near) => Some(format!("did you mean {near:?}?")),
-        None => (!known.is_empty()).then(|| format!("the known names are {}{more}", quoted(few))),
+        Some(near) => Some(Advice::meant(near)),
+        None => (!known.is_empty()).then(|| format!("the known names are {}{more}", quoted(few)).into()),
     }
 }
 

@@ -242,7 +242,7 @@ impl<'a> Walk<'a> {
         };
         let Value::Text(name) = &value.value else {
             let (wanted, found) = ("a text".to_owned(), kind_of(value));
-            let fix = Some(choice(&None, &names_among(&names)));
+            let fix = Some(choice(&None, &names_among(&names)).text);
             let message = SchemaMessage::WrongType { subject: format!("{tag:?}"), wanted, found, fix };
             return self.report(value.start, message);
         };

@@ -11,6 +11,7 @@
 //! Left out: names that are used twice, which are messages of the home.
 
 use crate::geometry::Point;
+use crate::problem::Fix;
 use crate::scenario::nearest::suggestion;
 
 crate::messages! {
@@ -43,7 +44,8 @@ crate::messages! {
             /// The piece of furniture.
             furniture: String,
         } error "not-enterable" ("this sensor never feels a person: no resident can enter {furniture:?}")
-            hint ("write \"enterable\": true for {furniture:?}");
+            hint ("write \"enterable\": true for {furniture:?}")
+            fix (Some(Fix::LetEnter { furniture: furniture.clone() }.into()));
         /// The time of a run grows with the number of beams. A sensor without `beams` has 32 of them.
         TooManyBeams {
             /// The largest number.

@@ -1,12 +1,13 @@
 //! The messages about lists of members.
 
+use homebody_core::problem::Advice;
 use homebody_core::scenario::GREATEST_SEED;
 
 /// The hint for a name that is not one of the known names.
-pub(super) fn among(near: Option<&str>, known: &[&str]) -> String {
+pub(super) fn among(near: Option<&str>, known: &[&str]) -> Advice {
     match near {
-        Some(near) => format!("did you mean {near:?}?"),
-        None => format!("there are {}", known.join(", ")),
+        Some(near) => Advice::meant(near),
+        None => format!("there are {}", known.join(", ")).into(),
     }
 }
 
@@ -82,9 +83,9 @@ homebody_core::messages! {
             /// The name in the list.
             column: String,
             /// The hint, with the nearest name or all of them.
-            known: String,
+            known: Advice,
         } error "unknown-column" ("there is no column {column:?}")
-            hint ("{known}");
+            advice (Some(known.clone()));
         /// Each member needs a name: the member's folder gets it. Names stand in the column `name`.
         NoNameColumn {
             /// The other columns.
@@ -138,9 +139,9 @@ homebody_core::messages! {
             /// The name in the list.
             name: String,
             /// The hint, with the nearest name or all of them.
-            known: String,
+            known: Advice,
         } error "no-resident" ("no resident with a routine is called {name:?}")
-            hint ("{known}");
+            advice (Some(known.clone()));
         /// The column `routine` or `home` names a file in the scenario's folder.
         Unreadable {
             /// The name in the list.
@@ -186,9 +187,9 @@ homebody_core::messages! {
             /// The text of the cell.
             text: String,
             /// The hint, with the nearest word or all of them.
-            known: String,
+            known: Advice,
         } error "severity" ("{text:?} is not a valid severity")
-            hint ("{known}");
+            advice (Some(known.clone()));
         /// Homebody builds a sentence of the routine language from the cells of a row. A cell has letters, digits, spaces, hyphens,
         /// points and percent signs.
         NotPlain {

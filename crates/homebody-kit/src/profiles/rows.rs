@@ -402,7 +402,9 @@ impl<'a> Reader<'a> {
                 "over " => "write how long it takes to develop, such as 10 days or 4 weeks",
                 _ => "write a week, a day or a date, such as week 6, day 40 or 2009-04-13",
             };
-            self.problems[so_far..].iter_mut().for_each(|problem| problem.hint = Some(hint.into()));
+            for problem in &mut self.problems[so_far..] {
+                (problem.hint, problem.fix) = (Some(hint.to_owned()), None);
+            }
         }
         if !is_known || self.problems.len() > before {
             return None;

@@ -108,7 +108,7 @@ homebody_core::messages! {
         NoSuchHome { column: String, home: String, homes: Vec<String> }
             error "no-such-home" ("no row has {home} in {column}")
             advice (Some(match homes.is_empty() {
-                true => "check --home-column: no other home is in the log".into(),
+                true => "check --home-column: no other home is in the log".to_owned(),
                 false => format!("the homes are {}", homes.join(", ")),
             }));
     }

@@ -8,6 +8,7 @@ use super::reader::Reader;
 use super::visits::visits;
 use super::words::{Span, Token};
 use crate::routine::{Activity, Meal, PartOfDay};
+use homebody_core::problem::Advice;
 
 const HOUR_S: f64 = 3600.0;
 
@@ -417,7 +418,7 @@ fn no_time(reader: &mut Reader, from: usize) -> f64 {
     let text = written(reader, span);
     let meant = meant(&text);
     let help = match meant {
-        Some((hours, minutes)) => format!("did you mean \"{hours}:{minutes:02}\"?"),
+        Some((hours, minutes)) => Advice::meant(&format!("{hours}:{minutes:02}")),
         None if text.split_once(':').is_some_and(|(_, minutes)| minutes.len() >= 2) || text.contains(' ') => {
             "times go from 00:00 to 24:00, or from 1 am to 12 pm".into()
         }

@@ -2,7 +2,7 @@
 
 use super::messages::SentenceMessage;
 use super::words::{Line, Span};
-use homebody_core::problem::{Diagnostic, Excerpt, Problem};
+use homebody_core::problem::{Advice, Diagnostic, Excerpt, Problem};
 use homebody_core::scenario::nearest::nearest;
 
 /// Number of problems above which they are counted instead of listed.
@@ -79,13 +79,13 @@ fn problem(file: &str, lines: &[Line], fault: Fault) -> Problem {
 }
 
 /// The known name that was probably meant, or the names that there are.
-pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<String> {
+pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone) -> Option<Advice> {
     const FEW: usize = 12;
     const LONGEST: usize = 60;
     if name.len() <= LONGEST
         && let Some(near) = nearest(name, known.clone())
     {
-        return Some(format!("did you mean {near:?}?"));
+        return Some(Advice::meant(near));
     }
     let mut names: Vec<String> = known.map(|name| format!("{name:?}")).collect();
     names.sort();
@@ -95,5 +95,5 @@ pub fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str> + Clone
     if more {
         names.push("...".into());
     }
-    (!names.is_empty()).then(|| format!("there are {}", names.join(", ")))
+    (!names.is_empty()).then(|| format!("there are {}", names.join(", ")).into())
 }

@@ -50,7 +50,7 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
     let Some(more) = circumstances(reader) else { return };
     only_if.extend(more);
     if !reader.is_over() {
-        let (here, help) = (reader.here(), Some("end the rule with what she does".to_owned()));
+        let (here, help) = (reader.here(), Some("end the rule with what she does".into()));
         return reader.fault(here, WordMessage::NotUnderstood { text: reader.said(here), help });
     }
     only(reader, &adverbs, &[Kind::Chance, Kind::Lasts, Kind::Phase], "a rule holds whenever it comes true");

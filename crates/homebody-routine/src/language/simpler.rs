@@ -34,12 +34,12 @@ pub fn hints(faults: &mut Faults, since: usize, names: &Names, draft: &Draft, wo
         let proposed = fault.message.hint.as_deref().map(sentences_in).unwrap_or_default();
         let is_sound = proposed.iter().all(|sentence| understood(names, draft, sentence).is_some());
         if !is_sound {
-            fault.message.hint = None;
+            (fault.message.hint, fault.message.fix) = (None, None);
         }
         if since >= MOST_SEARCHED {
             continue;
         }
-        let is_certain = fault.message.hint.as_deref().is_some_and(|hint| hint.starts_with("did you mean"));
+        let is_certain = fault.message.fix.is_some();
         if !is_certain && let Some(clearer) = clearer.get_or_insert_with(|| clearer_than(names, draft, words)).clone() {
             let before = fault.message.hint.take().filter(|hint| !is_sound || !is_general(hint));
             let clearer = format!("write it as in {clearer:?}");

@@ -48,8 +48,8 @@ pub fn is_introduced(reader: &mut Reader, draft: &mut Draft, name: &str, who: Sp
         return false;
     }
     if let Some(person) = reader.names.person.clone() {
-        let hint = did_you_mean(name, [person.as_str()].into_iter()).filter(|hint| hint.starts_with("did"));
-        let help = hint.unwrap_or_else(|| "each person has a routine of their own".to_owned());
+        let hint = did_you_mean(name, [person.as_str()].into_iter()).filter(|advice| advice.fix.is_some());
+        let help = hint.unwrap_or_else(|| "each person has a routine of their own".into());
         reader.fault(who, WordMessage::OtherPerson { person, name: name.to_owned(), help });
         return false;
     }
@@ -85,7 +85,7 @@ pub fn no_subject(reader: &mut Reader) {
         reader.at = (from + 3).min(reader.words.len());
         let (span, text) = (reader.span(from), reader.said(reader.span(from)));
         let help = "expected when or where: \"in the morning\", \"on Monday\", \"from week 6\", \"in the kitchen\"";
-        return reader.fault(span, WordMessage::NotUnderstood { text, help: Some(help.to_owned()) });
+        return reader.fault(span, WordMessage::NotUnderstood { text, help: Some(help.into()) });
     }
     let help = slip(&word).unwrap_or_else(|| {
         "a sentence says who does what: \"she gets up at about 06:45\", \"her daughter visits on Sunday\"".into()

@@ -18,6 +18,7 @@ use super::said::Predicate;
 use super::unknown;
 use super::words::{Span, Token};
 use crate::routine::Activity;
+use homebody_core::problem::Advice;
 
 /// Reads the rest of a clause. Nothing if it is not understood; else how another clause follows, and where that is said.
 pub fn tail(reader: &mut Reader, clause: &mut Clause) -> Option<Option<(Join, Span)>> {
@@ -186,7 +187,7 @@ fn not_understood(reader: &mut Reader, clause: &Clause) {
 }
 
 /// What could stand where a word is not understood.
-fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
+fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> Advice {
     if word == "when" && (reader.peek(1) == "it" || reader.peek(2) == "weather")
         || ["weather", "rain", "snow"].contains(&reader.peek(1))
     {
@@ -209,14 +210,15 @@ fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
         return format!(
             "say at what time, such as \"at about 9:00\", or by how much: \"1 hour {}\"",
             if word == "late" { "later" } else { "earlier" }
-        );
+        )
+        .into();
     }
-    if let Some(hint) = slip(word) {
-        return hint;
+    if let Some(advice) = slip(word) {
+        return advice;
     }
     let length = reader.ahead(amount).filter(|amount| matches!(amount.unit, Unit::Second | Unit::Day));
     if let Some(length) = length {
-        return format!("write \"for {}\"", reader.said(length.span));
+        return format!("write \"for {}\"", reader.said(length.span)).into();
     }
     if clause.predicate == Predicate::Is {
         return IS.into();
@@ -228,25 +230,25 @@ fn expected(reader: &mut Reader, clause: &Clause, word: &str) -> String {
         && reader.token(1) == Some(Token::Word)
         && !reader.ahead(|reader| amount(reader).is_some_and(|amount| amount.unit != Unit::None))
     {
-        return format!("say how many times, or for how long: \"{word} times a day\", \"for {word} minutes\"");
+        return format!("say how many times, or for how long: \"{word} times a day\", \"for {word} minutes\"").into();
     }
     if word == "until" || word == "till" {
         return "write \"until 22:00\" or \"until day 100\"".into();
     }
     if word.contains(',') {
-        return format!("a number has a point, not a comma: {:?}", word.replace(',', "."));
+        return format!("a number has a point, not a comma: {:?}", word.replace(',', ".")).into();
     }
     if "later earlier longer shorter more less slower faster".split(' ').any(|more| more == word) {
         if clause.predicate == Predicate::Walks {
             return "say by how much, such as \"10 % slower\"".into();
         }
-        return format!("say by how much, such as \"1 hour {word}\" or \"30 % {word}\"");
+        return format!("say by how much, such as \"1 hour {word}\" or \"30 % {word}\"").into();
     }
     "expected where, when, how long or how often: \"in the armchair\", \"at about 19:00\", \"for 20 minutes\"".into()
 }
 
 /// What a word was probably meant to be, where it is none of its own.
-pub fn slip(word: &str) -> Option<String> {
+pub fn slip(word: &str) -> Option<Advice> {
     /// Words that are near to others and are no slips of them.
     const OWN: &str = "the is no non this that these those there then them when what was were are be been will would all low \
         within without three eight nine ten twelve nights times tires days day mum dad he she it its his her too two to so \
@@ -254,7 +256,7 @@ pub fn slip(word: &str) -> Option<String> {
     if OWN.split_whitespace().any(|own| own == word) {
         return None;
     }
-    did_you_mean(word, vocabulary().filter(|known| *known != word)).filter(|hint| hint.starts_with("did"))
+    did_you_mean(word, vocabulary().filter(|known| *known != word)).filter(|advice| advice.fix.is_some())
 }
 
 /// Words that slips are looked for among.

@@ -5,23 +5,24 @@ use super::faults::did_you_mean;
 use super::messages::WordMessage;
 use super::reader::{Reader, Sort, begins_adverb, is_determiner};
 use super::words::{Span, Token};
+use homebody_core::problem::Advice;
 use homebody_core::scenario::nearest::nearest;
 
 /// Makes a message of the words of a name and a hint.
-pub type Unknown = fn(String, Option<String>) -> WordMessage;
+pub type Unknown = fn(String, Option<Advice>) -> WordMessage;
 
 /// The message about a place that the home does not have.
-pub fn no_place(text: String, help: Option<String>) -> WordMessage {
+pub fn no_place(text: String, help: Option<Advice>) -> WordMessage {
     WordMessage::UnknownPlace { text, help }
 }
 
 /// The message about words that are neither a place nor a time.
-pub fn no_place_or_time(text: String, help: Option<String>) -> WordMessage {
+pub fn no_place_or_time(text: String, help: Option<Advice>) -> WordMessage {
     WordMessage::UnknownPlaceOrTime { text, help }
 }
 
 /// The message about a thing that the home does not have.
-pub fn no_thing(text: String, help: Option<String>) -> WordMessage {
+pub fn no_thing(text: String, help: Option<Advice>) -> WordMessage {
     WordMessage::UnknownThing { text, help }
 }
 
@@ -46,13 +47,13 @@ pub fn unknown_name_or(reader: &mut Reader, sorts: &[Sort], unknown: Unknown, fa
         return said;
     }
     let known = did_you_mean(&said.to_lowercase(), reader.names.of(sorts));
-    let near = known.filter(|hint| far.is_none() || hint.starts_with("did"));
+    let near = known.filter(|advice| far.is_none() || advice.fix.is_some());
     let is_weather = |word: &str| ["weather", "rain", "rainy", "sunny", "wet", "snow"].contains(&word);
     if said.to_lowercase().split(' ').any(is_weather) {
-        reader.fault(span, unknown(said.clone(), Some(NO_WEATHER.to_owned())));
+        reader.fault(span, unknown(said.clone(), Some(NO_WEATHER.into())));
         return said;
     }
-    reader.fault(span, unknown(said.clone(), near.or(far.map(str::to_owned))));
+    reader.fault(span, unknown(said.clone(), near.or(far.map(Advice::from))));
     said
 }
 
@@ -68,12 +69,12 @@ pub fn unknown_verb(reader: &mut Reader, words: &str, span: Span) {
 /// The same, with a sentence that would do.
 pub fn unknown_doing(reader: &mut Reader, words: &str, span: Span, example: Option<String>) {
     let said = reader.said(span);
-    let unknown = |help: Option<String>| WordMessage::UnknownVerb { text: said.clone(), help };
+    let unknown = |help: Option<Advice>| WordMessage::UnknownVerb { text: said.clone(), help };
     if reader.faults.is_trial {
         return reader.fault(span, unknown(None));
     }
     let known = match (meant(words), goes_with(words)) {
-        (Some(phrase), _) => return reader.fault(span, unknown(Some(format!("did you mean {phrase:?}?")))),
+        (Some(phrase), _) => return reader.fault(span, unknown(Some(Advice::meant(&phrase)))),
         (None, Some(known)) => Some(format!("known activities are {known}")),
         (None, None) => None,
     };
@@ -86,7 +87,7 @@ pub fn unknown_doing(reader: &mut Reader, words: &str, span: Span, example: Opti
         (Some(known), Some(own)) => Some(format!("{known}; {own}")),
         (known, own) => known.or(own),
     };
-    reader.fault(span, unknown(hint));
+    reader.fault(span, unknown(hint.map(Advice::from)));
 }
 
 /// How these words would be said as an activity of one's own, where they look like one.
@@ -126,10 +127,10 @@ pub fn unknown_not(reader: &mut Reader, span: Span) {
         return reader.fault(span, WordMessage::UnknownVerb { text: said, help: None });
     }
     let help = match meant(&activities::in_third_person(&said.to_lowercase())) {
-        Some(phrase) => format!("did you mean {phrase:?}?"),
+        Some(phrase) => Advice::meant(&phrase),
         None => "leave the sentence out; to end a new activity, write until when it happens: \"until week 12 she whittles in the \
             armchair for 1 hour\""
-            .to_owned(),
+            .into(),
     };
     reader.fault(span, WordMessage::UnknownVerb { text: said, help: Some(help) });
 }

@@ -56,7 +56,7 @@ pub fn says_kinds(reader: &mut Reader, draft: &mut Draft, mut adverbs: Adverbs, 
         }
     }
     if start > 0 {
-        let help = Some("write \"some days are busy and some are quiet\"".to_owned());
+        let help = Some("write \"some days are busy and some are quiet\"".into());
         let (here, text) = (reader.here(), reader.said(reader.here()));
         reader.fault(here, WordMessage::NotUnderstood { text, help });
     }

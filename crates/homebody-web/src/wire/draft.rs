@@ -2,6 +2,7 @@
 
 use super::{At, DateView, HomeView};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::collections::BTreeMap;
 use ts_rs::TS;
 
@@ -160,6 +161,28 @@ pub struct ProblemView {
     pub width: u32,
     pub what: String,
     pub hint: Option<String>,
+    /// The change that solves it, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub fix: Option<FixView>,
+}
+
+/// A change that solves a problem, as a button offers it.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum FixView {
+    /// Replace the words or the JSON string at the problem's place.
+    Replace { with: String },
+    /// Set `"enterable"` of a piece of furniture to `true`.
+    LetEnter { furniture: String },
+    /// Add a piece to the furniture of the home.
+    Add {
+        #[ts(type = "Record<string, unknown>")]
+        piece: Value,
+        room: Option<String>,
+        /// The hint without the words for this change.
+        rest: String,
+    },
 }
 
 /// A home that is being drawn.

@@ -218,6 +218,7 @@ fn a_draft_is_checked_as_the_files_would_be_and_touches_none() {
             (&json!(problem.file), &json!(problem.line), &json!(problem.column))
         );
         assert_eq!((&told["what"], &told["hint"]), (&json!(problem.what), &json!(problem.hint)));
+        assert_eq!(told["fix"], json!(problem.fix));
     }
     assert_eq!(all_files(served.folder.path()), before);
 }

@@ -20,6 +20,12 @@ const PAGE: &str = "\
 This page explains every message of the program by its code. `homebody explain CODE` prints the same text. Names in braces stand for data,
 which `--json` and Python carry under `data`.
 
+They also carry the change that solves the problem under `fix`, if one change is enough:
+
+- `{\"kind\": \"replace\", \"with\": NAME}` replaces the words or the JSON string at the place of the problem.
+- `{\"kind\": \"let_enter\", \"furniture\": NAME}` sets `\"enterable\"` of that piece of furniture to `true`.
+- `{\"kind\": \"add\", \"piece\": PIECE, \"room\": NAME}` adds the piece to the `\"furniture\"` of the home.
+
 Made from the code by the test in `crates/homebody/tests/rules/messages.rs`.
 ";
 

@@ -168,7 +168,7 @@ test('a hint that has one answer is a button, and that is one step', async () =>
   await begin(FLAT);
   const bed = { name: 'cot', at: [2, 1], size_m: [0.9, 2], height_m: 0.5, enterable: true };
   files.check = {
-    problems: [{ file: 'ann.routine', line: 0, column: 0, width: 1, what: 'there is nowhere in this home to sleep', hint: `give it a bed; there is room: add to "furniture" ${JSON.stringify(bed)}` }],
+    problems: [{ file: 'ann.routine', line: 0, column: 0, width: 1, what: 'there is nowhere in this home to sleep', hint: `give it a bed; add ${JSON.stringify(bed)}`, fix: { kind: 'add', piece: bed, room: null, rest: 'give it a bed' } }],
     warnings: [],
   };
   live.drafts.write('home.json', `${FLAT}\n`);
@@ -409,8 +409,8 @@ test('a problem that keeps no sensor from seeing leaves what is seen as it is', 
 });
 
 test('what mends a problem is done once: its button is dead until the home is checked anew', async () => {
-  const toilet = '{"name": "toilet", "at": [5, 2.5], "size_m": [0.4, 0.6], "height_m": 0.4, "enterable": true}';
-  const lacks = { file: 'home.json', line: 0, column: 0, width: 0, what: 'nobody can use a toilet', hint: `give it one; there is room in "bath": add to "furniture" ${toilet}` };
+  const toilet = { name: 'toilet', at: [5, 2.5], size_m: [0.4, 0.6], height_m: 0.4, enterable: true };
+  const lacks: ProblemView = { file: 'home.json', line: 0, column: 0, width: 0, what: 'nobody can use a toilet', hint: 'give it one', fix: { kind: 'add', piece: toilet, room: 'bath', rest: 'give it one' } };
   await begin(FLAT, { '/api/mends': () => [] });
   files.check = { problems: [lacks], warnings: [] };
   live.drafts.write('home.json', `${FLAT}\n`);

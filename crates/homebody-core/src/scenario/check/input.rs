@@ -1,7 +1,7 @@
 //! Live input: times that run forward, keys that are held once, things that are there.
 
 use super::{Report, Surroundings};
-use crate::problem::{MOST_PER_FILE, Problem};
+use crate::problem::{Advice, MOST_PER_FILE, Problem};
 use crate::scenario::input::InputFile;
 use crate::scenario::nearest::nearest;
 use crate::scenario::source::Source;
@@ -28,7 +28,7 @@ crate::messages! {
             nearest: Option<String>,
         } error "unknown-thing" ("this home has no {thing:?} that a resident could use")
             advice (Some(match nearest {
-                Some(near) => format!("did you mean {near:?}?"),
+                Some(near) => Advice::meant(near),
                 None => "name a door, a piece of furniture or a room".into(),
             }));
     }

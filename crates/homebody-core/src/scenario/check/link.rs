@@ -54,8 +54,8 @@ crate::messages! {
             other_ends: bool,
         } error "faults-overlap" ("{sensor:?} cannot be {kind:?} {days}: it is {other:?} {other_days}")
             advice (Some(match other_ends {
-                _ if other == "moved" => "remove one of them".into(),
-                true => "end one of them before the other begins".into(),
+                _ if other == "moved" => "remove one of them".to_owned(),
+                true => "end one of them before the other begins".to_owned(),
                 false => format!("give {other:?} an end with \"days\""),
             }));
         /// Motion sensors fire without a cause now and then. Other kinds of sensors do not.

@@ -1,5 +1,6 @@
 //! Messages for files that do not have the form that their schema asks for.
 
+use crate::problem::Advice;
 use crate::scenario::nearest::quoted;
 
 crate::messages! {
@@ -96,8 +97,8 @@ crate::messages! {
             known: Vec<String>,
         } error "unknown-key" ("{key:?} is not a key of {object}")
             advice (Some(match nearest {
-                Some(near) => format!("did you mean {near:?}?"),
-                None => format!("its keys are {}", quoted(known)),
+                Some(near) => Advice::meant(near),
+                None => format!("its keys are {}", quoted(known)).into(),
             }));
         /// The object cannot be used without this key.
         MissingKey {
@@ -110,7 +111,7 @@ crate::messages! {
             /// The values that the key can have, where it is one of several names.
             known: Vec<String>,
         } error "missing-key" ("{object} needs the key {key:?}")
-            advice (if known.is_empty() { meaning.clone() } else { Some(choice(&None, known)) });
+            advice (if known.is_empty() { meaning.clone().map(Advice::from) } else { Some(choice(&None, known)) });
         /// This choice has values of its own, so its name alone says too little. Write an object with the name as its key:
         ///
         /// ```json
@@ -170,9 +171,9 @@ crate::messages! {
 }
 
 /// The hint for a value that is one of several names.
-pub(super) fn choice(nearest: &Option<String>, known: &[String]) -> String {
+pub(super) fn choice(nearest: &Option<String>, known: &[String]) -> Advice {
     match nearest {
-        Some(near) => format!("did you mean {near:?}?"),
-        None => format!("choose one of {}", quoted(known)),
+        Some(near) => Advice::meant(near),
+        None => format!("choose one of {}", quoted(known)).into(),
     }
 }

@@ -1,5 +1,7 @@
 //! The messages about numbers, times and days.
 
+use homebody_core::problem::Advice;
+
 homebody_core::messages! {
     /// Problems with a number, a time or a day in a routine.
     pub enum TimeMessage in "routine" {
@@ -129,9 +131,9 @@ homebody_core::messages! {
             /// The words.
             text: String,
             /// The hint.
-            help: String,
+            help: Advice,
         } error "no-time" ("there is no time {text:?}")
-            hint ("{help}");
+            advice (Some(help.clone()));
         /// The time and the part of the day contradict each other.
         PartOfDay {
             /// The time.

@@ -1,5 +1,7 @@
 //! The messages about words and names.
 
+use homebody_core::problem::Advice;
+
 homebody_core::messages! {
     /// Problems with a word or a name in a routine.
     pub enum WordMessage in "routine" {
@@ -8,7 +10,7 @@ homebody_core::messages! {
             /// The words.
             text: String,
             /// The hint, with the nearest name or all of them.
-            help: Option<String>,
+            help: Option<Advice>,
         } error "unknown-place" ("{text:?} is not a place in this home")
             advice (help.clone());
         /// After this word, a sentence has a place of the home or a time. Homebody knows the words as neither.
@@ -16,7 +18,7 @@ homebody_core::messages! {
             /// The words.
             text: String,
             /// The hint, with the nearest name or all of them.
-            help: Option<String>,
+            help: Option<Advice>,
         } error "unknown-place-or-time" ("{text:?} is neither a place in this home nor a time")
             advice (help.clone());
         /// Things of a routine are the doors and the pieces of furniture that `home.json` names.
@@ -24,7 +26,7 @@ homebody_core::messages! {
             /// The words.
             text: String,
             /// The hint, with the nearest name or all of them.
-            help: Option<String>,
+            help: Option<Advice>,
         } error "unknown-thing" ("{text:?} is not a thing in this home")
             advice (help.clone());
         /// A routine rings a bell or a telephone that the home has as a piece of furniture.
@@ -43,7 +45,7 @@ homebody_core::messages! {
             /// The words.
             text: String,
             /// The hint.
-            help: Option<String>,
+            help: Option<Advice>,
         } error "unknown-verb" ("{text:?} is not a known activity")
             advice (help.clone());
         /// The reader of routines expected something else in this part of the sentence. The rest of the sentence may be correct.
@@ -51,7 +53,7 @@ homebody_core::messages! {
             /// The words.
             text: String,
             /// The hint.
-            help: Option<String>,
+            help: Option<Advice>,
         } error "not-understood" ("cannot read {text:?} here")
             advice (help.clone());
         /// Visitors are people with a relation or a profession, so that the routine says who comes.
@@ -67,9 +69,9 @@ homebody_core::messages! {
             /// The name.
             name: String,
             /// The hint.
-            help: String,
+            help: Advice,
         } error "other-person" ("this routine is about {person:?}, not about {name:?}")
-            hint ("{help}");
+            advice (Some(help.clone()));
         /// A file with a condition describes changes that hold for every person who shows it.
         ConditionName {
             /// The name.
@@ -135,7 +137,7 @@ homebody_core::messages! {
             /// The words, perhaps none at all.
             text: String,
             /// The hint, with the nearest name or all of them.
-            help: Option<String>,
+            help: Option<Advice>,
         } error "unknown-condition"
             ("{name} is not a known condition", name = if text.is_empty() { "this".to_owned() } else { format!("{text:?}") })
             advice (help.clone());
