@@ -95,7 +95,7 @@ pub enum Place {
 pub const LEAST_CHANGE: f32 = 0.05;
 
 /// What is added to the name of a scenario.
-const WALKED_BACK: &str = ", walked back";
+const WALKED_BACK: &str = ", located";
 
 /// Largest number of characters of a scenario's name, by its schema.
 const LONGEST_NAME: usize = 100;

@@ -214,7 +214,7 @@ fn unexplained_uses(explained: &Explained, scenario: &Scenario) -> Option<String
     let more = if uses.len() > names.len() { " and others" } else { "" };
     (firings > 0).then(|| {
         format!(
-            "{firings} of {} firings report that somebody used a thing ({}{more}): a path that is walked back uses nothing, \
+            "{firings} of {} firings report that somebody used a thing ({}{more}): a located path uses nothing, \
              so it explains none of them",
             explained.all.real,
             names.join(", ")

@@ -80,7 +80,7 @@ fn a_folder_says_again_what_was_written_and_what_is_damaged_is_told_with_its_lin
         fs::write(to.join(ROOMS), format!("{table}{wrong}\n")).unwrap();
         let line = table.lines().count() + 1;
         let told = read_back().unwrap_err().to_string();
-        assert!(told.contains(&format!("line {line} is no row")), "{told}");
+        assert!(told.contains(&format!("line {line} is not a row")), "{told}");
     }
 }
 
@@ -105,5 +105,5 @@ fn a_home_of_the_longest_name_is_walked_back() {
     let named = home.scenario().edit().file(|file| file.name.clone_from(&name)).load().unwrap();
     let told = walk_back(&read.log, &named, &Cancel::new(), |_| ()).unwrap();
     let walked: serde_json::Value = serde_json::from_str(&told.files[&told.entry]).unwrap();
-    assert_eq!(walked["name"], format!("{}, walked back", "é".repeat(87)));
+    assert_eq!(walked["name"], format!("{}, located", "é".repeat(91)));
 }

@@ -167,7 +167,7 @@ impl fmt::Display for Experiment {
         for Recording { name, walked_back: told, .. } in &self.by_recording {
             writeln!(
                 f,
-                "  {name}  walked back {:.3}  by the last firing {:.3}  by rooms alone {:.3}  visits found {:.3}  messages \
+                "  {name}  located {:.3}  by the last firing {:.3}  by rooms alone {:.3}  visits found {:.3}  messages \
                  from other rooms {:.3}",
                 told.room_right, told.last_firing_right, told.rooms_only_right, told.visits_found, told.said_elsewhere
             )?;
