@@ -1,5 +1,6 @@
 //! `homebody convert`: write a log in another form.
 
+use super::messages::LogContentMessage;
 use super::read_log::{Mapped, tell_remarks};
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
@@ -11,7 +12,7 @@ use homebody_core::scenario::scheme::{KNOWN_EXTENSIONS, SCHEMES, SchemeRow};
 use homebody_log::fresh::same_file;
 use homebody_log::source::{Form, forms};
 use homebody_log::truth::tables;
-use homebody_log::{Activity, Life, RunClock, Transfer, Url, convert, lives};
+use homebody_log::{Activity, Life, LogError, RunClock, Transfer, Url, convert, lives};
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 
@@ -85,8 +86,8 @@ impl Arguments {
         keep(&self.out, &named.place.files())?;
         let (looker, mut log) = looked(Looker::new(None), &mut |take| named.stream(take))?;
         if self.activities {
-            let truth =
-                named.truth().ok_or_else(|| Failure::Io(format!("{text} has no ground truth\n  hint: {NO_TRUTH}")))?;
+            let no_truth = || LogContentMessage::NoTruth { log: text.to_owned(), command: "convert" };
+            let truth = named.truth().ok_or_else(|| Failure::file(no_truth()))?;
             log.activities = told_activities(&lives(&truth, &RunClock::as_told())?);
         }
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
@@ -122,9 +123,6 @@ impl Arguments {
     }
 }
 
-const NO_TRUTH: &str =
-    "name the folder of a run with its ground truth; without --activities, Homebody converts the log's own";
-
 /// What residents did, by their numbers where there are several: `R1_` stands before what the first of them does.
 fn told_activities(lives: &[Life]) -> Vec<Activity> {
     let of_life = |(number, life): (usize, &Life)| {
@@ -145,7 +143,7 @@ pub fn keep(to: &Url, sources: &[PathBuf]) -> Result<(), Failure> {
         None => to.is_data_set() && source.ancestors().any(|folder| same_file(folder, to.path())),
     };
     if sources.iter().any(is_in) {
-        return Err(Failure::Io(format!("{to} is the input\n  hint: name another file")));
+        return Err(LogError::IsSource { place: to.to_string() }.into());
     }
     Ok(())
 }
