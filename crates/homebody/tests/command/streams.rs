@@ -23,7 +23,7 @@ fn rows_on_standard_output_are_alone_there() {
     assert_eq!(done.out.lines().count() + 1, folder.read("log.csv").lines().count());
     let rows = done.out.lines().all(|line| line.starts_with("{\"seq\":") && line.ends_with('}'));
     assert!(rows && done.err.contains("jsonl:-: "), "{}", done.err);
-    folder.run("run flat --for 1m --json --out csv:-").fails(2, "cannot both go to standard output");
+    folder.run("run flat --for 1m --json --out csv:-").fails(2, "error[result::standard-output]");
 }
 
 #[test]
@@ -60,7 +60,7 @@ fn what_is_packed_is_read_by_all_commands() {
     assert_eq!(strip(look("log.csv.gz")), strip(look("log.csv")));
     let whole = std::fs::read(folder.path("log.csv.gz")).unwrap();
     folder.write("cut.csv.gz", &whole[..whole.len() / 2]);
-    folder.run("inspect cut.csv.gz").fails(1, "cut.csv.gz: what is packed in it is damaged or cut short");
+    folder.run("inspect cut.csv.gz").fails(1, "error[packed::damaged]");
 }
 
 #[test]

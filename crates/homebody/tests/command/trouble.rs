@@ -146,7 +146,7 @@ fn where_there_are_no_threads_it_is_said() {
     ] {
         // A stack for which no machine has room.
         let output = folder.command(words).env("RUST_MIN_STACK", (1_u64 << 46).to_string()).output().unwrap();
-        Done::new(words, output).fails(1, "hint: raise this user's limits on threads or memory");
+        Done::new(words, output).fails(1, "error[thread::unavailable]");
         assert_eq!(folder.files(), given, "{words}");
     }
     let mut experiment = folder.command("experiment daily-life --people 2 --days 2");
