@@ -171,7 +171,7 @@ def test_what_is_hardly_meant_is_warned_of(tmp_path: Path) -> None:
     folder = late.save(tmp_path / "late")
     command = [sys.executable, "-m", "homebody", "run", str(folder), "--for", "1d", "--seed", "1", "--out", f"csv:{tmp_path / 'a.csv'}"]
     said = subprocess.run(command, check=True, capture_output=True, text=True).stderr
-    assert all(f"warning: {word}" in said for word in words), said
+    assert all(f"]: {word}" in said for word in words) and said.count("warning[") == len(words), said
     with pytest.warns(UserWarning) as told:
         hb.cohort(late, 1, tmp_path / "cohort", days=1)
     assert [str(warning.message) for warning in told] == words

@@ -65,13 +65,13 @@ impl fmt::Display for News {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let News { place, absence } = self;
         match absence {
-            None => write!(f, "{place} is back"),
+            None => write!(f, "{place} is available again"),
             Some(Absence { why, waits: None }) => {
-                write!(f, "warning: {place} is away: {why}\n  rows are put aside until it is back")
+                write!(f, "warning: {place} is unavailable: {why}\n  Homebody stores rows in the spool until it is available")
             }
             Some(Absence { why, waits: Some(waits) }) => {
                 let seconds = waits.as_secs();
-                write!(f, "warning: {place} is away: {why}\n  the run waits until it is back, for {seconds} s at most")
+                write!(f, "warning: {place} is unavailable: {why}\n  the run waits for it for at most {seconds} s")
             }
         }
     }
@@ -183,11 +183,11 @@ mod tests {
         assert_eq!((meter.read().is_away, meter.why_away().as_deref()), (true, Some("no way there")));
         meter.is_there("a broker");
         meter.is_there("a broker");
-        let waits = "\n  the run waits until it is back, for 600 s at most";
+        let waits = "\n  the run waits for it for at most 600 s";
         let expected = [
-            format!("warning: a broker is away: nobody listens{waits}"),
-            format!("warning: a broker is away: no way there{waits}"),
-            "a broker is back".into(),
+            format!("warning: a broker is unavailable: nobody listens{waits}"),
+            format!("warning: a broker is unavailable: no way there{waits}"),
+            "a broker is available again".into(),
         ];
         assert_eq!(*told.lock().unwrap(), expected);
         assert_eq!((meter.read().is_away, meter.why_away()), (false, None));

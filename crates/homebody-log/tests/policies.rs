@@ -239,7 +239,7 @@ fn one_that_is_away_is_not_waited_for_once_the_run_is_stopped() {
         assert!(took < Duration::from_secs(60), "{name}: {took:?}");
         assert!(matches!(&stored.away, Some(LogError::StoppedAway { place, .. }) if place == "a broker"));
         let told = told.lock().unwrap();
-        assert!(told.len() == 1 && told[0].starts_with("warning: a broker is away: "), "{told:?}");
+        assert!(told.len() == 1 && told[0].starts_with("warning: a broker is unavailable: "), "{told:?}");
         assert_eq!((stored.rows, lines(&folder)), (ROWS, ROWS), "the others have all of it");
     }
 }

@@ -7,7 +7,6 @@ use homebody_experiment::people::NotLived;
 use homebody_kit::Error;
 use homebody_log::LogError;
 use std::fmt::Display;
-use std::path::Path;
 
 /// The exit codes of every command.
 pub const EXIT_CODES: &str =
@@ -17,10 +16,6 @@ pub const EXIT_CODES: &str =
 pub enum Failure {
     /// Problems with what the user wrote.
     Problems(Problems),
-    /// A problem with what the user asked for.
-    Usage(String),
-    /// A file cannot be read or written.
-    Io(String),
     /// A message with a code, and the exit code.
     Coded(Box<Diagnostic>, u8),
     /// A signal ended the command early, which was printed; the exit code.
@@ -28,19 +23,17 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// A file that cannot be read or written.
-    pub fn io(path: &Path, error: impl Display) -> Failure {
-        Failure::Io(format!("{}: {error}", path.display()))
-    }
-
-    /// A problem with what the user asked for.
-    pub fn usage(what: impl Display) -> Failure {
-        Failure::Usage(what.to_string())
-    }
-
     /// A problem with what the user asked for, by its message.
     pub fn asked(message: impl Diagnose) -> Failure {
         Failure::Coded(Box::new(message.diagnostic()), 2)
+    }
+
+    /// Several problems at once. A single one that is about no file is printed like any other message.
+    pub fn all(problems: Vec<Diagnostic>) -> Failure {
+        match &problems[..] {
+            [only] if only.file.is_empty() => Failure::Coded(Box::new(only.clone()), 2),
+            _ => Failure::Problems(Problems(problems)),
+        }
     }
 
     /// The same failure with another hint.
@@ -53,9 +46,32 @@ impl Failure {
         }
     }
 
+    /// A simulated home that cannot be measured.
+    pub fn not_measured(why: impl Display) -> Failure {
+        Failure::file(SimulationMessage::NotMeasured { why: why.to_string() })
+    }
+
     /// A file that cannot be read or written, by its message.
     pub fn file(message: impl Diagnose) -> Failure {
         Failure::Coded(Box::new(message.diagnostic()), 1)
+    }
+}
+
+homebody_core::messages! {
+    /// Errors of commands that simulate people or homes to answer a question.
+    pub enum SimulationMessage in "simulation" {
+        /// Homebody simulates the first resident with and without conditions. A condition changes the sentences of a routine, so the
+        /// resident needs one.
+        NoRoutine error "no-routine" ("the first resident has no routine, so Homebody cannot simulate conditions")
+            hint ("name a routine as \"driver\" of the first resident in the scenario");
+        /// A simulated home has no log that can be measured, or a resident was asked to do something impossible.
+        NotMeasured {
+            /// The reason.
+            why: String,
+        } error "not-measured" ("cannot simulate and measure a home: {why}");
+        /// The simulation ended before its result was complete.
+        Stopped error "stopped" ("the simulation was stopped before its end")
+            hint ("run the command again");
     }
 }
 
@@ -69,8 +85,9 @@ impl From<NotLived> for Failure {
     fn from(error: NotLived) -> Failure {
         match error {
             NotLived::Problems(problems) => Failure::Problems(problems),
-            NotLived::NoRoutine => Failure::usage(error),
-            NotLived::NotMeasured(_) | NotLived::Stopped => Failure::Io(error.to_string()),
+            NotLived::NoRoutine => Failure::asked(SimulationMessage::NoRoutine),
+            NotLived::NotMeasured(error) => Failure::not_measured(error),
+            NotLived::Stopped => Failure::file(SimulationMessage::Stopped),
         }
     }
 }
@@ -112,7 +129,7 @@ impl From<Error> for Failure {
             },
             Error::Log(error) => match error.0.downcast::<LogError>() {
                 Ok(error) => (*error).into(),
-                Err(error) => Failure::Io(error.to_string()),
+                Err(error) => Failure::file(Error::Sink { source: error }),
             },
             Error::NoRows { .. }
             | Error::File { .. }

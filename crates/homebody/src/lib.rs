@@ -22,10 +22,10 @@ use clap::error::{ContextKind, ContextValue};
 use clap::{CommandFactory, FromArgMatches, Parser};
 use commands::{Command, groups};
 use failure::{EXIT_CODES, Failure};
-use homebody_core::problem::{Diagnostic, counted};
+use homebody_core::problem::counted;
 use homebody_core::scenario::scheme::without_password;
 use homebody_kit::{TRUST, VERSION};
-use print::{LogFormat, tell, tell_as, tell_with};
+use print::{LogFormat, tell, tell_as, tell_message, tell_problems};
 use std::ffi::OsString;
 
 /// Simulate homes with sensors and their older residents.
@@ -147,29 +147,13 @@ fn report(failure: &Failure) -> u8 {
         Failure::Problems(problems) => {
             let said = problems.render().replace(TRUST, &format!("{TRUST}, by --trust"));
             let text = format!("{said}\n{}", counted(problems.0.len(), "problem", "problems"));
-            tell_with(text, "diagnostics", problems);
+            tell_problems(text, problems);
             2
-        }
-        Failure::Usage(what) => {
-            tell(format_args!("error: {what}"));
-            2
-        }
-        Failure::Io(what) => {
-            tell(format_args!("error: {what}"));
-            1
         }
         Failure::Coded(message, code) => {
-            tell_with(in_full(message), "diagnostics", &[message]);
+            tell_message(message);
             *code
         }
         Failure::Signal(code) => *code,
-    }
-}
-
-/// A message with its severity and code before it.
-fn in_full(message: &Diagnostic) -> String {
-    match message.code {
-        "" => format!("error: {message}"),
-        _ => format!("{}{message}", message.label()),
     }
 }

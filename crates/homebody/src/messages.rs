@@ -1,5 +1,10 @@
 //! All messages of the program, in the order of `homebody explain`.
 
+use crate::commands::catalogue;
+use crate::failure::SimulationMessage;
+use crate::pace::ControlMessage;
+use crate::print::ResultMessage;
+use crate::watched::MetricsMessage;
 use homebody_core::messages::{Catalogue, Entry};
 
 /// The messages of all crates, by area.
@@ -10,7 +15,14 @@ pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
         homebody_routine::catalogue::MESSAGES,
         homebody_import::catalogue::MESSAGES,
         homebody_kit::catalogue::MESSAGES,
-        &[ExplainMessage::ENTRIES],
+        catalogue::MESSAGES,
+        &[
+            ControlMessage::ENTRIES,
+            MetricsMessage::ENTRIES,
+            ResultMessage::ENTRIES,
+            SimulationMessage::ENTRIES,
+            ExplainMessage::ENTRIES,
+        ],
     ]
     .into_iter()
     .chain(homebody_kit::catalogue::ELSEWHERE.iter().copied())

@@ -1,8 +1,10 @@
 //! The speed of a run, and commands on standard input that change it.
 
 use crate::failure::Failure;
-use crate::print::tell;
-use homebody_kit::pace::{Command, Pace, PaceMessage, Speed};
+use crate::print::tell_message;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::Diagnostic;
+use homebody_kit::pace::{Command, Pace, Speed};
 use homebody_log::error::no_thread;
 use std::io::{self, BufRead, Read};
 use std::sync::mpsc::{Receiver, sync_channel};
@@ -18,7 +20,17 @@ const LONGEST_COMMAND_BYTES: usize = 200;
 /// Most commands in the queue (our choice); a sender of more waits.
 const MOST_WAITING: usize = 1000;
 
-/// How fast a run goes, and who may change that.
+homebody_core::messages! {
+    /// Problems with commands on standard input.
+    #[derive(Clone, Copy, PartialEq, Eq)]
+    pub enum ControlMessage in "control" {
+        /// With `--control`, each line of standard input is one short command. Homebody skips longer lines.
+        TooLong error "too-long" ("a command has {LONGEST_COMMAND_BYTES} bytes at most")
+            hint ("write one command per line: pause, resume, step [SECONDS], speed X, stop");
+    }
+}
+
+/// The speed of a run, and its control.
 #[derive(clap::Args)]
 #[command(next_help_heading = "Speed")]
 pub struct Asked {
@@ -51,10 +63,10 @@ impl Asked {
         let listen = move || {
             let mut input = std::io::stdin().lock();
             while let Ok(Some(line)) = next_line(&mut input) {
-                match line.and_then(|line| line.parse().map_err(|error: PaceMessage| error.to_string())) {
+                match command(line) {
                     Ok(command) if sender.send(command).is_err() => break,
                     Ok(_) => {}
-                    Err(error) => tell(error),
+                    Err(message) => tell_message(&message),
                 }
             }
         };
@@ -64,15 +76,20 @@ impl Asked {
     }
 }
 
-/// The next line, or what is wrong with it; nothing at the end. Of a line that is too long only the beginning is kept.
-fn next_line(input: &mut impl BufRead) -> io::Result<Option<Result<String, String>>> {
+/// The command of a line.
+fn command(line: Result<String, ControlMessage>) -> Result<Command, Diagnostic> {
+    line.map_err(|message| message.diagnostic())?.parse::<Command>().map_err(Diagnostic::from)
+}
+
+/// The next line, or its problem; None at the end. Stores only the beginning of a line that is too long.
+fn next_line(input: &mut impl BufRead) -> io::Result<Option<Result<String, ControlMessage>>> {
     let mut line = Vec::new();
     if input.take(LONGEST_COMMAND_BYTES as u64 + 1).read_until(b'\n', &mut line)? == 0 {
         return Ok(None);
     }
     if line.len() > LONGEST_COMMAND_BYTES && !line.ends_with(b"\n") {
         input.skip_until(b'\n')?;
-        return Ok(Some(Err(format!("a command has {LONGEST_COMMAND_BYTES} bytes at most"))));
+        return Ok(Some(Err(ControlMessage::TooLong)));
     }
     Ok(Some(Ok(String::from_utf8_lossy(&line).trim_end().to_owned())))
 }
@@ -89,8 +106,7 @@ mod tests {
         while let Some(line) = next_line(&mut input).unwrap() {
             said.push(line);
         }
-        let too_long = Err("a command has 200 bytes at most".to_owned());
-        assert_eq!(said, [too_long, Ok("stop".into()), Ok("\u{fffd}".into()), Ok("last".into())]);
+        assert_eq!(said, [Err(ControlMessage::TooLong), Ok("stop".into()), Ok("\u{fffd}".into()), Ok("last".into())]);
         let longest = "x".repeat(LONGEST_COMMAND_BYTES) + "\nstop";
         let mut input = longest.as_bytes();
         assert_eq!(next_line(&mut input).unwrap(), Some(Ok("x".repeat(LONGEST_COMMAND_BYTES))));

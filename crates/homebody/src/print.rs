@@ -1,16 +1,46 @@
-//! Where words and figures go: what was asked for to standard output or a file, what is said besides to standard error.
+//! Output: results to standard output or a file, and notes, warnings and errors to standard error.
 
 use crate::failure::Failure;
-use homebody_core::problem::is_unseen;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::{Diagnostic, is_unseen};
+use homebody_log::LogError;
 use homebody_log::fresh::FreshFile;
 use jiff::Timestamp;
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+homebody_core::messages! {
+    /// Errors of writing the result of a command.
+    pub enum ResultMessage in "result" {
+        /// Homebody cannot turn the result into JSON or CSV. This is an error of the program: report it with the command that you ran.
+        NotWritten {
+            /// The reason.
+            why: String,
+        } error "not-written" ("cannot write the result: {why}");
+        /// A program that reads rows from standard output expects rows only. The result or the report would be among them.
+        StandardOutput {
+            /// `result` or `report`.
+            what: &'static str,
+        } error "standard-output" ("rows and the {what} cannot both go to standard output")
+            advice (Some(match *what {
+                "report" => "leave out --json, or write the reports to a file: --report FILE".into(),
+                _ => "leave out --json: the result then goes to standard error".into(),
+            }));
+        /// A FHIR bundle holds an observation for each measure. It has no place for alerts and sentences.
+        Fhir error "fhir" ("--out fhir: this form holds measures only")
+            hint ("write alerts and sentences to jsonl:FILE or sqlite:FILE, and measures with homebody measures");
+    }
+}
+
+/// The failure to turn a result into JSON or CSV.
+pub fn not_written(why: impl std::fmt::Display) -> Failure {
+    Failure::asked(ResultMessage::NotWritten { why: why.to_string() })
+}
+
 /// A JSON object as files and scripts get it.
 pub fn json_text(value: &impl serde::Serialize) -> Result<String, Failure> {
-    Ok(serde_json::to_string_pretty(value).map_err(Failure::usage)? + "\n")
+    Ok(serde_json::to_string_pretty(value).map_err(not_written)? + "\n")
 }
 
 /// Prints the one JSON object that `--json` promises.
@@ -50,7 +80,9 @@ pub fn counted(number: u64, one: &str, many: &str) -> String {
 pub fn print_text(text: &str) -> Result<(), Failure> {
     use std::io::{ErrorKind, Write};
     match std::io::stdout().lock().write_all(seen(text).as_bytes()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Io(format!("standard output: {error}"))),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(LogError::file(Path::new("standard output"), error).into())
+        }
         _ => Ok(()),
     }
 }
@@ -71,13 +103,39 @@ pub fn tell(text: impl std::fmt::Display) {
     };
 }
 
-/// The same with figures for programs: where everything is told as objects, they are in it under this name.
+/// Prints the same text with figures for programs: an object of JSON has them under this name.
 pub fn tell_with(text: impl std::fmt::Display, name: &str, figures: &impl serde::Serialize) {
+    tell_at(None, text, name, figures);
+}
+
+/// Prints a message with its severity and its code.
+pub fn tell_message(message: &Diagnostic) {
+    let label = match message.code {
+        "" => format!("{}: ", message.severity.word()),
+        _ => message.label(),
+    };
+    tell_at(Some(message.severity.word()), format!("{label}{message}"), "diagnostics", &[message]);
+}
+
+/// Prints a warning.
+pub fn warn(message: impl Diagnose) {
+    tell_message(&message.diagnostic());
+}
+
+/// Prints errors as a text that names the file of each, and as a list for programs.
+pub fn tell_problems(text: impl std::fmt::Display, problems: &impl serde::Serialize) {
+    tell_at(Some("error"), text, "diagnostics", problems);
+}
+
+fn tell_at(level: Option<&str>, text: impl std::fmt::Display, name: &str, figures: &impl serde::Serialize) {
     use std::io::Write;
     if !IN_JSON.load(Ordering::Relaxed) {
         return tell(text);
     }
     let mut object = as_json(&seen(&text.to_string()), Timestamp::now());
+    if let Some(level) = level {
+        object["level"] = level.into();
+    }
     object[name] = serde_json::to_value(figures).unwrap_or_default();
     let _ = writeln!(std::io::stderr().lock(), "{object}");
 }

@@ -2,7 +2,7 @@
 
 use crate::commands::fleet::told::{Look, numbers};
 use crate::failure::Failure;
-use crate::print::tell;
+use crate::print::{tell, warn};
 use crate::prometheus::{Numbers, label};
 use homebody_core::time::SECOND;
 use homebody_kit::{Meters, Seen};
@@ -12,7 +12,20 @@ use jiff::Timestamp;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::PoisonError;
 
-/// Where numbers are asked for.
+homebody_core::messages! {
+    /// Remarks on the metrics of a run.
+    pub enum MetricsMessage in "metrics" {
+        /// Metrics have the name of the scenario and the destinations of the run. Any program on any machine that can connect to the
+        /// address reads them, without a password.
+        Exposed {
+            /// The address.
+            address: String,
+        } warning "exposed" ("anyone who reaches {address} can read the run's metrics")
+            hint ("give a port alone to serve metrics to this machine only");
+    }
+}
+
+/// The option for metrics.
 #[derive(clap::Args)]
 pub struct Watched {
     /// Serve metrics for Prometheus at this port of 127.0.0.1, or at IP:PORT: rows, lag, retries, spooled bytes
@@ -51,7 +64,7 @@ impl Watched {
     fn serve(&self, look: impl Fn() -> String + Clone + Send + Sync + 'static) -> Result<(), Failure> {
         let Some(address) = self.metrics else { return Ok(()) };
         if !address.ip().is_loopback() {
-            tell(format_args!("warning: anyone who reaches {address} can read the run's metrics"));
+            warn(MetricsMessage::Exposed { address: address.to_string() });
         }
         let bound = serve_metrics(address, look)?;
         tell(format_args!("metrics    http://{bound}/metrics"));

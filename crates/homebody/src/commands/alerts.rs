@@ -6,11 +6,39 @@ use super::measures::Measured;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json_text, print_text};
 use homebody_analysis::alerts::{Alert, Rules, USUAL, alerts};
+use homebody_core::problem::Problem;
+use homebody_log::LogError;
 use homebody_log::records::Records;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+
+homebody_core::messages! {
+    /// Problems with alerts and their rules.
+    pub enum AlertsMessage in "alerts" {
+        /// With `--follow`, the command runs until you stop it and prints each alert as it comes. It has no end at which it could
+        /// write a file.
+        FilesWithFollow error "files-with-follow" ("--follow prints alerts and writes no files")
+            hint ("pass --out jsonl:- to print lines of JSON");
+        /// `--rules` names a file with rules of your own. Without it, Homebody uses the default rules.
+        NoRules {
+            /// The file.
+            file: PathBuf,
+        } error "no-rules" ("the file of rules {file} does not exist", file = file.display())
+            hint ("correct the path; docs/reference/measures.md lists the default rules");
+        /// A file of rules is JSON. Each rule names a measure, the direction of the change, and its size in standard deviations:
+        ///
+        /// ```json
+        /// {"rules": [{"name": "fewer meals", "measure": "meals", "when": "less", "k_sd": 2}]}
+        /// ```
+        Rule {
+            /// The problem.
+            why: String,
+        } error "rule" ("{why}")
+            advice ((!why.contains("hint: ")).then(|| "docs/reference/measures.md describes the rules".into()));
+    }
+}
 
 /// Report changes from the resident's own baseline, day by day
 ///
@@ -63,12 +91,10 @@ impl Arguments {
         }
     }
 
-    /// Tells what alerts there are, and then each that comes: a line each, as JSON where lines are asked for.
+    /// Prints all alerts, and then each new one: one line each, as JSON if the command asks for lines.
     fn follow(&self, rules: &Rules) -> Result<(), Failure> {
         if !self.figures.is_empty() || !self.programs.is_empty_or_printed() {
-            return Err(Failure::usage(
-                "--follow prints alerts and writes no files\n  hint: --out jsonl:- prints lines of JSON",
-            ));
+            return Err(Failure::asked(AlertsMessage::FilesWithFollow));
         }
         let mut told: Vec<Alert> = Vec::new();
         loop {
@@ -107,20 +133,16 @@ fn records(log: &str, alerts: &[Alert]) -> Records {
     Records { kind: "alert", columns, rows: alerts.iter().map(of).collect() }
 }
 
-/// The rules of a file, or those that hold where nobody says others.
+/// The rules of a file, or the default rules.
 pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
     let Some(path) = path else {
-        return Rules::read(USUAL).map_err(|problems| Failure::Io(problems.join("; ")));
+        return Rules::read(USUAL).map_err(|problems| Failure::file(AlertsMessage::Rule { why: problems.join("; ") }));
     };
-    let name = path.display();
     let text = fs::read_to_string(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => Failure::usage(format!(
-            "{name}: there is no such file\n  hint: docs/reference/measures.md lists the default rules"
-        )),
-        _ => Failure::io(path, error),
+        ErrorKind::NotFound => Failure::asked(AlertsMessage::NoRules { file: path.to_owned() }),
+        _ => LogError::reading(path, error).into(),
     })?;
-    Rules::read(&text).map_err(|problems| {
-        let told: Vec<String> = problems.iter().map(|problem| format!("{name}: {problem}")).collect();
-        Failure::usage(told.join("\nerror: "))
-    })
+    let name = path.display().to_string();
+    let problem = |why: String| Problem::of_file(&name, AlertsMessage::Rule { why }, None);
+    Rules::read(&text).map_err(|problems| Failure::all(problems.into_iter().map(problem).collect()))
 }

@@ -1,5 +1,6 @@
 //! What commands that answer a question leave: words for people, figures as JSON, pictures.
 
+use super::messages::PictureMessage;
 use crate::failure::Failure;
 use crate::print::{json_text, print_json, print_text, tell, write_file};
 use homebody_log::places::can_be_written;
@@ -185,8 +186,8 @@ impl Pictures {
         others: &[&Path],
         sources: &[PathBuf],
     ) -> Result<CheckedPictures<'_, N>, Failure> {
-        for (path, form, other) in [(&self.svg, "svg", "png"), (&self.png, "png", "svg")] {
-            path.as_ref().map_or(Ok(()), |path| is_named_as(path, form, other))?;
+        for (path, form) in [(&self.svg, "svg"), (&self.png, "png")] {
+            path.as_ref().map_or(Ok(()), |path| is_named_as(path, form))?;
         }
         let paths = self.svg.iter().chain(&self.png);
         let files: Vec<PathBuf> = paths.flat_map(|path| names.map(|name| named(path, name))).collect();
@@ -221,23 +222,21 @@ impl<const N: usize> CheckedPictures<'_, N> {
     }
 }
 
-/// Refuses a picture's file whose name says that it is a picture of another form.
-fn is_named_as(path: &Path, form: &str, other: &str) -> Result<(), Failure> {
+/// Refuses a file whose extension is that of another form of pictures.
+fn is_named_as(path: &Path, form: &'static str) -> Result<(), Failure> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     if extension == form || !["svg", "png", "jpg", "jpeg", "gif", "webp", "pdf", "bmp", "tiff"].contains(&&*extension) {
         return Ok(());
     }
-    let hint = match extension == other {
-        true => format!("use --{other} for this form"),
-        false => format!("name it {}", path.with_extension(form).display()),
-    };
-    Err(Failure::usage(format!("--{form} cannot write {extension}: {}\n  hint: {hint}", path.display())))
+    Err(Failure::asked(PictureMessage::Form { form, extension, path: path.to_owned() }))
 }
 
 fn undrawn(error: PngError) -> Failure {
     match error {
-        PngError::Size { .. } => Failure::usage(format!("{error}\n  hint: a smaller --width also lowers its height")),
-        error => Failure::usage(error),
+        PngError::Size { width: width_px, height: height_px } => {
+            Failure::asked(PictureMessage::Size { width_px, height_px, option: "--width" })
+        }
+        error => Failure::asked(PictureMessage::NotDrawn { why: error.to_string() }),
     }
 }
 

@@ -3,8 +3,8 @@
 use super::scenario::Chosen;
 use crate::failure::Failure;
 use crate::length::Length;
-use crate::print::{print_json, tell};
-use homebody_core::problem::{Problem, Problems, counted};
+use crate::print::{print_json, tell, tell_message};
+use homebody_core::problem::{Problem, Problems, Severity, counted};
 use homebody_kit::{Error, OpenScenario, Source};
 use serde_json::json;
 
@@ -74,5 +74,5 @@ pub fn load_and_say(
 
 /// Prints a warning.
 pub fn tell_remark(remark: &Problem) {
-    tell(format_args!("warning: {remark}"));
+    tell_message(&Problem { severity: Severity::Warning, ..remark.clone() });
 }

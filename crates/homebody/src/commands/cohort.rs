@@ -2,7 +2,7 @@
 
 use super::lived::{Output, go_on_in, speed_in_words};
 use crate::failure::Failure;
-use crate::print::{counted, grouped, print_json, print_text, tell};
+use crate::print::{counted, grouped, not_written, print_json, print_text, tell};
 use homebody_core::time::{DAY, Micros};
 use homebody_kit::{Cohort, LIST, LivedCohort, TruthKept};
 use serde_json::json;
@@ -87,7 +87,7 @@ pub fn report(output: &Output, lived: &LivedCohort) -> Result<(), Failure> {
     let is_stopped = lived.is_stopped();
     let LivedCohort { folder, list, asked, found, lived, took, .. } = lived;
     if output.json {
-        let mut list = serde_json::to_value(list).map_err(Failure::usage)?;
+        let mut list = serde_json::to_value(list).map_err(not_written)?;
         list["stopped"] = json!(is_stopped);
         list["found_complete"] = json!(found);
         list["took_s"] = json!(took.as_secs_f64());

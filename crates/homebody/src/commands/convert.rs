@@ -1,5 +1,6 @@
 //! `homebody convert`: write a log in another form.
 
+use super::messages::LogContentMessage;
 use super::read_log::{Mapped, tell_remarks};
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
@@ -85,8 +86,8 @@ impl Arguments {
         keep(&self.out, &named.place.files())?;
         let (looker, mut log) = looked(Looker::new(None), &mut |take| named.stream(take))?;
         if self.activities {
-            let truth =
-                named.truth().ok_or_else(|| Failure::Io(format!("{text} has no ground truth\n  hint: {NO_TRUTH}")))?;
+            let no_truth = || LogContentMessage::NoTruth { log: text.to_owned(), command: "convert" };
+            let truth = named.truth().ok_or_else(|| Failure::file(no_truth()))?;
             log.activities = told_activities(&lives(&truth, &RunClock::as_told())?);
         }
         let look = looker.look(&named.name, named.place.form().name, &log, &|_| None, None);
@@ -121,9 +122,6 @@ impl Arguments {
         Ok(())
     }
 }
-
-const NO_TRUTH: &str =
-    "name the folder of a run with its ground truth; without --activities, Homebody converts the log's own";
 
 /// What residents did, by their numbers where there are several: `R1_` stands before what the first of them does.
 fn told_activities(lives: &[Life]) -> Vec<Activity> {

@@ -1,6 +1,7 @@
 //! `homebody day`: one day of a log.
 
 use super::answer::Answer;
+use super::messages::LogContentMessage;
 use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use homebody_analysis::dates::Asked;
@@ -34,13 +35,11 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let read = read_log(&self.log, self.time_zone.as_deref(), &self.how)?;
         let answer = self.answer.check([""], &read.sources)?;
-        let no_rows = || Failure::usage(format!("{}: the log has no rows", self.log));
-        let there = read.dates().ok_or_else(no_rows)?;
+        let log = || self.log.clone();
+        let there = read.dates().ok_or_else(|| Failure::asked(LogContentMessage::NoRows { log: log() }))?;
         let no_day = || {
-            let ((first, last), asked, log) = (there, self.date, &self.log);
-            Failure::usage(format!(
-                "{log} has no {asked}\n  hint: it lasts from {first} to {last}; first and last also name days"
-            ))
+            let [day, first, last] = [self.date.to_string(), there.0.to_string(), there.1.to_string()];
+            Failure::asked(LogContentMessage::NoDay { log: log(), day, first, last })
         };
         let date = self.date.within(there).ok_or_else(no_day)?;
         let day = Day::of(&read.name, &read.log, &read.lives, read.ended(), date);

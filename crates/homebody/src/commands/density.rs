@@ -1,13 +1,14 @@
 //! `homebody density`: motion density, hour by hour.
 
 use super::answer::Answer;
+use super::messages::LogContentMessage;
 use super::read_log::{HowRead, read_any_length};
 use crate::failure::Failure;
 use crate::length::span;
 use crate::print::tell;
 use homebody_analysis::dates;
 use homebody_analysis::density::{Asked, Chosen, Measured, NoMap, density_of};
-use homebody_core::problem::counted;
+use homebody_core::problem::{Diagnostic, counted};
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::time::Micros;
 use homebody_kit::LogWithRun;
@@ -15,6 +16,25 @@ use homebody_log::source::{ColumnRole, ColumnUse};
 use homebody_picture::density_map;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
+
+homebody_core::messages! {
+    /// Problems with density maps.
+    pub enum DensityMessage in "density" {
+        /// `--door` names a sensor at the entrance, by its name in the log. Absences begin and end with its events.
+        NoDoor {
+            /// The name asked for.
+            door: String,
+            /// The most similar name.
+            nearest: Option<String>,
+            /// The sensors of the logs.
+            known: Vec<String>,
+        } error "no-door" ("--door {door:?}: no sensor has this name")
+            advice (Some(match nearest {
+                Some(nearest) => format!("did you mean {nearest:?}?"),
+                None => format!("the sensors are {}", known.join(", ")),
+            }));
+    }
+}
 
 /// Map the motion density of each hour, with absences
 ///
@@ -68,9 +88,9 @@ impl Arguments {
         let answer = self.answer.check_beside([""], csv, &sources)?;
 
         let known: Vec<&LogWithRun> = [Some(&log), other.as_ref()].into_iter().flatten().collect();
-        let problems: Vec<String> = self.unknown_doors(&known).chain(self.unknown_day(&log)).collect();
+        let problems: Vec<Diagnostic> = self.unknown_doors(&known).chain(self.unknown_day(&log)).collect();
         if !problems.is_empty() {
-            return Err(Failure::usage(problems.join("\nerror: ")));
+            return Err(Failure::all(problems));
         }
         let from = self.from.and_then(|from| from.within(log.dates()?));
         let days = self.days.map(|days| days as usize);
@@ -102,32 +122,28 @@ impl Arguments {
     }
 
     /// A problem for each door that no log has.
-    fn unknown_doors(&self, logs: &[&LogWithRun]) -> impl Iterator<Item = String> {
+    fn unknown_doors(&self, logs: &[&LogWithRun]) -> impl Iterator<Item = Diagnostic> {
         let sensors = || logs.iter().flat_map(|log| log.log.sensors.iter().map(String::as_str));
         let unknown = self.door.iter().filter(move |door| !sensors().any(|sensor| sensor == **door));
         unknown.map(move |door| {
-            let hint = match nearest(door, sensors()) {
-                Some(near) => format!("did you mean {near:?}?"),
-                None => {
-                    let known: BTreeSet<&str> = sensors().collect();
-                    format!("the sensors are {}", known.into_iter().collect::<Vec<_>>().join(", "))
-                }
-            };
-            format!("--door {door:?}: there is no such sensor\n  hint: {hint}")
+            let nearest = nearest(door, sensors()).map(str::to_owned);
+            let known: BTreeSet<&str> = sensors().collect();
+            let known = known.into_iter().map(str::to_owned).collect();
+            Diagnostic::from(DensityMessage::NoDoor { door: door.clone(), nearest, known })
         })
     }
 
-    fn unknown_day(&self, log: &LogWithRun) -> Option<String> {
+    fn unknown_day(&self, log: &LogWithRun) -> Option<Diagnostic> {
         let (asked, there) = (self.from?, log.dates()?);
         let problem = || {
-            let (first, last) = there;
-            format!("--from {asked}: {} has no such day\n  hint: it lasts from {first} to {last}", self.log)
+            let [day, first, last] = [asked.to_string(), there.0.to_string(), there.1.to_string()];
+            Diagnostic::from(LogContentMessage::NoDay { log: self.log.clone(), day, first, last })
         };
         asked.within(there).is_none().then(problem)
     }
 }
 
-/// Why a log has no map and no measures, with what would help.
+/// The failure of a log without a map and measures, with a hint.
 pub fn no_map(name: &str, log: &LogWithRun, why: &NoMap) -> Failure {
     let hint = match why {
         NoMap::TooLong(_) => "\n  hint: select a part with --from and --days".to_owned(),
@@ -138,7 +154,7 @@ pub fn no_map(name: &str, log: &LogWithRun, why: &NoMap) -> Failure {
         NoMap::Disorder(..) => sorting(name, &log.log.columns),
         _ => String::new(),
     };
-    Failure::usage(format!("{name}: {why}{hint}"))
+    Failure::asked(LogContentMessage::NotMeasurable { log: name.to_owned(), why: format!("{why}{hint}") })
 }
 
 /// How rows of comma-separated values are sorted whose dates begin with the year; nothing of other logs.

@@ -7,6 +7,25 @@ use homebody_core::scenario::nearest::nearest;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
+homebody_core::messages! {
+    /// Problems with the devices of the catalogue.
+    pub enum DeviceMessage in "device" {
+        /// Homebody knows the values of some makes of motion sensors. `homebody devices` lists them by name.
+        Unknown {
+            /// The name asked for.
+            name: String,
+            /// The most similar name.
+            nearest: Option<String>,
+            /// The known names.
+            known: Vec<String>,
+        } error "unknown" ("no device is called {name:?}")
+            advice (Some(match nearest {
+                Some(nearest) => format!("did you mean {nearest:?}?"),
+                None => format!("the devices are {}", known.join(", ")),
+            }));
+    }
+}
+
 /// List the motion sensors of the catalogue, with sources
 ///
 /// Each has make and model, network, mounting height, field of view, reach and timing, with their sources. The first column is the
@@ -38,15 +57,12 @@ impl Arguments {
     }
 }
 
-/// The device of a name, or what there is instead.
+/// The device of a name.
 pub fn device(name: &str) -> Result<Device, Failure> {
-    let names: Vec<String> = Device::all().map(|device| device.key()).collect();
     Device::all().find(|device| device.key() == name).ok_or_else(|| {
-        let hint = match nearest(name, names.iter().map(String::as_str)) {
-            Some(near) => format!("did you mean {near:?}?"),
-            None => format!("there are {}", names.join(", ")),
-        };
-        Failure::Usage(format!("there is no device {name:?}\n  hint: {hint}"))
+        let known: Vec<String> = Device::all().map(|device| device.key()).collect();
+        let nearest = nearest(name, known.iter().map(String::as_str)).map(str::to_owned);
+        Failure::asked(DeviceMessage::Unknown { name: name.to_owned(), nearest, known })
     })
 }
 

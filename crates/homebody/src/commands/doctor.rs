@@ -10,6 +10,18 @@ use homebody_log::read_mapping;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 
+homebody_core::messages! {
+    /// The result of `homebody doctor`.
+    pub enum DoctorMessage in "doctor" {
+        /// At least one check is wrong. The report lists each check with its result and a hint. Warnings do not count.
+        Wrong {
+            /// The number of wrong checks.
+            count: usize,
+        } error "wrong" ("wrong checks: {count}")
+            hint ("follow the hints of the report, and run homebody doctor again");
+    }
+}
+
 /// Diagnose an installation, a log, a database, a broker or a run
 ///
 /// A place is a log, a ground truth, a database, a broker, a run folder or a cohort folder. Each line is one check: ok, warning or
@@ -63,7 +75,7 @@ impl Arguments {
         match (wrong, warnings) {
             (0, 0) => tell("no problems"),
             (0, warnings) => tell(format_args!("no problems; {}", counted(warnings, "warning", "warnings"))),
-            (wrong, _) => return Err(Failure::Io(counted(wrong, "problem", "problems"))),
+            (count, _) => return Err(Failure::file(DoctorMessage::Wrong { count })),
         }
         Ok(())
     }

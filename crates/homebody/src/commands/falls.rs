@@ -5,13 +5,28 @@ use crate::failure::{EXIT_CODES, Failure};
 use crate::print::print_text;
 use crate::progress;
 use homebody_analysis::falls::rules::{FallRules, USUAL};
+use homebody_core::problem::Problem;
 use homebody_kit::{Fallen, FallsFound, LogWithSilhouettes, NamedLog, falls_in};
+use homebody_log::LogError;
 use homebody_log::limits::LARGEST_OF_SCENARIO_BYTES;
 use homebody_log::plain;
 use indicatif::ProgressBar;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
+
+homebody_core::messages! {
+    /// Problems with the rules that detect falls.
+    pub enum FallsMessage in "falls" {
+        /// A file of rules is JSON, in the form that `homebody falls --show-rules` prints: terms of the features, rules of the states, and
+        /// rules of the sequences.
+        Rule {
+            /// The problem.
+            why: String,
+        } error "rule" ("{why}")
+            hint ("homebody falls --show-rules prints the default rules");
+    }
+}
 
 /// Detect falls in the silhouettes of a run's cameras
 ///
@@ -69,14 +84,11 @@ pub fn looking_bar(named: &NamedLog) -> ProgressBar {
 
 /// The rules of a file.
 fn rules(path: &Path) -> Result<FallRules, Failure> {
-    let name = path.display();
     let text = plain::read_text(path, LARGEST_OF_SCENARIO_BYTES)
-        .map_err(|error| Failure::usage(format!("{name}: {error}")))?;
-    FallRules::parse(&text).map_err(|wrong| {
-        let lines: Vec<String> = wrong.iter().map(|line| format!("{name}: {line}")).collect();
-        let hint = "homebody falls --show-rules prints the default rules";
-        Failure::usage(format!("{}\n  hint: {hint}", lines.join("\n")))
-    })
+        .map_err(|error| Failure::asked(LogError::reading(path, error)))?;
+    let name = path.display().to_string();
+    let problem = |why: String| Problem::of_file(&name, FallsMessage::Rule { why }, None);
+    FallRules::parse(&text).map_err(|wrong| Failure::all(wrong.into_iter().map(problem).collect()))
 }
 
 /// What was found, in words.

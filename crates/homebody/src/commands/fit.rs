@@ -1,22 +1,45 @@
 //! `homebody fit`: a scenario fitted to the log of its home.
 
+use super::messages::{LogContentMessage, not_comparable};
 use super::read_log::{HowRead, read_log};
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{json_text, print_json, print_text, tell, write_file};
 use crate::progress;
 use homebody_analysis::dates::{date_of, midnight};
-use homebody_analysis::realism::{Measure, NotComparable, Realism, Told, realism};
-use homebody_core::problem::counted;
+use homebody_analysis::realism::{Measure, Realism, Told, realism};
 use homebody_core::time::{DAY, Micros};
 use homebody_kit::begun::begin;
-use homebody_kit::{Calibration, Fitted, OpenScenario, Sight, Source, calibrate, lived};
-use homebody_log::Log;
+use homebody_kit::{Calibration, Error, Fitted, OpenScenario, Sight, Source, calibrate, lived};
+use homebody_log::{Log, LogError};
 use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
 use std::ops::Range;
 use std::path::PathBuf;
+
+homebody_core::messages! {
+    /// Problems with the days that a scenario is fitted to.
+    pub enum TrainingMessage in "training" {
+        /// Homebody fits the scenario to the training days and evaluates it on the others, the test days. Without `--training-days`, the
+        /// first half of the log is for training.
+        FewDays {
+            /// The log.
+            log: String,
+            /// The number of training days.
+            training_days: usize,
+            /// The number of test days.
+            test_days: usize,
+            /// The first date of the log.
+            first: String,
+            /// The last date of the log.
+            last: String,
+        } error "few-days" ("{log}: too few days: {training_days} for training and {test_days} for the test")
+            hint (
+                "choose days from {first} to {last}, or use a longer log: a fit needs {LEAST_DAYS} training days or more, and a test day"
+            );
+    }
+}
 
 /// Fit a scenario to the log of its home, and evaluate the fit
 ///
@@ -105,8 +128,7 @@ struct Row {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         if self.out.exists() {
-            let what = format!("{} exists already\n  hint: name a new folder", self.out.display());
-            return Err(Failure::Io(what));
+            return Err(Error::Exists { path: self.out }.into());
         }
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());
@@ -126,7 +148,7 @@ impl Arguments {
         begin(&self.out, |part, _| {
             for (name, text) in &calibration.files {
                 let path = part.join(name);
-                path.parent().map_or(Ok(()), std::fs::create_dir_all).map_err(|error| Failure::io(&path, error))?;
+                path.parent().map_or(Ok(()), std::fs::create_dir_all).map_err(|error| LogError::file(&path, error))?;
                 write_file(&path, text.as_bytes(), false)?;
             }
             write_file(&part.join("report.json"), json_text(&report)?.as_bytes(), false)
@@ -144,7 +166,8 @@ impl Arguments {
     fn parts(&self, log: &Log, recorded: Option<&Range<Micros>>) -> Result<Parts, Failure> {
         let rows = || log.events.iter().map(|event| event.at);
         let whole = recorded.cloned().or_else(|| rows().min().zip(rows().max()).map(|(first, last)| first..last + 1));
-        let whole = whole.ok_or_else(|| Failure::Usage(format!("{}: the log has no rows", self.log)))?;
+        let no_rows = || Failure::asked(LogContentMessage::NoRows { log: self.log.clone() });
+        let whole = whole.ok_or_else(no_rows)?;
         let (first, last) = (whole.start.div_euclid(DAY), (whole.end - 1).div_euclid(DAY) + 1);
         let seen = match self.training_days {
             None => first..first + (last - first) / 2,
@@ -153,16 +176,13 @@ impl Arguments {
         let seen = seen.start.max(first)..seen.end.min(last);
         let (count, unseen) = (seen.end - seen.start, last - first - (seen.end - seen.start).max(0));
         if count < LEAST_DAYS || unseen < 1 {
-            let count = counted(count.max(0) as usize, "day", "days");
-            let why = format!(
-                "{}: {count} for training and {} for the test\n  hint: the log has {} to {}; a fit needs {LEAST_DAYS} training \
-                 days or more, and a test day",
-                self.log,
-                unseen.max(0),
-                date_of(whole.start),
-                date_of(whole.end - 1),
-            );
-            return Err(Failure::Usage(why));
+            return Err(Failure::asked(TrainingMessage::FewDays {
+                log: self.log.clone(),
+                training_days: count.max(0) as usize,
+                test_days: unseen.max(0) as usize,
+                first: date_of(whole.start).to_string(),
+                last: date_of(whole.end - 1).to_string(),
+            }));
         }
         // What is not seen is one stretch: the longer of what is before and after.
         let unseen = if last - seen.end >= seen.start - first { seen.end..last } else { first..seen.start };
@@ -184,10 +204,7 @@ impl Arguments {
         let seen = parts.of(&log, true);
         let against = |name: &str, other: &Log, recorded: Option<&Range<Micros>>| -> Result<Realism, Failure> {
             let real = Told { name: &self.log, log: &unseen, recorded: Some(&parts.unseen) };
-            realism(real, Told { name, log: other, recorded }).map_err(|problems| {
-                let said: Vec<String> = problems.iter().map(NotComparable::to_string).collect();
-                Failure::usage(said.join("\nerror: "))
-            })
+            realism(real, Told { name, log: other, recorded }).map_err(|problems| not_comparable(&problems))
         };
         let fitted = against("the fitted scenario", &lived(&open, SEED, LIVED_DAYS)?, None)?;
         let own = against("the training days", &seen, Some(&parts.seen))?;

@@ -2,18 +2,32 @@
 
 use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
-use crate::print::{print_json_text, print_text};
+use crate::print::{ResultMessage, print_json_text, print_text};
 use crate::signals::Signals;
 use homebody_core::scenario::load::Scenario;
 use homebody_kit::{Cancel, Following, Learnt, LogWithRun, Presence};
+use homebody_log::LogError;
 use std::fs::{self, File};
 use std::io::{BufRead, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A log that goes on.
+homebody_core::messages! {
+    /// Problems with a log that a command follows.
+    pub enum FollowMessage in "follow" {
+        /// Homebody recognises the form of a file by its first lines. Standard input has none yet, so its form must be named:
+        ///
+        /// ```sh
+        /// tail -n +1 -F home.txt | homebody locate casas:- --home my-home --follow
+        /// ```
+        NoForm error "no-form" ("standard input has no known form")
+            hint ("write casas:- for a log of CASAS, csv:- for CSV");
+    }
+}
+
+/// A log that grows.
 pub struct Followed<'a> {
     /// As it was named; one of standard input ends with [`INPUT`].
     pub log: &'a str,
@@ -35,11 +49,10 @@ const MOST_WAITING: usize = 10_000;
 const BREATH: Duration = Duration::from_millis(100);
 
 impl Followed<'_> {
-    /// Tells where everybody is until the input ends, or a signal comes.
+    /// Prints the room of each resident until the input ends, or a signal comes.
     pub fn follow(&self, scenario: &Scenario) -> Result<(), Failure> {
         if self.log == "-" {
-            let hint = "  hint: write casas:- for a log of CASAS, csv:- for CSV";
-            return Err(Failure::usage(format!("standard input has no known form\n{hint}")));
+            return Err(Failure::asked(FollowMessage::NoForm));
         }
         let signals = Signals::listen()?;
         let cancel = signals.cancel();
@@ -119,7 +132,8 @@ impl Followed<'_> {
         match self.is_json {
             false => Ok(format!("{presence}\n")),
             true => {
-                serde_json::to_string(presence).map(|line| line + "\n").map_err(|error| Failure::Io(error.to_string()))
+                let line = serde_json::to_string(presence).map(|line| line + "\n");
+                line.map_err(|error| Failure::file(ResultMessage::NotWritten { why: error.to_string() }))
             }
         }
     }
@@ -152,15 +166,14 @@ struct Kept {
 impl Kept {
     fn new() -> Result<Kept, Failure> {
         let folder = std::env::temp_dir().join(format!("homebody-follow-{}", std::process::id()));
-        let failed = |path: &Path, error: std::io::Error| Failure::Io(format!("{}: {error}", path.display()));
-        fs::create_dir(&folder).map_err(|error| failed(&folder, error))?;
+        fs::create_dir(&folder).map_err(|error| LogError::file(&folder, error))?;
         let path = folder.join("log");
-        let file = File::create_new(&path).map_err(|error| failed(&path, error))?;
+        let file = File::create_new(&path).map_err(|error| LogError::file(&path, error))?;
         Ok(Kept { folder, path, file })
     }
 
     fn add(&mut self, line: &[u8]) -> Result<(), Failure> {
-        self.file.write_all(line).map_err(|error| Failure::Io(format!("{}: {error}", self.path.display())))
+        Ok(self.file.write_all(line).map_err(|error| LogError::file(&self.path, error))?)
     }
 }
 

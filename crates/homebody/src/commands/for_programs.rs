@@ -1,7 +1,7 @@
 //! Rows for programs: results as lines of JSON, as a table of a database, or as FHIR.
 
 use crate::failure::Failure;
-use crate::print::{json_text, print_json_text, write_file};
+use crate::print::{ResultMessage, json_text, print_json_text, write_file};
 use homebody_core::scenario::scheme::Scheme;
 use homebody_log::places::can_be_written;
 use homebody_log::records::Records;
@@ -42,12 +42,10 @@ impl FromStr for To {
 }
 
 impl ForPrograms {
-    /// Makes sure that what is asked for can be stored, before anybody waits for it.
+    /// Refuses destinations that cannot be written, before the command starts its work.
     pub fn check(&self, has_fhir: bool, sources: &[PathBuf], force: bool) -> Result<(), Failure> {
         if !has_fhir && self.to.iter().any(|to| matches!(to, To::Fhir(_))) {
-            return Err(Failure::usage(
-                "--out fhir: FHIR holds measures only\n  hint: homebody measures LOG --out fhir:FILE",
-            ));
+            return Err(Failure::asked(ResultMessage::Fhir));
         }
         let files: Vec<&PathBuf> = self.to.iter().filter_map(To::whole_file).collect();
         let files: Vec<&std::path::Path> = files.into_iter().map(PathBuf::as_path).collect();

@@ -1,12 +1,13 @@
 //! `homebody import`: a scenario from a plan of Sweet Home 3D.
 
+use super::messages::NewHomeMessage;
 use crate::failure::Failure;
-use crate::print::tell;
+use crate::print::{tell, warn};
 use homebody_core::problem::{Problem, counted};
 use homebody_core::scenario::load::Scenario;
 use homebody_import::{MOST_BYTES, sweet_home};
 use homebody_kit::begun::{Begun, begin, furnish, lack, lived_in, write};
-use homebody_log::plain;
+use homebody_log::{LogError, plain};
 use homebody_routine::household::RoutineLanguage;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -71,7 +72,7 @@ impl Arguments {
 
     fn say(&self, Made { remarks, scenario, lack }: &Made) {
         remarks.iter().for_each(|remark| tell(format_args!("{}: {remark}", self.plan.display())));
-        lack.iter().for_each(|lack| tell(format_args!("warning: the ordinary routine cannot run yet: {lack}")));
+        lack.iter().for_each(|lack| warn(NewHomeMessage::RoutineLacks { lack: lack.clone() }));
         if !lack.is_empty() {
             let adds = lack.iter().any(|lack| lack.contains(PROPOSED));
             let or =
@@ -96,7 +97,7 @@ const PROPOSED: &str = "add to \"furniture\"";
 /// The bytes of a file, or one more than any plan has.
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
-    let file = plain::open(path).map_err(|error| Failure::io(path, error))?;
-    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|error| Failure::io(path, error))?;
+    let file = plain::open(path).map_err(|error| LogError::reading(path, error))?;
+    file.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(|error| LogError::reading(path, error))?;
     Ok(bytes)
 }

@@ -1,9 +1,9 @@
 //! `homebody inspect`: the contents of a log.
 
 use super::answer::Answer;
-use super::read_log::{Mapped, go_on};
+use super::read_log::{Mapped, tell_unfinished};
 use crate::failure::{EXIT_CODES, Failure};
-use crate::print::{tell, write_file};
+use crate::print::write_file;
 use crate::progress::Working;
 use homebody_analysis::density::density;
 use homebody_analysis::look::{HomeSensor, Look, Looker, looked};
@@ -64,9 +64,7 @@ impl Arguments {
         can_be_written(&html, &sources, self.answer.replaces())?;
         self.answer.check(["", DENSITY], &sources)?;
         let look = self.look(&named)?;
-        if let Some(run) = named.unfinished() {
-            tell(format_args!("warning: {}: its run is incomplete\n  hint: {}", named.name, go_on(&run)));
-        }
+        tell_unfinished(&named.name, named.unfinished().as_ref());
         let drawn = self.html.is_some() || self.answer.draws();
         let density = if drawn { self.density() } else { None };
         if let Some(page) = &self.html {

@@ -1,6 +1,7 @@
 //! `homebody install-sheet`: the sensors of a home, for the installer.
 
 use super::answer::Answer;
+use super::messages::PictureMessage;
 use super::scenario::Chosen;
 use crate::failure::Failure;
 use crate::print::{tell, write_file};
@@ -59,7 +60,8 @@ impl Arguments {
         let (home, build, parts) = (&scenario.home, build(&scenario), Parts::of(&scenario.home));
         if let Some(path) = &self.pdf {
             let pages = installing(home, &coverage::of_home(home, build, STEP_M), &parts);
-            let bytes = pdf(&home.name, &pages).map_err(|error| Failure::Io(error.to_string()))?;
+            let bytes = pdf(&home.name, &pages);
+            let bytes = bytes.map_err(|error| Failure::file(PictureMessage::NotDrawn { why: error.to_string() }))?;
             write_file(path, &bytes, self.answer.replaces())?;
             tell(format_args!("wrote {}", path.display()));
         }

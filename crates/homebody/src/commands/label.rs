@@ -1,15 +1,13 @@
 //! `homebody label`: a log with the ground truth of each row.
 
 use super::convert::{LOG_COLUMNS, files_of, forms_of_logs, keep, rows_bar};
-use super::read_log::{HowRead, go_on, tell_remarks, tell_unfinished};
+use super::messages::LogContentMessage;
+use super::read_log::{HowRead, tell_remarks, tell_unfinished};
 use super::replacing::Replacing;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{counted, grouped, tell};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_log::{Labelled, Transfer, Url, label, truth_at};
-
-/// What to do where the truth is not found.
-const NAME_IT: &str = "name the ground truth after the log: its database, or csv:FILE, parquet:FILE and so on";
 
 /// Add the ground truth to each row of a log, to train recognisers
 ///
@@ -61,14 +59,14 @@ impl Arguments {
         Calendar::zone(&self.time_zone).map_err(Failure::asked)?;
         let named = self.how.find(&self.log)?;
         let Some(truth) = self.truth.as_deref().map(truth_at).or_else(|| named.truth()) else {
-            return Err(Failure::Io(format!("{} has no ground truth\n  hint: {NAME_IT}", named.place)));
+            return Err(Failure::file(LogContentMessage::NoTruth { log: named.place.to_string(), command: "label" }));
         };
         keep(&self.out, &[named.place.files(), files_of(&truth)].concat())?;
         let log = named.survey()?;
         let unfinished = named.unfinished();
         if let Some(run) = unfinished.as_ref().filter(|run| run.is_killed) {
-            let what = "its run is incomplete: its log and its ground truth may end at different rows";
-            return Err(Failure::Io(format!("{}: {what}\n  hint: {}", self.log, go_on(run))));
+            let (log, resume) = (self.log.clone(), run.folder.clone());
+            return Err(Failure::file(LogContentMessage::UnequalEnds { log, resume }));
         }
         tell_unfinished(&self.log, unfinished.as_ref());
         tell_remarks(&self.log, &log);

@@ -14,6 +14,38 @@ use jiff::Timestamp;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+homebody_core::messages! {
+    /// Problems with a home in real time.
+    pub enum LiveMessage in "live" {
+        /// The folder holds the home of another scenario. Each home in real time has a folder of its own.
+        OtherHome {
+            /// The folder.
+            folder: PathBuf,
+            /// The scenario of the home in it.
+            holds: String,
+            /// The scenario asked for.
+            scenario: String,
+        } error "other-home" ("{folder} holds the home of {holds}", folder = folder.display())
+            hint ("name another --folder for {scenario}");
+        /// The home of the folder started at another time. Homebody resumes it and cannot change its past.
+        OtherStart {
+            /// The folder.
+            folder: PathBuf,
+            /// The start of the home in it.
+            start: String,
+        } error "other-start" ("the home in {folder} starts at {start}", folder = folder.display())
+            hint ("leave out --start to resume it, or name another --folder");
+        /// The home of the folder has another seed. Homebody resumes it and cannot change its past.
+        OtherSeed {
+            /// The folder.
+            folder: PathBuf,
+            /// The seed of the home in it.
+            seed: u64,
+        } error "other-seed" ("the home in {folder} has the seed {seed}", folder = folder.display())
+            hint ("leave out --seed to resume it, or name another --folder");
+    }
+}
+
 /// Simulate a home in real time until you stop it
 ///
 /// Homebody writes the log, the ground truth and the recording into live/NAME, or into --folder. --out sends the rows to servers
@@ -80,8 +112,8 @@ impl Arguments {
             }
         };
         if home.goes_on() && home.scenario().file.name != opened.name() {
-            let what = format!("{} holds the home of {}", folder.display(), home.scenario().file.name);
-            return Err(Failure::usage(format!("{what}\n  hint: name another --folder for {}", opened.name())));
+            let (holds, scenario) = (home.scenario().file.name.clone(), opened.name().to_owned());
+            return Err(Failure::asked(LiveMessage::OtherHome { folder, holds, scenario }));
         }
         if home.goes_on() {
             self.is_what_was_asked_for(&home, &folder)?;
@@ -111,21 +143,19 @@ impl Arguments {
 }
 
 impl Arguments {
-    /// A home that is there is the one that the words tell of, as far as they do: `now` and `today` are another time each time.
+    /// Refuses another start or another seed than those of the home in the folder. `now` and `today` fit any start.
     fn is_what_was_asked_for(&self, home: &LiveHome, folder: &Path) -> Result<(), Failure> {
-        let differs = |what: String, word: &str| {
-            let what = format!("the home in {} {what}", folder.display());
-            let hint = format!("leave out {word} to resume it, or name another --folder");
-            Err(Failure::usage(format!("{what}\n  hint: {hint}")))
-        };
+        let folder = folder.to_owned();
         let begins = home.begins().to_zoned(home.scenario().calendar.local(0).time_zone().clone()).datetime();
         if let Start::At(at) = self.start
             && at != begins
         {
-            return differs(format!("starts at {begins}"), "--start");
+            return Err(Failure::asked(LiveMessage::OtherStart { folder, start: begins.to_string() }));
         }
         match self.seed {
-            Some(seed) if seed != home.seed() => differs(format!("has the seed {}", home.seed()), "--seed"),
+            Some(seed) if seed != home.seed() => {
+                Err(Failure::asked(LiveMessage::OtherSeed { folder, seed: home.seed() }))
+            }
             _ => Ok(()),
         }
     }

@@ -1,10 +1,13 @@
 //! Runs: progress and results.
 
 use super::replacing::Replacing;
+use super::run_messages::{ReplayMessage, RunMessage};
 use crate::failure::Failure;
-use crate::print::{counted, grouped, print_json, print_text, tell};
+use crate::print::{ResultMessage, counted, grouped, print_json, print_text, tell, tell_message, warn};
 use crate::progress::bar_unless;
 use crate::signals::Signals;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::Diagnostic;
 use homebody_core::recording::Recording;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::scheme::{NoPlace, Scheme, SchemeRow};
@@ -110,14 +113,13 @@ enum OnUnavailable {
 const RETRY_FOR: Duration = Duration::from_secs(86_400);
 
 impl Away {
-    /// The same for the library. The folder for what is put aside is made.
+    /// The same options for the library. Creates the folder of spooled rows.
     pub fn treatment(&self) -> Result<Treatment, Failure> {
         let when_down = match self.on_unavailable {
             OnUnavailable::Error => WhenDown::Error,
             OnUnavailable::Retry => WhenDown::Retry(RETRY_FOR),
             OnUnavailable::Spool => {
-                let failed = |error| Failure::Io(format!("{}: {error}", self.spool.display()));
-                std::fs::create_dir_all(&self.spool).map_err(failed)?;
+                std::fs::create_dir_all(&self.spool).map_err(|error| LogError::file(&self.spool, error))?;
                 WhenDown::Spool(self.spool.clone(), self.spool_mb.saturating_mul(1 << 20))
             }
         };
@@ -128,9 +130,7 @@ impl Away {
 /// A resumed run writes to its folder, servers and object stores: another file would lack its first rows.
 pub fn all_are_elsewhere(out: &[Url]) -> Result<(), Failure> {
     let Some(file) = out.iter().find(|url| url.server().is_none() && !url.is_in_store()) else { return Ok(()) };
-    let what = format!("{file} cannot start in the middle of a run");
-    let hint = "only servers and object stores can be resumed with the folder; homebody convert copies its log to a file afterwards";
-    Err(Failure::usage(format!("{what}\n  hint: {hint}")))
+    Err(Failure::asked(RunMessage::MiddleOfRun { place: file.to_string(), is_truth: false }))
 }
 
 /// Simulates a run to its end or until it is stopped, and prints the result.
@@ -146,8 +146,7 @@ pub fn live(run: LiveRun, record: Option<PathBuf>, output: &Output, signals: &Si
         ..Destinations::default()
     };
     if output.json && out.iter().any(Url::is_output) {
-        let hint = "leave out --json: the result goes to standard error then";
-        return Err(Failure::Usage(format!("rows and the result cannot both go to standard output\n  hint: {hint}")));
+        return Err(Failure::asked(ResultMessage::StandardOutput { what: "result" }));
     }
     let name = run.scenario().file.name.clone();
     let progress = output.progress(run.progress().length);
@@ -208,18 +207,11 @@ pub fn report(name: &str, lived: &Lived, output: &Output) -> Result<(), Failure>
             .for_each(|url| tell_reader(&url));
     }
     let Some(before) = before.as_ref().filter(|_| *agrees == Some(false)) else { return Ok(()) };
-    let (by, hint) = match before.version.as_str() {
-        VERSION => (String::new(), "the recording was changed after the run".to_owned()),
-        version => (
-            format!(" of version {version}; this is version {VERSION}"),
-            "replay it with that version, or run its scenario again".to_owned(),
-        ),
-    };
-    Err(Failure::Usage(format!(
-        "the replay differs from the recording{by}: {}, and {} in the recording\n  hint: {hint}",
-        counted(*firings, "event", "events"),
-        grouped(before.firings)
-    )))
+    let (events, recorded) = (*firings, before.firings);
+    Err(Failure::asked(match before.version.as_str() {
+        VERSION => ReplayMessage::Differs { events, recorded },
+        version => ReplayMessage::OtherVersion { version: version.to_owned(), events, recorded },
+    }))
 }
 
 /// Warns of a program that reads a complete database, which then has a part in a second file.
@@ -227,10 +219,7 @@ fn tell_reader(place: &Url) {
     if let (Scheme::Sqlite, Some(file)) = (place.scheme(), place.file())
         && let Some(beside) = log_beside(file)
     {
-        let (file, beside) = (file.display(), beside.display());
-        tell(format_args!(
-            "warning: another program is reading {file}: until it ends, {beside} is part of the database"
-        ));
+        warn(RunMessage::OpenDatabase { file: file.to_owned(), part: beside });
     }
 }
 
@@ -321,9 +310,10 @@ pub fn go_on_by(folder: &Path) -> String {
 pub fn failure(error: Error, go_on_by: impl Fn(&Path) -> String, signals: &Signals) -> Failure {
     match (&error, signals.ended(true)) {
         (Error::StoppedAway { folder, .. }, Err(signal)) => {
-            let hint =
-                |folder: &Path| format!("\n  hint: {} resumes the run once the server answers", go_on_by(folder));
-            tell(format_args!("error: {error}{}", folder.as_deref().map(hint).unwrap_or_default()));
+            let hint = |folder: &Path| format!("{} resumes the run once the server answers", go_on_by(folder));
+            let message = error.diagnostic();
+            let hint = folder.as_deref().map(hint).or_else(|| message.hint.clone());
+            tell_message(&Diagnostic { hint, ..message });
             signal
         }
         _ => error.into(),

@@ -6,8 +6,8 @@ use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::print::{print_json, print_text, tell};
 use crate::progress;
-use homebody_kit::Cancel;
 use homebody_kit::walked::walk_into;
+use homebody_kit::{Cancel, Error};
 use std::path::PathBuf;
 
 /// Locate residents over time from the log of their home
@@ -78,8 +78,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         if let Some(to) = self.out.as_ref().filter(|to| to.exists()) {
-            let what = format!("{} exists already\n  hint: name a new folder", to.display());
-            return Err(Failure::Io(what));
+            return Err(Error::Exists { path: to.clone() }.into());
         }
         let home = self.trust.source(&self.home)?.open()?;
         let zone = self.time_zone.clone().unwrap_or_else(|| home.scenario().file.time_zone.clone());

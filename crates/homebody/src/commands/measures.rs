@@ -5,7 +5,7 @@ use super::density::no_map;
 use super::for_programs::{ForPrograms, row};
 use super::read_log::{HowRead, read_any_length};
 use crate::failure::{EXIT_CODES, Failure};
-use crate::print::tell;
+use crate::print::warn;
 use homebody_analysis::measures::{Beside, Day, Measures};
 use homebody_core::names::capitalised;
 use homebody_kit::LogWithRun;
@@ -13,6 +13,44 @@ use homebody_log::records::Records;
 use homebody_picture::measures_picture;
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
+
+homebody_core::messages! {
+    /// Problems with the measures of a log.
+    pub enum MeasuresMessage in "measures" {
+        /// The sensors of the log and those of the home have different names, so Homebody knows no room of a sensor. Perhaps the log is
+        /// of another home, or it has ids in place of names.
+        OtherHome {
+            /// The log.
+            log: String,
+            /// The scenario of the home.
+            home: PathBuf,
+        } error "other-home" ("{log}: this home has none of its sensors")
+            hint ("homebody inspect {log} --home {home} lists the sensors of both", home = home.display());
+        /// Homebody knows the rooms of less than half of the sensors. Measures of rooms leave out the events of the others.
+        FewSensors {
+            /// The log.
+            log: String,
+            /// The scenario of the home.
+            home: PathBuf,
+            /// The number of sensors that the home has.
+            placed: usize,
+            /// The number of sensors of the log.
+            sensors: usize,
+        } warning "few-sensors" ("{log}: this home has only {placed} of its {sensors} sensors")
+            hint ("homebody inspect {log} --home {home} lists the sensors of both", home = home.display());
+        /// With `--resident`, measures come from the ground truth, which names the residents of the run.
+        NoResident {
+            /// The name asked for.
+            resident: String,
+            /// The residents of the ground truth.
+            known: Vec<String>,
+        } error "no-resident" ("--resident {resident:?}: the ground truth has no such resident")
+            advice (Some(match known.is_empty() {
+                true => "this log has no ground truth; homebody run writes one".into(),
+                false => format!("the residents are {}", known.join(", ")),
+            }));
+    }
+}
 
 /// Compute daily measures: sleep, bathroom, meals, outings, gait
 ///
@@ -115,13 +153,12 @@ impl Measured {
         let mut read = read_any_length(&self.log, self.time_zone.as_deref(), &self.how)?;
         let Some(home) = &self.home else { return Ok(read) };
         let placed = read.place_in(&homebody_kit::Source::at(home)?.scenario()?);
-        let (log, home, sensors) = (&self.log, home.display(), read.log.sensors.len());
-        let hint = format!("homebody inspect {log} --home {home} lists the sensors of both");
+        let (log, home, sensors) = (self.log.clone(), home.clone(), read.log.sensors.len());
         if placed == 0 {
-            return Err(Failure::usage(format!("{log}: this home has none of its sensors\n  hint: {hint}")));
+            return Err(Failure::asked(MeasuresMessage::OtherHome { log, home }));
         }
         if placed * 2 < sensors {
-            tell(format_args!("warning: {log}: this home has only {placed} of its {sensors} sensors\n  hint: {hint}"));
+            warn(MeasuresMessage::FewSensors { log, home, placed, sensors });
         }
         Ok(read)
     }
@@ -138,14 +175,8 @@ impl Measured {
 /// The measures of what a resident did.
 fn lived(read: &LogWithRun, resident: &str) -> Result<Measures, Failure> {
     let Some(life) = read.lives.iter().find(|life| life.resident == resident) else {
-        let known: Vec<&str> = read.lives.iter().map(|life| life.resident.as_str()).collect();
-        let hint = match known.is_empty() {
-            true => "this log has no ground truth; homebody run writes one".to_owned(),
-            false => format!("the residents are {}", known.join(", ")),
-        };
-        return Err(Failure::usage(format!(
-            "--resident {resident:?}: the ground truth has no such resident\n  hint: {hint}"
-        )));
+        let known = read.lives.iter().map(|life| life.resident.clone()).collect();
+        return Err(Failure::asked(MeasuresMessage::NoResident { resident: resident.to_owned(), known }));
     };
     let of_log = read.rows_span().map(|(first, last)| first..last + 1);
     let recorded = read.recorded.clone().or(of_log).unwrap_or(0..0);

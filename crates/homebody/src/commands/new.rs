@@ -1,8 +1,9 @@
 //! `homebody new`: a scenario of one's own, from one that works, from a picture of a plan, or from the log of a home.
 
+use super::messages::NewHomeMessage;
 use super::read_log::{HowRead, read_log};
 use crate::failure::{EXIT_CODES, Failure};
-use crate::print::{tell, write_file};
+use crate::print::{tell, warn, write_file};
 use homebody_core::problem::counted;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_kit::Template;
@@ -175,7 +176,7 @@ impl Arguments {
             Ok::<_, Failure>(of_log)
         })?;
         remarks.iter().for_each(|remark| tell(format_args!("{log}: {remark}")));
-        lived.lack.iter().for_each(|lack| tell(format_args!("warning: the ordinary routine cannot run yet: {lack}")));
+        lived.lack.iter().for_each(|lack| warn(NewHomeMessage::RoutineLacks { lack: lack.clone() }));
         let file = &lived.scenario.home;
         tell(format_args!(
             "{} is ready, with a schematic home: {}, {}, {}.\n  homebody check {0}\n  homebody locate {log} --home {0} --out located\n  \

@@ -8,6 +8,21 @@ use homebody_kit::numbers;
 use serde_json::json;
 use std::collections::BTreeSet;
 
+homebody_core::messages! {
+    /// Problems with the parameters of the models.
+    pub enum ParametersMessage in "parameters" {
+        /// Names of parameters have parts with dots between them, such as `gait.slowest`. The command lists those that begin with the
+        /// given parts.
+        NoGroup {
+            /// The beginning asked for.
+            group: String,
+            /// Names that may be meant.
+            similar: String,
+        } error "no-group" ("no parameter begins with {group:?}")
+            hint ("{similar}");
+    }
+}
+
 /// List the parameters of the models, with units and ranges
 ///
 /// The models are those of people, sensors and the link. `homebody run --set` changes a parameter for a run, and "numbers" in
@@ -31,7 +46,8 @@ impl Arguments {
         let (all, group) = (numbers(), self.group.unwrap_or_default());
         let found: Vec<&Number> = all.iter().filter(|number| is_in(&number.name, &group)).collect();
         if found.is_empty() {
-            return Err(Failure::Usage(format!("no parameter begins with {group:?}\n  hint: {}", hint(&group, &all))));
+            let similar = hint(&group, &all);
+            return Err(Failure::asked(ParametersMessage::NoGroup { group, similar }));
         }
         if self.json {
             return print_json(&json!({ "numbers": found.into_iter().map(row).collect::<Vec<_>>() }));
@@ -49,7 +65,7 @@ impl Arguments {
     }
 }
 
-/// What may be meant: the name most like this one, else the names that it is a part of, else all groups.
+/// The most similar name, else the names that contain this one, else all groups.
 fn hint(asked: &str, all: &[Number]) -> String {
     let names = || all.iter().map(|number| &*number.name);
     let groups: BTreeSet<&str> = names().map(|name| name.split('.').next().unwrap_or(name)).collect();

@@ -1,6 +1,7 @@
 //! `homebody plan`: the floor plan of a scenario's home.
 
 use super::answer::Pictures;
+use super::messages::PictureMessage;
 use super::scenario::Chosen;
 use crate::failure::Failure;
 use homebody_picture::floor_plan;
@@ -23,7 +24,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         if self.pictures.is_empty() {
-            return Err(Failure::usage("no file for the picture\n  hint: name one with --svg or --png"));
+            return Err(Failure::asked(PictureMessage::NoFile));
         }
         let source = self.scenario.source()?;
         let scenario = source.scenario()?;

@@ -1,7 +1,8 @@
 //! The log of a command, and the notes on it.
 
+use super::messages::LogContentMessage;
 use crate::failure::Failure;
-use crate::print::{counted, tell};
+use crate::print::{counted, tell, warn};
 use crate::progress::Working;
 use homebody_kit::{LogWithRun, NamedLog, Unended};
 use homebody_log::source::{Clock, ColumnRole, DateOrder, DecimalMark, HomeColumn, TableOptions};
@@ -160,13 +161,8 @@ fn tell_guessed(name: &str, log: &Log) {
 /// Warns of an incomplete run, whose log lacks its later rows.
 pub fn tell_unfinished(text: &str, unfinished: Option<&Unended>) {
     if let Some(run) = unfinished {
-        tell(format_args!("warning: {text}: its run is incomplete\n  hint: {}", go_on(run)));
+        warn(LogContentMessage::IncompleteRun { log: text.to_owned(), resume: run.folder.clone() });
     }
-}
-
-/// The command that completes a run.
-pub fn go_on(run: &Unended) -> String {
-    format!("homebody run --resume {} completes it", run.folder.display())
 }
 
 /// Reports what of a log was guessed, and what was left out but for single lines.

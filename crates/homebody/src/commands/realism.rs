@@ -1,10 +1,11 @@
 //! `homebody realism`: a log compared with a real one.
 
 use super::answer::Answer;
+use super::messages::not_comparable;
 use super::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::progress::Working;
-use homebody_analysis::realism::{MEASURES, NotComparable, Told, realism};
+use homebody_analysis::realism::{MEASURES, Told, realism};
 use homebody_kit::LogWithRun;
 use homebody_picture::{realism_chart, realism_page};
 use std::path::PathBuf;
@@ -48,10 +49,7 @@ impl Arguments {
         let sources: Vec<PathBuf> = [&a, &b].into_iter().flat_map(|log| log.sources.clone()).collect();
         let answer = self.answer.check_beside([""], self.html.as_deref(), &sources)?;
         let comparing = Working::on(format!("comparing {} with {}", self.b, self.a));
-        let realism = realism(told(&a), told(&b)).map_err(|problems| {
-            let said: Vec<String> = problems.iter().map(NotComparable::to_string).collect();
-            Failure::usage(said.join("\nerror: "))
-        })?;
+        let realism = realism(told(&a), told(&b)).map_err(|problems| not_comparable(&problems))?;
         drop(comparing);
         answer.give_beside(&realism, [&|| realism_chart(&realism)], &|| realism_page(&realism))
     }

@@ -3,6 +3,7 @@
 use super::check::tell_remark;
 use super::cohort;
 use super::lived::{Output, all_are_elsewhere, failure, go_on_by, go_on_in, is_not_yet, live, report, show};
+use super::run_messages::RunMessage;
 use super::scenario::Trust;
 use crate::failure::Failure;
 use crate::length::{Length, length};
@@ -12,6 +13,7 @@ use crate::signals::Signals;
 use crate::start::Start;
 use crate::watched::Watched;
 use clap::builder::UnknownArgumentValueParser;
+use homebody_core::problem::Diagnostic;
 use homebody_core::time::Micros;
 use homebody_kit::{
     CohortLayout, CohortSetup, Error, LIST, LivedCohort, MOST_MEMBERS, OpenScenario, TruthKept, Unfinished,
@@ -138,15 +140,19 @@ fn number(text: &str) -> Result<(String, f64), String> {
     if number.is_finite() { Ok((name.trim().to_owned(), number)) } else { Err(format!("{value:?} is not a number")) }
 }
 
+/// The options of the speed of a run.
+const PACE_OPTIONS: &str = "--speed, --paused and --control";
+
 /// Refuses two values of one parameter.
 fn all_different(numbers: &[(String, f64)]) -> Result<(), Failure> {
-    let mut twice = Vec::new();
+    let mut twice: Vec<Diagnostic> = Vec::new();
     for (index, (name, value)) in numbers.iter().enumerate() {
         if let Some((_, first)) = numbers[..index].iter().find(|(other, _)| other == name) {
-            twice.push(format!("--set {name}={first} and --set {name}={value} set the same parameter"));
+            let (name, first, other) = (name.clone(), *first, *value);
+            twice.push(RunMessage::ParameterTwice { name, first, other }.into());
         }
     }
-    if twice.is_empty() { Ok(()) } else { Err(Failure::Usage(twice.join("\n") + "\n  hint: set each parameter once")) }
+    if twice.is_empty() { Ok(()) } else { Err(Failure::all(twice)) }
 }
 
 /// The failure of `--resume`, with a hint.
@@ -192,10 +198,7 @@ impl Arguments {
             return self.live_cohort(&opened, cohort, length, &signals);
         }
         if self.truth_tables.is_some() {
-            let what = "--truth-tables applies to cohorts only";
-            return Err(Failure::usage(format!(
-                "{what}\n  hint: leave it out; the ground truth of a single run has all tables"
-            )));
+            return Err(Failure::asked(RunMessage::TruthTables));
         }
         let run = opened.run().seed(seed).length(length).without(&self.without);
         let run = run.pace(self.pace.pace()).commands(self.pace.commands()?).cancel(cancel).start()?;
@@ -234,35 +237,30 @@ impl Arguments {
 
     /// Refuses all options that a cohort does not have.
     fn suits_a_cohort(&self) -> Result<(), Failure> {
+        const NEW: &str = "a cohort replaces nothing; it needs a new folder";
+        const TRUTH: &str =
+            "the cohort's folder holds the ground truth of each member; --truth-tables selects its tables";
+        const PACE: &str = "a cohort runs as fast as possible; homebody fleet simulates many homes in real time";
         let refused = [
-            (
-                self.output.truth.is_some(),
-                "--truth: the cohort's folder holds the ground truth of each member; --truth-tables selects its tables",
-            ),
-            (self.recording.is_some(), "--recording: each member has a recording in the cohort's folder"),
-            (self.output.replacing.force, "--force: a cohort replaces nothing; it needs a new folder"),
-            (self.output.replacing.replace_rows, "--replace-rows: a cohort replaces nothing; it needs a new folder"),
-            (
-                self.pace.is_said(),
-                "--speed, --paused and --control: a cohort runs as fast as possible; homebody fleet simulates many homes in real time",
-            ),
-            (self.watched.is_said(), "--metrics: only single runs and fleets have metrics"),
+            (self.output.truth.is_some(), "--truth", TRUTH),
+            (self.recording.is_some(), "--recording", "each member has a recording in the cohort's folder"),
+            (self.output.replacing.force, "--force", NEW),
+            (self.output.replacing.replace_rows, "--replace-rows", NEW),
+            (self.pace.is_said(), PACE_OPTIONS, PACE),
+            (self.watched.is_said(), "--metrics", "only single runs and fleets have metrics"),
         ];
-        let refused: Vec<&str> = refused.iter().filter_map(|(is_asked, why)| is_asked.then_some(*why)).collect();
-        match refused.is_empty() {
-            true => Ok(()),
-            false => {
-                Err(Failure::Usage(format!("{}\n  hint: leave these options out of a cohort", refused.join("\n"))))
-            }
-        }
+        let refused = refused.into_iter().filter(|(is_asked, ..)| *is_asked);
+        let refused: Vec<Diagnostic> =
+            refused.map(|(_, option, why)| RunMessage::CohortOption { option, why }.into()).collect();
+        if refused.is_empty() { Ok(()) } else { Err(Failure::all(refused)) }
     }
 
-    /// Where all members of a cohort go together; None for a folder each.
+    /// The destination of all members of a cohort; None for a folder each.
     fn cohorts_place(&self) -> Result<Option<&Url>, Failure> {
         match &self.output.out[..] {
             [] => Ok(None),
             [place] => Ok(Some(place)),
-            _ => Err(Failure::usage("a cohort has one destination\n  hint: give one --out, such as parquet:cohort")),
+            all => Err(Failure::asked(RunMessage::CohortDestinations { count: all.len() })),
         }
     }
 
@@ -273,12 +271,12 @@ impl Arguments {
         let folder = place.as_ref().map_or(folder, Url::path);
         if folder.to_string_lossy().contains("://") || folder.join(LIST).is_file() {
             if self.pace.is_said() {
-                let what = "a cohort runs as fast as possible";
-                return Err(Failure::usage(format!("{what}\n  hint: leave out --speed, --paused and --control")));
+                let why = "a cohort runs as fast as possible";
+                return Err(Failure::asked(RunMessage::CohortOption { option: PACE_OPTIONS, why }));
             }
             if self.output.truth.is_some() {
-                let what = "the cohort's folder holds the ground truth of each member";
-                return Err(Failure::usage(format!("{what}\n  hint: leave --truth out")));
+                let why = "the cohort's folder holds the ground truth of each member";
+                return Err(Failure::asked(RunMessage::CohortOption { option: "--truth", why }));
             }
             let cohort = UnfinishedCohort::open(folder).map_err(not_resumed)?.cancel(signals.cancel());
             let before = cohort.progress().lived;
@@ -289,9 +287,7 @@ impl Arguments {
         }
         let run = Unfinished::open(folder).map_err(not_resumed)?;
         if run.has_no_end() && !self.pace.is_said() {
-            let what = format!("{} holds a home in real time, which has no end", folder.display());
-            let hint = format!("homebody live SCENARIO --folder {} resumes it", folder.display());
-            return Err(Failure::usage(format!("{what}\n  hint: {hint}")));
+            return Err(Failure::asked(RunMessage::HomeInRealTime { folder: folder.to_owned() }));
         }
         let run = run.paced(self.pace.pace(), self.pace.commands()?, signals.cancel());
         all_are_elsewhere(&self.output.out)?;
@@ -313,12 +309,7 @@ impl Arguments {
         match &self.output.truth {
             None => Ok(run),
             Some(truth) if truth.server().is_some() => Ok(run.with_truth(truth)),
-            Some(truth) => {
-                let what = format!("{truth} cannot start in the middle of a run");
-                let hint =
-                    "leave out --truth: Homebody resumes the ground truth in the folder; name only one on a server";
-                Err(Failure::usage(format!("{what}\n  hint: {hint}")))
-            }
+            Some(truth) => Err(Failure::asked(RunMessage::MiddleOfRun { place: truth.to_string(), is_truth: true })),
         }
     }
 

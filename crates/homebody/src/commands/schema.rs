@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::print::{json_text, tell, write_file};
 use homebody_core::scenario::schema::schemas;
+use homebody_log::LogError;
 use std::fs;
 use std::path::PathBuf;
 
@@ -18,7 +19,7 @@ pub struct Arguments {
 
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
-        fs::create_dir_all(&self.folder).map_err(|error| Failure::io(&self.folder, error))?;
+        fs::create_dir_all(&self.folder).map_err(|error| LogError::file(&self.folder, error))?;
         for (name, schema) in schemas() {
             let path = self.folder.join(name);
             // Schemas are made, never written by hand: newer ones replace them.

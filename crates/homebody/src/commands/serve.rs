@@ -2,7 +2,7 @@
 
 use super::scenario::Trust;
 use crate::failure::Failure;
-use crate::print::{counted, print_text, tell};
+use crate::print::{print_text, tell, warn};
 use crate::signals::{Signals, begin_other};
 use homebody_core::scenario::load::{Files, NoText};
 use homebody_kit::Error;
@@ -15,6 +15,34 @@ use serde_json::Value;
 use std::net::{IpAddr, Ipv4Addr};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+
+homebody_core::messages! {
+    /// Problems with the page and its server.
+    pub enum ServeMessage in "serve" {
+        /// The page needs one address that browsers can open and that only belongs to this machine.
+        EveryAddress {
+            /// The address.
+            ip: String,
+        } error "every-address" ("{ip} means every address of this machine, and the page needs a single one")
+            hint ("name the address by which others reach this machine");
+        /// The server cannot start: its port is taken, its address belongs to another machine, or the file of its address is not private.
+        NotServed {
+            /// The reason.
+            why: String,
+        } error "not-served" ("cannot start the server: {why}");
+        /// The page needs the token of the printed address. Other machines can try to guess it, and see the traffic of the network.
+        Exposed {
+            /// The address.
+            ip: String,
+        } warning "exposed" ("anyone who reaches {ip} can reach this server, and its traffic is not encrypted")
+            hint ("leave out --bind to serve this machine only");
+        /// The page opens scenarios with problems, lists the problems, and helps to fix them. Runs are possible after that.
+        Problems {
+            /// The number of problems.
+            count: usize,
+        } warning "problems" ("the scenario cannot run yet (problems: {count}); the page helps to fix them");
+    }
+}
 
 /// Open the page of a scenario: watch, edit, steer and replay it
 ///
@@ -57,14 +85,10 @@ impl Arguments {
         let offer = self.offer()?;
         let ip = self.bind.unwrap_or(Ipv4Addr::LOCALHOST.into()).to_canonical();
         if ip.is_unspecified() {
-            return Err(Failure::Usage(format!(
-                "{ip} means every address of this machine, and the page needs a single one\n  hint: name the address by which others reach this machine"
-            )));
+            return Err(Failure::asked(ServeMessage::EveryAddress { ip: ip.to_string() }));
         }
         if !ip.is_loopback() {
-            tell(format_args!(
-                "warning: anyone who reaches {ip} can reach this server, and its traffic is not encrypted"
-            ));
+            warn(ServeMessage::Exposed { ip: ip.to_string() });
         }
         let browser = !self.no_open;
         let options = Options { ip, port: self.port, browser, kept: self.address_file, ..Options::new(offer) };
@@ -92,8 +116,7 @@ impl Arguments {
         let shelf = Shelf { scenario, entry: source.entry().to_owned(), is_trusted, runs: Path::new(RUNS).into() };
         match source.open() {
             Err(Error::Problems(problems)) if can_be_mended(&shelf) => {
-                let count = counted(problems.0.len() as u64, "problem", "problems");
-                tell(format_args!("warning: the scenario has {count} and cannot run yet; the page helps to fix them"));
+                warn(ServeMessage::Problems { count: problems.0.len() });
             }
             opened => drop(opened?),
         }
@@ -127,13 +150,13 @@ fn open(file: &Path) -> bool {
 
 impl From<ServeError> for Failure {
     fn from(error: ServeError) -> Failure {
+        let by = if matches!(error, ServeError::NoPort { .. } | ServeError::Port { .. }) { ", by --port" } else { "" };
+        let message = ServeMessage::NotServed { why: format!("{error}{by}") };
         match error {
-            ServeError::Scenario(why) => Failure::Usage(why),
-            ServeError::Foreign(_) | ServeError::Unkept(Unkept::Open(_) | Unkept::NoAddress(_)) => {
-                Failure::usage(error)
-            }
-            ServeError::NoPort { .. } | ServeError::Port { .. } => Failure::Io(format!("{error}, by --port")),
-            error => Failure::Io(error.to_string()),
+            ServeError::Scenario(_)
+            | ServeError::Foreign(_)
+            | ServeError::Unkept(Unkept::Open(_) | Unkept::NoAddress(_)) => Failure::asked(message),
+            _ => Failure::file(message),
         }
     }
 }

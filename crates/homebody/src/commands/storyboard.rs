@@ -1,6 +1,7 @@
 //! `homebody storyboard`: moments of a recorded run side by side.
 
 use super::answer::Answer;
+use super::messages::MomentMessage;
 use crate::failure::Failure;
 use crate::length::span;
 use homebody_analysis::strip::{Film, RunNames};
@@ -41,15 +42,8 @@ impl Arguments {
         let recorded = Recorded::open(&path)?;
         let home = recorded.scenario().home.clone();
         let calendar = recorded.scenario().calendar.clone();
-        let first = self.first(&calendar)?;
         let length = recorded.recording().length_us;
-        if first >= length {
-            let [begin, end] = [0, length].map(|at| calendar.wall_clock(at));
-            return Err(Failure::usage(format!(
-                "the run has no {}\n  hint: it lasts from {begin} to {end}",
-                self.from
-            )));
-        }
+        let first = self.first(&calendar, length)?;
         let fits = (length - first - 1) / self.every + 1;
         let count = usize::from(self.frames).min(usize::try_from(fits).unwrap_or(usize::MAX));
         let mut run = recorded.start();
@@ -69,13 +63,14 @@ impl Arguments {
         answer.give(&strip, [&|| film_strip(&home, &strip)])
     }
 
-    /// The instant of the first moment.
-    fn first(&self, calendar: &Calendar) -> Result<Micros, Failure> {
-        let wrong = || {
-            let hint = "write 2026-01-12T18:40:05, or 18:40:05 for a time of the first 24 hours";
-            Failure::usage(format!("{:?} is not a time\n  hint: {hint}", self.from))
-        };
+    /// The instant of the first moment, within a run of this length.
+    fn first(&self, calendar: &Calendar, length: Micros) -> Result<Micros, Failure> {
+        let wrong = || Failure::asked(MomentMessage::NotATime { text: self.from.clone() });
         let at = calendar.written(&self.from).ok_or_else(wrong)?;
-        if at < 0 { Err(Failure::usage(format!("{} is before the run begins", self.from))) } else { Ok(at) }
+        if (0..length).contains(&at) {
+            return Ok(at);
+        }
+        let [begin, end] = [0, length].map(|at| calendar.wall_clock(at));
+        Err(Failure::asked(MomentMessage::OutsideRun { asked: self.from.clone(), begin, end }))
     }
 }

@@ -20,6 +20,33 @@ use std::fmt;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
+homebody_core::messages! {
+    /// Problems with the goals of sensors.
+    pub enum GoalsMessage in "goals" {
+        /// A goal is a condition to find, a measure to take, bathroom visits at night, or falls:
+        ///
+        /// ```sh
+        /// homebody suggest-sensors my-home --goals depression,meals,falls
+        /// ```
+        Unknown {
+            /// The names that mean nothing.
+            names: Vec<String>,
+            /// The conditions.
+            conditions: Vec<String>,
+            /// The measures.
+            measures: Vec<String>,
+        } error "unknown" (
+            "--goals: Homebody does not know {names}",
+            names = names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
+        )
+            hint (
+                "name conditions ({conditions}), measures ({measures}), night-bathroom or falls",
+                conditions = conditions.join(", "),
+                measures = measures.join(", ")
+            );
+    }
+}
+
 /// Suggest where to mount sensors, and what each sensor adds
 ///
 /// Homebody simulates people in the home with the routine of its first resident, each with variations: some with the conditions of
@@ -124,18 +151,12 @@ impl Progress {
 
 const PLACING: &str = "{bar:40} {pos} of {len} sensors  {msg}";
 
-/// What is asked for, or everything of it that is not known.
+/// The goals of these names.
 fn goals(names: &[String]) -> Result<Vec<Goal>, Failure> {
-    proposal::goals(names).map_err(|unknown| {
-        let unknown: Vec<String> = unknown.iter().map(|name| format!("{name:?}")).collect();
-        let conditions: Vec<&str> = CONDITIONS.iter().map(|(name, _)| *name).collect();
-        let measures: Vec<&str> = MEASURES.iter().map(|measure| measure.name).collect();
-        Failure::Usage(format!(
-            "--goals: there is no {}\n  hint: name conditions ({}), measures ({}), night-bathroom or falls",
-            unknown.join(", no "),
-            conditions.join(", "),
-            measures.join(", ")
-        ))
+    proposal::goals(names).map_err(|names| {
+        let conditions = CONDITIONS.iter().map(|(name, _)| (*name).to_owned()).collect();
+        let measures = MEASURES.iter().map(|measure| measure.name.to_owned()).collect();
+        Failure::asked(GoalsMessage::Unknown { names, conditions, measures })
     })
 }
 

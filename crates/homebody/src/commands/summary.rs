@@ -3,6 +3,7 @@
 use super::answer::Figures;
 use super::for_programs::{ForPrograms, row};
 use super::measures::Measured;
+use super::messages::LogContentMessage;
 use super::read_log::{HowRead, read_log};
 use crate::failure::{EXIT_CODES, Failure};
 use homebody_analysis::summaries::{About, Sentence, Summary, of_summaries, summarise};
@@ -61,7 +62,9 @@ impl Arguments {
             None => None,
             Some(other) => {
                 let read = read_log(other, None, &HowRead::default())?;
-                let measures = read.measures().map_err(|why| Failure::usage(format!("{other}: {why}")))?;
+                let measures = read.measures().map_err(|why| {
+                    Failure::asked(LogContentMessage::NotMeasurable { log: other.clone(), why: why.to_string() })
+                })?;
                 Some(of_summaries(&summary, &summarise(&measures, about)))
             }
         };

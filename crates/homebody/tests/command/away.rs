@@ -44,8 +44,8 @@ fn stopped(folder: &Folder, words: &str, (broker, says): (Ends, Option<&str>)) -
 
 #[test]
 fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with() {
-    let waits = "is away: no broker listens there\n  the run waits until it is back, for 600 s at most\n";
-    let spools = "is away: no broker listens there\n  rows are put aside until it is back\n";
+    let waits = "is unavailable: no broker listens there\n  the run waits for it for at most 600 s\n";
+    let spools = "is unavailable: no broker listens there\n  Homebody stores rows in the spool until it is available\n";
     for (log, more, says) in
         [("log.db", "", Some(waits)), ("log.csv", "", None), ("log.db", "--on-unavailable spool", Some(spools))]
     {
@@ -59,7 +59,7 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
         let [why, hint] = [" was unavailable when the run stopped: no broker listens there;", "--resume runs/flat-1"];
         assert!(said.contains(why) && said.contains(hint), "{said}");
         assert_eq!(said.matches("warning: ").count(), usize::from(says.is_some()), "it is said once: {said}");
-        let is_back = |line: &str| line.ends_with(" is back") && !line.starts_with(' ');
+        let is_back = |line: &str| line.ends_with(" is available again") && !line.starts_with(' ');
         assert!(!said.lines().any(is_back), "{said}");
 
         let _broker = broker_at(&folder, port);
@@ -95,7 +95,7 @@ fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
         let _broker = broker_at(&folder, port);
         let status = run.0.wait().unwrap();
         let said = folder.read("said");
-        assert!(status.success() && said.lines().any(|line| line.ends_with(" is back")), "{how}: {said}");
+        assert!(status.success() && said.lines().any(|line| line.ends_with(" is available again")), "{how}: {said}");
         let run = format!("runs/flat-{}", number + 1);
         let note = folder.files().into_iter().find(|name| name.starts_with(&run) && name.ends_with(".confirmed.json"));
         let confirmed = format!("\"rows\":[{}]", folder.stored_rows(&format!("{run}/log.db")));

@@ -71,7 +71,7 @@ fn the_numbers_of_a_life_that_is_known_are_found_again() {
     let as_they_were = sights.iter().filter(|sight| sight["reach"] == 1.0 && sight["missed"] == 0.12).count();
     assert!(sights.len() > 10 && as_they_were * 10 > sights.len() * 6, "{sights:?}");
     folder.run("check fitted").ok();
-    folder.run("fit casas:log.txt --home known --out fitted").fails(1, "fitted exists already");
+    folder.run("fit casas:log.txt --home known --out fitted").fails(1, "[kit::exists]: fitted");
 }
 
 #[test]
@@ -79,10 +79,10 @@ fn what_cannot_be_fitted_is_said_and_nothing_is_written() {
     let folder = known();
     folder
         .run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-07 --out fitted")
-        .fails(2, "needs 3 training");
+        .fails(2, "error[training::few-days]");
     folder
         .run("fit casas:log.txt --home known --training-days 2011-06-06..2011-06-11 --out fitted")
-        .fails(2, "0 for the test");
+        .fails(2, "error[training::few-days]");
     folder
         .run("fit casas:log.txt --home known --training-days yesterday --out fitted")
         .fails(2, "2016-07-01..2016-07-14");

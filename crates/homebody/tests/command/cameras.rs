@@ -76,7 +76,7 @@ fn a_log_without_silhouettes_and_rules_that_are_wrong_are_told() {
     folder.run("run studio --quiet --for 1d").ok();
     folder.run("falls runs/studio-1").fails(2, "kit::no-silhouettes");
     folder.write("rules.json", folder.run("falls --show-rules").ok().out.replace("\"high\" }", "\"tall\" }"));
-    folder.run("falls runs/studio-1 --rules rules.json").fails(2, "has no term \"tall\"");
+    folder.run("falls runs/studio-1 --rules rules.json").fails(2, "rules.json: error[falls::rule]");
     folder.run("falls").fails(2, "LOG");
     folder.run("find runs/studio-1 seen-fall").fails(2, "kit::no-silhouettes");
     folder.run("silhouettes runs/studio-1").fails(2, "kit::no-silhouettes");
@@ -136,7 +136,7 @@ fn silhouettes_become_a_film_tables_and_pictures() {
     assert_eq!(size("film.apng"), ((3 * 160 + 6) * 2, 240, Some(instants[0].parse().unwrap())));
     // What is there is not replaced in silence.
     folder.run("silhouettes runs/postures-1 --out film.apng").fails(1, "log::exists");
-    folder.run("silhouettes runs/postures-1 --out pictures").fails(2, "is not an empty folder");
+    folder.run("silhouettes runs/postures-1 --out pictures").fails(2, "error[silhouettes::not-empty]: pictures");
     folder.run("silhouettes runs/postures-1 --out film.apng --force --camera south-east --every 1s").ok();
 }
 
@@ -170,17 +170,22 @@ fn what_is_asked_of_silhouettes_wrongly_is_told_all_at_once_and_nothing_is_writt
     let folder = postures("11m");
     let wrong = folder
         .run("silhouettes runs/postures-1 --camera soth-east --from noon --to 25 --out a.csv")
-        .fails(2, "no camera is called");
-    for words in
-        ["did you mean \"south-east\"?", "the cameras are north-east", "\"noon\" is not a time", "\"25\" is not a time"]
-    {
+        .fails(2, "error[silhouettes::no-camera]");
+    for words in [
+        "did you mean \"south-east\"?",
+        "the cameras are north-east",
+        "error[moment::not-a-time]: \"noon\"",
+        "error[moment::not-a-time]: \"25\"",
+        "3 problems",
+    ] {
         assert!(wrong.err.contains(words), "{words}: {}", wrong.err);
     }
     let nothing = "silhouettes runs/postures-1 --from 2025-06-02T12:00 --to 2025-06-02T13:00 --out a.csv";
-    folder.run(nothing).fails(2, "the last one before is at 2025-06-02 10:1");
-    folder.run("silhouettes runs/postures-1 --from 10:05 --to 10:04").fails(2, "--to must be later than --from");
-    folder.run("silhouettes runs/postures-1 --out a.gif --out b.png").fails(2, "use .apng for a film");
-    folder.run("silhouettes runs/postures-1 --out b.csv --out a.apng").fails(2, "at most 3000");
+    let none = folder.run(nothing).fails(2, "error[silhouettes::none-in-time]");
+    assert!(none.err.contains("the last one before is at 2025-06-02 10:1"), "{}", none.err);
+    folder.run("silhouettes runs/postures-1 --from 10:05 --to 10:04").fails(2, "error[moment::no-span]");
+    folder.run("silhouettes runs/postures-1 --out a.gif --out b.png").fails(2, "error[silhouettes::form]");
+    folder.run("silhouettes runs/postures-1 --out b.csv --out a.apng").fails(2, "error[silhouettes::too-many]");
     let written =
         folder.files().into_iter().filter(|name| !name.starts_with("runs/") && !name.starts_with("postures/"));
     assert_eq!(written.collect::<Vec<_>>(), Vec::<String>::new());

@@ -229,19 +229,17 @@ fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
 fn what_a_cohort_does_not_do_is_refused_with_the_reason() {
     let folder = flat();
     let asked = "run flat --members 2 --for 1m --truth t.db --recording r.json --force --speed 60 --metrics 9464";
-    let said = folder.run(asked).fails(2, "hint: leave these options out of a cohort").err;
+    let said = folder.run(asked).fails(2, "5 problems").err;
     for part in [
-        "--truth: the cohort's folder holds the ground truth of each member",
-        "--recording: each member has a recording",
-        "--force: a cohort replaces nothing",
-        "--speed, --paused and --control: a cohort runs as fast as possible",
-        "--metrics: only single runs and fleets",
+        "error[run::cohort-option]: --truth: ",
+        "error[run::cohort-option]: --recording: ",
+        "error[run::cohort-option]: --force: ",
+        "error[run::cohort-option]: --speed, --paused and --control: ",
+        "error[run::cohort-option]: --metrics: ",
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }
-    folder
-        .run("run flat --for 1m --truth-tables brief")
-        .fails(2, "hint: leave it out; the ground truth of a single run has all tables");
+    folder.run("run flat --for 1m --truth-tables brief").fails(2, "error[run::truth-tables]");
     assert!(!folder.path("runs").exists());
     // It begins where nothing is, but for what is hidden.
     folder.write("mine/mine.txt", "mine");

@@ -131,7 +131,7 @@ fn record(folder: &Folder, name: &str) {
 #[test]
 fn recordings_of_a_real_house_are_walked_again() {
     let folder = Folder::new();
-    folder.run("experiment sphere --data .").fails(1, "no folder in it holds a pir.csv");
+    folder.run("experiment sphere --data .").fails(1, "error[experiment::no-recordings]");
     record(&folder, "00001");
     let done = folder.run("experiment sphere --data data --json=figures.json --svg rooms.svg").ok();
     assert!(done.out.contains("1 recordings, 1 minutes annotated"), "{}", done.out);
@@ -153,10 +153,10 @@ fn recordings_of_a_real_house_are_walked_again() {
         "\"kind\": \"motion\", \"name\": \"kitchen\"",
         "\"kind\": \"motion\", \"name\": \"K1\"",
     );
-    folder.run(words).fails(2, "the house's sensor \"K1\"");
+    folder.run(words).fails(2, "error[experiment::house]");
 
     folder.write("data/00001/pir.csv", "start,end,name,index\nx,70,kitchen,0\n");
-    folder.run("experiment sphere --data data").fails(2, "cannot parse 1 of 1 recordings");
+    folder.run("experiment sphere --data data").fails(2, "pir.csv:2:1: error[experiment::recording]");
 }
 
 #[test]
@@ -165,7 +165,7 @@ fn a_picture_that_cannot_be_drawn_leaves_no_file() {
     (0..8).for_each(|number| record(&folder, &number.to_string()));
     let given = folder.files();
     let words = "experiment sphere --data data --json=figures.json --svg rooms.svg --png rooms.png --width 8000";
-    folder.run(words).fails(2, "cannot be drawn\n  hint: a smaller --width");
+    folder.run(words).fails(2, "error[picture::size]");
     assert_eq!(folder.files(), given);
 }
 
@@ -197,7 +197,7 @@ fn a_log_is_held_against_another() {
     folder.write("door.csv", "time,sensor,value\n2011-06-06 08:00:00,door,OPEN\n2011-06-06 09:00:00,door,CLOSE\n");
     let wrong = folder.run("realism door.csv door.csv");
     assert_eq!(
-        (wrong.code, wrong.err.matches("no sensor in it tells of motion").count()),
+        (wrong.code, wrong.err.matches("error[log-content::not-comparable]").count()),
         (Some(2), 2),
         "{}",
         wrong.err

@@ -53,7 +53,7 @@ fn a_home_that_lacks_something_says_so_until_it_is_there() {
     let folder = Folder::new();
     folder.write("room.sh3d", plan(ROOM));
     let said = folder.run("import room.sh3d mine").ok().err;
-    let lack = "the ordinary routine cannot run yet: the home has no place to sleep\n  hint: add a piece";
+    let lack = "warning[new-home::routine-lacks]: the ordinary routine cannot run yet: the home has no place to sleep\n  hint: add a piece";
     assert!(said.contains(lack) && said.contains("--furnish adds"), "{said}");
     assert!(folder.path("mine/anna.routine").is_file());
     let lacks = folder.run("check mine").fails(2, "error[need::no-bed]").err;
@@ -173,7 +173,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     folder.write("mine/anna.path.json", wait);
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
     let said = folder.run("check mine").ok().err;
-    let what = "warning: anna.json: anna stands still for the whole run: anna.path.json has no walk";
+    let what = "warning[life::waits]: anna.json: ";
     assert!(said.contains(what) && !said.contains("no problems"), "{said}");
     assert!(said.contains("write \"driver\": {\"routine\":\"anna.routine\"} in anna.json"), "{said}");
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": {"routine":"anna.routine"} }"#);
@@ -186,7 +186,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     folder.write("mine/anna.json", r#"{ "name": "anna", "driver": { "path": "anna.path.json" } }"#);
     assert!(folder.run("check mine").ok().err.contains("no problems"));
     folder.edit("mine/scenario.json", "\"residents\": [\"anna.json\"]", "\"residents\": []");
-    assert!(folder.run("check mine").ok().err.contains("warning: scenario.json: the scenario has no residents"));
+    assert!(folder.run("check mine").ok().err.contains("warning[life::no-residents]: scenario.json: "));
 }
 
 #[test]
@@ -246,7 +246,7 @@ fn what_is_there_stays_and_what_fails_leaves_nothing() {
     let given = folder.files();
     folder.run("import flat.sh3d mine").fails(1, "[kit::exists]: mine");
     folder.run("import none.sh3d new").fails(1, "none.sh3d: ");
-    folder.run("import . new").fails(1, ".: ");
+    folder.run("import . new").fails(1, "error[log::is-folder]");
     folder
         .run("import text.sh3d new")
         .fails(2, "error[import::not-an-archive]: text.sh3d: ");

@@ -48,7 +48,7 @@ fn devices_are_listed_and_placed() {
         listed["devices"].as_array().unwrap().iter().map(|row| row["name"].as_str().unwrap()).collect();
     assert!(names.contains(&"fibaro") && names.contains(&"paper"), "{names:?}");
     assert!(folder.run("devices fibaro").ok().out.contains("operating manual"));
-    folder.run("devices fibro").fails(2, "did you mean \"fibaro\"?");
+    folder.run("devices fibro").fails(2, "error[device::unknown]");
 
     let placed =
         folder.run(&format!("suggest-sensors {ROOT}/scenarios/studio --goals falls --count 2 --device fibaro --json"));

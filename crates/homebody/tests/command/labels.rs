@@ -105,9 +105,7 @@ fn what_is_wrong_with_a_log_is_not_blamed_on_the_truth() {
         assert!(said.contains("\n  hint: "), "{said}");
     }
     fs::rename(folder.path("truth.db"), folder.path("moved.db")).unwrap();
-    folder
-        .run("label log.csv --out csv:x.csv")
-        .fails(1, "csv:log.csv has no ground truth\n  hint: name the ground truth");
+    folder.run("label log.csv --out csv:x.csv").fails(1, "error[log-content::no-truth]: csv:log.csv");
     assert!(!folder.path("x.csv").exists());
     // Who follows the hints gets there.
     folder.run("label log.csv moved.db --out csv:x.csv").ok();

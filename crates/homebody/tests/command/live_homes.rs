@@ -82,9 +82,9 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
     folder.run("replay killed/recording.json --out csv:killed.csv").ok();
 
     // What is asked for otherwise than it is lived is no other home in silence, and a home without an end is not lived to one.
-    folder.run("live studio --folder home --start 2024-11-02").fails(2, "starts at 2024-11-01T00:00:00");
-    folder.run("live studio --folder home --seed 7").fails(2, "another --folder");
-    folder.run("run --resume home").fails(2, "homebody live SCENARIO --folder home resumes it");
+    folder.run("live studio --folder home --start 2024-11-02").fails(2, "error[live::other-start]");
+    folder.run("live studio --folder home --seed 7").fails(2, "error[live::other-seed]");
+    folder.run("run --resume home").fails(2, "error[run::home-in-real-time]");
     let said = folder.run("doctor home").ok().out;
     assert!(said.contains("homebody live SCENARIO --folder home resumes it"), "{said}");
     let home = Living::begin(&folder, "fifth", "live studio --folder home --start 2024-11-01 --seed 74");
@@ -100,9 +100,9 @@ fn a_home_goes_on_after_a_stop_and_a_death_without_a_gap() {
 
     // Another scenario has another folder.
     folder.copy_scenario("tigerplace");
-    folder.run("live tigerplace --folder home").fails(2, "--folder");
+    folder.run("live tigerplace --folder home").fails(2, "error[live::other-home]");
     folder.run("live studio --start yesterday").fails(2, "now, today, 2026-11-01");
-    folder.run("live studio --out csv:rows.csv").fails(2, "homebody convert");
+    folder.run("live studio --out csv:rows.csv").fails(2, "error[run::middle-of-run]");
 }
 
 /// Text logs of a live home have their names while they grow, and after a death go on where they were; those of a run with an end have

@@ -61,8 +61,9 @@ fn a_home_and_a_map_say_what_fits() {
     assert_eq!(home["misfits"][0]["name"], "BedroomWall");
     assert!(home["unheard"].as_array().unwrap().contains(&json!("StudyFloor")), "{home}");
     folder.write("twice.csv", "id,name\nM1,a\nM2,a\nM1,b\n,c\n");
-    let said =
-        folder.run("inspect log.txt --sensors twice.csv").fails(2, "twice.csv:3:1: error[sensor-table::duplicate-name]");
+    let said = folder
+        .run("inspect log.txt --sensors twice.csv")
+        .fails(2, "twice.csv:3:1: error[sensor-table::duplicate-name]");
     assert!(
         said.err.contains("twice.csv:4:1: error[sensor-table::duplicate-id]") && said.err.contains("twice.csv:5:"),
         "{}",
@@ -105,7 +106,9 @@ fn the_truth_goes_along_as_notes_where_it_is_asked_for() {
     assert!(notes(" begin") > 10 && notes(" begin") == notes(" end"), "{noted}");
     assert_eq!(told, [notes(" begin").to_string()]);
     folder.write("alone/log.csv", folder.read("log.csv"));
-    folder.run("convert alone/log.csv --out casas:x.txt --activities").fails(1, "alone/log.csv has no ground truth");
+    folder
+        .run("convert alone/log.csv --out casas:x.txt --activities")
+        .fails(1, "error[log-content::no-truth]: alone/log.csv");
 }
 
 #[test]

@@ -37,17 +37,19 @@ fn days_are_measured_by_the_log_and_by_the_truth() {
 #[test]
 fn what_cannot_be_measured_is_said() {
     let folder = lived();
-    folder.run("measures runs/tigerplace-1 --resident rose").fails(2, "hint: the residents are margaret");
+    folder.run("measures runs/tigerplace-1 --resident rose").fails(2, "error[measures::no-resident]");
     folder.write("names.csv", "time,sensor,value\n2024-01-01 10:00:00,M001,ON\n2024-01-01 10:00:09,M002,ON\n");
     let unplaced = folder.run("measures names.csv").ok();
     assert!(unplaced.out.contains("no sensor name contains a room"), "{}", unplaced.out);
-    folder.run("measures names.csv --home tigerplace").fails(2, "this home has none of its sensors");
+    folder.run("measures names.csv --home tigerplace").fails(2, "error[measures::other-home]");
     let eats = r#"<log><trace><event><string key="concept:name" value="Eat"/>
         <date key="time:timestamp" value="2024-01-01T07:00:00Z"/></event></trace></log>"#;
     folder.write("events.xes", format!("{eats}\n"));
     let wanted = "it has no rows of sensors, only 1 activity\n  hint: homebody inspect events.xes lists them";
-    folder.run("measures events.xes").fails(2, wanted);
-    folder.run("density events.xes").fails(2, wanted);
+    for command in ["measures", "density"] {
+        let said = folder.run(&format!("{command} events.xes")).fails(2, "error[log-content::not-measurable]").err;
+        assert!(said.contains(wanted), "{said}");
+    }
     assert!(folder.run("inspect events.xes").ok().out.contains("Eat"));
 }
 
@@ -63,8 +65,9 @@ fn alerts_go_by_rules_that_may_be_changed() {
     let eager = folder.run("alerts runs/tigerplace-1 --rules rules.json").ok();
     assert!(eager.out.contains("any change") && eager.out.contains("than usual"), "{}", eager.out);
     folder.write("rules.json", r#"{ "rules": [{ "name": "x", "measure": "meels", "when": "less", "k_sd": -3 }] }"#);
-    folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "no measure \"meels\"");
-    folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "k_sd has to be");
+    folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "rules.json: error[alerts::rule]");
+    folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "2 problems");
+    folder.run("alerts runs/tigerplace-1 --rules none.json").fails(2, "error[alerts::no-rules]");
 }
 
 #[test]
@@ -102,9 +105,9 @@ fn programs_get_rows() {
     };
     assert_eq!(count("measure") as usize, lines.lines().count());
     assert_eq!(count("sentence") as usize, printed.out.lines().count());
-    folder.run("alerts runs/tigerplace-1 --out fhir:x.json").fails(2, "FHIR holds measures only");
+    folder.run("alerts runs/tigerplace-1 --out fhir:x.json").fails(2, "error[result::fhir]");
     folder.run("alerts runs/tigerplace-1 --out x.json").fails(2, "hint: write jsonl:FILE");
-    folder.run("alerts runs/tigerplace-1 --follow --json").fails(2, "writes no files");
+    folder.run("alerts runs/tigerplace-1 --follow --json").fails(2, "error[alerts::files-with-follow]");
     folder.run("alerts nowhere --follow").fails(1, "nowhere");
 }
 
@@ -140,7 +143,7 @@ fn sensors_are_placed() {
     folder.write("studio/scenario.json", scenario.replace("\"logger\": \"logger.json\",", ""));
     let (last, taken) = (swapped.last().unwrap_or(&steps[2]), covered());
     assert!((seen(last) - taken).abs() < 1e-4, "{taken} of {last}");
-    folder.run("suggest-sensors studio --goals luck,depression").fails(2, "there is no \"luck\"");
+    folder.run("suggest-sensors studio --goals luck,depression").fails(2, "error[goals::unknown]");
 }
 
 #[test]
@@ -186,7 +189,7 @@ fn logs_of_real_homes_are_held_beside_what_people_noted() {
         assert!((mean - truly).abs() < 0.01 && apart < 0.01, "{error}");
     }
     folder.write("noted.txt", noted("Gardening").replace("Sleep", "Reading"));
-    folder.run("experiment measures --data noted.txt").fails(2, "no measure is about its activities");
+    folder.run("experiment measures --data noted.txt").fails(2, "error[experiment::no-activities]");
     folder.run("experiment measures --data noted.txt --homes 3").fails(2, "cannot be used with");
 }
 

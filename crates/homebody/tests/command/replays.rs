@@ -111,12 +111,12 @@ fn a_recording_of_another_version_says_so() {
     folder.run("replay old.json --quiet --out csv:old.csv").ok();
     recording["seed"] = json!(8);
     folder.write("old.json", recording.to_string());
-    folder.run("replay old.json --quiet --force --out csv:old.csv").fails(2, "of version 0.0.1; this is version");
+    folder.run("replay old.json --quiet --force --out csv:old.csv").fails(2, "error[replay::other-version]");
     // So is another build of the same version; the same build has made another recording.
     let version = folder.run("--version").ok().out;
     let version = version.trim().strip_prefix("homebody ").unwrap();
     let another = version.split('+').next().unwrap().to_owned() + "+00000000";
-    for (version, said) in [(another.as_str(), "+00000000; this is version"), (version, "was changed after the run")] {
+    for (version, said) in [(another.as_str(), "error[replay::other-version]"), (version, "error[replay::differs]")] {
         recording["version"] = json!(version);
         folder.write("old.json", recording.to_string());
         folder.run("replay old.json --quiet --force --out csv:old.csv").fails(2, said);
@@ -164,7 +164,8 @@ fn a_number_that_cannot_be_set_is_refused_with_its_place() {
     folder.run("run home --set gait.slowest").fails(2, "write NAME=VALUE");
     folder.run("run home --set gait.slowest=slow").fails(2, "is not a number");
     let twice = "run home --set gait.slowest=0.25 --set need.thirst=3 --set gait.slowest=0.3 --set need.thirst=3";
-    let done = folder.run(twice).fails(2, "--set gait.slowest=0.25 and --set gait.slowest=0.3 set the same parameter");
+    let done =
+        folder.run(twice).fails(2, "error[run::parameter-twice]: --set gait.slowest=0.25 and --set gait.slowest=0.3");
     assert!(done.err.contains("--set need.thirst=3 and --set need.thirst=3") && !folder.path("runs").exists());
     let text = folder.read("home/scenario.json");
     let with = |numbers: &str| text.replacen('{', &format!("{{\n  \"numbers\": {numbers},"), 1);

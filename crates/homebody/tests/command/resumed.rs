@@ -126,7 +126,7 @@ fn a_run_that_was_stopped_is_gone_on_with() {
 #[test]
 fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
     let (folder, _) = undisturbed("sqlite", "log.db");
-    let warning = "its run is incomplete\n  hint: homebody run --resume runs/flat-2 completes it";
+    let warning = "warning[log-content::incomplete-run]: runs/flat-2";
     let reads = ["day runs/flat-2 first", "compare runs/flat-2 runs/flat-1", "density runs/flat-2"];
     stopped(&folder);
     for read in reads.into_iter().chain(["label runs/flat-2 --out csv:labelled.csv"]) {
@@ -137,8 +137,7 @@ fn a_run_that_has_not_come_to_its_end_is_told_as_such() {
     let mut recording: Value = serde_json::from_str(&folder.read("runs/flat-1/recording.json")).unwrap();
     (recording["sha256"], recording["firings"]) = ("".into(), 0.into());
     folder.write("runs/flat-1/recording.json", recording.to_string());
-    let hint = "hint: homebody run --resume runs/flat-1 completes it";
-    folder.run("label runs/flat-1 --out csv:killed.csv").fails(1, hint);
+    folder.run("label runs/flat-1 --out csv:killed.csv").fails(1, "error[log-content::unequal-ends]");
     folder.run("run --resume runs/flat-1 --quiet").ok();
     for read in ["day runs/flat-1 first", "label runs/flat-1 --out csv:killed.csv"] {
         assert!(!folder.run(read).ok().err.contains("warning"), "{read}");
@@ -215,7 +214,7 @@ fn a_cohort_goes_on_with_the_members_that_are_missing() {
         let mut without: Value = serde_json::from_str(&list).unwrap();
         without["members"] = serde_json::json!([]);
         folder.write("runs/tigerplace-1/cohort.json", without.to_string());
-        folder.run("run --resume runs/tigerplace-1 --speed 10").fails(2, "as fast as possible");
+        folder.run("run --resume runs/tigerplace-1 --speed 10").fails(2, "error[run::cohort-option]");
         folder.run("run --resume runs/tigerplace-1 --quiet").ok();
         assert_eq!(folder.read("runs/tigerplace-1/cohort.json"), list);
         // The control: a member of another cohort is not passed off as one of this.
@@ -565,7 +564,9 @@ fn labels_of_another_run_are_refused() {
     let folder = flat();
     folder.run("run flat --for 30m --quiet").ok();
     folder.run("run flat --for 20m --quiet").ok();
-    folder.run("label runs/flat-2 runs/flat-1/truth.db --out csv:labelled.csv").fails(1, "error[other-run::fewer-rows]");
+    folder
+        .run("label runs/flat-2 runs/flat-1/truth.db --out csv:labelled.csv")
+        .fails(1, "error[other-run::fewer-rows]");
     folder.edit("flat/home.json", "KitchenWall", "OtherWall");
     folder.run("run flat --for 30m --quiet").ok();
     folder

@@ -29,5 +29,5 @@ fn a_truth_on_a_server_is_completed_after_a_death() {
         assert_eq!(server.dump("killed", schema, run), server.dump("whole", schema, run), "{schema}");
     }
     assert!(rows() > before, "the control: the death was before the end");
-    folder.run("run --resume runs/studio-1 --truth truth.db").fails(2, "leave out --truth");
+    folder.run("run --resume runs/studio-1 --truth truth.db").fails(2, "error[run::middle-of-run]");
 }

@@ -104,7 +104,7 @@ fn a_scenario_with_problems_is_served_and_what_cannot_be_shown_is_not() {
     served.stderr.take().unwrap().read_to_string(&mut warned).unwrap();
     served.wait().unwrap();
     assert!(said.starts_with("http://"), "{said}");
-    assert!(warned.contains("cannot run yet"), "{warned}");
+    assert!(warned.contains("warning[serve::problems]"), "{warned}");
     folder.write("tigerplace/scenario.json", "{");
     folder.run("serve tigerplace --no-open").fails(2, "scenario.json");
     folder.run("serve nowhere --no-open").fails(1, "nowhere");

@@ -76,7 +76,7 @@ fn a_reader_that_stands_still_stops_neither_the_homes_own_log_nor_a_signal() {
     let stored = || folder.stored_rows("home/log.db");
     let words = format!("live studio --folder home --start 2024-11-01 --out jsonl:- {TIMEOUT}");
     let (mut home, mut output) = unread(&folder, &format!("{words} --on-unavailable spool --metrics 0"));
-    folder.until("it is noticed", |folder| folder.read("said").contains("is away: it has not answered for 1 s"));
+    folder.until("it is noticed", |folder| folder.read("said").contains("is unavailable: it has not answered for 1 s"));
     let before = stored();
     folder.until("the home's own log goes on", |_| stored() > before + 5000);
     let seen = metrics(&folder);

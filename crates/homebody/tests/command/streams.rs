@@ -23,7 +23,7 @@ fn rows_on_standard_output_are_alone_there() {
     assert_eq!(done.out.lines().count() + 1, folder.read("log.csv").lines().count());
     let rows = done.out.lines().all(|line| line.starts_with("{\"seq\":") && line.ends_with('}'));
     assert!(rows && done.err.contains("jsonl:-: "), "{}", done.err);
-    folder.run("run flat --for 1m --json --out csv:-").fails(2, "cannot both go to standard output");
+    folder.run("run flat --for 1m --json --out csv:-").fails(2, "error[result::standard-output]");
 }
 
 #[test]

@@ -60,7 +60,7 @@ fn a_log_is_walked_back_and_what_is_lived_again_explains_it() {
     // What it has written is a scenario, and its run one that can be looked at.
     folder.run("check walked").ok();
     folder.run("day walked/run 2026-03-02 --json");
-    folder.run("locate log.db --home home --out walked").fails(1, "walked exists already");
+    folder.run("locate log.db --home home --out walked").fails(1, "[kit::exists]: walked");
 }
 
 #[test]
@@ -120,7 +120,7 @@ fn a_log_that_comes_in_pieces_says_where_everybody_is_as_it_does_at_once() {
     let lines: Vec<Value> = lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!(lines.len(), told.len());
     assert!(lines.iter().all(|line| (0.0..=1.0).contains(&line["chance"].as_f64().unwrap())));
-    folder.say("locate - --home home --follow", &log).fails(2, "standard input has no known form");
+    folder.say("locate - --home home --follow", &log).fails(2, "error[follow::no-form]");
     folder.run("locate log.csv --home home").fails(2, "--out <FOLDER>");
     folder.run("locate log.csv --home home --out there --follow").fails(2, "cannot be used with");
     folder.run("locate nothing.csv --home home --follow").fails(1, "nothing.csv");

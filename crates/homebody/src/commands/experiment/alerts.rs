@@ -10,7 +10,6 @@ use homebody_analysis::measures::Measures;
 use homebody_core::scenario::link::LinkFile;
 use homebody_core::sensors::Sensor;
 use homebody_experiment::alerting::{Adequacy, Curve, OfMethod, Person, Quality, Watched, adequacy, later, quality};
-use homebody_experiment::measures::NotMeasured;
 use homebody_experiment::people::{CONDITIONS, Lives, ONSET, Opened, People};
 use homebody_kit::template;
 use homebody_picture::{TotalsLine, totals_chart};
@@ -69,18 +68,18 @@ impl Arguments {
         let measure = |lives: &Lives| -> Result<OfLayouts, Failure> {
             let logged = lives.live(&LinkFile::default())?;
             let heard = |layout: &Layout| match layout {
-                Layout::AsItIs => logged.heard().map_err(unmeasured),
+                Layout::AsItIs => logged.heard().map_err(Failure::not_measured),
                 Layout::WithFaults => {
                     let half = f64::from(self.days) / 2.0;
                     // Faults come as often before conditions as after.
                     let from_day = half * [0.0, 0.5, 1.0][lives.number % 3];
                     let link = every_fault(&lives.opened.scenario, lives.number, (from_day, half));
-                    lives.live(&link)?.heard().map_err(unmeasured)
+                    lives.live(&link)?.heard().map_err(Failure::not_measured)
                 }
                 Layout::OneInEachRoom(kept) => {
-                    logged.heard_by(&|sensor| kept.iter().any(|name| name == sensor)).map_err(unmeasured)
+                    logged.heard_by(&|sensor| kept.iter().any(|name| name == sensor)).map_err(Failure::not_measured)
                 }
-                Layout::Without(taken) => logged.heard_by(&|sensor| sensor != taken).map_err(unmeasured),
+                Layout::Without(taken) => logged.heard_by(&|sensor| sensor != taken).map_err(Failure::not_measured),
             };
             layouts.iter().map(heard).collect()
         };
@@ -98,10 +97,6 @@ impl Arguments {
             Found { quality: quality(&by(0), &rules, self.days), layouts: beside_each_other(&layouts, &by, &rules) };
         answer.give(&found, [&|| curves(&found.quality.curves)])
     }
-}
-
-fn unmeasured(error: NotMeasured) -> Failure {
-    Failure::Io(error.to_string())
 }
 
 /// Which sensors there are, and how they do.

@@ -1,5 +1,6 @@
 //! `homebody experiment claims`.
 
+use super::messages::ExperimentMessage;
 use crate::commands::answer::Figures;
 use crate::failure::Failure;
 use crate::progress::bar;
@@ -33,18 +34,23 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.figures.check(&[])?;
-        let cases = Case::read(CLAIMS).map_err(Failure::usage)?;
+        let cases = cases(CLAIMS)?;
         let rows = lived(&cases, self.days, self.seed)?;
         let experiment = Experiment::of(rows, self.days, self.seed);
         answer.give(&experiment, [])?;
         match experiment.neither {
             0 => Ok(()),
-            neither => Err(Failure::usage(format!("{neither} claims fail without a warning before the run"))),
+            count => Err(Failure::asked(ExperimentMessage::ClaimsFail { count })),
         }
     }
 }
 
-/// Lives all cases, on all processors: what came of them in their order.
+/// The cases of a table.
+pub fn cases(table: &str) -> Result<Vec<Case>, Failure> {
+    Case::read(table).map_err(|why| Failure::asked(ExperimentMessage::Cases { why: why.to_string() }))
+}
+
+/// Simulates all cases, on all processors, and returns their results in order.
 pub fn lived(cases: &[Case], days: i32, seed: u64) -> Result<Vec<Row>, Failure> {
     let progress = bar(cases.len() as u64, "{bar:40} {pos} of {len} cases  {eta} left");
     let live = |case: &Case| {

@@ -1,9 +1,9 @@
 //! `homebody experiment conditions`.
 
-use super::claims::lived;
+use super::claims::{cases, lived};
 use crate::commands::answer::Figures;
 use crate::failure::Failure;
-use homebody_experiment::claims::{CONDITIONS, Case, Conditions};
+use homebody_experiment::claims::{CONDITIONS, Conditions};
 
 /// Compare the effects of conditions with published sizes
 ///
@@ -27,7 +27,7 @@ pub struct Arguments {
 impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.figures.check(&[])?;
-        let cases = Case::read(CONDITIONS).map_err(Failure::usage)?;
+        let cases = cases(CONDITIONS)?;
         let rows = lived(&cases, 0, self.seed)?;
         answer.give(&Conditions::of(rows, self.seed), [])
     }

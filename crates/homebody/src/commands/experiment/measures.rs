@@ -1,7 +1,9 @@
 //! `homebody experiment measures`.
 
+use super::messages::ExperimentMessage;
 use super::walk_back::{every_fault, lived, of_homes, of_one};
 use crate::commands::answer::Figures;
+use crate::commands::messages::LogContentMessage;
 use crate::commands::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use homebody_analysis::measures::Measures;
@@ -95,15 +97,13 @@ impl Arguments {
         let of_log = |(log, read): (&String, &mut LogWithRun)| {
             // A measure by the notes alone cannot be compared with the notes.
             let notes = std::mem::take(&mut read.log.activities);
-            let heard = read.measures().map_err(|why| Failure::usage(format!("{log}: {why}")))?;
+            let heard = read.measures().map_err(|why| {
+                Failure::asked(LogContentMessage::NotMeasurable { log: log.clone(), why: why.to_string() })
+            })?;
             let end = read.log.events.iter().map(|event| event.at).max().map_or(0, |last| last + 1);
             let begin = read.log.events.iter().map(|event| event.at).min().unwrap_or(0);
             let told = Measures::told(&read.name, &notes, begin..end);
-            let told = told.ok_or_else(|| {
-                let hint =
-                    "homebody inspect LOG lists its activities; docs/reference/logs.md says where Homebody looks for them";
-                Failure::usage(format!("{log}: no measure is about its activities\n  hint: {hint}"))
-            })?;
+            let told = told.ok_or_else(|| Failure::asked(ExperimentMessage::NoActivities { log: log.clone() }))?;
             Ok(OfRealLog { name: read.name.clone(), errors: beside(&heard, &told) })
         };
         let logs = self.data.iter().zip(&mut read).map(of_log).collect::<Result<Vec<_>, Failure>>()?;

@@ -7,6 +7,7 @@ mod daily_life;
 mod falls;
 mod godsey2009;
 mod measures;
+pub mod messages;
 mod possible;
 mod realism;
 mod recogniser;

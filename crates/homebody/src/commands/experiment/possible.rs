@@ -1,5 +1,6 @@
 //! `homebody experiment possible`.
 
+use super::messages::ExperimentMessage;
 use crate::commands::scenario::Trust;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
@@ -64,7 +65,7 @@ impl Arguments {
         if possible.is_clean() {
             return Ok(());
         }
-        Err(Failure::Io("the simulations have impossible events".into()))
+        Err(Failure::file(ExperimentMessage::Impossible))
     }
 }
 

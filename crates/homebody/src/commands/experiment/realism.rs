@@ -1,10 +1,12 @@
 //! `homebody experiment realism`.
 
+use super::messages::ExperimentMessage;
 use crate::commands::answer::Answer;
+use crate::commands::messages::not_comparable;
 use crate::commands::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use homebody_analysis::dates::midnight;
-use homebody_analysis::realism::{NotComparable, Realism, Told, realism};
+use homebody_analysis::realism::{Realism, Told, realism};
 use homebody_core::event::Events;
 use homebody_core::run::Run;
 use homebody_core::scenario::home::{Preset, SensorFile};
@@ -59,10 +61,10 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let answer = self.answer.check(["", "other"], &[])?;
         let mut logs = Vec::new();
-        for (path, from) in LOGS {
-            let path = self.data.join(path);
+        for (file, from) in LOGS {
+            let path = self.data.join(file);
             if !path.is_file() {
-                return Err(Failure::io(&path, "there is no such file\n  hint: the logs are not part of this program"));
+                return Err(Failure::file(ExperimentMessage::NoData { folder: self.data, file: file.to_owned() }));
             }
             let read = read_log(&path.to_string_lossy(), None, &HowRead::default())?;
             let last = read.log.events.iter().map(|event| event.at).max().unwrap_or(0);
@@ -73,9 +75,7 @@ impl Arguments {
         let mut homes = Vec::new();
         for (real, at_home) in &logs {
             let told = Told { name: &real.name, log: &real.log, recorded: at_home.as_ref() };
-            homes.push(realism(told, simulated).map_err(|problems| {
-                Failure::usage(problems.iter().map(NotComparable::to_string).collect::<Vec<_>>().join("\nerror: "))
-            })?);
+            homes.push(realism(told, simulated).map_err(|problems| not_comparable(&problems))?);
         }
         let experiment = Experiment { seed: self.seed, homes };
         let [first, second] = [0, 1].map(|home| &experiment.homes[home]);

@@ -1,5 +1,6 @@
 //! `homebody experiment recogniser`.
 
+use super::messages::ExperimentMessage;
 use crate::commands::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::print::{json_text, print_json, print_text, write_file};
@@ -48,10 +49,11 @@ impl Arguments {
         let path =
             [self.data.join(FOLDER).join(SENSORS), self.data.join(SENSORS)].into_iter().find(|path| path.is_file());
         let Some(path) = path else {
-            let why = format!("there is no {SENSORS} in it\n  hint: the data set is not part of this program");
-            return Err(Failure::io(&self.data, why));
+            return Err(Failure::file(ExperimentMessage::NoData { folder: self.data, file: SENSORS.to_owned() }));
         };
-        let refused = |why: NotRecognised| Failure::Usage(format!("{}: {why}", path.display()));
+        let refused = |why: NotRecognised| {
+            Failure::asked(ExperimentMessage::OtherLog { log: path.clone(), why: why.to_string() })
+        };
         let prepared =
             Prepared::new(&read_log(&path.to_string_lossy(), None, &HowRead::default())?.log).map_err(refused)?;
         let progress = bar(u64::from(self.seeds), "{bar:40} {pos} of {len} seeds  {eta} left");

@@ -1,12 +1,13 @@
 //! `homebody experiment sphere`.
 
+use super::messages::ExperimentMessage;
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
-use crate::print::tell;
-use homebody_experiment::sphere::{AnnotatedRun, Experiment, Interval, Recording, Texts, parse};
+use homebody_core::problem::Problem;
+use homebody_experiment::sphere::{AnnotatedRun, BadRow, Experiment, Interval, Recording, Texts, parse};
 use homebody_kit::{Source, Template};
 use homebody_log::limits::LARGEST_RECORDING_BYTES;
-use homebody_log::plain;
+use homebody_log::{LogError, plain};
 use homebody_picture::{Lane, Panel, span_chart};
 use std::fs;
 use std::io::ErrorKind;
@@ -41,7 +42,8 @@ impl Arguments {
         };
         let house = source.scenario()?;
         let recordings = recordings(&self.data)?;
-        let experiment = Experiment::run(&recordings, &house, self.seed).map_err(Failure::usage)?;
+        let experiment = Experiment::run(&recordings, &house, self.seed);
+        let experiment = experiment.map_err(|why| Failure::asked(ExperimentMessage::House { why: why.to_string() }))?;
         answer.give(&experiment, [&|| picture(&experiment)])
     }
 }
@@ -51,45 +53,38 @@ fn recordings(data: &Path) -> Result<Vec<(String, AnnotatedRun)>, Failure> {
     let train = data.join("train");
     let data = if train.is_dir() { &train } else { data };
     let entries = fs::read_dir(data).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => Failure::io(
-            data,
-            "there is no such folder\n  hint: the recordings of the SPHERE challenge are not part of this program",
-        ),
-        _ => Failure::io(data, error),
+        ErrorKind::NotFound => Failure::file(ExperimentMessage::NoFolder { folder: data.to_owned() }),
+        _ => LogError::reading(data, error).into(),
     })?;
     let mut folders = Vec::new();
     for entry in entries {
-        let folder = entry.map_err(|error| Failure::io(data, error))?.path();
+        let folder = entry.map_err(|error| LogError::reading(data, error))?.path();
         if folder.join("pir.csv").is_file() {
             folders.push(folder);
         }
     }
     folders.sort();
     if folders.is_empty() {
-        return Err(Failure::Io(format!(
-            "{}: no folder in it holds a pir.csv\n  hint: name the folder `train` of the SPHERE challenge",
-            data.display()
-        )));
+        return Err(Failure::file(ExperimentMessage::NoRecordings { folder: data.to_owned() }));
     }
-    let mut recordings = Vec::new();
-    let mut bad = 0;
+    let (mut recordings, mut problems) = (Vec::new(), Vec::new());
     for folder in &folders {
         match recording(folder)? {
-            Some(recording) => recordings.push(recording),
-            None => bad += 1,
+            Ok(recording) => recordings.push(recording),
+            Err(found) => problems.extend(found),
         }
     }
-    match bad {
-        0 => Ok(recordings),
-        bad => Err(Failure::Usage(format!("cannot parse {bad} of {} recordings", folders.len()))),
-    }
+    if problems.is_empty() { Ok(recordings) } else { Err(Failure::all(problems)) }
 }
 
-/// A recording, or nothing after having told what is wrong with it.
-fn recording(folder: &Path) -> Result<Option<(String, AnnotatedRun)>, Failure> {
+/// The recording of a folder by its name, or the problems of its files.
+type Parsed = Result<(String, AnnotatedRun), Vec<Problem>>;
+
+fn recording(folder: &Path) -> Result<Parsed, Failure> {
     let read = |name: &str| {
         let path = folder.join(name);
-        plain::read_text(&path, LARGEST_RECORDING_BYTES).map_err(|error| (error.kind(), Failure::io(&path, error)))
+        plain::read_text(&path, LARGEST_RECORDING_BYTES)
+            .map_err(|error| (error.kind(), Failure::from(LogError::reading(&path, error))))
     };
     let needed = |name: &str| read(name).map_err(|(_, failure)| failure);
     let (location, annotations, pir) = (needed("location_0.csv")?, needed("annotations_0.csv")?, needed("pir.csv")?);
@@ -104,13 +99,15 @@ fn recording(folder: &Path) -> Result<Option<(String, AnnotatedRun)>, Failure> {
         pir: &pir,
         second_location: second_location.as_deref(),
     };
-    match parse(&texts) {
-        Ok(run) => Ok(Some((folder.file_name().unwrap_or_default().to_string_lossy().into_owned(), run))),
-        Err(rows) => {
-            rows.iter().for_each(|row| tell(format_args!("error: {}", folder.join(row.to_string()).display())));
-            Ok(None)
-        }
-    }
+    let problem = |row: &BadRow| {
+        let file = folder.join(row.file).display().to_string();
+        let message = ExperimentMessage::Recording { why: row.what.clone() };
+        Problem { line: row.line as u32, column: 1, ..Problem::of_file(&file, message, None) }
+    };
+    Ok(match parse(&texts) {
+        Ok(run) => Ok((folder.file_name().unwrap_or_default().to_string_lossy().into_owned(), run)),
+        Err(rows) => Err(rows.iter().map(problem).collect()),
+    })
 }
 
 /// When the real and the simulated sensor of each room was ON, over when the person was there.

@@ -86,7 +86,7 @@ pub(super) fn of_homes<Case: Sync, T: Send>(
     answers
 }
 
-/// Asks something of a home that is lived in with this link.
+/// Asks a question of a home with this link.
 pub(super) fn lived<T, E: fmt::Display>(
     opened: &OpenScenario,
     link: &LinkFile,
@@ -99,7 +99,7 @@ pub(super) fn lived<T, E: fmt::Display>(
     };
     let people: Vec<usize> = (0..opened.scenario().residents.len()).filter(is_person).collect();
     let scenario = opened.scenario().edit().link(link).load()?;
-    ask(&Home { scenario: &scenario, drivers: household, people }).map_err(|error| Failure::Io(error.to_string()))
+    ask(&Home { scenario: &scenario, drivers: household, people }).map_err(Failure::not_measured)
 }
 
 /// A link of a real network with every fault on in a span of days, each of another of the motion sensors.

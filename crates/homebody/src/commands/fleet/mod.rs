@@ -7,7 +7,7 @@ use super::replacing::Replacing;
 use super::scenario::Trust;
 use crate::failure::{EXIT_CODES, Failure};
 use crate::length::span;
-use crate::print::{counted, tell, write_file};
+use crate::print::{ResultMessage, counted, tell, write_file};
 use crate::signals::Signals;
 use crate::start::Start;
 use crate::watched::Watched;
@@ -160,10 +160,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let signals = Signals::listen()?;
         if self.json && self.out.iter().any(Url::is_output) {
-            let hint = "leave out --json, or write the reports to a file: --report FILE";
-            return Err(Failure::usage(format!(
-                "rows and the report cannot both go to standard output\n  hint: {hint}"
-            )));
+            return Err(Failure::asked(ResultMessage::StandardOutput { what: "report" }));
         }
         let scenarios = self.scenarios()?;
         self.files_can_be_written(&scenarios)?;

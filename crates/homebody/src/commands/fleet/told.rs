@@ -2,7 +2,7 @@
 
 use crate::commands::lived::span_in_words;
 use crate::failure::Failure;
-use crate::print::{counted, grouped, print_json, tell, tell_with};
+use crate::print::{counted, grouped, not_written, print_json, tell, tell_with, warn};
 use crate::prometheus::{Numbers, label};
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::fleet::{FleetLived, FleetOf, FleetReport, OfDestination};
@@ -13,7 +13,23 @@ use std::fmt::Write;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// Where what was said last is looked up by others.
+homebody_core::messages! {
+    /// Remarks on the end of a fleet.
+    pub enum FleetEndMessage in "fleet-end" {
+        /// A routine asked a resident to do something impossible, such as to use furniture that no path leads to. The other homes
+        /// continued.
+        StoppedHomes {
+            /// The number of homes.
+            homes: usize,
+        } warning "stopped-homes" (
+            "{homes} stopped early: a routine asked for something impossible",
+            homes = counted(*homes as u64, "home", "homes")
+        )
+            hint ("homebody check reports the problems of a scenario");
+    }
+}
+
+/// The last report, for other threads.
 pub type Look = Arc<Mutex<FleetReport>>;
 
 /// Who tells it.
@@ -75,10 +91,7 @@ impl Telling {
             file.finish()?;
         }
         if report.failed > 0 {
-            tell(format_args!(
-                "warning: {} stopped early: a routine asked for something impossible",
-                counted(report.failed as u64, "home", "homes")
-            ));
+            warn(FleetEndMessage::StoppedHomes { homes: report.failed });
         }
         if self.is_json {
             return print_json(report);
@@ -92,7 +105,7 @@ impl Telling {
     fn keep(&mut self, report: &FleetReport) -> Result<(), Failure> {
         *self.look.lock().unwrap_or_else(PoisonError::into_inner) = report.clone();
         if let Some(file) = &mut self.file {
-            let text = serde_json::to_string(report).map_err(Failure::usage)?;
+            let text = serde_json::to_string(report).map_err(not_written)?;
             file.write(text.as_bytes())?;
             file.write(b"\n")?;
             // From the first report on it can be followed.

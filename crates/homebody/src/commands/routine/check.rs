@@ -1,5 +1,6 @@
 //! `homebody routine check`: the problems of routines.
 
+use super::messages::RoutinesMessage;
 use crate::commands::check::load_and_say;
 use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
@@ -46,7 +47,7 @@ impl Arguments {
     pub fn run(self) -> Result<(), Failure> {
         let to_output = self.json.as_deref() == Some(Path::new("-"));
         if !to_output && self.json.is_some() && !self.lived {
-            return Err(Failure::usage("--json FILE needs --lived\n  hint: add --lived, or use --json without a file"));
+            return Err(Failure::asked(RoutinesMessage::NeedsLived));
         }
         let opened = load_and_say(self.scenario.source(), to_output && !self.lived, |_| Vec::new())?;
         if self.lived {

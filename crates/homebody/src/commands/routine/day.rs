@@ -1,5 +1,6 @@
 //! `homebody routine day`: one simulated day.
 
+use super::messages::RoutinesMessage;
 use crate::commands::answer::Answer;
 use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
@@ -46,8 +47,8 @@ impl Arguments {
         let date = self.date.unwrap_or_else(|| first.saturating_add(jiff::Span::new().days(1)));
         let day = (date - first).get_days();
         if !(0..36_525).contains(&day) {
-            let what = format!("{} starts on {first} and has no {date}", scenario.file.name);
-            return Err(Failure::usage(format!("{what}\n  hint: name a day within a hundred years of its start")));
+            let (scenario, first, date) = (scenario.file.name.clone(), first.to_string(), date.to_string());
+            return Err(Failure::asked(RoutinesMessage::NoDay { scenario, first, date }));
         }
         let (begin, end) = (scenario.calendar.instant(day, 0), scenario.calendar.instant(day + 1, 0));
         let run = opened.run().seed(self.seed.unwrap_or(scenario.file.seed)).length(end).without(&self.without);

@@ -1,5 +1,6 @@
 //! `homebody routine explain`: the interpretation of routines.
 
+use super::messages::RoutinesMessage;
 use crate::commands::scenario::Chosen;
 use crate::failure::Failure;
 use crate::print::{print_json, print_text};
@@ -34,8 +35,7 @@ impl Arguments {
             (0..scenario.residents.len()).filter(|_| self.unsaid).filter_map(|resident| household.unsaid(resident));
         let all: Vec<_> = routines.chain(household.conditions().values().cloned()).chain(unsaid).collect();
         if all.is_empty() {
-            let what = format!("{}: no resident has a routine", scenario.file.name);
-            return Err(Failure::usage(format!("{what}\n  hint: name one as \"driver\" of a resident")));
+            return Err(Failure::asked(RoutinesMessage::NoRoutine { scenario: scenario.file.name.clone() }));
         }
         if self.json {
             return print_json(&json!({ "routines": all.iter().map(explain).collect::<Vec<_>>() }));

@@ -3,6 +3,7 @@
 mod check;
 mod day;
 mod explain;
+pub mod messages;
 
 use crate::failure::Failure;
 use clap::Subcommand;

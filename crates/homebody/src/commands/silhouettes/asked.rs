@@ -1,6 +1,9 @@
 //! Which silhouettes are meant: of which cameras, and from when to when.
 
+use super::messages::SilhouettesMessage;
+use crate::commands::messages::MomentMessage;
 use crate::failure::Failure;
+use homebody_core::problem::Diagnostic;
 use homebody_core::scenario::nearest::nearest;
 use homebody_core::sensors::camera::CameraFile;
 use homebody_core::time::Micros;
@@ -19,14 +22,14 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Understands it, or says all that is wrong with it. `strip` is how long moments that are drawn take, if some are: without
-    /// a word of the end these are all that is meant.
+    /// Parses the request, or returns all its problems. `strip` is the time that drawn moments take, if the command draws some: it is
+    /// the whole time if no end is given.
     pub fn of(
         kept: &LogWithSilhouettes,
         (names, from, to): (&[String], Option<&str>, Option<&str>),
         strip: Option<Micros>,
     ) -> Result<Asked, Failure> {
-        let mut wrong = Vec::new();
+        let mut wrong: Vec<Diagnostic> = Vec::new();
         let mut cameras: Vec<usize> = Vec::new();
         let all = || kept.silhouettes.cameras.iter().map(|camera| camera.file.name.as_str());
         for name in names {
@@ -34,9 +37,9 @@ impl Asked {
                 Some(camera) if !cameras.contains(&camera) => cameras.push(camera),
                 Some(_) => {}
                 None => {
-                    let meant = nearest(name, all()).map_or(String::new(), |one| format!("did you mean {one:?}? "));
-                    let all = all().collect::<Vec<_>>().join(", ");
-                    wrong.push(format!("no camera is called {name:?}\n  hint: {meant}the cameras are {all}"));
+                    let nearest = nearest(name, all()).map(str::to_owned);
+                    let known = all().map(str::to_owned).collect();
+                    wrong.push(SilhouettesMessage::NoCamera { name: name.clone(), nearest, known }.into());
                 }
             }
         }
@@ -46,8 +49,7 @@ impl Asked {
         let mut time = |text: Option<&str>| {
             let at = text.map(|text| kept.scenario.calendar.written(text).ok_or(text)).transpose();
             at.unwrap_or_else(|text| {
-                let hint = "write 2025-06-03T03:12:05, or 03:12:05 for a time of the first 24 hours";
-                wrong.push(format!("{text:?} is not a time\n  hint: {hint}"));
+                wrong.push(MomentMessage::NotATime { text: text.to_owned() }.into());
                 None
             })
         };
@@ -55,20 +57,14 @@ impl Asked {
         if let (Some(from), Some(to)) = (from, to)
             && from >= to
         {
-            let hint = "--to must be later than --from";
-            wrong.push(format!(
-                "there is no time between {} and {}\n  hint: {hint}",
-                clock(kept, from),
-                clock(kept, to)
-            ));
+            let [from, to] = [from, to].map(|at| clock(kept, at));
+            wrong.push(MomentMessage::NoSpan { from, to }.into());
         }
         if !wrong.is_empty() {
-            return Err(Failure::Usage(wrong.join("\n")));
+            return Err(Failure::all(wrong));
         }
         let there = kept.silhouettes.span()?;
-        let (first, last) = there.ok_or_else(|| {
-            Failure::usage("no camera has seen a person\n  hint: an unfinished run may have pictures later")
-        })?;
+        let (first, last) = there.ok_or_else(|| Failure::asked(SilhouettesMessage::NoneYet))?;
         let begin = from.unwrap_or(first);
         let end = to.or(strip.map(|long| begin + long + 1)).unwrap_or(last + 1);
         let files = cameras.iter().map(|&camera| kept.silhouettes.cameras[camera].file.clone()).collect();
@@ -87,20 +83,20 @@ impl Asked {
         })
     }
 
-    /// Why nothing is there, and when there is something.
+    /// The failure that no silhouette is in this time, with the nearest ones before and after.
     pub fn nothing(&self, kept: &LogWithSilhouettes) -> Result<Failure, LogError> {
         let [begin, end] = [self.span.start, self.span.end].map(|at| clock(kept, at));
         let before = kept.silhouettes.last_before(self.span.start)?;
         let after = kept.silhouettes.next_from(self.span.end)?;
-        let near = [("the last one before is at", before), ("the next one after is at", after)];
-        let near = near.into_iter().filter_map(|(words, at)| Some(format!("{words} {}", clock(kept, at?))));
-        let mut hints: Vec<String> = near.collect();
-        if self.cameras.len() < kept.silhouettes.cameras.len() {
-            hints.push("other cameras may have silhouettes in this time".into());
-        }
-        let names: Vec<&str> = self.files.iter().map(|file| file.name.as_str()).collect();
-        let what = format!("{}: no silhouettes from {begin} to {end}", names.join(", "));
-        Ok(Failure::usage(format!("{what}\n  hint: {}", hints.join("; "))))
+        let [before, after] = [before, after].map(|at| at.map(|at| clock(kept, at)));
+        Ok(Failure::asked(SilhouettesMessage::NoneInTime {
+            cameras: self.files.iter().map(|file| file.name.clone()).collect(),
+            begin,
+            end,
+            before,
+            after,
+            has_others: self.cameras.len() < kept.silhouettes.cameras.len(),
+        }))
     }
 }
 

@@ -1,6 +1,7 @@
 //! `homebody silhouettes`: the stored silhouettes of a run's cameras, as pictures, a film or a table.
 
 mod asked;
+pub mod messages;
 mod outputs;
 
 use super::answer::Answer;

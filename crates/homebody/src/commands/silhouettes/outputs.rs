@@ -1,15 +1,19 @@
 //! Where silhouettes go: films, tables, and folders of pictures. Each is whole under its name, or not there.
 
+use super::messages::SilhouettesMessage;
+use crate::commands::messages::PictureMessage;
 use crate::failure::Failure;
+use crate::print::not_written;
 use homebody_analysis::falls::single;
 use homebody_core::body::ground::Ground;
 use homebody_core::camera::lens::Lens;
 use homebody_core::camera::silhouette::Silhouette;
 use homebody_core::home::outlook::outlook;
-use homebody_core::problem::counted;
+use homebody_core::problem::{Diagnostic, counted};
 use homebody_core::sensors::camera::CameraFile;
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::LogWithSilhouettes;
+use homebody_log::LogError;
 use homebody_log::fresh::FreshFile;
 use homebody_log::places::can_be_written;
 use homebody_log::silhouettes::Kept;
@@ -46,15 +50,15 @@ pub struct Output {
 impl Output {
     /// Makes sure that all places can be written, over none of the `sources`.
     pub fn of(paths: &[PathBuf], sources: &[PathBuf], force: bool) -> Result<Vec<Output>, Failure> {
-        let (mut outputs, mut wrong) = (Vec::new(), Vec::new());
+        let (mut outputs, mut wrong) = (Vec::new(), Vec::<Diagnostic>::new());
         for path in paths {
             match form(path) {
                 Ok(form) => outputs.push(Output { form, path: path.clone() }),
-                Err(why) => wrong.push(why),
+                Err(message) => wrong.push(message.into()),
             }
         }
         if !wrong.is_empty() {
-            return Err(Failure::Usage(wrong.join("\n")));
+            return Err(Failure::all(wrong));
         }
         let is_file = |output: &&Output| output.form != Form::Folder;
         let files: Vec<&Path> = outputs.iter().filter(is_file).map(|output| output.path.as_path()).collect();
@@ -63,26 +67,20 @@ impl Output {
     }
 }
 
-/// What a place is to become, by what its name ends in.
-fn form(path: &Path) -> Result<Form, String> {
+/// The form of a place, by its extension.
+fn form(path: &Path) -> Result<Form, SilhouettesMessage> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    let name = path.display();
     match extension.as_str() {
         "apng" => Ok(Form::Film),
         "csv" => Ok(Form::Csv),
         "jsonl" => Ok(Form::JsonLines),
-        "png" | "svg" => Err(format!(
-            "--out {name} is not a film\n  hint: --{extension} {name} draws moments side by side; --out {} writes a film",
-            path.with_extension("apng").display()
-        )),
+        "png" | "svg" => Err(SilhouettesMessage::NotAFilm { path: path.to_owned(), extension }),
         "gif" | "mp4" | "webm" | "avi" | "mkv" | "mov" | "json" | "jpg" | "jpeg" | "webp" | "tsv" | "txt" => {
-            let hint = "use .apng for a film, .csv or .jsonl for a table; any other name is a folder of pictures";
-            Err(format!("--out {name}: cannot write .{extension}\n  hint: {hint}"))
+            Err(SilhouettesMessage::Form { path: path.to_owned(), extension })
         }
         _ => {
             let is_full = path.is_file() || path.read_dir().is_ok_and(|mut entries| entries.next().is_some());
-            let hint = "name a new or an empty folder";
-            if is_full { Err(format!("{name} is not an empty folder\n  hint: {hint}")) } else { Ok(Form::Folder) }
+            if is_full { Err(SilhouettesMessage::NotEmpty { path: path.to_owned() }) } else { Ok(Form::Folder) }
         }
     }
 }
@@ -140,11 +138,7 @@ impl<'a> Outputs<'a> {
                 Form::Csv | Form::JsonLines => continue,
             };
             if count > most {
-                let hint = "select fewer with --from and --to, --camera, or --every 1s";
-                let path = path.display();
-                return Err(Failure::usage(format!(
-                    "{path} would have {count} {what}, at most {most}\n  hint: {hint}"
-                )));
+                return Err(Failure::asked(SilhouettesMessage::TooMany { path: path.clone(), count, what, most }));
             }
         }
         let camera = |&camera: &usize| {
@@ -162,7 +156,7 @@ impl<'a> Outputs<'a> {
                     let part = part_of(&path);
                     begun.cameras.iter().enumerate().try_for_each(|(number, _)| {
                         let folder = part.join(begun.folder_of(number));
-                        fs::create_dir_all(&folder).map_err(|error| Failure::io(&folder, error))
+                        fs::create_dir_all(&folder).map_err(|error| LogError::file(&folder, error))
                     })?;
                     Open::Folder(part, 0)
                 }
@@ -212,7 +206,7 @@ impl<'a> Outputs<'a> {
                     let name = local.strftime("%Y-%m-%dT%H-%M-%S%.3f%z.png").to_string();
                     let path = part.join(&folder).join(name);
                     let png = silhouette_png(&kept.silhouette, self.scale).map_err(undrawn)?;
-                    fs::write(&path, png).map_err(|error| Failure::io(&path, error))?;
+                    fs::write(&path, png).map_err(|error| LogError::file(&path, error))?;
                     *pictures += 1;
                 }
             }
@@ -239,9 +233,9 @@ impl<'a> Outputs<'a> {
                 }
                 Open::Folder(part, pictures) => {
                     if path.is_dir() {
-                        fs::remove_dir(&path).map_err(|error| Failure::io(&path, error))?;
+                        fs::remove_dir(&path).map_err(|error| LogError::file(&path, error))?;
                     }
-                    fs::rename(&part, &path).map_err(|error| Failure::io(&path, error))?;
+                    fs::rename(&part, &path).map_err(|error| LogError::file(&path, error))?;
                     counted(pictures as usize, "picture", "pictures")
                 }
             };
@@ -287,8 +281,10 @@ fn part_of(path: &Path) -> PathBuf {
 
 fn undrawn(error: PngError) -> Failure {
     match error {
-        PngError::Size { .. } => Failure::usage(format!("{error}\n  hint: a smaller --scale makes it smaller")),
-        error => Failure::usage(error),
+        PngError::Size { width: width_px, height: height_px } => {
+            Failure::asked(PictureMessage::Size { width_px, height_px, option: "--scale" })
+        }
+        error => Failure::asked(PictureMessage::NotDrawn { why: error.to_string() }),
     }
 }
 
@@ -344,11 +340,11 @@ impl<'a> Row<'a> {
 /// A row as a table has it; the first of CSV has the names of columns before it.
 fn row(form: Form, row: &Row, is_first: bool) -> Result<Vec<u8>, Failure> {
     if form == Form::JsonLines {
-        let mut bytes = serde_json::to_vec(row).map_err(Failure::usage)?;
+        let mut bytes = serde_json::to_vec(row).map_err(not_written)?;
         bytes.push(b'\n');
         return Ok(bytes);
     }
     let mut writer = csv::WriterBuilder::new().has_headers(is_first).from_writer(Vec::new());
-    writer.serialize(row).map_err(Failure::usage)?;
-    writer.into_inner().map_err(Failure::usage)
+    writer.serialize(row).map_err(not_written)?;
+    writer.into_inner().map_err(not_written)
 }

@@ -1,0 +1,157 @@
+//! Messages that several commands have in common: about logs, moments, pictures and new homes.
+
+use crate::failure::Failure;
+use homebody_core::problem::Diagnostic;
+use std::path::PathBuf;
+
+/// The failure to compare two logs, with all reasons.
+pub fn not_comparable(reasons: &[impl ToString]) -> Failure {
+    let problem = |why: String| Diagnostic::from(LogContentMessage::NotComparable { why });
+    Failure::all(reasons.iter().map(ToString::to_string).map(problem).collect())
+}
+
+homebody_core::messages! {
+    /// Problems with the contents of a log.
+    pub enum LogContentMessage in "log-content" {
+        /// A log without rows has no days. The run may have just begun, or no line of the file is a row: `homebody inspect` lists the
+        /// lines that Homebody cannot parse.
+        NoRows {
+            /// The log.
+            log: String,
+        } error "no-rows" ("{log}: the log has no rows")
+            hint ("name another log, or let its run last longer");
+        /// Days are dates in the local time of the home. The words first and last also name days of a log.
+        NoDay {
+            /// The log.
+            log: String,
+            /// The date asked for, or `first` or `last`.
+            day: String,
+            /// The first date of the log.
+            first: String,
+            /// The last date of the log.
+            last: String,
+        } error "no-day" ("{log} has no day {day}")
+            hint ("choose a day from {first} to {last}; first and last also name days");
+        /// The command needs the ground truth of the run that wrote the log. Homebody looks for it in the run's folder.
+        NoTruth {
+            /// The log.
+            log: String,
+            /// The command.
+            command: &'static str,
+        } error "no-truth" ("{log} has no ground truth")
+            advice (Some(match *command {
+                "convert" => "name the folder of a run with its ground truth, or leave out --activities to convert the log's own".into(),
+                _ => "name the ground truth after the log: its database, or csv:FILE, parquet:FILE and so on".into(),
+            }));
+        /// Measures and maps come from the events of sensors, above all of motion sensors. docs/reference/measures.md lists the sensors
+        /// that each measure needs.
+        NotMeasurable {
+            /// The log.
+            log: String,
+            /// The reason.
+            why: String,
+        } error "not-measurable" ("cannot measure {log}: {why}");
+        /// Homebody compares the events of motion sensors on whole days, so each of the two logs needs both.
+        NotComparable {
+            /// The log and the reason.
+            why: String,
+        } error "not-comparable" ("cannot compare the logs: {why}");
+        /// The run was interrupted or still continues, so the log lacks its later rows. A resumed run writes them.
+        IncompleteRun {
+            /// The log.
+            log: String,
+            /// The folder to resume.
+            resume: PathBuf,
+        } warning "incomplete-run" ("{log}: its run is incomplete")
+            hint ("homebody run --resume {resume} completes it", resume = resume.display());
+        /// The run was killed, so its log and its ground truth may end at different rows. The rows in between would have no labels.
+        UnequalEnds {
+            /// The log.
+            log: String,
+            /// The folder to resume.
+            resume: PathBuf,
+        } error "unequal-ends" ("{log}: its run is incomplete: its log and its ground truth may end at different rows")
+            hint ("homebody run --resume {resume} completes it", resume = resume.display());
+    }
+}
+
+homebody_core::messages! {
+    /// Problems with moments of a run.
+    pub enum MomentMessage in "moment" {
+        /// A moment of a run is a date and a time, or a time alone: then it is in the first 24 hours of the run. Times are those of the
+        /// home's clock.
+        NotATime {
+            /// The text.
+            text: String,
+        } error "not-a-time" ("{text:?} is not a time")
+            hint ("write 2026-01-12T18:40:05, or 18:40:05 for a time of the first 24 hours");
+        /// The run begins later than this moment, or has ended before it. A moment without a date is in the first 24 hours of the run.
+        OutsideRun {
+            /// The moment asked for.
+            asked: String,
+            /// The beginning of the run.
+            begin: String,
+            /// The end of the run.
+            end: String,
+        } error "outside-run" ("the run has no moment {asked}")
+            hint ("choose a moment from {begin} to {end}");
+        /// The last moment is at or before the first one, so no moment is between them. Perhaps the last one has no date: a time alone is in
+        /// the first 24 hours of the run.
+        NoSpan {
+            /// The first moment.
+            from: String,
+            /// The last moment.
+            to: String,
+        } error "no-span" ("the time from {from} to {to} is empty")
+            hint ("--to must be later than --from");
+    }
+}
+
+homebody_core::messages! {
+    /// Problems with pictures.
+    pub enum PictureMessage in "picture" {
+        /// The command draws a picture and prints nothing else.
+        NoFile error "no-file" ("no file for the picture")
+            hint ("name one with --svg or --png");
+        /// The extension of the file is that of another form of pictures. Other programs would not open the file.
+        Form {
+            /// The option without its dashes: `svg` or `png`.
+            form: &'static str,
+            /// The extension of the file.
+            extension: String,
+            /// The file.
+            path: PathBuf,
+        } error "form" ("--{form} cannot write {extension}: {path}", path = path.display())
+            advice (Some(match extension.as_str() {
+                "svg" | "png" => format!("use --{extension} for this form"),
+                _ => format!("name it {}", path.with_extension(form).display()),
+            }));
+        /// A picture with a very long side takes too much memory. The height of a picture follows from its width.
+        Size {
+            /// The width in pixels.
+            width_px: u32,
+            /// The height in pixels.
+            height_px: u32,
+            /// The option that makes the picture smaller.
+            option: &'static str,
+        } error "size" ("cannot draw a picture of {width_px} x {height_px} pixels")
+            hint ("choose a smaller {option}");
+        /// Homebody cannot draw a picture that it made itself. This is an error of the program: report it with the command that you ran.
+        NotDrawn {
+            /// The reason.
+            why: String,
+        } error "not-drawn" ("cannot draw the picture: {why}");
+    }
+}
+
+homebody_core::messages! {
+    /// Remarks on homes that Homebody has made from a plan or a log.
+    pub enum NewHomeMessage in "new-home" {
+        /// Homebody gives the resident of a new home an ordinary routine. The routine needs furniture, such as a bed and a toilet, that
+        /// the resident can reach.
+        RoutineLacks {
+            /// The first need, with a hint.
+            lack: String,
+        } warning "routine-lacks" ("the ordinary routine cannot run yet: {lack}");
+    }
+}

@@ -1,0 +1,102 @@
+//! The messages of `homebody run` and `homebody replay`.
+
+use crate::print::grouped;
+use homebody_kit::VERSION;
+use std::path::PathBuf;
+
+homebody_core::messages! {
+    /// Problems with a run and its options.
+    pub enum RunMessage in "run" {
+        /// A resumed run continues its own files, and the rows on servers and in object stores. A new file would lack the first rows of
+        /// the run.
+        MiddleOfRun {
+            /// The destination.
+            place: String,
+            /// Whether it is one of the ground truth.
+            is_truth: bool,
+        } error "middle-of-run" ("{place} cannot start in the middle of a run")
+            advice (Some(match is_truth {
+                true => "leave out --truth: Homebody resumes the ground truth in the folder; name only one on a server".into(),
+                false => "resume the folder with servers and object stores only; homebody convert copies its log to a file afterwards".into(),
+            }));
+        /// The command line has two values of a parameter. Homebody does not guess which one counts.
+        ParameterTwice {
+            /// The parameter.
+            name: String,
+            /// The first value.
+            first: f64,
+            /// The other value.
+            other: f64,
+        } error "parameter-twice" ("--set {name}={first} and --set {name}={other} set the same parameter")
+            hint ("set each parameter once");
+        /// The ground truth of a single run always has all tables. Only cohorts can leave some out.
+        TruthTables error "truth-tables" ("--truth-tables applies to cohorts only")
+            hint ("leave it out; the ground truth of a single run has all tables");
+        /// A cohort simulates many members at once, and writes the files of each into one folder. Some options make sense for single
+        /// runs only.
+        CohortOption {
+            /// The option.
+            option: &'static str,
+            /// The reason.
+            why: &'static str,
+        } error "cohort-option" ("{option}: {why}")
+            hint ("leave this option out of a cohort");
+        /// All members of a cohort go into one folder or object store.
+        CohortDestinations {
+            /// The number of destinations.
+            count: usize,
+        } error "cohort-destinations" ("a cohort has one destination, and not {count}")
+            hint ("give one --out, such as parquet:cohort");
+        /// The folder belongs to `homebody live`, which simulates a home until it is stopped. A run needs an end.
+        HomeInRealTime {
+            /// The folder.
+            folder: PathBuf,
+        } error "home-in-real-time" ("{folder} holds a home in real time, which has no end", folder = folder.display())
+            hint ("homebody live SCENARIO --folder {folder} resumes it", folder = folder.display());
+        /// SQLite cannot complete a database while another program reads it. Copy both files, or wait until that program has ended.
+        OpenDatabase {
+            /// The database.
+            file: PathBuf,
+            /// The second file.
+            part: PathBuf,
+        } warning "open-database" (
+            "another program is reading {file}: until it ends, {part} is part of the database",
+            file = file.display(),
+            part = part.display()
+        );
+    }
+}
+
+homebody_core::messages! {
+    /// Differences between a replay and its recording.
+    pub enum ReplayMessage in "replay" {
+        /// A replay repeats each event of a run, and compares the digests of all events. The recording has other events than the same
+        /// version makes from it.
+        Differs {
+            /// The number of events of the replay.
+            events: u64,
+            /// The number of events of the recording.
+            recorded: u64,
+        } error "differs" (
+            "the replay differs from the recording: it has {events} events, and the recording {recorded}",
+            events = grouped(*events),
+            recorded = grouped(*recorded)
+        )
+            hint ("restore the recording, which was changed after the run, or run its scenario again");
+        /// Versions of Homebody have different models, so the same scenario may have other events.
+        OtherVersion {
+            /// The version that made the recording.
+            version: String,
+            /// The number of events of the replay.
+            events: u64,
+            /// The number of events of the recording.
+            recorded: u64,
+        } error "other-version" (
+            "the replay differs from the recording of version {version}; this is version {VERSION}: it has {events} events, and the \
+             recording {recorded}",
+            events = grouped(*events),
+            recorded = grouped(*recorded)
+        )
+            hint ("replay it with that version, or run its scenario again");
+    }
+}

@@ -1,0 +1,85 @@
+//! The messages of `homebody silhouettes`.
+
+use std::path::PathBuf;
+
+homebody_core::messages! {
+    /// Problems with silhouettes and the files that they go to.
+    pub enum SilhouettesMessage in "silhouettes" {
+        /// The home of the run has no camera with this name.
+        NoCamera {
+            /// The name asked for.
+            name: String,
+            /// The most similar name.
+            nearest: Option<String>,
+            /// The names of the cameras.
+            known: Vec<String>,
+        } error "no-camera" ("no camera is called {name:?}")
+            advice ({
+                let meant = nearest.as_ref().map_or_else(String::new, |nearest| format!("did you mean {nearest:?}? "));
+                Some(format!("{meant}the cameras are {}", known.join(", ")))
+            });
+        /// The run has cameras, and no resident was in front of one yet.
+        NoneYet error "none-yet" ("no camera has seen a person")
+            hint ("an unfinished run may have silhouettes later: resume it, or name another run");
+        /// The cameras have silhouettes, but none in this time.
+        NoneInTime {
+            /// The names of the cameras.
+            cameras: Vec<String>,
+            /// The first moment.
+            begin: String,
+            /// The last moment.
+            end: String,
+            /// The moment of the last silhouette before.
+            before: Option<String>,
+            /// The moment of the first silhouette after.
+            after: Option<String>,
+            /// Whether the home has other cameras, too.
+            has_others: bool,
+        } error "none-in-time" ("{cameras}: no silhouettes from {begin} to {end}", cameras = cameras.join(", "))
+            advice ({
+                let before = before.as_ref().map(|at| format!("the last one before is at {at}"));
+                let after = after.as_ref().map(|at| format!("the next one after is at {at}"));
+                let others = has_others.then(|| "other cameras may have silhouettes in this time".to_owned());
+                let hints: Vec<String> = [before, after, others].into_iter().flatten().collect();
+                (!hints.is_empty()).then(|| hints.join("; "))
+            });
+        /// `--out` writes a film, a table or a folder of pictures. `--png` and `--svg` draw some moments side by side.
+        NotAFilm {
+            /// The file.
+            path: PathBuf,
+            /// Its extension.
+            extension: String,
+        } error "not-a-film" ("--out {path} is not a film", path = path.display())
+            hint (
+                "--{extension} {path} draws moments side by side; --out {film} writes a film",
+                path = path.display(),
+                film = path.with_extension("apng").display()
+            );
+        /// The extension of the file names a form that Homebody does not write. It writes films as APNG, which browsers play.
+        Form {
+            /// The file.
+            path: PathBuf,
+            /// Its extension.
+            extension: String,
+        } error "form" ("--out {path}: cannot write .{extension}", path = path.display())
+            hint ("use .apng for a film, .csv or .jsonl for a table; any other name is a folder of pictures");
+        /// Pictures go into a folder of their own, so that none of them replaces another file.
+        NotEmpty {
+            /// The folder, or a file in its place.
+            path: PathBuf,
+        } error "not-empty" ("{path} is not an empty folder", path = path.display())
+            hint ("name a new or an empty folder");
+        /// A film or a folder of very many pictures takes too much memory or time.
+        TooMany {
+            /// The film or folder.
+            path: PathBuf,
+            /// The number of frames or pictures.
+            count: u64,
+            /// `frames` or `pictures`.
+            what: &'static str,
+            /// The largest number.
+            most: u64,
+        } error "too-many" ("{path} would have {count} {what}, at most {most}", path = path.display())
+            hint ("select fewer with --from and --to, --camera, or --every 1s");
+    }
+}
