@@ -1,6 +1,6 @@
 //! All problems of the files of a scenario, in one list.
 
-use crate::problem::{Diagnose, Diagnostic, MOST_PER_FILE, Problem};
+use crate::problem::{Diagnose, Diagnostic, MOST_PER_FILE, Problem, counted};
 use serde::Serialize;
 use std::fmt;
 
@@ -12,7 +12,7 @@ crate::messages! {
         More {
             /// The number of problems that are not shown.
             count: usize,
-        } error "more" ("the file has {count} more problems")
+        } error "more" ("the file has {more}", more = counted(*count, "more problem", "more problems"))
             hint ("solve the problems above, and check again");
     }
 }

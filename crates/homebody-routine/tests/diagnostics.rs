@@ -362,7 +362,7 @@ fn a_phase_that_ends_before_it_begins() {
     refused("From week 6 to week 2 she shows depression.", "to week 2", "end-before-begin", "");
     refused("From 2009-05-01 to 2009-04-01 she reads.", "to 2009-04-01", "end-before-begin", "");
     refused("From day 100 until 2009-04-01 she reads.", "until 2009-04-01", "end-before-begin", "");
-    refused("From day 0 she reads.", "day 0", "no-day", "the first is day 1");
+    refused("From day 0 she reads.", "day 0", "no-day", "count from day 1");
     let text = "From week 6 she reads rarely at first, often by week 2.";
     refused(text, "rarely at first, often by week 2", "change-before-begin", "a later day");
     refused("From March she reads.", "March", "which-day", "2009-03-01");
@@ -492,7 +492,7 @@ fn two_ends_and_parts_of_days() {
     let text = "From day 20, for 10 days, until day 25, she naps.";
     refused(text, "for 10 days", "two-ends", "leave one of them out");
     refused("From day 20, for 1.5 days, she naps.", "1.5 days", "whole-days", "for 10 days");
-    refused("She reads at 10:00 until 8:00.", "until 8:00", "end-before-begin", "the earlier time goes first");
+    refused("She reads at 10:00 until 8:00.", "until 8:00", "end-before-begin", "write the earlier time first");
 }
 
 #[test]

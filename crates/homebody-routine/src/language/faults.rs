@@ -1,8 +1,8 @@
 //! What is wrong with a text: collected while it is read, told with line, column and underline.
 
-use super::messages::SentenceMessage;
 use super::words::{Line, Span};
 use homebody_core::problem::{Advice, Diagnostic, Excerpt, Problem};
+use homebody_core::problems::ProblemsMessage;
 use homebody_core::scenario::nearest::nearest;
 
 /// Number of problems above which they are counted instead of listed.
@@ -61,7 +61,7 @@ impl Faults {
         self.list.sort_by_key(|fault| fault.span);
         let mut problems: Vec<Problem> = self.list.into_iter().map(|fault| problem(file, lines, fault)).collect();
         if self.more > 0 {
-            problems.push(Problem::of_file(file, SentenceMessage::MoreProblems { more: self.more }, None));
+            problems.push(Problem::of_file(file, ProblemsMessage::More { count: self.more }, None));
         }
         problems
     }

@@ -15,12 +15,6 @@ homebody_core::messages! {
             most: usize,
         } error "too-many-sentences" ("a routine has at most {most} sentences")
             hint ("leave some of the sentences out");
-        /// Homebody lists a limited number of problems for each text. The others often have the same cause.
-        MoreProblems {
-            /// The number of further problems.
-            more: usize,
-        } error "more-problems" ("there {more}", more = if *more == 1 { "is 1 more problem".to_owned() } else { format!("are {more} more problems") })
-            hint ("correct those above first");
         /// Days in front of a semicolon can hold for the first sentence or for both.
         AfterSemicolon {
             /// The words for the days.
