@@ -10,6 +10,7 @@ pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
         homebody_routine::catalogue::MESSAGES,
         homebody_import::catalogue::MESSAGES,
         homebody_kit::catalogue::MESSAGES,
+        homebody_analysis::catalogue::MESSAGES,
         &[ExplainMessage::ENTRIES],
     ]
     .into_iter()

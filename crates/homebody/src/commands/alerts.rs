@@ -110,7 +110,7 @@ fn records(log: &str, alerts: &[Alert]) -> Records {
 /// The rules of a file, or those that hold where nobody says others.
 pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
     let Some(path) = path else {
-        return Rules::read(USUAL).map_err(|problems| Failure::Io(problems.join("; ")));
+        return Rules::read(USUAL).map_err(|problems| Failure::Io(problems.to_string()));
     };
     let name = path.display();
     let text = fs::read_to_string(path).map_err(|error| match error.kind() {
@@ -120,7 +120,7 @@ pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
         _ => Failure::io(path, error),
     })?;
     Rules::read(&text).map_err(|problems| {
-        let told: Vec<String> = problems.iter().map(|problem| format!("{name}: {problem}")).collect();
+        let told: Vec<String> = problems.0.iter().map(|problem| format!("{name}: {problem}")).collect();
         Failure::usage(told.join("\nerror: "))
     })
 }

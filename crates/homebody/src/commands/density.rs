@@ -135,7 +135,7 @@ pub fn no_map(name: &str, log: &LogWithRun, why: &NoMap) -> Failure {
             let notes = counted(log.log.activities.len(), "activity", "activities");
             format!(" of sensors, only {notes}\n  hint: homebody inspect {name} lists them")
         }
-        NoMap::Disorder(..) => sorting(name, &log.log.columns),
+        NoMap::Disorder { .. } => sorting(name, &log.log.columns),
         _ => String::new(),
     };
     Failure::usage(format!("{name}: {why}{hint}"))

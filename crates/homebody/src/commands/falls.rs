@@ -73,7 +73,7 @@ fn rules(path: &Path) -> Result<FallRules, Failure> {
     let text = plain::read_text(path, LARGEST_OF_SCENARIO_BYTES)
         .map_err(|error| Failure::usage(format!("{name}: {error}")))?;
     FallRules::parse(&text).map_err(|wrong| {
-        let lines: Vec<String> = wrong.iter().map(|line| format!("{name}: {line}")).collect();
+        let lines: Vec<String> = wrong.0.iter().map(|line| format!("{name}: {line}")).collect();
         let hint = "homebody falls --show-rules prints the default rules";
         Failure::usage(format!("{}\n  hint: {hint}", lines.join("\n")))
     })

@@ -45,7 +45,7 @@ fn what_cannot_be_measured_is_said() {
     let eats = r#"<log><trace><event><string key="concept:name" value="Eat"/>
         <date key="time:timestamp" value="2024-01-01T07:00:00Z"/></event></trace></log>"#;
     folder.write("events.xes", format!("{eats}\n"));
-    let wanted = "it has no rows of sensors, only 1 activity\n  hint: homebody inspect events.xes lists them";
+    let wanted = "the log has no rows of sensors, only 1 activity\n  hint: homebody inspect events.xes lists them";
     folder.run("measures events.xes").fails(2, wanted);
     folder.run("density events.xes").fails(2, wanted);
     assert!(folder.run("inspect events.xes").ok().out.contains("Eat"));
@@ -63,8 +63,8 @@ fn alerts_go_by_rules_that_may_be_changed() {
     let eager = folder.run("alerts runs/tigerplace-1 --rules rules.json").ok();
     assert!(eager.out.contains("any change") && eager.out.contains("than usual"), "{}", eager.out);
     folder.write("rules.json", r#"{ "rules": [{ "name": "x", "measure": "meels", "when": "less", "k_sd": -3 }] }"#);
-    folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "no measure \"meels\"");
-    folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "k_sd has to be");
+    folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "unknown measure, \"meels\"");
+    folder.run("alerts runs/tigerplace-1 --rules rules.json").fails(2, "k_sd must be");
 }
 
 #[test]
