@@ -11,6 +11,8 @@ pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
         homebody_import::catalogue::MESSAGES,
         homebody_kit::catalogue::MESSAGES,
         homebody_analysis::catalogue::MESSAGES,
+        homebody_picture::catalogue::MESSAGES,
+        homebody_experiment::catalogue::MESSAGES,
         &[ExplainMessage::ENTRIES],
     ]
     .into_iter()

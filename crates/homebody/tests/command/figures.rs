@@ -165,7 +165,7 @@ fn a_picture_that_cannot_be_drawn_leaves_no_file() {
     (0..8).for_each(|number| record(&folder, &number.to_string()));
     let given = folder.files();
     let words = "experiment sphere --data data --json=figures.json --svg rooms.svg --png rooms.png --width 8000";
-    folder.run(words).fails(2, "cannot be drawn\n  hint: a smaller --width");
+    folder.run(words).fails(2, "a side has 1 to 16384\n  hint: a smaller --width");
     assert_eq!(folder.files(), given);
 }
 
