@@ -153,7 +153,7 @@ fn recordings_of_a_real_house_are_walked_again() {
         "\"kind\": \"motion\", \"name\": \"kitchen\"",
         "\"kind\": \"motion\", \"name\": \"K1\"",
     );
-    folder.run(words).fails(2, "the house's sensor \"K1\"");
+    folder.run(words).fails(2, "the name of the sensor \"K1\"");
 
     folder.write("data/00001/pir.csv", "start,end,name,index\nx,70,kitchen,0\n");
     folder.run("experiment sphere --data data").fails(2, "cannot parse 1 of 1 recordings");
