@@ -13,6 +13,7 @@ pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
         homebody_analysis::catalogue::MESSAGES,
         homebody_picture::catalogue::MESSAGES,
         homebody_experiment::catalogue::MESSAGES,
+        homebody_web::catalogue::MESSAGES,
         &[ExplainMessage::ENTRIES],
     ]
     .into_iter()

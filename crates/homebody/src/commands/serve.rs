@@ -128,7 +128,7 @@ fn open(file: &Path) -> bool {
 impl From<ServeError> for Failure {
     fn from(error: ServeError) -> Failure {
         match error {
-            ServeError::Scenario(why) => Failure::Usage(why),
+            ServeError::Scenario(why) => Failure::asked(why),
             ServeError::Foreign(_) | ServeError::Unkept(Unkept::Open(_) | Unkept::NoAddress(_)) => {
                 Failure::usage(error)
             }
