@@ -17,7 +17,7 @@ use std::path::Path;
 use tokio::io::AsyncWriteExt;
 use tokio::sync::{Semaphore, SemaphorePermit};
 
-/// Why there is no answer: the status of HTTP, and the message.
+/// A refused request: the status of HTTP, and the message.
 #[derive(Debug)]
 pub struct Refused {
     pub status: StatusCode,
@@ -25,12 +25,12 @@ pub struct Refused {
 }
 
 impl Refused {
-    /// No answer, by a message.
+    /// A request refused with a message.
     pub fn of(status: StatusCode, message: impl Diagnose) -> Refused {
         Refused { status, message: message.diagnostic() }
     }
 
-    /// No answer because of an error of the system.
+    /// A request refused because of an error of the system.
     pub fn failed(error: impl Display) -> Refused {
         Refused::of(StatusCode::INTERNAL_SERVER_ERROR, PageMessage::System { why: error.to_string() })
     }

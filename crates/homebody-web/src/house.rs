@@ -435,7 +435,7 @@ async fn file_of_run(State(house): State<House>, Path((run, what)): Path<(String
     download(find, PageMessage::NoFile).await
 }
 
-/// No answer because of something in the request or in the files.
+/// A request refused because of its contents, or because of a file.
 fn unprocessable(message: impl Diagnose) -> Refused {
     Refused::of(StatusCode::UNPROCESSABLE_ENTITY, message)
 }

@@ -8,7 +8,7 @@
 /// What the page and the server say to each other.
 pub mod wire;
 
-/// The messages of the server: why a request has no answer.
+/// The messages of the server.
 pub mod catalogue;
 pub mod messages;
 mod refusal;

@@ -1,10 +1,10 @@
-//! The messages of the server: why a request of the page has no answer. The page shows each as a sentence.
+//! The messages of the server: reasons for which it refuses a request. The page shows each as a sentence.
 
 use homebody_core::problem::counted;
 use homebody_log::places::RUNS;
 
 homebody_core::messages! {
-    /// Reasons why a request about runs, logs or notes has no answer.
+    /// Reasons why the server refuses a request about runs, logs or notes.
     #[derive(Clone, PartialEq, Eq)]
     pub enum PageMessage in "page" {
         /// The folder of runs has no run of this name. Another window may have deleted it.
@@ -174,7 +174,7 @@ homebody_core::messages! {
 }
 
 homebody_core::messages! {
-    /// Reasons why a request about the homes of a library has no answer.
+    /// Reasons why the server refuses a request about the homes of a library.
     #[derive(Clone, PartialEq, Eq)]
     pub enum LibraryMessage in "library" {
         /// The folder has no home of this name. Another window may have renamed or deleted it.
@@ -330,7 +330,7 @@ homebody_core::messages! {
 }
 
 homebody_core::messages! {
-    /// Problems with the run that the page shows live.
+    /// Problems with the run of the live view.
     #[derive(Clone, PartialEq, Eq)]
     pub enum StageMessage in "stage" {
         /// A seed is a whole number that JavaScript holds exactly.

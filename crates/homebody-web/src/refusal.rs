@@ -1,4 +1,4 @@
-//! Refusals: why there is no answer, by a message with a code, and the sentences that the page shows of it.
+//! Refusals of requests: their messages, and the sentences that the page shows.
 
 use crate::messages::PageMessage;
 use crate::wire::Tell;
@@ -7,14 +7,14 @@ use serde_json::Value;
 use std::fmt::Display;
 use std::path::{MAIN_SEPARATOR, Path};
 
-/// Why there is no answer.
+/// The reason for a refusal, by its kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Refusal {
-    /// There is no such run, or no such day of it.
+    /// The run or its day does not exist.
     Unknown(Diagnostic),
-    /// Its files cannot be understood.
+    /// A file cannot be read or written, or the request is not valid.
     Damaged(Diagnostic),
-    /// It has not come so far yet.
+    /// The log is not read so far yet.
     Early(Diagnostic),
 }
 
@@ -53,7 +53,7 @@ pub fn note(message: &Diagnostic) -> Tell {
 fn as_sentence(text: &str) -> String {
     let word = text.split(' ').next().unwrap_or_default();
     let end = if text.ends_with(['.', '?', '!', '…']) { "" } else { "." };
-    // Names of files and places stay as they are.
+    // The name of a file or place keeps its letters.
     let begins = usize::from(!word.is_empty() && word.bytes().all(|byte| byte.is_ascii_lowercase()));
     format!("{}{}{end}", text[..begins].to_ascii_uppercase(), &text[begins..])
 }

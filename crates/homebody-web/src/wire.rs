@@ -534,7 +534,7 @@ pub enum Tell {
     },
 }
 
-/// Why a request has no answer. The status of HTTP says the kind.
+/// The message of a refused request. The status of HTTP has its kind.
 #[derive(Clone, Debug, PartialEq, Serialize, TS)]
 pub struct RefusedView {
     /// The stable code, such as `page::no-run`.

@@ -28,7 +28,7 @@ impl Served {
         names
     }
 
-    /// The status of an answer that is no success, and its message.
+    /// The status of a refusal, and its message.
     fn refusal(&self, method: &str, path: &str, body: &Value) -> (u16, Value) {
         let answer = self.send(method, path, body.to_string().as_bytes());
         (answer.code, answer.refusal())
