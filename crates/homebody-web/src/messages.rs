@@ -1,4 +1,4 @@
-//! The messages of the server: reasons for which it refuses a request. The page shows each as a sentence.
+//! The messages of the server. Each is the reason for a refused request, and the page shows it as a sentence.
 
 use homebody_core::problem::counted;
 use homebody_log::places::RUNS;
