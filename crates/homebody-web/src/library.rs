@@ -387,6 +387,12 @@ fn changed_ms(folder: &Path) -> Option<i64> {
 /// A problem of a log, without a hint at options of the command: a page has none, and drawing instead.
 fn without_options(problem: Diagnostic) -> Diagnostic {
     let drawing = "start an empty home, draw its rooms, and place sensors with these names";
+    if problem.code.is_empty() {
+        // Several problems have a line each, and their hints have more.
+        let is_option = |line: &str| line.trim_start().starts_with("hint: ") && line.contains(" --");
+        let line = |line: &str| if is_option(line) { format!("  hint: {drawing}") } else { line.to_owned() };
+        return problem.text().lines().map(line).collect::<Vec<String>>().join("\n").into();
+    }
     let hint = problem.hint.map(|hint| if hint.contains(" --") { drawing.to_owned() } else { hint });
     Diagnostic { hint, ..problem }
 }
