@@ -114,7 +114,7 @@ def test_a_wrong_answer_of_a_driver_says_what_of_it(home: hb.Scenario, answer: o
         ("hb.cohort('studio', 1, 'never', cluster='tcp://127.0.0.1:1', workers=3)", "workers is 3: only a local cluster"),
         ("run.windows(-1)", "span is -1; expected more than 0"),
         ("run.windows(1e-9)", "span is 1e-09; expected at least a microsecond"),
-        ("run.windows('0.00001s')", "span is 0.00001 s: it would be"),
+        ("run.windows('0.00001s')", "span is 0.00001 s: the log has"),
         ("run.windows('1.2.3s')", "span is '1.2.3s'"),
         ("hb.read(run.folder, time_zone='Mars')", 'time_zone is "Mars": no time zone has this name'),
         ("hb.cohort('studio', 1, 'never', truth='some')", "truth is 'some'; expected all or brief"),

@@ -111,7 +111,7 @@ def test_pictures_are_drawn(run: hb.Run, tmp_path: Path) -> None:
         pictures[0].save(tmp_path / "nodir" / "x.png")
     with pytest.raises(ValueError, match="day is 99: the log goes from 2009-03-02 to 2009-03-03"):
         run.day(99)
-    with pytest.raises(ValueError, match='day is "second": write a date'):
+    with pytest.raises(ValueError, match='day is "second": "second" is not a date'):
         run.day("second")
 
 

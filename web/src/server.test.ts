@@ -73,6 +73,13 @@ test('what the server says went wrong is what is shown', async () => {
   await expect(cut.json('/api/x')).rejects.toThrow('Cannot reach');
 });
 
+test('a refusal has the sentence and the code of its message', async () => {
+  const told = { code: 'page::no-run', what: 'There is no run "a".', data: { run: 'a' } };
+  const server = new Server(HEX, () => {}, async () => Response.json(told, { status: 404 }));
+  const error = await server.json('/api/x').catch((error: unknown) => error);
+  expect(error).toMatchObject({ status: 404, message: 'There is no run "a".', code: 'page::no-run' });
+});
+
 test('a file has the name that the server gives it', async () => {
   const headers = { 'content-disposition': 'attachment; filename="log.db"' };
   const server = new Server(HEX, () => {}, async () => new Response('x', { headers }));

@@ -3,6 +3,7 @@
 
 import { decode } from '@msgpack/msgpack';
 import { type Keeper, keep, read } from './kept';
+import type { RefusedView } from './wire';
 
 const TOKEN = 'homebody-token';
 
@@ -39,9 +40,21 @@ export class Refused extends Error {
   constructor(
     readonly status: number,
     message: string,
+    /** The stable code of the message, such as `page::no-run`. */
+    readonly code: string | null = null,
   ) {
     super(message);
   }
+}
+
+/** The reason in an answer without success. An answer that is not from Homebody has plain text. */
+async function refusal(answer: Response): Promise<Refused> {
+  const text = (await answer.text()).trim();
+  if (answer.headers.get('content-type')?.startsWith('application/json')) {
+    const told = JSON.parse(text) as RefusedView;
+    return new Refused(answer.status, told.what.slice(0, 500), told.code ?? null);
+  }
+  return new Refused(answer.status, text.slice(0, 500) || `The server answered with status ${answer.status}.`);
 }
 
 export type Fetch = (path: string, init: RequestInit) => Promise<Response>;
@@ -112,8 +125,7 @@ export class Server {
       throw new Refused(401, 'The server does not accept this access token.');
     }
     if (!answer.ok) {
-      const said = (await answer.text()).trim().slice(0, 500);
-      throw new Refused(answer.status, said || `The server answered with status ${answer.status}.`);
+      throw await refusal(answer);
     }
     return answer;
   }

@@ -244,6 +244,10 @@ walked_back: string | null,
  */
 problem: string | null, 
 /**
+ * The stable code of the problem.
+ */
+problem_code?: string, 
+/**
  * When its files were begun, in milliseconds since 1970, where that is known.
  */
 made_ms: number | null, 
@@ -719,7 +723,11 @@ run: string | null,
 /**
  * Why none came of it.
  */
-problem: string | null, };
+problem: string | null, 
+/**
+ * The stable code of the problem.
+ */
+problem_code?: string, };
 
 export type WalkState = "coming" | "walking" | "done" | "failed" | "stopped";
 
@@ -733,7 +741,21 @@ seed: number | null, } | { "say": "stop" } | { "say": "replay", run: string, };
 
 export type Key = "up" | "down" | "left" | "right" | "fast" | "slow";
 
-export type Tell = { "tell": "run", run: RunView, } | { "tell": "note", text: string, bad: boolean, } | { "tell": "unbegun", why: string, problems: Array<ProblemView>, };
+export type Tell = { "tell": "run", run: RunView, } | { "tell": "note", text: string, bad: boolean, code?: string, } | { "tell": "unbegun", why: string, problems: Array<ProblemView>, code?: string, };
+
+export type RefusedView = { 
+/**
+ * The stable code, such as `page::no-run`.
+ */
+code?: string, 
+/**
+ * The message, as sentences.
+ */
+what: string, 
+/**
+ * The values that the message quotes, by name.
+ */
+data: Record<string, unknown>, };
 
 export type FilesView = { 
 /**
@@ -1055,7 +1077,11 @@ export type ConnectView = { works: boolean,
 /**
  * What was found there, or why it does not work and what to do.
  */
-said: string, };
+said: string, 
+/**
+ * The stable code of the message, where it does not work.
+ */
+code?: string, };
 
 export type GrowthView = { 
 /**
@@ -1140,6 +1166,10 @@ problems: Array<ProblemView>,
  * Why there is none, in a sentence.
  */
 refused: string | null, 
+/**
+ * The stable code of that message.
+ */
+code?: string, 
 /**
  * The sensors as `home.json` takes them: a list in JSON.
  */

@@ -3,6 +3,7 @@
 //! A log in local time is taken as it is; one in UTC is first put on the wall of a zone. A day has 24 hours: where a clock
 //! changes for daylight saving time, an hour of that day is empty or holds two.
 
+use homebody_core::problem::readable;
 use homebody_core::time::{DAY, Micros, SECOND};
 use homebody_log::source::Clock;
 use homebody_log::source::OffsetSpan;
@@ -166,6 +167,19 @@ pub fn put_on_wall(log: &mut Log, zone: &TimeZone) {
     }
 }
 
+homebody_core::messages! {
+    /// Problems with the date of a day.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum DateMessage in "date" {
+        /// A day of a log is a date of the calendar, or the word `first` or `last`. The date must exist: February has no day 30.
+        Invalid {
+            /// The text.
+            text: String,
+        } error "invalid" ("{text:?} is not a date")
+            hint ("write a date such as 2009-03-02, or first or last");
+    }
+}
+
 /// A day as somebody asks for it: `2009-03-02`, `first`, `last`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Asked {
@@ -189,20 +203,19 @@ impl Asked {
 }
 
 impl FromStr for Asked {
-    type Err = String;
+    type Err = DateMessage;
 
-    fn from_str(text: &str) -> Result<Asked, String> {
+    fn from_str(text: &str) -> Result<Asked, DateMessage> {
+        let invalid = || DateMessage::Invalid { text: readable(text.to_owned()) };
         match text {
             "first" => Ok(Asked::First),
             "last" => Ok(Asked::Last),
             // Nothing but a whole date: the parser takes times, too.
-            text if text.len() == 10 => text.parse().map(Asked::On).map_err(|_| NO_DATE.into()),
-            _ => Err(NO_DATE.into()),
+            text if text.len() == 10 => text.parse().map(Asked::On).map_err(|_| invalid()),
+            _ => Err(invalid()),
         }
     }
 }
-
-const NO_DATE: &str = "write a date such as 2009-03-02, or first or last";
 
 impl fmt::Display for Asked {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {

@@ -10,6 +10,9 @@ pub mod coverage;
 /// What is put up in a home: devices, places in words, heights and angles; two layouts side by side.
 pub mod parts;
 
+/// The messages of this crate.
+pub mod catalogue;
+
 /// Dates and hours on the clock on the wall.
 pub mod dates;
 /// Which rows of a log are signs of somebody, and of which sensors.

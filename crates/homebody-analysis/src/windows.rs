@@ -9,7 +9,7 @@
 
 use crate::dates::{ahead, instant};
 use crate::signs::{Meanings, Says};
-use homebody_core::time::Micros;
+use homebody_core::time::{Micros, seconds};
 use homebody_log::source::Activity;
 use homebody_log::{Event, Life, Log};
 use jiff::tz::TimeZone;
@@ -44,15 +44,34 @@ pub struct Window {
     pub last: Option<u32>,
 }
 
+homebody_core::messages! {
+    /// Problems with the windows of a log.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum WindowMessage in "window" {
+        /// A window covers a part of the log. Its length is a number of seconds, and at least a microsecond.
+        NoLength {
+            /// The length, in microseconds.
+            length_us: Micros,
+        } error "no-length" ("a window cannot be {seconds} s long", seconds = seconds(*length_us))
+            hint ("choose a length above 0");
+        /// Each window is a row of the answer. The limit of their number protects the memory.
+        TooMany {
+            /// The number of windows.
+            windows: i64,
+        } error "too-many" ("the log has {windows} windows of this length, and the limit is {MOST}")
+            hint ("choose a longer window");
+    }
+}
+
 /// Cuts a log into windows of a length, from its first row to its last; `lives` are on its clock. `zone` is that of the wall that they are
 /// cut by; where the log's own clock is that on the wall, it is UTC.
 ///
 /// # Errors
 ///
-/// In words, if there would be more than [`MOST`], or the length is none.
-pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Result<Windows, String> {
+/// If there would be more than [`MOST`], or the length is not above 0.
+pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Result<Windows, WindowMessage> {
     if span <= 0 {
-        return Err("a window is longer than nothing".into());
+        return Err(WindowMessage::NoLength { length_us: span });
     }
     let events = log.in_order();
     let (Some(first), Some(last)) = (events.first(), events.last()) else {
@@ -61,7 +80,7 @@ pub fn windows(log: &Log, lives: &[Life], span: Micros, zone: &TimeZone) -> Resu
     let (first, last) = (first.at, last.at);
     let many = last.div_euclid(span) - first.div_euclid(span) + 1;
     if many > MOST {
-        return Err(format!("it would be {many} windows, and {MOST} are the most"));
+        return Err(WindowMessage::TooMany { windows: many });
     }
     let mut wall = Wall::new(zone, first);
     let mut within = wall.first(first, span);

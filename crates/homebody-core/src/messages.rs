@@ -70,6 +70,12 @@ impl Datum for Path {
     }
 }
 
+impl Datum for jiff::civil::Date {
+    fn datum(&self) -> Value {
+        Value::from(self.to_string())
+    }
+}
+
 impl Datum for std::io::Error {
     fn datum(&self) -> Value {
         Value::from(self.to_string())

@@ -2,6 +2,9 @@
 //!
 //! Nothing here reads or writes a file: scenarios and the texts of recordings come in, figures and pictures go out.
 
+/// The messages of this crate.
+pub mod catalogue;
+
 /// The walks of Godsey & Skubic (2009) past a motion sensor.
 pub mod godsey2009;
 

@@ -74,15 +74,28 @@ impl Error {
     }
 }
 
-/// Why nothing is measured.
-#[derive(Debug, thiserror::Error)]
-pub enum NotMeasured {
-    /// The log or its lives came to a bad end.
-    #[error(transparent)]
-    Lives(#[from] NotWalked),
-    /// The log tells of no motion.
-    #[error(transparent)]
-    NoMap(#[from] NoMap),
+homebody_core::messages! {
+    /// Reasons why a simulated log cannot be measured: errors of other areas.
+    pub enum NotMeasured in "measured" {
+        => inner {
+            /// The simulation failed, or its log cannot be written.
+            Lives(NotWalked);
+            /// The log has no measures.
+            NoMap(NoMap);
+        }
+    }
+}
+
+impl From<NotWalked> for NotMeasured {
+    fn from(error: NotWalked) -> NotMeasured {
+        NotMeasured::Lives(error)
+    }
+}
+
+impl From<NoMap> for NotMeasured {
+    fn from(error: NoMap) -> NotMeasured {
+        NotMeasured::NoMap(error)
+    }
 }
 
 /// Lives a home of one resident for so many days, and measures its log and its truth.

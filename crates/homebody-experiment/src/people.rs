@@ -30,21 +30,38 @@ pub const CONDITIONS: [(&str, usize); 8] = [
 ];
 const SEVERITIES: [&str; 3] = ["mild", "moderate", "severe"];
 
-/// Why people do not live.
-#[derive(Debug, thiserror::Error)]
-pub enum NotLived {
-    /// The home, or what they do in it, is not as it should be.
-    #[error(transparent)]
-    Problems(#[from] Problems),
-    /// Nobody there can show a condition.
-    #[error("the first resident lives by no routine, so nobody can show a condition")]
-    NoRoutine,
-    /// A life, or what is made of its log, came to a bad end.
-    #[error(transparent)]
-    NotMeasured(#[from] NotMeasured),
-    /// Nobody waits for them any more.
-    #[error("nobody waits for it")]
-    Stopped,
+homebody_core::messages! {
+    /// Reasons why the people of an experiment cannot be simulated.
+    pub enum NotLived in "people" {
+        /// An experiment on alerts gives conditions to the first resident of the scenario. A condition changes a routine, and this resident
+        /// has another driver:
+        ///
+        /// ```json
+        /// { "driver": { "routine": "resident.routine" } }
+        /// ```
+        NoRoutine error "no-routine" ("the first resident has no routine, so no condition can be simulated")
+            hint ("name a routine as the driver in the file of the first resident");
+        /// The program that started the work stopped it before its end.
+        Stopped error "stopped" ("the work was stopped");
+        => inner {
+            /// The files of the scenario have problems.
+            Problems(Problems);
+            /// A simulation failed, or its log cannot be measured.
+            NotMeasured(NotMeasured);
+        }
+    }
+}
+
+impl From<Problems> for NotLived {
+    fn from(problems: Problems) -> NotLived {
+        NotLived::Problems(problems)
+    }
+}
+
+impl From<NotMeasured> for NotLived {
+    fn from(error: NotMeasured) -> NotLived {
+        NotLived::NotMeasured(error)
+    }
 }
 
 /// A scenario that can be lived.

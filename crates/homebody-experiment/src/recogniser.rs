@@ -42,23 +42,29 @@ const FEW_DAYS: usize = 3;
 pub const LEARNT_FROM: [&str; 4] =
     ["simulated days", "real first half", "three real days", "simulated days and these three"];
 
-/// Why nothing can be recognised.
-#[derive(Debug, thiserror::Error)]
-pub enum NotRecognised {
-    /// The log has no annotations.
-    #[error(
-        "it tells nothing of what was done\n  hint: annotations stand in a file beside it, such as OrdonezA_ADLs.txt"
-    )]
-    NoActivities,
-    /// The log has too few days.
-    #[error("{0} days are too few: halves of {FEW_DAYS} days and more are learnt from and judged")]
-    TooFewDays(i64),
-    /// Sensors of the flat that the log does not have.
-    #[error("it has no {0}\n  hint: the flat is that of home A of the data set")]
-    NoSensor(String),
-    /// The flat is not lived in.
-    #[error(transparent)]
-    NotLived(#[from] NotLived),
+homebody_core::messages! {
+    /// Reasons why the experiment with recognisers is not possible.
+    pub enum NotRecognised in "recogniser" {
+        /// A recogniser is trained on activities that people noted. The data set has them in a file of its own, next to the file of the
+        /// sensors.
+        NoActivities error "no-activities" ("the log has no activities")
+            hint ("put the file of activities, such as OrdonezA_ADLs.txt, into the folder of the log");
+        /// The experiment trains on the first half of the days, and tests on the second. Each half must have some days.
+        TooFewDays(days: i64) error "too-few-days" ("the log has {days} days, and each half needs {FEW_DAYS}");
+        /// The experiment simulates the flat of home A of the data set, with all its sensors. The log must have the same.
+        NoSensor(sensor: String) error "no-sensor" ("the log has no sensor {sensor:?}")
+            hint ("name the log of home A of the data set");
+        => inner {
+            /// The flat cannot be simulated.
+            NotLived(NotLived);
+        }
+    }
+}
+
+impl From<NotLived> for NotRecognised {
+    fn from(error: NotLived) -> NotRecognised {
+        NotRecognised::NotLived(error)
+    }
 }
 
 /// The real days, and the flat with the routine that was written from the first half of them.

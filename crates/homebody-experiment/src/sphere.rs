@@ -31,7 +31,7 @@ pub use compare::{compare_run, compare_runs, hold};
 pub use comparison::{Comparison, Figures, Finding, RoomComparison};
 pub use experiment::{Experiment, Recording, Undone};
 pub use house::House;
-pub use parse::{BadRow, Texts, parse};
+pub use parse::{BadRow, RowMessage, Texts, parse};
 pub use path::{Unplaced, path_of};
 pub use short_stays::{ShortStay, without_short_stays};
 pub use walked_back::WalkedBack;

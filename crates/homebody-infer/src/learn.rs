@@ -70,18 +70,31 @@ struct Counted {
     turns: Vec<Vec<f64>>,
 }
 
-/// Why nothing can be learnt of a home.
-#[derive(Debug, thiserror::Error)]
-pub enum NotLearnt {
-    /// It has no resident, by whose body and pace it could be gone through.
-    #[error("nobody lives in this home")]
-    Nobody,
-    /// The body could not go through it.
-    #[error("the home cannot be walked through: {0}")]
-    Walk(#[from] DriverError),
-    /// What its sensors say cannot be written.
-    #[error(transparent)]
-    Log(#[from] LogError),
+homebody_core::messages! {
+    /// Reasons why Homebody cannot compute how the sensors of a home respond.
+    pub enum NotLearnt in "response" {
+        /// Homebody lets the body of a resident go everywhere in the home, and counts the rows of the sensors. The home has no resident.
+        Nobody error "no-residents" ("the home has no residents, so no body can go through it")
+            hint ("add a file to \"residents\" in scenario.json");
+        /// Homebody lets the body of a resident go everywhere in the home, and counts the rows of the sensors. The body could not continue.
+        Walk(why: String) error "not-walkable" ("a body cannot go through the home: {why}");
+        => inner {
+            /// The rows of the sensors cannot be written.
+            Log(LogError);
+        }
+    }
+}
+
+impl From<DriverError> for NotLearnt {
+    fn from(error: DriverError) -> NotLearnt {
+        NotLearnt::Walk(error.to_string())
+    }
+}
+
+impl From<LogError> for NotLearnt {
+    fn from(error: LogError) -> NotLearnt {
+        NotLearnt::Log(error)
+    }
 }
 
 /// Devices that feel whether somebody is there, by the keys of their kinds.

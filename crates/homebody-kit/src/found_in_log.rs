@@ -136,7 +136,7 @@ fn seen_falls<'a>(read: &'a LogWithRun, rooms: Option<&[Stay]>) -> Result<Vec<St
 fn of_alerts(read: &LogWithRun) -> Result<Vec<Stay<'static>>, Error> {
     let unread = |why: String| Error::Find(Unfindable::Unread(why));
     let measures = read.measures().map_err(|why| unread(why.to_string()))?;
-    let rules = Rules::read(USUAL).map_err(|problems| unread(problems.join("; ")))?;
+    let rules = Rules::read(USUAL).map_err(|problems| unread(problems.to_string()))?;
     let stay = |alert: homebody_analysis::alerts::Alert| Stay {
         begin: midnight(alert.date),
         end: midnight(alert.date) + DAY,

@@ -97,7 +97,7 @@ impl LongLog {
             given = given.max(at);
             // When clocks are set back, an hour repeats.
             let is_order = at >= before || self.zone.is_some() && before - at <= SET_BACK;
-            if is_order { take(&Event { at, sensor, value }) } else { Err(NoMap::Disorder(at, before)) }
+            if is_order { take(&Event { at, sensor, value }) } else { Err(NoMap::Disorder { at, before }) }
         };
         let read = stream(self.place.clone(), &self.mapping, &mut |part| {
             for event in &part.events {

@@ -9,6 +9,9 @@
 
 #![warn(missing_docs)]
 
+/// The messages of this crate.
+pub mod catalogue;
+
 mod chart;
 mod coverage_map;
 mod day_chart;
@@ -49,26 +52,31 @@ pub use pdf::{PdfError, pdf};
 pub use realism_page::{realism_chart, realism_page};
 pub use silhouettes::{FilmFrame, SilhouetteStrip, StripMoment, silhouette_film, silhouette_png, silhouette_strip};
 
-/// Why an SVG did not become a PNG.
-#[derive(Debug, thiserror::Error)]
-pub enum PngError {
-    /// The text is no SVG, or one that the renderer does not take.
-    #[error("this is no SVG that can be drawn: {0}")]
-    Svg(#[from] usvg::Error),
-    /// The picture would be empty, or longer on one side than is drawn.
-    #[error("a picture of {width} x {height} pixels cannot be drawn")]
-    Size {
-        /// Pixels from left to right.
-        width: u32,
-        /// Pixels from top to bottom.
-        height: u32,
-    },
-    /// The encoder refused the pixels; the text says why.
-    #[error("the picture could not be written as PNG: {0}")]
-    Encoding(String),
+homebody_core::messages! {
+    /// Reasons why a picture does not become a PNG.
+    pub enum PngError in "picture" {
+        /// Homebody draws pictures as SVG, and makes PNG from them. A program that uses the library can pass SVG of its own, which must be
+        /// valid.
+        Svg(why: String) error "invalid-svg" ("cannot draw this SVG: {why}");
+        /// The limit of a picture protects the memory. The height of a picture follows from its width.
+        Size {
+            /// Pixels from left to right.
+            width: u32,
+            /// Pixels from top to bottom.
+            height: u32,
+        } error "size" ("cannot draw {width} x {height} pixels: a side has 1 to {MOST_PIXELS}");
+        /// The encoder of PNG did not accept the pixels.
+        Encoding(why: String) error "encoding" ("cannot write the picture as PNG: {why}");
+    }
 }
 
-/// Pixels on the longer side above which a picture is refused, to protect the memory.
+impl From<usvg::Error> for PngError {
+    fn from(error: usvg::Error) -> PngError {
+        PngError::Svg(error.to_string())
+    }
+}
+
+/// Largest number of pixels on a side of a picture (our choice): more would take too much memory.
 const MOST_PIXELS: u32 = 16_384;
 
 /// Draws an SVG as a PNG of this width; the height follows.

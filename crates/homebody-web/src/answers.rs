@@ -1,34 +1,63 @@
 //! How answers are made: by threads for what takes its time, in JSON or MessagePack.
 
-use crate::stored_log::Refusal;
+use crate::messages::PageMessage;
+use crate::refusal::{Refusal, sentence};
+use crate::wire::RefusedView;
 use axum::Json;
 use axum::body::{Body, Bytes};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use futures_util::StreamExt;
+use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_import::MOST_BYTES;
 use homebody_kit::Cancel;
 use serde::Serialize;
-use std::io;
+use std::fmt::Display;
 use std::path::Path;
 use tokio::io::AsyncWriteExt;
-use tokio::sync::{AcquireError, Semaphore, SemaphorePermit};
+use tokio::sync::{Semaphore, SemaphorePermit};
 
-/// Why there is no answer, and the code that says so.
-pub type Refused = (StatusCode, String);
+/// A refused request: the status of HTTP, and the message.
+#[derive(Debug)]
+pub struct Refused {
+    pub status: StatusCode,
+    message: Diagnostic,
+}
+
+impl Refused {
+    /// A request refused with a message.
+    pub fn of(status: StatusCode, message: impl Diagnose) -> Refused {
+        Refused { status, message: message.diagnostic() }
+    }
+
+    /// A request refused because of an error of the system.
+    pub fn failed(error: impl Display) -> Refused {
+        Refused::of(StatusCode::INTERNAL_SERVER_ERROR, PageMessage::System { why: error.to_string() })
+    }
+}
+
+impl IntoResponse for Refused {
+    fn into_response(self) -> Response {
+        let what = sentence(&self.message);
+        let Diagnostic { code, data, .. } = self.message;
+        let code = (!code.is_empty()).then(|| code.to_owned());
+        (self.status, Json(RefusedView { code, what, data })).into_response()
+    }
+}
 
 /// Why a thing that is stored is not told.
 pub fn refused(refusal: Refusal) -> Refused {
-    match refusal {
-        Refusal::Unknown(why) => (StatusCode::NOT_FOUND, why),
-        Refusal::Damaged(why) => (StatusCode::UNPROCESSABLE_ENTITY, why),
-        Refusal::Early(why) => (StatusCode::SERVICE_UNAVAILABLE, why),
-    }
+    let (status, message) = match refusal {
+        Refusal::Unknown(message) => (StatusCode::NOT_FOUND, message),
+        Refusal::Damaged(message) => (StatusCode::UNPROCESSABLE_ENTITY, message),
+        Refusal::Early(message) => (StatusCode::SERVICE_UNAVAILABLE, message),
+    };
+    Refused { status, message }
 }
 
 /// What a thread for work that takes its time has found.
 pub async fn found<T: Send + 'static>(find: impl FnOnce() -> T + Send + 'static) -> Result<T, Refused> {
-    tokio::task::spawn_blocking(find).await.map_err(|error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()))
+    tokio::task::spawn_blocking(find).await.map_err(Refused::failed)
 }
 
 /// The same for work that stops when nobody waits for it any more.
@@ -55,7 +84,7 @@ pub fn json(found: Result<impl Serialize, Refused>) -> Response {
 pub fn packed(found: Result<impl Serialize, Refused>) -> Response {
     let pack = |found| match rmp_serde::to_vec_named(&found) {
         Ok(bytes) => ([(header::CONTENT_TYPE, "application/msgpack")], bytes).into_response(),
-        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
+        Err(error) => Refused::failed(error).into_response(),
     };
     found.map_or_else(Refused::into_response, pack)
 }
@@ -79,11 +108,12 @@ pub struct PlanBytes {
 
 /// The bytes of a plan of another program.
 pub async fn plan_of(headers: &HeaderMap, body: Body) -> Result<PlanBytes, Refused> {
-    let too_large = || (StatusCode::PAYLOAD_TOO_LARGE, format!("A plan has at most {} MB.", MOST_BYTES >> 20));
+    let too_large =
+        || Refused::of(StatusCode::PAYLOAD_TOO_LARGE, PageMessage::PlanTooLarge { limit_mb: MOST_BYTES >> 20 });
     if told_length(headers).is_some_and(|length| length > MOST_BYTES) {
         return Err(too_large());
     }
-    let closed = |error: AcquireError| (StatusCode::SERVICE_UNAVAILABLE, error.to_string());
+    let closed = |error| Refused { status: StatusCode::SERVICE_UNAVAILABLE, ..Refused::failed(error) };
     let turn = PLANS.acquire().await.map_err(closed)?;
     let bytes = axum::body::to_bytes(body, MOST_BYTES as usize).await.map_err(|_| too_large())?;
     Ok(PlanBytes { bytes, _turn: turn })
@@ -96,12 +126,11 @@ pub async fn received(
     (most, too_large): (u64, impl Fn() -> Refused),
     is_cancelled: impl Fn() -> bool,
 ) -> Result<bool, Refused> {
-    let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string());
-    let mut file = tokio::fs::File::create(into).await.map_err(failed)?;
+    let mut file = tokio::fs::File::create(into).await.map_err(Refused::failed)?;
     let (mut parts, mut length) = (body.into_data_stream(), 0);
     while let Some(part) = parts.next().await {
         let Ok(part) = part else {
-            return Err((StatusCode::BAD_REQUEST, "The log arrived incomplete. Send it again.".into()));
+            return Err(Refused::of(StatusCode::BAD_REQUEST, PageMessage::LogIncomplete));
         };
         length += part.len() as u64;
         if length > most {
@@ -110,8 +139,8 @@ pub async fn received(
         if is_cancelled() {
             return Ok(false);
         }
-        file.write_all(&part).await.map_err(failed)?;
+        file.write_all(&part).await.map_err(Refused::failed)?;
     }
-    file.flush().await.map_err(failed)?;
+    file.flush().await.map_err(Refused::failed)?;
     Ok(true)
 }

@@ -1,5 +1,6 @@
 //! Copying a folder that may be anybody's: plain files and folders, and not without end.
 
+use crate::messages::LibraryMessage;
 use std::fs;
 use std::path::Path;
 
@@ -12,7 +13,7 @@ const DEEPEST: usize = 8;
 
 /// Copies all but hidden things and those that are called so in the outermost folder. `to` is not there yet, and is left half made
 /// where something is wrong.
-pub fn copy(from: &Path, to: &Path, but: &[&str]) -> Result<(), String> {
+pub fn copy(from: &Path, to: &Path, but: &[&str]) -> Result<(), LibraryMessage> {
     let mut done = Done { files: 0, bytes: 0 };
     done.copy(from, to, but, 0)
 }
@@ -23,34 +24,35 @@ struct Done {
 }
 
 impl Done {
-    fn copy(&mut self, from: &Path, to: &Path, but: &[&str], depth: usize) -> Result<(), String> {
-        let failed = |path: &Path, error: std::io::Error| format!("{}: {error}", path.display());
+    fn copy(&mut self, from: &Path, to: &Path, but: &[&str], depth: usize) -> Result<(), LibraryMessage> {
+        let name = |path: &Path| path.display().to_string();
+        let failed =
+            |path: &Path, error: std::io::Error| LibraryMessage::NotCopied { path: name(path), why: error.to_string() };
         if depth > DEEPEST {
-            return Err(format!("{}: folders are nested more than {DEEPEST} deep", from.display()));
+            return Err(LibraryMessage::TooDeep { folder: name(from), limit: DEEPEST });
         }
         fs::create_dir(to).map_err(|error| failed(to, error))?;
         for entry in fs::read_dir(from).map_err(|error| failed(from, error))? {
             let entry = entry.map_err(|error| failed(from, error))?;
-            let (path, name) = (entry.path(), entry.file_name());
-            if name.as_encoded_bytes().starts_with(b".") || but.iter().any(|but| name == *but) {
+            let (path, own) = (entry.path(), entry.file_name());
+            if own.as_encoded_bytes().starts_with(b".") || but.iter().any(|but| own == *but) {
                 continue;
             }
             let found = fs::symlink_metadata(&path).map_err(|error| failed(&path, error))?;
             if found.is_dir() {
-                self.copy(&path, &to.join(name), &[], depth + 1)?;
+                self.copy(&path, &to.join(own), &[], depth + 1)?;
                 continue;
             }
             if !found.is_file() {
-                let hint = "copy the folder yourself if you want it";
-                return Err(format!("{} is a link or a device, which Homebody does not copy: {hint}.", path.display()));
+                return Err(LibraryMessage::NotPlain { path: name(&path) });
             }
             self.files += 1;
             self.bytes += found.len();
             if self.files > MOST_FILES || self.bytes > MOST_BYTES {
-                let megabytes = MOST_BYTES >> 20;
-                return Err(format!("{} has more than {MOST_FILES} files or {megabytes} MB.", from.display()));
+                let (files, limit_mb) = (MOST_FILES, MOST_BYTES >> 20);
+                return Err(LibraryMessage::TooLarge { folder: name(from), files, limit_mb });
             }
-            fs::copy(&path, to.join(name)).map_err(|error| failed(&path, error))?;
+            fs::copy(&path, to.join(own)).map_err(|error| failed(&path, error))?;
         }
         Ok(())
     }
@@ -75,7 +77,8 @@ mod tests {
         #[cfg(unix)]
         {
             std::os::unix::fs::symlink("/etc/hostname", from.join("conditions/link")).unwrap();
-            assert!(copy(&from, &folder.path().join("again"), &["runs"]).unwrap_err().contains("is a link"));
+            let refused = copy(&from, &folder.path().join("again"), &["runs"]);
+            assert!(matches!(refused, Err(LibraryMessage::NotPlain { .. })), "{refused:?}");
         }
         let mut deep = folder.path().join("deep");
         fs::create_dir_all((0..=DEEPEST).fold(deep.clone(), |path, _| path.join("in"))).unwrap();

@@ -10,15 +10,15 @@ mod naming;
 mod plan;
 mod suggesting;
 
+use crate::messages::DeskMessage;
 use crate::shelf::Shelf;
 use crate::turns::Turns;
 use crate::wire::{
     CheckView, Draft, FileView, FilesView, FixView, LivesView, ProblemView, Save, SaveFile, SavedView, UnderlayView,
 };
-use homebody_core::problem::{Fix, Problem, readable};
+use homebody_core::problem::{Diagnose, Diagnostic, Fix, Problem, readable};
 use homebody_core::scenario::load::{Files, Overlay, Scenario};
 use homebody_core::scenario::remarks;
-use homebody_log::LogError;
 use homebody_log::fresh::FreshFile;
 use homebody_routine::household::Household;
 use serde_json::Value;
@@ -80,15 +80,14 @@ impl Desk {
 
     /// Writes all texts; none where one of the files is another than its text was made from. If a disk fails between two of
     /// them, the error says which were written.
-    pub fn save(&self, save: Save) -> Result<SavedView, String> {
-        let _turn =
-            self.writing.take(&self.shelf.scenario.join(&self.shelf.entry)).map_err(|error| error.to_string())?;
+    pub fn save(&self, save: Save) -> Result<SavedView, Diagnostic> {
+        let _turn = self.writing.take(&self.shelf.scenario.join(&self.shelf.entry))?;
         let names: BTreeSet<&str> = save.files.iter().map(|file| file.name.as_str()).collect();
         if names.len() < save.files.len() {
-            return Err("the request names a file twice".into());
+            return Err(DeskMessage::SameFile.into());
         }
         let is_made = self.make_folder(&names)?;
-        let unknown = |name: &str| readable(format!("{name:?} is not a valid file name in this scenario"));
+        let unknown = |name: &str| DeskMessage::FileName { name: readable(name.to_owned()) };
         let place = |file: &SaveFile| self.shelf.place_of(&file.name).ok_or_else(|| unknown(&file.name));
         let places = save.files.iter().map(place).collect::<Result<Vec<_>, _>>().inspect_err(|_| {
             if is_made {
@@ -103,18 +102,18 @@ impl Desk {
         if !changed.is_empty() {
             return Ok(SavedView { saved: BTreeMap::new(), changed });
         }
-        let failed = |name: &str, error: String| format!("cannot write {name:?}: {error}");
+        let failed = |name: &str, error: Diagnostic, written: Vec<String>| {
+            let (file, why, solution) = (name.to_owned(), error.what, error.hint);
+            Diagnostic::from(DeskMessage::NotWritten { file, why, solution, written })
+        };
         let mut fresh = Vec::new();
         for (file, place) in save.files.iter().zip(&places) {
-            fresh.push(written(place, &file.text).map_err(|error| failed(&file.name, error))?);
+            fresh.push(written(place, &file.text).map_err(|error| failed(&file.name, error, Vec::new()))?);
         }
         let mut saved = BTreeMap::new();
         for (file, fresh) in save.files.iter().zip(fresh) {
             if let Err(error) = fresh.finish() {
-                let before: Vec<&str> = saved.keys().map(String::as_str).collect();
-                let told =
-                    if before.is_empty() { String::new() } else { format!("; {} was written", before.join(", ")) };
-                return Err(failed(&file.name, error.to_string()) + told.as_str());
+                return Err(failed(&file.name, error.diagnostic(), saved.into_keys().collect()));
             }
             saved.insert(file.name.clone(), version(&file.text));
         }
@@ -122,14 +121,12 @@ impl Desk {
     }
 
     /// Makes the scenario's folder where it is gone and its own file is written back; whether that was so.
-    fn make_folder(&self, names: &BTreeSet<&str>) -> Result<bool, String> {
+    fn make_folder(&self, names: &BTreeSet<&str>) -> Result<bool, DeskMessage> {
         let folder = &self.shelf.scenario;
         if folder.exists() || !names.contains(self.shelf.entry.as_str()) {
             return Ok(false);
         }
-        let failed = |error: std::io::Error| {
-            format!("the folder of the scenario was deleted, and Homebody cannot create it again: {error}")
-        };
+        let failed = |error: std::io::Error| DeskMessage::NoFolder { why: error.to_string() };
         std::fs::create_dir(folder).map_err(failed)?;
         Ok(true)
     }
@@ -167,19 +164,18 @@ impl Desk {
 }
 
 /// A text on its way to a file, which begins as the file that is there does.
-fn written(place: &Path, text: &str) -> Result<FreshFile, String> {
+fn written(place: &Path, text: &str) -> Result<FreshFile, Diagnostic> {
     const MARK: &[u8] = "\u{feff}".as_bytes();
-    let told = |error: LogError| error.to_string();
     if let Some(folder) = place.parent().filter(|folder| !folder.exists()) {
-        std::fs::create_dir(folder).map_err(|error| error.to_string())?;
+        std::fs::create_dir(folder).map_err(|error| Diagnostic::from(error.to_string()))?;
     }
-    let mut fresh = FreshFile::create(place, true).map_err(told)?;
+    let mut fresh = FreshFile::create(place, true)?;
     let mut begins = [0; MARK.len()];
     let is_marked = File::open(place).is_ok_and(|mut file| file.read_exact(&mut begins).is_ok()) && begins == MARK;
     if is_marked {
-        fresh.write(MARK).map_err(told)?;
+        fresh.write(MARK)?;
     }
-    fresh.write(text.as_bytes()).map_err(told)?;
+    fresh.write(text.as_bytes())?;
     Ok(fresh)
 }
 

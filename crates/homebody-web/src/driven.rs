@@ -1,5 +1,6 @@
 //! A scenario in which somebody is moved by keys.
 
+use crate::messages::StageMessage;
 use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;
 use homebody_core::scenario::edit::ScenarioEdit;
@@ -7,8 +8,8 @@ use homebody_core::scenario::input::{InputFile, KeysFile};
 use homebody_core::scenario::load::Scenario;
 
 /// Makes a resident one who is moved by keys; returns also the name of the file that holds them.
-pub fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(ScenarioEdit, String), String> {
-    let resident = scenario.residents.get(driven).ok_or("there is no resident with this number")?;
+pub fn drive(scenario: &Scenario, driven: usize, input: &[KeysFile]) -> Result<(ScenarioEdit, String), StageMessage> {
+    let resident = scenario.residents.get(driven).ok_or(StageMessage::NoResident { number: driven })?;
     let name = format!("{}.keys.json", scenario.file.residents[driven].trim_end_matches(".json"));
     let at = standing_place(scenario.home.plan(), resident.file.radius_m);
     let keys = InputFile { schema: None, keys: input.to_vec() };

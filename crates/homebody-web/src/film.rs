@@ -3,7 +3,7 @@
 //! Of the file nothing is read but what is shown, but where falls are looked for in all of it.
 
 use crate::draw;
-use crate::stored_log::{Refusal, damaged};
+use crate::refusal::{Refusal, damaged};
 use crate::wire::{FilmView, MomentView, PersonView, PictureView, PlaybackView};
 use homebody_analysis::falls::rules::FallRules;
 use homebody_analysis::falls::scenes::{Person, Scenes, Seen};

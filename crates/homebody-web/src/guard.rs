@@ -6,6 +6,8 @@
 //! server began. The token comes in a header or, over the socket, in the first message: never in an address, which is logged and
 //! kept.
 
+use crate::answers::Refused;
+use crate::messages::PageMessage;
 use crate::visit::Visit;
 use axum::Extension;
 use axum::extract::{Request, State};
@@ -168,12 +170,12 @@ pub async fn watch(
     // The socket's token comes in its first message.
     let is_open = !path.starts_with("/api/") || is_socket(path);
     let mut response = if !guard.is_for_us(headers, request.uri()) {
-        (StatusCode::FORBIDDEN, "This server does not answer under this host name.").into_response()
+        Refused::of(StatusCode::FORBIDDEN, PageMessage::ForeignHost).into_response()
     } else if !guard.is_from_us(headers) {
-        (StatusCode::FORBIDDEN, "This server answers requests from its own page only.").into_response()
+        Refused::of(StatusCode::FORBIDDEN, PageMessage::ForeignPage).into_response()
     } else if !is_open && !has_token() {
         guard.delay(visit.from()).await;
-        (StatusCode::UNAUTHORIZED, "The token is missing or wrong.").into_response()
+        Refused::of(StatusCode::UNAUTHORIZED, PageMessage::Token).into_response()
     } else {
         next.run(request).await
     };

@@ -7,6 +7,7 @@ use crate::answers::{Refused, found, json, plan_of, received, refused, told_leng
 use crate::guard::{Guard, HOMES};
 use crate::house::{House, LARGEST_BODY_BYTES};
 use crate::library::Library;
+use crate::messages::{LibraryMessage, PageMessage};
 use crate::page::{self, FIRST_PAGE};
 use crate::socket;
 use crate::visit::Visit;
@@ -89,15 +90,14 @@ impl Homes {
         let shelf = found(move || library.home(&sought)).await?.map_err(refused)?;
         if open.len() >= MOST_OPEN {
             let idle = open.iter().position(|opened| !opened.house.is_busy());
-            let why = format!(
-                "{MOST_OPEN} homes are already open, each with a page or a running simulation. Close the page of one."
-            );
-            let idle = open.remove(idle.ok_or((StatusCode::SERVICE_UNAVAILABLE, why))?);
+            let full =
+                || Refused::of(StatusCode::SERVICE_UNAVAILABLE, LibraryMessage::TooManyOpen { limit: MOST_OPEN });
+            let idle = open.remove(idle.ok_or_else(full)?);
             found(move || idle.house.close()).await?;
         }
         let (guard, pages) = (self.guard.clone(), self.pages.clone());
         let house = found(move || House::open(shelf, guard, pages)).await?;
-        let house = house.map_err(|why| (StatusCode::INTERNAL_SERVER_ERROR, why))?;
+        let house = house.map_err(|why| Refused::of(StatusCode::INTERNAL_SERVER_ERROR, why))?;
         let opened = Opened { name: name.to_owned(), routes: house.clone().routes(), house };
         open.push(opened.clone());
         Ok(opened)
@@ -167,11 +167,8 @@ async fn made_of_log(
     body: Body,
 ) -> Result<MadeView, Refused> {
     let too_large = || {
-        let what = format!(
-            "The page takes logs of at most {} MB. For a larger log, use homebody new --from-log.",
-            LARGEST_LOG_BYTES >> 20
-        );
-        (StatusCode::PAYLOAD_TOO_LARGE, what)
+        let (limit_mb, command) = (LARGEST_LOG_BYTES >> 20, "homebody new --from-log");
+        Refused::of(StatusCode::PAYLOAD_TOO_LARGE, PageMessage::LogTooLarge { limit_mb, command })
     };
     if told_length(headers).is_some_and(|length| length > LARGEST_LOG_BYTES) {
         return Err(too_large());
@@ -226,7 +223,7 @@ async fn live(
     let guard = homes.guard.clone();
     socket::upgraded(upgrade, &headers, visit, guard, async move |socket, visit| match homes.opened(&name).await {
         Ok(opened) => opened.house.show(socket, visit).await,
-        Err((StatusCode::NOT_FOUND, _)) => socket::close_without_home(socket).await,
+        Err(refused) if refused.status == StatusCode::NOT_FOUND => socket::close_without_home(socket).await,
         Err(_) => socket::close_for_now(socket).await,
     })
 }

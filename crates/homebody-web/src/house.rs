@@ -4,9 +4,11 @@ use crate::answers::{Refused, found, found_while_waited_for, json, packed, plan_
 use crate::desk::Desk;
 use crate::guard::{Guard, SOCKET};
 use crate::keeping;
+use crate::messages::PageMessage;
 use crate::notes::{Notes, Unnoted};
 use crate::page;
-use crate::playback::{Playback, Refusal};
+use crate::playback::Playback;
+use crate::refusal::Refusal;
 use crate::shelf::Shelf;
 use crate::socket;
 use crate::stage::Stage;
@@ -24,7 +26,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use axum::{Extension, Json, Router};
 use futures_util::stream::{Stream, try_unfold};
-use homebody_import::NotImported;
+use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_kit::Cancel;
 use homebody_log::places::RECORDING;
 use std::io;
@@ -54,7 +56,7 @@ pub struct House {
 
 impl House {
     /// Opens a scenario, with its run at its start.
-    pub fn open(shelf: Shelf, guard: Guard, pages: Arc<Semaphore>) -> Result<House, String> {
+    pub fn open(shelf: Shelf, guard: Guard, pages: Arc<Semaphore>) -> Result<House, Diagnostic> {
         Ok(House {
             stage: Stage::open(shelf.clone())?,
             playback: Playback::new(shelf.clone()),
@@ -168,7 +170,7 @@ async fn underlay(State(house): State<House>) -> Response {
 
 /// The picture below the plan.
 async fn picture(State(house): State<House>) -> Response {
-    download(move || house.shelf.picture(&house.desk.underlay()?.picture), "There is no image under the plan.").await
+    download(move || house.shelf.picture(&house.desk.underlay()?.picture), PageMessage::NoImage).await
 }
 
 async fn versions(State(house): State<House>) -> Response {
@@ -176,8 +178,7 @@ async fn versions(State(house): State<House>) -> Response {
 }
 
 async fn save(State(house): State<House>, Json(save): Json<Save>) -> Response {
-    let refused = |why: String| (StatusCode::UNPROCESSABLE_ENTITY, why);
-    json(found(move || house.desk.save(save)).await.and_then(|saved| saved.map_err(refused)))
+    json(found(move || house.desk.save(save)).await.and_then(|saved| saved.map_err(unprocessable)))
 }
 
 async fn check(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
@@ -207,8 +208,7 @@ async fn parts(State(house): State<House>, Json(draft): Json<Draft>) -> Response
 
 /// Sheets to print.
 async fn sheet(State(house): State<House>, Json(draft): Json<Draft>) -> Response {
-    let refused = |why: String| (StatusCode::UNPROCESSABLE_ENTITY, why);
-    let bytes = found(move || house.desk.sheet(draft)).await.and_then(|bytes| bytes.map_err(refused));
+    let bytes = found(move || house.desk.sheet(draft)).await.and_then(|bytes| bytes.map_err(unprocessable));
     bytes.map_or_else(Refused::into_response, |bytes| {
         ([(header::CONTENT_TYPE, "application/pdf")], bytes).into_response()
     })
@@ -233,8 +233,7 @@ async fn import(State(house): State<House>, headers: HeaderMap, body: Body) -> R
         Ok(plan) => plan,
         Err(refused) => return refused.into_response(),
     };
-    let refused = |why: NotImported| (StatusCode::UNPROCESSABLE_ENTITY, why.to_string());
-    json(found(move || house.desk.import(&plan.bytes)).await.and_then(|made| made.map_err(refused)))
+    json(found(move || house.desk.import(&plan.bytes)).await.and_then(|made| made.map_err(unprocessable)))
 }
 
 async fn explain(State(house): State<House>, Json(asked): Json<Explain>) -> Response {
@@ -270,7 +269,7 @@ async fn stored_run(State(house): State<House>, Path(run): Path<String>) -> Resp
 /// A day of a stored run.
 async fn stored_day(State(house): State<House>, Path((run, day)): Path<(String, String)>) -> Response {
     let Ok(day) = day.parse() else {
-        return (StatusCode::NOT_FOUND, "The days of a run are numbered from 0.").into_response();
+        return Refused::of(StatusCode::NOT_FOUND, PageMessage::Number).into_response();
     };
     packed(found(move || house.playback.day(&run, day)).await.and_then(|day| day.map_err(refused)))
 }
@@ -278,8 +277,7 @@ async fn stored_day(State(house): State<House>, Path((run, day)): Path<(String, 
 /// What a day's answer had no time for: movements from an instant on.
 async fn rest_of_day(State(house): State<House>, Path((run, day, from)): Path<(String, String, String)>) -> Response {
     let (Ok(day), Ok(from)) = (day.parse(), from.parse()) else {
-        return (StatusCode::NOT_FOUND, "The days of a run are numbered from 0, its instants counted in microseconds.")
-            .into_response();
+        return Refused::of(StatusCode::NOT_FOUND, PageMessage::Number).into_response();
     };
     packed(found(move || house.playback.rest_of_day(&run, day, from)).await.and_then(|day| day.map_err(refused)))
 }
@@ -298,7 +296,7 @@ async fn silhouettes(
     Path((run, from, to, every)): Path<(String, String, String, String)>,
 ) -> Response {
     let (Ok(from), Ok(to), Ok(every)) = (from.parse(), to.parse(), every.parse()) else {
-        return (StatusCode::NOT_FOUND, "Instants of a run are counted in microseconds.").into_response();
+        return Refused::of(StatusCode::NOT_FOUND, PageMessage::Number).into_response();
     };
     packed(found(move || house.playback.film(&run, (from, to), every)).await.and_then(|film| film.map_err(refused)))
 }
@@ -320,7 +318,7 @@ async fn call(State(house): State<House>, Path(run): Path<String>, Json(about): 
 
 async fn put_aside(State(house): State<House>, Path(run): Path<String>) -> Response {
     if house.stage.recorded().as_ref() == Some(&run) {
-        return (StatusCode::CONFLICT, "This run is running. Stop it first.").into_response();
+        return Refused::of(StatusCode::CONFLICT, PageMessage::RunRunning).into_response();
     }
     json(found(move || keeping::put_aside(&house.shelf, &run)).await.and_then(|aside| aside.map_err(refused)))
 }
@@ -343,7 +341,7 @@ async fn notes(State(house): State<House>, Path(run): Path<String>) -> Response 
 async fn note(State(house): State<House>, Path(run): Path<String>, Json(note): Json<NoteIt>) -> Response {
     let unnoted = |why: Unnoted| match why {
         Unnoted::Refused(refusal) => refused(refusal),
-        Unnoted::Changed(why) => (StatusCode::CONFLICT, why),
+        Unnoted::Changed(why) => Refused::of(StatusCode::CONFLICT, why),
     };
     json(found(move || house.notes.note(&run, note)).await.and_then(|notes| notes.map_err(unnoted)))
 }
@@ -409,21 +407,15 @@ async fn begun(
     body: Body,
 ) -> Result<Option<WalkingView>, Refused> {
     let too_large = || {
-        let what = format!(
-            "The page takes logs of at most {} MB. For a larger log, use homebody locate.",
-            LARGEST_LOG_BYTES >> 20
-        );
-        (StatusCode::PAYLOAD_TOO_LARGE, what)
+        let (limit_mb, command) = (LARGEST_LOG_BYTES >> 20, "homebody locate");
+        Refused::of(StatusCode::PAYLOAD_TOO_LARGE, PageMessage::LogTooLarge { limit_mb, command })
     };
-    let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string());
     if told_length(headers).is_some_and(|length| length > LARGEST_LOG_BYTES) {
         return Err(too_large());
     }
     let coming = walks.begin(&log, home).map_err(|why| match why {
-        Unwalked::Busy(log) => {
-            (StatusCode::CONFLICT, format!("Homebody is locating people in {log}. Wait for it, or stop it."))
-        }
-        Unwalked::NoPlace(error) => failed(error),
+        Unwalked::Busy(log) => Refused::of(StatusCode::CONFLICT, PageMessage::Locating { log }),
+        Unwalked::NoPlace(error) => Refused::failed(error),
     })?;
     let whole = received(body, &coming.file(), (LARGEST_LOG_BYTES, too_large), || coming.is_cancelled()).await?;
     if !whole {
@@ -440,17 +432,22 @@ async fn file_of_run(State(house): State<House>, Path((run, what)): Path<(String
         "recording" => house.shelf.file_of_run(&run, RECORDING),
         _ => None,
     };
-    download(find, "This run does not have this file.").await
+    download(find, PageMessage::NoFile).await
+}
+
+/// A request refused because of its contents, or because of a file.
+fn unprocessable(message: impl Diagnose) -> Refused {
+    Refused::of(StatusCode::UNPROCESSABLE_ENTITY, message)
 }
 
 /// A file, as a download.
-async fn download(find: impl FnOnce() -> Option<PathBuf> + Send + 'static, otherwise: &'static str) -> Response {
+async fn download(find: impl FnOnce() -> Option<PathBuf> + Send + 'static, otherwise: PageMessage) -> Response {
     let path = match found(find).await {
         Ok(Some(path)) => path,
-        Ok(None) => return (StatusCode::NOT_FOUND, otherwise).into_response(),
+        Ok(None) => return Refused::of(StatusCode::NOT_FOUND, otherwise).into_response(),
         Err(refused) => return refused.into_response(),
     };
-    let failed = |error: io::Error| (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response();
+    let failed = |error: io::Error| Refused::failed(error).into_response();
     let file = match tokio::fs::File::open(&path).await {
         Ok(file) => file,
         Err(error) => return failed(error),

@@ -3,13 +3,16 @@
 //! What somebody calls a run is a small file of JSON in its folder.
 
 use crate::aside::{self, Unmoved};
+use crate::messages::PageMessage;
+use crate::refusal::{Refusal, damaged, failed, unknown};
 use crate::shelf::Shelf;
-use crate::stored_log::{Refusal, damaged};
 use crate::wire::{PutAside, RunAbout};
+use homebody_core::problem::readable;
 use homebody_core::scenario::inside::ABOUT;
 use homebody_kit::walked::RELIVED;
 use homebody_log::fresh::FreshFile;
 use homebody_log::plain;
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Largest numbers of letters of a title, and of a note (our choice).
@@ -18,15 +21,15 @@ const LONGEST_NOTE: usize = 2000;
 /// Largest size of such a file: a letter has at most four bytes, and six as JSON escapes it.
 const LARGEST_BYTES: u64 = 32 << 10;
 
-fn unknown(run: &str) -> Refusal {
-    Refusal::Unknown(format!("There is no run {run:?}."))
+fn no_run(run: &str) -> Refusal {
+    unknown(PageMessage::NoRun { run: readable(run.to_owned()) })
 }
 
 /// Where that is kept; a link may lead to what its author was never to see.
 fn place(shelf: &Shelf, run: &str) -> Result<PathBuf, Refusal> {
-    let folder = shelf.run(run).ok_or_else(|| unknown(run))?;
-    plain::within(&folder, Path::new(ABOUT))
-        .ok_or_else(|| damaged(format!("{ABOUT} links to a place outside the folder of the run.")))
+    let folder = shelf.run(run).ok_or_else(|| no_run(run))?;
+    let outside = || damaged(PageMessage::LinkOutside { file: ABOUT.into() });
+    plain::within(&folder, Path::new(ABOUT)).ok_or_else(outside)
 }
 
 /// What a run is called; nothing where nobody has said, or where that cannot be read.
@@ -40,14 +43,12 @@ pub fn about(shelf: &Shelf, run: &str) -> RunAbout {
 pub fn call(shelf: &Shelf, run: &str, about: RunAbout) -> Result<RunAbout, Refusal> {
     let letters = |text: &str| text.chars().count();
     if letters(&about.title) > LONGEST_TITLE || letters(&about.note) > LONGEST_NOTE {
-        let what =
-            format!("The name of a run has at most {LONGEST_TITLE} characters, and its note at most {LONGEST_NOTE}.");
-        return Err(Refusal::Damaged(what));
+        return Err(damaged(PageMessage::TitleLength { title: LONGEST_TITLE, note: LONGEST_NOTE }));
     }
     let place = place(shelf, run)?;
-    let text = serde_json::to_string_pretty(&about).map_err(damaged)? + "\n";
+    let text = serde_json::to_string_pretty(&about).map_err(failed)? + "\n";
     let written = FreshFile::write_whole(&place, text.as_bytes(), true);
-    written.map_err(|error| damaged(format!("Cannot write {ABOUT}: {error}")))?;
+    written.map_err(|error| damaged(PageMessage::NotWritten { file: ABOUT.into(), why: error.to_string() }))?;
     Ok(about)
 }
 
@@ -55,17 +56,18 @@ pub fn call(shelf: &Shelf, run: &str, about: RunAbout) -> Result<RunAbout, Refus
 pub fn put_aside(shelf: &Shelf, run: &str) -> Result<PutAside, Refusal> {
     let name =
         shelf.run(run).map(|_| run.strip_suffix(RELIVED).and_then(|folder| folder.strip_suffix('/')).unwrap_or(run));
-    let name = name.ok_or_else(|| unknown(run))?;
+    let name = name.ok_or_else(|| no_run(run))?;
     let key = aside::put(&shelf.runs, name);
-    key.map(|key| PutAside { key }).map_err(|error| damaged(format!("Cannot delete {name}: {error}")))
+    let undeleted = |error: io::Error| damaged(PageMessage::NotDeleted { name: name.into(), why: error.to_string() });
+    key.map(|key| PutAside { key }).map_err(undeleted)
 }
 
 /// Fetches back what was put aside under a key, and says which run it is.
 pub fn fetch_back(shelf: &Shelf, key: &str) -> Result<String, Refusal> {
     aside::fetch_back(&shelf.runs, key).map_err(|why| match why {
-        Unmoved::Unknown => Refusal::Unknown(format!("There is no deleted run {key:?}.")),
-        Unmoved::Taken(name) => damaged(format!("Another run now has the name {name}.")),
-        Unmoved::Failed(error) => damaged(format!("Cannot restore {key}: {error}")),
+        Unmoved::Unknown => unknown(PageMessage::NothingDeleted { kind: "run", key: readable(key.to_owned()) }),
+        Unmoved::Taken(name) => damaged(PageMessage::NameTaken { kind: "run", name }),
+        Unmoved::Failed(error) => damaged(PageMessage::NotRestored { key: key.into(), why: error.to_string() }),
     })
 }
 

@@ -16,17 +16,32 @@ pub struct Kept {
     pub token: String,
 }
 
-/// Why an address cannot be kept.
-#[derive(Debug, thiserror::Error)]
-pub enum Unkept {
-    #[error("{}: others may read this file, so its token is nobody's secret\n  hint: remove it; a new one is made with a new token", .0.display())]
-    Open(PathBuf),
-    #[error("{}: this file is {what}, so its token may be known to others\n  hint: remove it; a new one is made with a new token", path.display())]
-    NotOwn { path: PathBuf, what: &'static str },
-    #[error("{}: this is no address of this program\n  hint: name a file that is not there; it is made with a new token", .0.display())]
-    NoAddress(PathBuf),
-    #[error("{}: {error}", path.display())]
-    Io { path: PathBuf, error: io::Error },
+homebody_core::messages! {
+    /// Problems with the file that keeps the address of the page.
+    pub enum Unkept in "address-file" {
+        /// The file holds the token of the page. A person who can read it can do everything that the page can.
+        Open(path: PathBuf) error "readable-by-others" ("{}: other users can read this file, so its token is not secret", path.display())
+            hint ("remove the file; the server writes a new one with a new token");
+        /// The owner of a file can read it at any time, and so can a person who has another name of it.
+        NotOwn {
+            /// The file.
+            path: PathBuf,
+            /// The kind of file, as a part of the sentence.
+            what: &'static str,
+        } error "not-own" ("{}: this file is {what}, so other users may know its token", path.display())
+            hint ("remove the file; the server writes a new one with a new token");
+        /// The server replaces the file when it has a new address. It does not replace a file that holds something else.
+        NoAddress(path: PathBuf) error "not-an-address" ("{}: this file has no address of Homebody", path.display())
+            hint ("name a file that does not exist; the server writes it with a new token");
+        /// The file cannot be read or written.
+        Io {
+            /// The file.
+            path: PathBuf,
+            /// The message of the system.
+            error: io::Error,
+        } error "file" ("{}: {error}", path.display())
+            cause (Some(error));
+    }
 }
 
 /// What a file keeps; nothing where it is not there yet.

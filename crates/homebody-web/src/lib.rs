@@ -8,6 +8,11 @@
 /// What the page and the server say to each other.
 pub mod wire;
 
+/// The messages of the server.
+pub mod catalogue;
+pub mod messages;
+mod refusal;
+
 /// The folders that the page may see: the scenario, and the runs.
 pub mod shelf;
 

@@ -7,12 +7,13 @@
 use crate::aside::{self, Unmoved};
 use crate::copied;
 use crate::desk::entries::entries;
+use crate::messages::{LibraryMessage, PageMessage};
 use crate::playback::Playback;
+use crate::refusal::{Refusal, damaged, replaced, unknown};
 use crate::shelf::Shelf;
-use crate::stored_log::{Refusal, damaged};
 use crate::turns::{Turn, Turns};
 use crate::wire::{AsideView, CardView, HomeEntryView, LibraryView, MadeView, NewHome, TemplateView};
-use homebody_core::problem::is_unseen;
+use homebody_core::problem::{Diagnose, Diagnostic, is_unseen, readable};
 use homebody_core::scenario::load::Files;
 use homebody_import::sweet_home;
 use homebody_kit::begun::{self, Begun, GivenLog, Texts};
@@ -22,6 +23,7 @@ use homebody_log::places::RUNS;
 use homebody_routine::household::Household;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, HashMap};
+use std::fmt::Display;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -97,7 +99,7 @@ impl Library {
     /// The files and runs of a home.
     pub fn home(&self, name: &str) -> Result<Shelf, Refusal> {
         let is_there = is_inside(name) && is_folder(&self.folder.join(name)) && self.is_home(name);
-        let shelf = is_there.then(|| self.shelf(name)).ok_or_else(|| unknown(name))?;
+        let shelf = is_there.then(|| self.shelf(name)).ok_or_else(|| no_home(name))?;
         self.has_own_runs(name)?;
         Ok(shelf)
     }
@@ -105,10 +107,7 @@ impl Library {
     /// Refuses a home whose folder of runs is a link: they would be listed, written and put aside somewhere else.
     pub fn has_own_runs(&self, name: &str) -> Result<(), Refusal> {
         match fs::symlink_metadata(self.shelf(name).runs).is_ok_and(|found| found.is_symlink()) {
-            true => Err(damaged(format!(
-                "The folder {RUNS} of {} is a link. Homebody writes runs only into the folder of the home. Remove the link.",
-                shown(name)
-            ))),
+            true => Err(damaged(LibraryMessage::LinkedRuns { name: shown(name) })),
             false => Ok(()),
         }
     }
@@ -135,7 +134,8 @@ impl Library {
     /// How many rows the log of a run has in each hour of the clock, by day; of a long run some days are one.
     pub fn picture(&self, name: &str, run: &str) -> Result<Vec<Vec<u32>>, Refusal> {
         let shelf = self.home(name)?;
-        let folder = shelf.run(run).ok_or_else(|| Refusal::Unknown(format!("There is no run {run:?}.")))?;
+        let no_run = || unknown(PageMessage::NoRun { run: readable(run.to_owned()) });
+        let folder = shelf.run(run).ok_or_else(no_run)?;
         let written = fs::metadata(folder.join(homebody_log::places::RECORDING)).and_then(|meta| meta.modified()).ok();
         let key = (name.to_owned(), run.to_owned());
         // Held while one is drawn: a page of many homes asks for one after the other.
@@ -161,10 +161,9 @@ impl Library {
     pub fn begin(&self, name: &str, from: &NewHome) -> Result<MadeView, Refusal> {
         let texts = match from {
             NewHome::Empty => begun::empty(name),
-            NewHome::Template { name: template } => begun::of_template(
-                Template::named(template).map_err(|error| Refusal::Unknown(error.to_string()))?,
-                name,
-            ),
+            NewHome::Template { name: template } => {
+                begun::of_template(Template::named(template).map_err(unknown)?, name)
+            }
         };
         self.make(name, |folder| begun::write(folder, &texts))?;
         Ok(MadeView { name: name.to_owned(), remarks: Vec::new() })
@@ -186,7 +185,7 @@ impl Library {
         self.is_free(name)?;
         // Where the log lies meanwhile tells nobody anything.
         let told =
-            |error: Error| damaged(without_options(&error.to_string().replace(&log.display().to_string(), file)));
+            |error: Error| damaged(without_options(replaced(error.diagnostic(), &log.display().to_string(), file)));
         let read = LogWithRun::read(&log.to_string_lossy(), None).map_err(told)?;
         let table = BTreeMap::new();
         let given = GivenLog { named: file, file, read: &read, time_zone: None, table, picture: None };
@@ -234,27 +233,29 @@ impl Library {
     pub fn put_aside(&self, name: &str) -> Result<String, Refusal> {
         let _naming = self.naming()?;
         self.home(name)?;
-        let failed = |error: io::Error| damaged(format!("Cannot delete {name}: {error}"));
-        aside::put(&self.folder, name).map_err(failed)
+        let undeleted =
+            |error: io::Error| damaged(PageMessage::NotDeleted { name: name.into(), why: error.to_string() });
+        aside::put(&self.folder, name).map_err(undeleted)
     }
 
     /// Fetches back what was put aside.
     pub fn fetch_back(&self, key: &str) -> Result<String, Refusal> {
         let _naming = self.naming()?;
         aside::fetch_back(&self.folder, key).map_err(|why| match why {
-            Unmoved::Unknown => Refusal::Unknown(format!("There is no deleted home {}.", shown(key))),
-            Unmoved::Taken(name) => damaged(format!("Another home now has the name {name}. Rename that one first.")),
-            Unmoved::Failed(error) => damaged(format!("Cannot restore {}: {error}", shown(key))),
+            Unmoved::Unknown => unknown(PageMessage::NothingDeleted { kind: "home", key: shown(key) }),
+            Unmoved::Taken(name) => damaged(PageMessage::NameTaken { kind: "home", name }),
+            Unmoved::Failed(error) => damaged(PageMessage::NotRestored { key: shown(key), why: error.to_string() }),
         })
     }
 
     /// Whether a new home can have this name.
     pub fn is_free(&self, name: &str) -> Result<(), Refusal> {
-        if let Some(why) = wrong_name(name) {
-            return Err(damaged(why));
+        let why = wrong_name(name);
+        if !why.is_empty() {
+            return Err(damaged(LibraryMessage::InvalidName { name: shown(name), why }));
         }
         match fs::symlink_metadata(self.folder.join(name)) {
-            Ok(_) => Err(damaged(format!("The name {name} is already in use here. Choose another name."))),
+            Ok(_) => Err(damaged(LibraryMessage::NameUsed { name: name.to_owned() })),
             Err(_) => Ok(()),
         }
     }
@@ -313,7 +314,8 @@ impl Library {
     }
 
     fn unwritten(&self, error: &io::Error) -> Refusal {
-        damaged(format!("Cannot write to {}: {error}", self.folder.display()))
+        let folder = self.folder.display().to_string();
+        damaged(LibraryMessage::NotWritable { folder, why: error.to_string() })
     }
 
     fn naming(&self) -> Result<Turn<'_>, Refusal> {
@@ -321,14 +323,14 @@ impl Library {
     }
 }
 
-fn unknown(name: &str) -> Refusal {
-    Refusal::Unknown(format!("There is no home named {} here.", shown(name)))
+fn no_home(name: &str) -> Refusal {
+    unknown(LibraryMessage::NoHome { name: shown(name) })
 }
 
 /// As much of a name as is read.
 fn shown(name: &str) -> String {
     let short: String = name.chars().take(MOST_LETTERS).collect();
-    if short.len() < name.len() { format!("{short}…") } else { short }
+    readable(if short.len() < name.len() { format!("{short}…") } else { short })
 }
 
 /// Whether a name is that of something in a folder, and leads nowhere else.
@@ -336,8 +338,8 @@ fn is_inside(name: &str) -> bool {
     !name.is_empty() && !name.starts_with('.') && !name.contains(['/', '\\', '\0'])
 }
 
-/// What is wrong with the name of a new home, if anything: it is the name of a folder on any system.
-fn wrong_name(name: &str) -> Option<String> {
+/// The faults of a name for a new home: it is the name of a folder on any system.
+fn wrong_name(name: &str) -> Vec<String> {
     let mut wrong = Vec::new();
     if name.trim().is_empty() {
         wrong.push("it is empty".to_owned());
@@ -357,7 +359,7 @@ fn wrong_name(name: &str) -> Option<String> {
     if name == RUNS {
         wrong.push("the folder of that name is reserved for runs".into());
     }
-    (!wrong.is_empty()).then(|| format!("{:?} is not a valid name for a home: {}.", shown(name), wrong.join("; ")))
+    wrong
 }
 
 fn is_folder(path: &Path) -> bool {
@@ -382,27 +384,28 @@ fn changed_ms(folder: &Path) -> Option<i64> {
     i64::try_from(since.as_millis()).ok()
 }
 
-/// What is wrong with a log, without hints at options of the command, which a page has not: it has drawing instead.
-fn without_options(said: &str) -> String {
-    let is_option = |line: &str| line.trim_start().starts_with("hint: ") && line.contains(" --");
-    let lines = said.lines().map(|line| {
-        if is_option(line) {
-            "  hint: start an empty home, draw its rooms, and place sensors with these names"
-        } else {
-            line
-        }
-    });
-    lines.collect::<Vec<&str>>().join("\n")
+/// A problem of a log, without a hint at options of the command: a page has none, and drawing instead.
+fn without_options(problem: Diagnostic) -> Diagnostic {
+    let drawing = "start an empty home, draw its rooms, and place sensors with these names";
+    if problem.code.is_empty() {
+        // Several problems have a line each, and their hints have more.
+        let is_option = |line: &str| line.trim_start().starts_with("hint: ") && line.contains(" --");
+        let line = |line: &str| if is_option(line) { format!("  hint: {drawing}") } else { line.to_owned() };
+        return problem.text().lines().map(line).collect::<Vec<String>>().join("\n").into();
+    }
+    let hint = problem.hint.map(|hint| if hint.contains(" --") { drawing.to_owned() } else { hint });
+    Diagnostic { hint, ..problem }
 }
 
 /// A scenario that was called as its folder is called as the folder is now: runs are named after it.
-fn call_itself(folder: &Path, before: &str, now: &str) -> Result<(), String> {
+fn call_itself(folder: &Path, before: &str, now: &str) -> Result<(), LibraryMessage> {
+    let unnamed = |why: &dyn Display| LibraryMessage::NotNamed { file: ENTRY.into(), why: why.to_string() };
     let path = folder.join(ENTRY);
-    let text = fs::read_to_string(&path).map_err(|error| format!("{ENTRY}: {error}"))?;
+    let text = fs::read_to_string(&path).map_err(|error| unnamed(&error))?;
     let Some(own) = entries(&text).into_iter().find(|entry| entry.is(&["name"]) && entry.text() == Some(before)) else {
         return Ok(());
     };
     let mut fresh = text.clone();
     fresh.replace_range(own.name_range(), &json!(now).to_string());
-    FreshFile::write_whole(&path, fresh.as_bytes(), true).map_err(|error| error.to_string())
+    FreshFile::write_whole(&path, fresh.as_bytes(), true).map_err(|error| unnamed(&error))
 }

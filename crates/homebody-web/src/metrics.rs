@@ -31,11 +31,11 @@ pub fn serve_metrics(
         let begun = runtime.map_err(ServeError::Broken).and_then(|runtime| {
             let _entered = runtime.enter();
             let listener = bind(address).map_err(|source| match source.kind() {
-                ErrorKind::AddrNotAvailable => ServeError::Foreign(address.ip()),
-                _ => ServeError::Port { address, source },
+                ErrorKind::AddrNotAvailable => ServeError::Foreign(address.ip().to_string()),
+                _ => ServeError::Port { address: address.to_string(), source },
             })?;
             let address = listener.local_addr().map_err(ServeError::Broken)?;
-            let guard = Guard::new(address, None).map_err(ServeError::Token)?;
+            let guard = Guard::new(address, None)?;
             drop(_entered);
             Ok((runtime, listener, address, guard))
         });

@@ -3,11 +3,12 @@
 //! It is a small file of JSON in the run's folder; of a log that was walked back it lies beside the copy of that log. A note takes
 //! the place of another only if the page has seen that one.
 
-use crate::playback::Refusal;
+use crate::messages::PageMessage;
+use crate::refusal::{Refusal, damaged, failed, unknown};
 use crate::shelf::Shelf;
-use crate::stored_log::damaged;
 use crate::turns::Turns;
 use crate::wire::{NoteIt, NoteView};
+use homebody_core::problem::readable;
 use homebody_core::scenario::inside::NOTES;
 use homebody_log::fresh::FreshFile;
 use homebody_log::plain;
@@ -33,8 +34,8 @@ pub struct Notes {
 #[derive(Debug, PartialEq, Eq)]
 pub enum Unnoted {
     Refused(Refusal),
-    /// Somebody else has noted something there that the page has not seen.
-    Changed(String),
+    /// The note has changed since the page read it.
+    Changed(PageMessage),
 }
 
 #[derive(Default, Serialize, Deserialize)]
@@ -55,13 +56,13 @@ impl Notes {
 
     /// Keeps a note, and returns all of them.
     pub fn note(&self, run: &str, NoteIt { before, note }: NoteIt) -> Result<Vec<NoteView>, Unnoted> {
-        let refused = |why: &str| Unnoted::Refused(Refusal::Damaged(why.to_owned()));
+        let refused = |message: PageMessage| Unnoted::Refused(damaged(message));
         let letters = |text: &str| text.chars().count();
         if !is_date(&note.day) {
-            return Err(refused("A note needs a day, such as 2009-03-02."));
+            return Err(refused(PageMessage::NoteDay));
         }
         if letters(&note.note) > LONGEST_NOTE || letters(&note.rule) > LONGEST_NOTE {
-            return Err(refused("A note has at most 500 characters."));
+            return Err(refused(PageMessage::NoteLength { limit: LONGEST_NOTE }));
         }
         let place = self.place(run).map_err(Unnoted::Refused)?;
         let _turn = self.writing.take(&place).map_err(|error| Unnoted::Refused(damaged(error)))?;
@@ -69,14 +70,14 @@ impl Notes {
         let is_there = |other: &NoteView| other.day == note.day && other.rule == note.rule;
         let there = notes.iter().find(|other| is_there(other)).cloned();
         if there != before && there.as_ref() != Some(&note) {
-            return Err(Unnoted::Changed("This note was changed in another window.".into()));
+            return Err(Unnoted::Changed(PageMessage::NoteChanged));
         }
         notes.retain(|other| !is_there(other));
         if note.seen || !note.note.is_empty() {
             notes.push(note);
         }
         if notes.len() > MOST_NOTES {
-            return Err(refused("This run has too many notes."));
+            return Err(refused(PageMessage::TooManyNotes { limit: MOST_NOTES }));
         }
         notes.sort_by(|a, b| (&a.day, &a.rule).cmp(&(&b.day, &b.rule)));
         write(&place, &notes).map_err(Unnoted::Refused)?;
@@ -86,10 +87,10 @@ impl Notes {
     /// Where the notes of a run are, or are going to be.
     fn place(&self, run: &str) -> Result<PathBuf, Refusal> {
         let folder = self.shelf.walked(run).or_else(|| self.shelf.kept_log(run)).or_else(|| self.shelf.run(run));
-        let folder = folder.ok_or_else(|| Refusal::Unknown(format!("There is no run {run:?}.")))?;
+        let folder = folder.ok_or_else(|| unknown(PageMessage::NoRun { run: readable(run.to_owned()) }))?;
         // A link may lead to what its author was never to see.
-        plain::within(&folder, Path::new(NOTES))
-            .ok_or_else(|| damaged(format!("{NOTES} links to a place outside the folder of the run.")))
+        let outside = || damaged(PageMessage::LinkOutside { file: NOTES.into() });
+        plain::within(&folder, Path::new(NOTES)).ok_or_else(outside)
     }
 }
 
@@ -104,16 +105,17 @@ fn read(place: &Path) -> Result<Vec<NoteView>, Refusal> {
     if !place.exists() {
         return Ok(Vec::new());
     }
-    let wrong = |error: &dyn std::fmt::Display| damaged(format!("Cannot read {NOTES}: {error}"));
+    let wrong =
+        |error: &dyn std::fmt::Display| damaged(PageMessage::NotRead { file: NOTES.into(), why: error.to_string() });
     let text = plain::read_text(place, LARGEST_BYTES).map_err(|error| wrong(&error))?;
     let file: NotesFile = serde_json::from_str(&text).map_err(|error| wrong(&error))?;
     Ok(file.notes)
 }
 
 fn write(place: &Path, notes: &[NoteView]) -> Result<(), Refusal> {
-    let text = serde_json::to_string_pretty(&NotesFile { notes: notes.to_vec() }).map_err(damaged)? + "\n";
+    let text = serde_json::to_string_pretty(&NotesFile { notes: notes.to_vec() }).map_err(failed)? + "\n";
     let written = FreshFile::write_whole(place, text.as_bytes(), true);
-    written.map_err(|error| damaged(format!("Cannot write {NOTES}: {error}")))
+    written.map_err(|error| damaged(PageMessage::NotWritten { file: NOTES.into(), why: error.to_string() }))
 }
 
 #[cfg(test)]

@@ -14,14 +14,17 @@ use crate::dates;
 use crate::draw;
 use crate::film::Film;
 use crate::keeping;
+use crate::messages::PageMessage;
+pub use crate::refusal::Refusal;
+use crate::refusal::{damaged, failed, sentence, unknown};
 use crate::shelf::Shelf;
-pub use crate::stored_log::Refusal;
-use crate::stored_log::{StoredRows, damaged, shortened};
+use crate::stored_log::StoredRows;
 use crate::walked::{Walked, chances_of, reported};
 use crate::wire::{
     Chance, DateView, DayView, LifeView, MotionState, MovementView, PlaybackView, ReadingView, ResidentView, StoredView,
 };
 use coming::Grows;
+use homebody_core::problem::{Diagnose, Diagnostic, readable};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::path::Posture;
@@ -80,7 +83,7 @@ pub struct Playback {
 /// What a recording says in a list of runs, or what is wrong with it.
 struct Listed {
     state: State,
-    recorded: Result<Recorded, String>,
+    recorded: Result<Recorded, Diagnostic>,
 }
 
 #[derive(Clone)]
@@ -155,6 +158,7 @@ impl Playback {
                 name,
                 has_truth,
                 problem: None,
+                problem_code: None,
             },
             Err(why) => StoredView {
                 made_ms,
@@ -167,13 +171,14 @@ impl Playback {
                 days: 0,
                 has_truth,
                 walked_back: None,
-                problem: Some(shortened(&why)),
+                problem: Some(sentence(&why)),
+                problem_code: (!why.code.is_empty()).then(|| why.code.to_owned()),
             },
         }
     }
 
     /// What a run's recording says, which is read once as long as it stays as it is: of a thousand runs each has a scenario.
-    fn recorded(&self, name: &str) -> Result<Recorded, String> {
+    fn recorded(&self, name: &str) -> Result<Recorded, Diagnostic> {
         let path = self.shelf.file_of_run(name, RECORDING);
         let files: Vec<PathBuf> = path.into_iter().collect();
         let state = state(&files);
@@ -186,7 +191,7 @@ impl Playback {
             return recorded;
         }
         let recorded = self.shelf.recording(name).and_then(|recording| {
-            let scenario = recording.scenario().map_err(|problems| problems.render())?;
+            let scenario = recording.scenario().map_err(|problems| problems.diagnostic())?;
             Ok(Recorded {
                 start: scenario.calendar.wall_clock(0),
                 days: dates::last(&scenario.calendar, recording.length_us) + 1,
@@ -216,10 +221,7 @@ impl Playback {
     /// A day of a run, the first being 0.
     pub fn day(&self, name: &str, day: usize) -> Result<DayView, Refusal> {
         let run = self.open(name)?;
-        let days = run.view.days.len();
-        let count = if days == 1 { "one day".into() } else { format!("{days} days") };
-        let unknown = || Refusal::Unknown(format!("{name:?} has {count}, numbered from 0."));
-        let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(unknown)?;
+        let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(|| run.no_day())?;
         let rows = match &run.reading {
             Some(reading) => reading.until(end_us)?.of(day)?,
             None => Vec::new(),
@@ -242,8 +244,7 @@ impl Playback {
     /// Of a day whose movements are too many for one answer those from an instant on, again as many as there is time for.
     pub fn rest_of_day(&self, name: &str, day: usize, from: Micros) -> Result<DayView, Refusal> {
         let run = self.open(name)?;
-        let unknown = || Refusal::Unknown(format!("{name:?} has no such day."));
-        let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(unknown)?;
+        let DateView { begin_us, end_us, .. } = run.view.days.get(day).cloned().ok_or_else(|| run.no_day())?;
         let mut lives = run.nobody_yet();
         let until_us = run.moved(from.clamp(begin_us, end_us), end_us, &mut lives)?;
         Ok(DayView { rows: Vec::new(), lives, until_us })
@@ -251,8 +252,8 @@ impl Playback {
 
     /// The run in memory, read anew where its files have changed.
     fn open(&self, name: &str) -> Result<Arc<Opened>, Refusal> {
-        let unknown = || Refusal::Unknown(format!("There is no run {name:?}."));
-        let recording = self.shelf.file_of_run(name, RECORDING).ok_or_else(unknown)?;
+        let no_run = || unknown(PageMessage::NoRun { run: readable(name.to_owned()) });
+        let recording = self.shelf.file_of_run(name, RECORDING).ok_or_else(no_run)?;
         // Whoever else wants a run waits until this one is open: it may be the same.
         let mut opened = self.opened.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(at) = opened.iter().position(|run| run.name == name) {
@@ -270,10 +271,10 @@ impl Playback {
     }
 
     fn read(&self, name: &str, recording_path: PathBuf) -> Result<Opened, Refusal> {
-        let recording = self.shelf.recording(name).map_err(|why| Refusal::Damaged(shortened(&why)))?;
+        let recording = self.shelf.recording(name).map_err(damaged)?;
         let length = recording.length_us;
         let recorded = Household::recorded(&recording);
-        let (scenario, household) = recorded.map_err(|problems| Refusal::Damaged(shortened(&problems.render())))?;
+        let (scenario, household) = recorded.map_err(damaged)?;
         let mut view = whole(name, &recording.run(&scenario, &household), &scenario);
         view.days = dates::all(&scenario.calendar, length);
 
@@ -296,7 +297,7 @@ impl Playback {
             }
             (None, Some(url)) => {
                 let beside = &self.shelf.runs;
-                let rows = StoredRows::new(beside, &view, &scenario.calendar, Micros::MAX).map_err(damaged)?;
+                let rows = StoredRows::new(beside, &view, &scenario.calendar, Micros::MAX).map_err(failed)?;
                 let reading = Reading::begin(url, &scenario, recording.is_complete(), &view, rows)?;
                 Some(reading)
             }
@@ -374,6 +375,11 @@ impl Drop for Opened {
 }
 
 impl Opened {
+    /// The run does not have the day that was asked for.
+    fn no_day(&self) -> Refusal {
+        unknown(PageMessage::NoDay { run: readable(self.name.clone()), days: self.view.days.len() })
+    }
+
     /// Up to when log and truth are read; `None` once all of both is. Or why they cannot be.
     fn read_us(&self) -> Result<Option<Micros>, Refusal> {
         let log = self.reading.as_ref().map_or(Ok(None), |reading| reading.known().read_us())?;

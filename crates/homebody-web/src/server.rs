@@ -12,6 +12,7 @@ use crate::shelf::Shelf;
 use crate::visit::LONGEST_UNTAKEN;
 use axum::Router;
 use axum::http::{Extensions, HeaderMap, StatusCode, Version, header};
+use homebody_core::problem::Diagnostic;
 use homebody_kit::Cancel;
 use std::io::{self, ErrorKind};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
@@ -88,25 +89,55 @@ const MOST_WAITING: u32 = 1024;
 /// How many ports are tried.
 const PORTS: u16 = 20;
 
-/// Why there is no server.
-#[derive(Debug, thiserror::Error)]
-pub enum ServeError {
-    #[error("{0}")]
-    Scenario(String),
-    #[error("no port from {first} to {last} is free on {ip}\n  hint: name another port")]
-    NoPort { ip: IpAddr, first: u16, last: u16 },
-    #[error(
-        "this machine has no address {0}\n  hint: `ip address` lists those it has; 127.0.0.1 is for this machine alone"
-    )]
-    Foreign(IpAddr),
-    #[error("{address} cannot be listened to: {source}\n  hint: another program may be there; name another port")]
-    Port { address: SocketAddr, source: std::io::Error },
-    #[error("there is no randomness for a token: {0}")]
-    Token(getrandom::Error),
-    #[error(transparent)]
-    Unkept(#[from] Unkept),
-    #[error("the server cannot run: {0}")]
-    Broken(std::io::Error),
+homebody_core::messages! {
+    /// Reasons why the server of the page cannot start.
+    pub enum ServeError in "serve" {
+        /// The server listens at the first free port of a range. Other programs, such as other servers of Homebody, use all of them.
+        NoPort {
+            /// The address of the machine.
+            ip: String,
+            /// The first port.
+            first: u16,
+            /// The last port.
+            last: u16,
+        } error "no-port" ("no port from {first} to {last} is free on {ip}")
+            hint ("name another port");
+        /// A server listens at an address of its own machine.
+        Foreign(ip: String) error "foreign-address" ("this machine has no address {ip}")
+            hint ("`ip address` lists the addresses that it has; 127.0.0.1 is for this machine alone");
+        /// Another program listens at this port, or the user may not open it: on most systems ports below 1024 are for the administrator.
+        Port {
+            /// The address and the port.
+            address: String,
+            /// The message of the system.
+            source: io::Error,
+        } error "port" ("cannot listen at {address}: {source}")
+            hint ("another program may use it; name another port")
+            cause (Some(source));
+        /// The token of the page is a random number, which the system makes.
+        Token(why: String) error "no-token" ("the system gives no random number for a token: {why}");
+        /// The system reports an error of the network or of threads.
+        Broken(source: io::Error) error "broken" ("the server cannot run: {source}")
+            cause (Some(source));
+        => inner {
+            /// The scenario cannot be opened.
+            Scenario(Diagnostic);
+            /// The file of the address cannot be used.
+            Unkept(Unkept);
+        }
+    }
+}
+
+impl From<Unkept> for ServeError {
+    fn from(error: Unkept) -> ServeError {
+        ServeError::Unkept(error)
+    }
+}
+
+impl From<getrandom::Error> for ServeError {
+    fn from(error: getrandom::Error) -> ServeError {
+        ServeError::Token(error.to_string())
+    }
 }
 
 impl Options {
@@ -124,7 +155,7 @@ pub fn serve(options: Options, cancel: &Cancel, ready: impl FnOnce(Address)) -> 
         let kept = options.kept.as_deref().map(kept_address::read).transpose()?.flatten();
         let listener = listen(&options, kept.as_ref().map(|kept| kept.port))?;
         let address = listener.local_addr().map_err(ServeError::Broken)?;
-        let guard = Guard::new(address, kept.map(|kept| kept.token)).map_err(ServeError::Token)?;
+        let guard = Guard::new(address, kept.map(|kept| kept.token))?;
         let pages = Arc::new(Semaphore::new(MOST_PAGES));
         let offered = Offered::open(options.offer, &guard, pages).map_err(ServeError::Scenario)?;
         let url = format!("http://{address}{}#token={}", offered.first_page(), guard.token());
@@ -177,7 +208,7 @@ enum Offered {
 }
 
 impl Offered {
-    fn open(offer: Offer, guard: &Guard, pages: Arc<Semaphore>) -> Result<Offered, String> {
+    fn open(offer: Offer, guard: &Guard, pages: Arc<Semaphore>) -> Result<Offered, Diagnostic> {
         match offer {
             Offer::Scenario(shelf) => Ok(Offered::Scenario(Box::new(House::open(shelf, guard.clone(), pages)?))),
             Offer::Library(library) => Ok(Offered::Library(Homes::new(library, guard.clone(), pages))),
@@ -220,19 +251,21 @@ fn listen(options: &Options, kept: Option<u16>) -> Result<TcpListener, ServeErro
     if let Some(port) = options.port.or(kept) {
         let address = SocketAddr::new(ip, port);
         return bind(address).map_err(|source| match source.kind() {
-            ErrorKind::AddrNotAvailable => ServeError::Foreign(ip),
-            _ => ServeError::Port { address, source },
+            ErrorKind::AddrNotAvailable => ServeError::Foreign(ip.to_string()),
+            _ => ServeError::Port { address: address.to_string(), source },
         });
     }
     let last = FIRST_PORT + PORTS - 1;
     for port in FIRST_PORT..=last {
         match bind(SocketAddr::new(ip, port)) {
             Ok(listener) => return Ok(listener),
-            Err(error) if error.kind() == ErrorKind::AddrNotAvailable => return Err(ServeError::Foreign(ip)),
+            Err(error) if error.kind() == ErrorKind::AddrNotAvailable => {
+                return Err(ServeError::Foreign(ip.to_string()));
+            }
             Err(_) => {}
         }
     }
-    Err(ServeError::NoPort { ip, first: FIRST_PORT, last })
+    Err(ServeError::NoPort { ip: ip.to_string(), first: FIRST_PORT, last })
 }
 
 pub(crate) fn bind(address: SocketAddr) -> io::Result<TcpListener> {

@@ -3,6 +3,8 @@
 //! The page knows both by names that are looked up in a listing, never by paths. What is no plain file in its folder, such as a
 //! link that leads out of it, is not there.
 
+use crate::messages::PageMessage;
+use homebody_core::problem::{Diagnose, Diagnostic, readable};
 use homebody_core::recording::Recording;
 use homebody_core::scenario::load::{Files, NoText};
 use homebody_kit::Folder;
@@ -120,9 +122,10 @@ impl Shelf {
     }
 
     /// The recording of a run, or why there is none.
-    pub fn recording(&self, run: &str) -> Result<Recording, String> {
-        let path = self.file_of_run(run, RECORDING).ok_or_else(|| format!("there is no run {run:?}"))?;
-        homebody_kit::recording(&path).map_err(|error| error.to_string())
+    pub fn recording(&self, run: &str) -> Result<Recording, Diagnostic> {
+        let no_run = || PageMessage::NoRun { run: readable(run.to_owned()) };
+        let path = self.file_of_run(run, RECORDING).ok_or_else(no_run)?;
+        homebody_kit::recording(&path).map_err(|error| error.diagnostic())
     }
 }
 

@@ -2,15 +2,19 @@
 //!
 //! A page that does not read holds up nobody: the next picture is made when the one before has gone out.
 
+use crate::answers::Refused;
 use crate::guard::Guard;
+use crate::messages::{PageMessage, StageMessage};
+use crate::refusal::note;
 use crate::stage::{Seen, Stage, Voice};
 use crate::visit::Visit;
-use crate::wire::{Say, Tell};
+use crate::wire::Say;
 use axum::extract::ws::{CloseFrame, Message, WebSocket, WebSocketUpgrade};
 use axum::http::{HeaderMap, StatusCode};
 use axum::response::{IntoResponse, Response};
 use futures_util::StreamExt;
 use futures_util::stream::{SplitSink, SplitStream};
+use homebody_core::problem::Diagnose;
 use std::time::Duration;
 use tokio::sync::{Semaphore, watch};
 use tokio::time::{Instant, interval, sleep_until, timeout};
@@ -48,7 +52,7 @@ pub fn upgraded<F: Future<Output = ()> + Send>(
     show: impl FnOnce(WebSocket, Visit) -> F + Send + 'static,
 ) -> Response {
     if !guard.is_socket_from_us(headers) {
-        return (StatusCode::FORBIDDEN, "This server answers requests from its own page only.").into_response();
+        return Refused::of(StatusCode::FORBIDDEN, PageMessage::ForeignPage).into_response();
     }
     let upgrade = upgrade.max_message_size(LONGEST_MESSAGE_BYTES).max_frame_size(LONGEST_MESSAGE_BYTES);
     upgrade.on_upgrade(async move |socket| {
@@ -138,12 +142,6 @@ impl Drop for Held {
     }
 }
 
-/// The answer to a page that says more than the run can do.
-fn busy() -> Tell {
-    let text = "The run is still busy with earlier commands and dropped this one. Try again a little later.";
-    Tell::Note { text: text.into(), bad: true }
-}
-
 async fn talk(
     out: &mut SplitSink<WebSocket, Message>,
     heard: &mut SplitStream<WebSocket>,
@@ -175,7 +173,8 @@ async fn talk(
                 next = Instant::now() + FRAME;
                 let mut news = stage.news(&mut seen, MOST_ROWS);
                 if std::mem::take(&mut is_refused) {
-                    news.tells.push(busy());
+                    // It said more than the run can do.
+                    news.tells.push(note(&StageMessage::Busy.diagnostic()));
                 }
                 let sending = async {
                     for tell in news.tells {

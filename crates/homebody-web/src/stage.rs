@@ -7,9 +7,12 @@
 //! came, and another can be begun.
 
 use crate::growth::Growth;
+use crate::messages::StageMessage;
+use crate::refusal::{note, sentence};
 use crate::shelf::Shelf;
 use crate::staged_run::{StagedRun, Start, Unbegun};
 use crate::wire::{FiringView, Frame, GrowthView, RunView, Say, State, Tell};
+use homebody_core::problem::{Diagnose, Diagnostic};
 use homebody_core::time::{Micros, micros};
 use homebody_kit::pace::{Pace, Speed};
 use homebody_log::error::no_thread;
@@ -60,7 +63,7 @@ struct Board {
     notes: VecDeque<(u64, Tell)>,
     next_note: u64,
     /// Why the run has ended, if it failed: a page that comes later is told, too.
-    failure: Option<String>,
+    failure: Option<Tell>,
     /// Why no run could be begun when that was last tried, and how often none could.
     unbegun: Option<Tell>,
     unbegun_count: u64,
@@ -99,13 +102,13 @@ pub struct News {
 impl Stage {
     /// Opens the scenario on the shelf, and keeps its run at its start until somebody says so. Of a scenario with problems there is
     /// no run until they are mended and one is begun.
-    pub fn open(shelf: Shelf) -> Result<Stage, String> {
+    pub fn open(shelf: Shelf) -> Result<Stage, Diagnostic> {
         let act = caught(|| StagedRun::new(&shelf, &shelf.entry, Start::default()));
         Stage::of(shelf, act)
     }
 
     /// Keeps this run at its start.
-    fn of(shelf: Shelf, act: Result<StagedRun, Unbegun>) -> Result<Stage, String> {
+    fn of(shelf: Shelf, act: Result<StagedRun, Unbegun>) -> Result<Stage, Diagnostic> {
         let (mut act, unbegun) = match act {
             Ok(act) => (Some(act), None),
             Err(why) => (None, Some(why.tell())),
@@ -127,7 +130,7 @@ impl Stage {
         let pace = Pace::paused(Speed::Times(1.0));
         let director = Director { shelf, act, is_broken: false, pace, heard, board: board.clone(), change };
         let thread = thread::Builder::new().name("stage".into()).spawn(move || director.direct());
-        thread.map_err(|error| no_thread("to simulate a run", error).to_string())?;
+        thread.map_err(|error| no_thread("to simulate a run", error).diagnostic())?;
         Ok(Stage { speakers, board, changed })
     }
 
@@ -182,8 +185,8 @@ impl Stage {
             seen.unbegun = board.unbegun_count;
             tells.extend(board.unbegun.clone());
         }
-        if let (None, Some(text)) = (seen.note, board.failure.clone()) {
-            tells.push(Tell::Note { text, bad: true });
+        if let (None, Some(failure)) = (seen.note, board.failure.clone()) {
+            tells.push(failure);
         }
         let first = seen.note.unwrap_or(board.next_note);
         tells.extend(board.notes.iter().filter(|(number, _)| *number >= first).map(|(_, tell)| tell.clone()));
@@ -218,9 +221,8 @@ fn locked<T>(held: &Mutex<T>) -> MutexGuard<'_, T> {
 
 /// What is made, or why not in words, also where making it panics.
 fn caught<T>(make: impl FnOnce() -> Result<T, Unbegun>) -> Result<T, Unbegun> {
-    let broken = |broken: Box<dyn Any + Send>| {
-        Unbegun::Why(format!("Cannot start the run because of an error in Homebody: {}.", said(&*broken)))
-    };
+    let broken =
+        |broken: Box<dyn Any + Send>| Unbegun::Why(StageMessage::NotStarted { why: said(&*broken) }.diagnostic());
     catch_unwind(AssertUnwindSafe(make)).unwrap_or_else(|why| Err(broken(why)))
 }
 
@@ -270,7 +272,7 @@ impl Director {
         }
         self.go_on();
         if let Some(Err(why)) = self.act.as_mut().map(StagedRun::keep_input) {
-            self.fail(why);
+            self.fail(&why);
         }
         self.show();
     }
@@ -315,7 +317,7 @@ impl Director {
     fn obey(&mut self, say: Say) {
         match say {
             Say::Start { seed: Some(seed), .. } if seed >= 1 << 53 => {
-                self.note("A seed must be below 2 to the power of 53.".into(), true);
+                self.warn(&StageMessage::Seed.diagnostic());
             }
             Say::Start { driven, without, seed } => {
                 let is_driven = driven.is_some();
@@ -350,11 +352,11 @@ impl Director {
             Say::Step { seconds } if seconds.is_finite() && (0.0..=86_400.0).contains(&seconds) => {
                 self.pace.jump(now, now + micros(seconds), true);
             }
-            Say::Step { .. } => self.note("A step is at most a day long.".into(), true),
+            Say::Step { .. } => self.warn(&StageMessage::Step.diagnostic()),
             Say::Speed { times: None } => self.pace.set_speed(now, Speed::Max),
             Say::Speed { times: Some(times) } => match Speed::times(times) {
                 Some(speed) => self.pace.set_speed(now, speed),
-                None => self.note("The speed must be between 0.1 and 1000.".into(), true),
+                None => self.warn(&StageMessage::Speed.diagnostic()),
             },
             Say::Jump { to_us } => {
                 let to = to_us.clamp(0, act.length());
@@ -386,7 +388,7 @@ impl Director {
                     let text = format!(
                         "Going back stopped {name}, which stays in Playback. From here on, Homebody records a new run."
                     );
-                    self.note(text, false);
+                    self.note(text);
                 }
             }
         }
@@ -413,7 +415,7 @@ impl Director {
     /// No run is begun; what there was goes on.
     fn unbegun(&mut self, why: Unbegun) {
         match why {
-            Unbegun::Why(why) => self.note(why, true),
+            Unbegun::Why(why) => self.warn(&why),
             Unbegun::Problems(_) => {
                 let mut board = locked(&self.board);
                 board.unbegun = Some(why.tell());
@@ -426,17 +428,17 @@ impl Director {
 
     fn finish(&mut self) {
         match self.act.as_mut().map(StagedRun::finish) {
-            Some(Ok(Some(text))) => self.note(text, false),
+            Some(Ok(Some(text))) => self.note(text),
             Some(Ok(None)) | None => {}
-            Some(Err(why)) => self.note(why, true),
+            Some(Err(why)) => self.warn(&why),
         }
         self.pace.pause(self.now());
     }
 
     /// The run cannot go on; what it has stored is completed.
-    fn fail(&mut self, why: String) {
-        locked(&self.board).failure = Some(why.clone());
-        self.note(why, true);
+    fn fail(&mut self, why: &Diagnostic) {
+        locked(&self.board).failure = Some(note(why));
+        self.warn(why);
         self.finish();
     }
 
@@ -444,22 +446,22 @@ impl Director {
     fn give_up(&mut self, why: &str) {
         // What is asked of it now may break as well.
         let kept = catch_unwind(AssertUnwindSafe(|| self.act.as_mut().map_or(Ok(None), StagedRun::give_up)));
-        let kept = kept.unwrap_or_else(|broken| Err(said(&*broken)));
-        let kept = match kept {
-            Ok(Some(stored)) => format!("Its data up to here is saved: {stored}"),
-            Ok(None) => String::from("It had no files to complete."),
+        let files = match kept.map_err(|broken| said(&*broken)) {
+            Ok(Ok(Some(stored))) => format!("Its data up to here is saved: {stored}"),
+            Ok(Ok(None)) => String::from("It had no files to complete."),
+            Ok(Err(why)) => format!("Its stored data is kept, but incomplete: {}", sentence(&why)),
             Err(why) => format!("Its stored data is kept, but incomplete: {why}"),
         };
-        let text = format!("The run stopped because of an error in Homebody: {why}. {kept} You can start a new run.");
+        let message = StageMessage::Broke { why: why.to_owned(), files }.diagnostic();
         self.is_broken = true;
         self.pace.pause(self.now());
         let mut board = locked(&self.board);
-        board.failure = Some(text.clone());
+        board.failure = Some(note(&message));
         if let Some(lived) = &mut board.lived {
             lived.frame.state = State::Over;
         }
         drop(board);
-        self.note(text, true);
+        self.warn(&message);
         self.change.send_modify(|change| *change += 1);
     }
 
@@ -475,7 +477,7 @@ impl Director {
             match self.act.as_mut().map(|act| act.advance(due, &self.shelf)) {
                 Some(Ok(true)) => self.tell_run_again(),
                 Some(Ok(false)) | None => {}
-                Some(Err(why)) => self.fail(why),
+                Some(Err(why)) => self.fail(&why),
             }
             if begun.elapsed() >= FRAME {
                 break;
@@ -527,10 +529,20 @@ impl Director {
         }
     }
 
-    fn note(&mut self, text: String, bad: bool) {
+    /// Tells all pages what was done.
+    fn note(&mut self, text: String) {
+        self.tell(Tell::Note { text, bad: false, code: None });
+    }
+
+    /// Tells all pages what could not be done.
+    fn warn(&mut self, message: &Diagnostic) {
+        self.tell(note(message));
+    }
+
+    fn tell(&mut self, tell: Tell) {
         let mut board = locked(&self.board);
         let number = board.next_note;
-        board.notes.push_back((number, Tell::Note { text, bad }));
+        board.notes.push_back((number, tell));
         board.next_note += 1;
         if board.notes.len() > MOST_NOTES {
             board.notes.pop_front();

@@ -8,12 +8,14 @@ use crate::effort::AT_ONCE;
 use crate::growth::Growth;
 use crate::input_keeper::{InputKeeper, input_text};
 use crate::looks::Looks;
+use crate::messages::StageMessage;
+use crate::refusal::sentence;
 use crate::shelf::Shelf;
 use crate::wire::{FiringView, Frame, Key, Posture, ResidentView, RunView, State, Tell};
 use homebody_core::drivers::input::Input;
 use homebody_core::event::{Events, Fact};
 use homebody_core::ids::ResidentId;
-use homebody_core::problem::{Problem, Problems};
+use homebody_core::problem::{Diagnose, Diagnostic, Problem, Problems};
 use homebody_core::recording::{Recording, RunDigest};
 use homebody_core::run::Run;
 use homebody_core::scenario::input::{self, KeysFile, UseFile};
@@ -46,8 +48,8 @@ pub struct Start {
 pub enum Unbegun {
     /// What is wrong with the scenario.
     Problems(Vec<Problem>),
-    /// In a sentence.
-    Why(String),
+    /// Another reason.
+    Why(Diagnostic),
 }
 
 impl From<Problems> for Unbegun {
@@ -56,22 +58,37 @@ impl From<Problems> for Unbegun {
     }
 }
 
-impl From<String> for Unbegun {
-    fn from(why: String) -> Unbegun {
+impl From<Diagnostic> for Unbegun {
+    fn from(why: Diagnostic) -> Unbegun {
         Unbegun::Why(why)
+    }
+}
+
+impl From<StageMessage> for Unbegun {
+    fn from(why: StageMessage) -> Unbegun {
+        Unbegun::Why(why.diagnostic())
+    }
+}
+
+impl From<LogError> for Unbegun {
+    fn from(why: LogError) -> Unbegun {
+        Unbegun::Why(why.diagnostic())
     }
 }
 
 impl Unbegun {
     pub fn tell(&self) -> Tell {
         match self {
-            Unbegun::Why(why) => Tell::Unbegun { why: why.clone(), problems: Vec::new() },
+            Unbegun::Why(why) => {
+                let code = (!why.code.is_empty()).then(|| why.code.to_owned());
+                Tell::Unbegun { why: sentence(why), problems: Vec::new(), code }
+            }
             Unbegun::Problems(problems) => {
                 let why = match problems.len() {
                     1 => "Cannot start a run: the scenario has a problem.".to_owned(),
                     count => format!("Cannot start a run: the scenario has {count} problems."),
                 };
-                Tell::Unbegun { why, problems: desk::problems(problems) }
+                Tell::Unbegun { why, problems: desk::problems(problems), code: None }
             }
         }
     }
@@ -219,8 +236,7 @@ impl StagedRun {
     /// A recording, to be lived again.
     pub fn again(recording: Recording) -> Result<StagedRun, Unbegun> {
         if !recording.lives_again() {
-            let moved = recording.own_drivers.join(", ");
-            return Err(format!("Cannot replay this run: a driver of another program moved {moved}.").into());
+            return Err(StageMessage::OwnDrivers { residents: recording.own_drivers }.into());
         }
         let (scenario, household) = Household::recorded(&recording)?;
         let run = recording.run(&scenario, &household);
@@ -236,10 +252,9 @@ impl StagedRun {
         keys: Option<String>,
         start: Start,
         is_replay: bool,
-    ) -> Result<StagedRun, String> {
+    ) -> Result<StagedRun, LogError> {
         let sensors: Vec<String> = run.sensors().iter().map(|sensor| sensor.name.clone()).collect();
-        let rows = Rows::new(&scenario.logger, recording.seed, &sensors, &scenario.calendar);
-        let rows = rows.map_err(|error| error.to_string())?;
+        let rows = Rows::new(&scenario.logger, recording.seed, &sensors, &scenario.calendar)?;
         let bodies = run.names().len();
         let held = start.input.last().cloned().unwrap_or_else(nothing_held);
         let conditions = household.conditions().keys().chain(&start.without).cloned().collect();
@@ -329,14 +344,14 @@ impl StagedRun {
 
     /// Lives a stretch: at most until `until`, and at most as far as it had come before somebody went back. True if files have
     /// been begun for it, so that its view is another.
-    pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, String> {
+    pub fn advance(&mut self, until: Micros, shelf: &Shelf) -> Result<bool, Diagnostic> {
         let until = until.min(self.run.length());
         if until <= self.run.now() || self.is_over {
             return Ok(false);
         }
         let begins = self.files.is_none() && !self.is_replay;
         if begins {
-            self.files = Some(self.open(shelf).map_err(|error| error.to_string())?);
+            self.files = Some(self.open(shelf)?);
         }
         if self.start.driven.is_none() {
             let mut moments = std::mem::replace(&mut self.moments, Snapshots::new(MOMENTS));
@@ -349,7 +364,7 @@ impl StagedRun {
             self.digest.add(&self.events.firings);
         }
         if let Some(files) = self.files.as_mut().filter(|_| stored.is_none()) {
-            files.store(&self.run, &self.events, &self.start.input).map_err(|error| error.to_string())?;
+            files.store(&self.run, &self.events, &self.start.input)?;
         }
         self.furthest.take_if(|furthest| furthest.now() <= self.run.now());
         self.growth.lock().unwrap_or_else(PoisonError::into_inner).add(&self.events.firings, self.run.now());
@@ -364,7 +379,7 @@ impl StagedRun {
             self.fresh.push(firing_view(row));
         }
         self.events.clear();
-        lived.map(|()| begins).map_err(|error| error.to_string())
+        lived.map(|()| begins).map_err(|error| error.diagnostic())
     }
 
     fn moment(&self) -> Moment {
@@ -415,9 +430,9 @@ impl StagedRun {
     }
 
     /// Has what was done at the keys written, also while the run is paused.
-    pub fn keep_input(&mut self) -> Result<(), String> {
+    pub fn keep_input(&mut self) -> Result<(), Diagnostic> {
         let Some(files) = self.files.as_mut().filter(|files| files.input.is_some()) else { return Ok(()) };
-        files.store(&self.run, &Events::default(), &self.start.input).map_err(|error| error.to_string())
+        Ok(files.store(&self.run, &Events::default(), &self.start.input)?)
     }
 
     /// From now on these keys are held.
@@ -467,7 +482,7 @@ impl StagedRun {
     }
 
     /// Completes all files; what is said about it.
-    pub fn finish(&mut self) -> Result<Option<String>, String> {
+    pub fn finish(&mut self) -> Result<Option<String>, Diagnostic> {
         if std::mem::replace(&mut self.is_over, true) {
             return Ok(None);
         }
@@ -477,14 +492,14 @@ impl StagedRun {
             return match (is_whole, is_same) {
                 (false, _) => Ok(None),
                 (true, true) => Ok(Some("The replay matches the recording, event by event.".into())),
-                (true, false) => Err("The replay differs from the recording.".into()),
+                (true, false) => Err(StageMessage::Differs.diagnostic()),
             };
         }
         self.complete(|log, _, recording, run| log.finish(run, recording))
     }
 
     /// Ends a run that broke: nothing is asked of it any more, and what it has stored is completed as far as it came.
-    pub fn give_up(&mut self) -> Result<Option<String>, String> {
+    pub fn give_up(&mut self) -> Result<Option<String>, Diagnostic> {
         (self.is_over, self.furthest) = (true, None);
         self.events.clear();
         self.complete(|log, now, recording, _| log.give_up(now, recording))
@@ -493,15 +508,15 @@ impl StagedRun {
     fn complete(
         &mut self,
         end: impl FnOnce(RunLog, Micros, Recording, &Run) -> Result<(Stored, Recording), LogError>,
-    ) -> Result<Option<String>, String> {
+    ) -> Result<Option<String>, Diagnostic> {
         let Some(files) = &mut self.files else { return Ok(None) };
-        let Some((log, now)) = files.end().map_err(|error| error.to_string())? else { return Ok(None) };
+        let Some((log, now)) = files.end()? else { return Ok(None) };
         let mut recording = self.recording.clone();
         if let Some(keys) = &self.keys {
             recording.files.insert(keys.clone(), input_text(&self.start.input));
         }
         let furthest = self.furthest.as_ref().unwrap_or(&self.run);
-        let (stored, recording) = end(log, now, recording, furthest).map_err(|error| error.to_string())?;
+        let (stored, recording) = end(log, now, recording, furthest)?;
         self.recording = recording;
         let folder = self.folder().map(|folder| folder.display().to_string());
         Ok(Some(format!("Stored {} rows in {}.", stored.rows, folder.unwrap_or_default())))

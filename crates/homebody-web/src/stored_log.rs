@@ -1,11 +1,11 @@
 //! The rows of a stored log, as playback has them.
 
+use crate::refusal::shortened;
 use crate::wire::{DateView, PlaybackView};
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::scenario::logger::LoggerFile;
 use homebody_core::time::{Micros, SECOND};
 use homebody_log::{Event, Log, LogError, RunClock, Source};
-use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
@@ -13,27 +13,6 @@ use std::path::Path;
 
 /// Largest number of rows of a log that are stored (our choice): 1.6 GB on disk, forty years of a home's.
 pub const MOST_ROWS: u64 = 100_000_000;
-
-/// Why there is no answer, in a sentence.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Refusal {
-    /// There is no such run, or no such day of it.
-    Unknown(String),
-    /// Its files cannot be understood.
-    Damaged(String),
-    /// It has not come so far yet.
-    Early(String),
-}
-
-pub fn damaged(error: impl Display) -> Refusal {
-    Refusal::Damaged(shortened(&error.to_string()))
-}
-
-/// Problems of a scenario can be many lines; the page has room for a few.
-pub fn shortened(why: &str) -> String {
-    const LONGEST: usize = 600;
-    why.chars().take(LONGEST).collect()
-}
 
 /// The rows of a log by day, on the run's own clock. They are in a file without a name, which is gone with this: a log of ten years
 /// takes no memory.

@@ -1,8 +1,9 @@
 //! What the logs of stored runs hold, and how near they are to each other: the pages that the commands write.
 
-use crate::playback::{Refusal, State, state};
+use crate::messages::PageMessage;
+use crate::playback::{State, state};
+use crate::refusal::{Refusal, damaged, unknown, without};
 use crate::shelf::Shelf;
-use crate::stored_log::{damaged, shortened};
 use crate::walked::given;
 use crate::wire::{CareView, KeptLogView, WalksView};
 use homebody_analysis::alerts::{Rules, USUAL};
@@ -10,6 +11,7 @@ use homebody_analysis::care::care;
 use homebody_analysis::density::density;
 use homebody_analysis::look::{HomeSensor, Looker, looked};
 use homebody_analysis::realism::{NotComparable, Told, realism};
+use homebody_core::problem::{Diagnose, Diagnostic, readable};
 use homebody_core::scenario::load::Scenario;
 use homebody_kit::walked::GIVEN;
 use homebody_kit::{LogWithRun, NamedLog, home_sensors, sensors_of_home};
@@ -84,14 +86,11 @@ impl Logs {
         let zone = scenario.as_ref().map(|scenario| scenario.file.time_zone.as_str());
         let mut read = LogWithRun::alone(named, zone, MOST_ROWS).map_err(|error| self.wrong(&error))?;
         if read.log.rows > MOST_ROWS as u64 {
-            let rows = read.log.rows;
-            return Err(Refusal::Damaged(format!(
-                "{run} is too long for this page: it has {rows} rows, and the limit is {MOST_ROWS}."
-            )));
+            return Err(too_long(run, read.log.rows));
         }
         scenario.iter().for_each(|scenario| _ = read.place_in(scenario));
-        let measures = read.measures().map_err(|why| Refusal::Damaged(shortened(&why.to_string())))?;
-        let rules = Rules::read(USUAL).map_err(|problems| Refusal::Damaged(shortened(&problems.join("; "))))?;
+        let measures = read.measures().map_err(damaged)?;
+        let rules = Rules::read(USUAL).map_err(damaged)?;
         let subject = read.subject();
         let person = if read.residents().len() > 1 { "the residents" } else { &subject };
         let care = CareView::of(&care(&measures, &rules, &subject), (run, person), self.walks(run));
@@ -129,10 +128,7 @@ impl Logs {
     pub fn realism(&self, real: (&str, Which), other: (&str, Which)) -> Result<String, Refusal> {
         let _reading = self.reading.lock().unwrap_or_else(PoisonError::into_inner);
         let (a, b) = (self.read(real)?, self.read(other)?);
-        let realism = realism(told(&a), told(&b)).map_err(|problems| {
-            let said: Vec<String> = problems.iter().map(NotComparable::to_string).collect();
-            Refusal::Damaged(shortened(&said.join("\n")))
-        })?;
+        let realism = realism(told(&a), told(&b)).map_err(|problems| damaged(together(&problems)))?;
         Ok(realism_page(&realism))
     }
 
@@ -141,10 +137,7 @@ impl Logs {
         let (named, scenario) = self.find(run, which)?;
         let rows = named.survey().map_err(|error| self.wrong(&error))?.rows;
         if rows > MOST_ROWS as u64 {
-            let name = &named.name;
-            return Err(Refusal::Damaged(format!(
-                "{name} is too long to compare here: it has {rows} rows, and the limit is {MOST_ROWS}."
-            )));
+            return Err(too_long(&named.name, rows));
         }
         let zone = scenario.file.time_zone.as_str();
         let mut read = LogWithRun::of(named, Some(zone)).map_err(|error| self.wrong(&error))?;
@@ -157,9 +150,10 @@ impl Logs {
 
     /// A log, and the scenario of its home.
     fn find(&self, run: &str, which: Which) -> Result<(NamedLog, Scenario), Refusal> {
-        let folder = self.shelf.run(run).ok_or_else(|| Refusal::Unknown(format!("There is no run {run:?}.")))?;
-        let recording = self.shelf.recording(run).map_err(|why| Refusal::Damaged(shortened(&why)))?;
-        let scenario = recording.scenario().map_err(|problems| damaged(problems.render()))?;
+        let no_run = || unknown(PageMessage::NoRun { run: readable(run.to_owned()) });
+        let folder = self.shelf.run(run).ok_or_else(no_run)?;
+        let recording = self.shelf.recording(run).map_err(damaged)?;
+        let scenario = recording.scenario().map_err(damaged)?;
         let walked = self.shelf.walked(run);
         let named = match walked.as_deref().filter(|_| which == Which::Given) {
             Some(walked) => given(walked)?,
@@ -174,7 +168,7 @@ impl Logs {
 
     /// What is wrong, without where the runs are.
     fn wrong(&self, error: &homebody_kit::Error) -> Refusal {
-        damaged(error.to_string().replace(&format!("{}{}", self.shelf.runs.display(), std::path::MAIN_SEPARATOR), ""))
+        damaged(without(&self.shelf.runs, error.diagnostic()))
     }
 }
 
@@ -183,6 +177,27 @@ fn density_of(named: NamedLog, zone: &str) -> Option<String> {
     let log = LogWithRun::of(named, Some(zone)).ok()?;
     let asked = log.density_asked();
     density((&log.name, &log.log, &asked), None).ok().map(|density| density_map(&density))
+}
+
+fn too_long(log: &str, rows: u64) -> Refusal {
+    damaged(PageMessage::LogTooLong { log: readable(log.to_owned()), rows, limit: MOST_ROWS as u64 })
+}
+
+/// The problems of two logs as one message, with the code of the first.
+fn together(problems: &[NotComparable]) -> Diagnostic {
+    let all: Vec<Diagnostic> = problems.iter().map(NotComparable::diagnostic).collect();
+    let joined = |texts: Vec<&str>| {
+        let mut different: Vec<&str> = Vec::new();
+        texts.into_iter().for_each(|text| {
+            if !different.contains(&text) {
+                different.push(text)
+            }
+        });
+        different.join("; ")
+    };
+    let what = joined(all.iter().map(|problem| problem.what.as_str()).collect());
+    let hint = joined(all.iter().filter_map(|problem| problem.hint.as_deref()).collect());
+    Diagnostic { what, hint: (!hint.is_empty()).then_some(hint), ..all.into_iter().next().unwrap_or_default() }
 }
 
 fn told(log: &LogWithRun) -> Told<'_> {

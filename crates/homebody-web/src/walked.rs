@@ -1,7 +1,9 @@
 //! A log that was walked back, as playback shows it: its rows as they were, and how likely everybody was in each room.
 
-use crate::stored_log::{MOST_ROWS, Refusal, StoredRows, damaged, shortened, stranger, told_of};
+use crate::refusal::{Refusal, damaged, failed, shortened, without};
+use crate::stored_log::{MOST_ROWS, StoredRows, stranger, told_of};
 use crate::wire::{BETWEEN, Chance, OUT, PlaybackView, WalkView};
+use homebody_core::problem::Diagnose;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{Micros, SECOND};
 use homebody_kit::walked::{GIVEN, REPORT, ROOMS, Reported, doubts};
@@ -38,12 +40,7 @@ pub fn given(folder: &Path) -> Result<NamedLog, Refusal> {
         [one] => one,
         _ => &given,
     };
-    NamedLog::find(&found.to_string_lossy()).map_err(|error| damaged(without(folder, &error)))
-}
-
-/// What is wrong in a folder, without where that is.
-fn without(folder: &Path, error: &impl ToString) -> String {
-    error.to_string().replace(&format!("{}{}", folder.display(), std::path::MAIN_SEPARATOR), "")
+    NamedLog::find(&found.to_string_lossy()).map_err(|error| damaged(without(folder, error.diagnostic())))
 }
 
 impl Walked {
@@ -60,9 +57,9 @@ impl Walked {
     pub fn rows(&self, scenario: &Scenario, view: &mut PlaybackView, beside: &Path) -> Result<StoredRows, Refusal> {
         view.sensors = view.home.sensors.iter().map(|sensor| sensor.name.clone()).collect();
         // Of a way that is too long for a path only the first days are there.
-        let mut rows = StoredRows::new(beside, view, &scenario.calendar, view.length_us).map_err(damaged)?;
+        let mut rows = StoredRows::new(beside, view, &scenario.calendar, view.length_us).map_err(failed)?;
         let log = rows.read(self.given.place.clone(), &self.given.mapping, MOST_ROWS);
-        let log = log.map_err(|error| damaged(without(&self.folder, &error)))?;
+        let log = log.map_err(|error| damaged(without(&self.folder, error.diagnostic())))?;
         let known = sensors_of_home(&log, scenario).into_iter().zip(&log.sensors);
         let strange = |id: &String, view: &mut PlaybackView| stranger(id, &mut view.sensors);
         let number = |(number, id): (Option<usize>, &String)| number.map_or_else(|| strange(id, view), |of| of as u32);
@@ -78,7 +75,7 @@ impl Walked {
         let clock = RunClock::new(&scenario.calendar, view.length_us, Clock::Local);
         let table = self.folder.join(ROOMS);
         let all = doubts(&table, &self.reported.people, scenario.home.plan(), &clock);
-        let all = all.map_err(|error| damaged(without(&self.folder, &error)))?;
+        let all = all.map_err(|error| damaged(without(&self.folder, error.diagnostic())))?;
         // The guest is the last, and told of although nobody ever came.
         let mut chances = vec![Vec::new(); view.residents.len()];
         for Doubt { at, who, place, chance } in all.into_iter().filter(|doubt| doubt.at <= view.length_us) {

@@ -3,9 +3,11 @@
 //! A log comes into a hidden folder among the runs. What is made of it gets a name there once it is whole, so that what was
 //! stopped, or went wrong, leaves nothing behind.
 
+use crate::messages::PageMessage;
+use crate::refusal::{sentence, without};
 use crate::shelf::Shelf;
 use crate::wire::{WalkState, WalkingView};
-use homebody_core::problem::counted;
+use homebody_core::problem::Diagnose;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::DAY;
 use homebody_kit::walked::{GIVEN, walk_into};
@@ -115,7 +117,8 @@ impl Walks {
         let is_kept = log.len() <= 100 && !log.starts_with('.') && !log.contains(['/', '\\', ':', '\0']);
         let log = if is_kept && !log.is_empty() { log } else { UNNAMED }.to_owned();
         let cancel = Cancel::new();
-        let view = WalkingView { log: log.clone(), state: WalkState::Coming, share: 0.0, run: None, problem: None };
+        let (state, share) = (WalkState::Coming, 0.0);
+        let view = WalkingView { log: log.clone(), state, share, run: None, problem: None, problem_code: None };
         *now = Some(Walk { view, cancel: cancel.clone(), folder: folder.path().to_owned() });
         Ok(Coming { walks: self.clone(), folder: Some(folder), log, home, cancel })
     }
@@ -135,10 +138,11 @@ impl Walks {
             Ok(run) => (view.state, view.share, view.run) = (WalkState::Done, 1.0, Some(run)),
             Err(Error::Cancelled) => view.state = WalkState::Stopped,
             Err(error) => {
-                // Where the log lies meanwhile tells nobody anything.
-                let folder = format!("{}{}", hidden.display(), std::path::MAIN_SEPARATOR);
+                // The folder of the log is gone by now.
+                let problem = without(hidden, error.diagnostic());
                 view.state = WalkState::Failed;
-                view.problem = Some(error.to_string().replace(&folder, ""));
+                view.problem = Some(sentence(&problem));
+                view.problem_code = (!problem.code.is_empty()).then(|| problem.code.to_owned());
             }
         });
     }
@@ -178,7 +182,7 @@ impl Coming {
         thread::spawn(move || {
             let hidden = folder.path().to_owned();
             let walk = || walks.make(&hidden, &log, &home, &cancel);
-            let broken = || Error::Translation("cannot locate people because of an error in Homebody".into());
+            let broken = || Error::Translation(PageMessage::LocatingBroke.into());
             let ended = catch_unwind(AssertUnwindSafe(walk)).unwrap_or_else(|_| Err(broken()));
             // First all is tidy, then it is told.
             drop(folder);
@@ -194,7 +198,7 @@ impl Drop for Coming {
             drop(folder);
             let why = match self.cancel.is_cancelled() {
                 true => Error::Cancelled,
-                false => Error::Translation("the log arrived incomplete".into()),
+                false => Error::Translation(PageMessage::LogIncomplete.into()),
             };
             self.walks.end(Err(why), &hidden);
         }
@@ -241,7 +245,7 @@ impl Walks {
     fn home(&self, run: Option<&str>) -> Result<Scenario, Error> {
         let loaded = match run {
             None => Household::load(&self.shelf, &self.shelf.entry, &[]),
-            Some(run) => Household::recorded(&self.shelf.recording(run).map_err(|why| Error::Translation(why.into()))?),
+            Some(run) => Household::recorded(&self.shelf.recording(run).map_err(Error::Translation)?),
         };
         Ok(loaded?.0)
     }
@@ -256,20 +260,15 @@ impl Walks {
 }
 
 fn small_enough(read: &LogWithRun) -> Result<(), Error> {
-    const HINT: &str = "hint: open a part of the log, or use homebody locate, which has no limit";
     let rows = read.log.events.len();
     if rows > MOST_ROWS {
-        return Err(Error::Translation(
-            format!("the log has {rows} rows; the limit of the page is {MOST_ROWS}\n  {HINT}").into(),
-        ));
+        return Err(Error::Translation(PageMessage::TooManyRows { rows, limit: MOST_ROWS }.into()));
     }
     let times = || read.log.events.iter().map(|event| event.at);
     let span = times().max().zip(times().min()).map_or(0, |(last, first)| last.saturating_sub(first));
     if span > MOST_DAYS * DAY {
-        let days = counted((span / DAY) as usize, "day", "days");
-        return Err(Error::Translation(
-            format!("the log covers {days}; the limit of the page is {MOST_DAYS}\n  {HINT}").into(),
-        ));
+        let days = (span / DAY) as usize;
+        return Err(Error::Translation(PageMessage::TooManyDays { days, limit: MOST_DAYS }.into()));
     }
     Ok(())
 }

@@ -22,6 +22,7 @@ pub use library::*;
 pub use silhouettes::*;
 
 use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use ts_rs::TS;
 
@@ -243,6 +244,10 @@ pub struct StoredView {
     pub walked_back: Option<String>,
     /// Why it cannot be played back.
     pub problem: Option<String>,
+    /// The stable code of the problem.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub problem_code: Option<String>,
     /// When its files were begun, in milliseconds since 1970, where that is known.
     #[ts(type = "number | null")]
     pub made_ms: Option<i64>,
@@ -413,6 +418,10 @@ pub struct WalkingView {
     pub run: Option<String>,
     /// Why none came of it.
     pub problem: Option<String>,
+    /// The stable code of the problem.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub problem_code: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, TS)]
@@ -507,8 +516,34 @@ pub enum Key {
 pub enum Tell {
     /// A run has begun; frames that follow are of this one.
     Run { run: Box<RunView> },
-    /// Something to read: what was done, or why it could not be.
-    Note { text: String, bad: bool },
+    /// Something to read: what was done, or why it could not be, with the stable code of the message.
+    Note {
+        text: String,
+        bad: bool,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[ts(optional)]
+        code: Option<String>,
+    },
     /// No run could be begun, and what is wrong with the scenario. The run that there was, if there was one, is there still.
-    Unbegun { why: String, problems: Vec<ProblemView> },
+    Unbegun {
+        why: String,
+        problems: Vec<ProblemView>,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        #[ts(optional)]
+        code: Option<String>,
+    },
+}
+
+/// The message of a refused request. The status of HTTP has its kind.
+#[derive(Clone, Debug, PartialEq, Serialize, TS)]
+pub struct RefusedView {
+    /// The stable code, such as `page::no-run`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub code: Option<String>,
+    /// The message, as sentences.
+    pub what: String,
+    /// The values that the message quotes, by name.
+    #[ts(type = "Record<string, unknown>")]
+    pub data: Map<String, Value>,
 }

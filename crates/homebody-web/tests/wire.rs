@@ -82,6 +82,7 @@ fn declarations() -> Vec<String> {
         Say,
         Key,
         Tell,
+        RefusedView,
         FilesView,
         UnderlayView,
         LivesView,

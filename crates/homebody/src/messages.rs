@@ -15,6 +15,10 @@ pub fn all() -> impl Iterator<Item = &'static Entry> + Clone {
         homebody_routine::catalogue::MESSAGES,
         homebody_import::catalogue::MESSAGES,
         homebody_kit::catalogue::MESSAGES,
+        homebody_analysis::catalogue::MESSAGES,
+        homebody_picture::catalogue::MESSAGES,
+        homebody_experiment::catalogue::MESSAGES,
+        homebody_web::catalogue::MESSAGES,
         catalogue::MESSAGES,
         &[
             ControlMessage::ENTRIES,

@@ -15,7 +15,7 @@ use jiff::civil::Date;
 use serde::Serialize;
 use std::fmt;
 
-pub use rule::{Method, Rule, Rules, Several, USUAL, When};
+pub use rule::{Method, Rule, RuleMessage, Rules, Several, USUAL, When};
 
 /// The rule of alerts about sensors that are silent.
 pub const SENSOR: &str = "sensor";

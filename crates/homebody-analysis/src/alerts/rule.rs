@@ -1,6 +1,7 @@
 //! Rules for alerts, as a file has them.
 
 use crate::measures::{MEASURES, Measure};
+use homebody_core::problem::{Problem, Problems};
 use serde::Deserialize;
 
 /// The rules that hold where nobody says others.
@@ -115,32 +116,91 @@ fn fifth() -> f64 {
     0.2
 }
 
+homebody_core::messages! {
+    /// Problems with rules of alerts.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum RuleMessage in "alert-rule" {
+        /// A file of rules is JSON with a list of rules:
+        ///
+        /// ```json
+        /// { "rules": [{ "name": "nights", "measure": "bathroom_night", "when": "more" }] }
+        /// ```
+        Form {
+            /// The reason, with the line and the column.
+            why: String,
+        } error "invalid" ("cannot parse the rules of alerts: {why}")
+            hint ("docs/reference/measures.md lists the keys of a rule");
+        /// An alert names its rule, so each rule has a name of its own.
+        SameName {
+            /// The name.
+            rule: String,
+        } error "same-name" ("two rules have the name {rule:?}")
+            hint ("give each rule its own name");
+        /// A rule compares one measure of days with those before.
+        UnknownMeasure {
+            /// The name of the rule.
+            rule: String,
+            /// The name of the measure.
+            measure: String,
+            /// The known measures.
+            known: Vec<String>,
+        } error "unknown-measure" ("the rule {rule:?} names an unknown measure, {measure:?}")
+            hint ("the measures are {}", known.join(", "));
+        /// The keys of a rule have limits: a number outside of them would never raise an alert, or raise one each day.
+        Range {
+            /// The name of the rule.
+            rule: String,
+            /// The key.
+            key: &'static str,
+            /// The allowed numbers, in words.
+            allowed: &'static str,
+            /// A usual number.
+            example: &'static str,
+        } error "out-of-range" ("the rule {rule:?}: {key} must be {allowed}")
+            hint ("write a number such as {example}");
+        /// The part `several` raises an alert when several measures differ on the same day. Its keys have limits.
+        Several {
+            /// The key.
+            key: &'static str,
+            /// The allowed numbers, in words.
+            allowed: &'static str,
+            /// A usual number.
+            example: &'static str,
+        } error "several" ("several: {key} must be {allowed}")
+            hint ("write a number such as {example}");
+    }
+}
+
 impl Rules {
-    /// Of a file's text; all that is wrong with it, else.
+    /// The rules of a text.
     ///
     /// # Errors
     ///
-    /// A sentence for each problem.
-    pub fn read(text: &str) -> Result<Rules, Vec<String>> {
-        let rules: Rules = serde_json::from_str(text).map_err(|error| vec![error.to_string()])?;
-        let mut problems: Vec<String> = rules.rules.iter().flat_map(Rule::problems).collect();
+    /// All problems of the text.
+    pub fn read(text: &str) -> Result<Rules, Problems> {
+        let unread = |error: serde_json::Error| Problems(vec![RuleMessage::Form { why: error.to_string() }.into()]);
+        let rules: Rules = serde_json::from_str(text).map_err(unread)?;
+        let mut problems: Vec<RuleMessage> = rules.rules.iter().flat_map(Rule::problems).collect();
         let twice = rules.rules.iter().enumerate().filter(|(number, rule)| {
             rules.rules[..*number].iter().filter(|other| other.name == rule.name).count() == 1
         });
-        problems.extend(twice.map(|(_, rule)| format!("two rules are called {:?}: give each its own name", rule.name)));
+        problems.extend(twice.map(|(_, rule)| RuleMessage::SameName { rule: rule.name.clone() }));
         problems.extend(rules.several.iter().flat_map(Several::problems));
-        if problems.is_empty() { Ok(rules) } else { Err(problems) }
+        match problems.is_empty() {
+            true => Ok(rules),
+            false => Err(Problems(problems.into_iter().map(Problem::from).collect())),
+        }
     }
 }
 
 impl Several {
-    fn problems(&self) -> Vec<String> {
+    fn problems(&self) -> Vec<RuleMessage> {
         let mut problems = Vec::new();
         if self.at_least < 2 {
-            problems.push("several: at_least has to be 2 or more, such as 3".to_owned());
+            problems.push(RuleMessage::Several { key: "at_least", allowed: "2 or more", example: "3" });
         }
         if !(self.k_sd > 0.0 && self.k_sd <= 100.0) {
-            problems.push("several: k_sd has to be above 0 and at most 100, such as 2".to_owned());
+            problems.push(RuleMessage::Several { key: "k_sd", allowed: "above 0 and at most 100", example: "2" });
         }
         problems
     }
@@ -152,31 +212,27 @@ impl Rule {
         MEASURES.iter().enumerate().find(|(_, measure)| measure.name == self.measure)
     }
 
-    fn problems(&self) -> Vec<String> {
+    fn problems(&self) -> Vec<RuleMessage> {
         let mut problems = Vec::new();
-        let mut wrong = |is_wrong: bool, what: String| {
-            if is_wrong {
-                problems.push(format!("the rule {:?}: {what}", self.name));
+        if self.measure().is_none() {
+            problems.push(RuleMessage::UnknownMeasure {
+                rule: self.name.clone(),
+                measure: self.measure.clone(),
+                known: MEASURES.iter().map(|measure| measure.name.to_owned()).collect(),
+            });
+        }
+        let mut range = |is_right: bool, key, allowed, example| {
+            if !is_right {
+                problems.push(RuleMessage::Range { rule: self.name.clone(), key, allowed, example });
             }
         };
-        let known: Vec<&str> = MEASURES.iter().map(|measure| measure.name).collect();
-        wrong(
-            self.measure().is_none(),
-            format!("there is no measure {:?}\n  hint: the measures are {}", self.measure, known.join(", ")),
-        );
-        wrong(!(self.k_sd > 0.0 && self.k_sd <= 100.0), "k_sd has to be above 0 and at most 100, such as 3".into());
-        wrong(!(self.least_sd >= 0.0 && self.least_sd.is_finite()), "least_sd must not be below 0".into());
-        wrong(!(2..=366).contains(&self.baseline_days), "baseline_days has to be from 2 to 366, such as 14".into());
-        wrong(
-            !(2..=self.baseline_days.max(2)).contains(&self.min_days),
-            "min_days has to be from 2 to baseline_days, such as 7".into(),
-        );
-        wrong(!(1..=60).contains(&self.days), "days has to be from 1 to 60, such as 2".into());
-        wrong(
-            !(self.smoothing > 0.0 && self.smoothing <= 1.0),
-            "smoothing has to be above 0 and at most 1, such as 0.2".into(),
-        );
-        wrong(!(0.0..=10.0).contains(&self.slack_sd), "slack_sd has to be from 0 to 10, such as 0.5".into());
+        range(self.k_sd > 0.0 && self.k_sd <= 100.0, "k_sd", "above 0 and at most 100", "3");
+        range(self.least_sd >= 0.0 && self.least_sd.is_finite(), "least_sd", "0 or more", "0.5");
+        range((2..=366).contains(&self.baseline_days), "baseline_days", "from 2 to 366", "14");
+        range((2..=self.baseline_days.max(2)).contains(&self.min_days), "min_days", "from 2 to baseline_days", "7");
+        range((1..=60).contains(&self.days), "days", "from 1 to 60", "2");
+        range(self.smoothing > 0.0 && self.smoothing <= 1.0, "smoothing", "above 0 and at most 1", "0.2");
+        range((0.0..=10.0).contains(&self.slack_sd), "slack_sd", "from 0 to 10", "0.5");
         problems
     }
 }
@@ -191,27 +247,36 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_wrong_is_told_at_once() {
+    fn reports_all_problems_of_rules_at_once() {
         let text = r#"{ "rules": [
             { "name": "a", "measure": "meels", "when": "less", "k_sd": -1 },
             { "name": "b", "measure": "meals", "when": "less", "smoothing": 2, "min_days": 30 }
         ] }"#;
-        let problems = Rules::read(text).unwrap_err();
-        assert_eq!(problems.len(), 4, "{problems:?}");
-        assert!(problems[0].contains("meals"), "{problems:?}");
-        assert!(Rules::read(r#"{ "rules": [], "many": 1 }"#).unwrap_err()[0].contains("many"));
-        assert!(Rules::read("[]").unwrap_err()[0].contains("an object with \"rules\""));
+        let Problems(problems) = Rules::read(text).unwrap_err();
+        let range = "alert-rule::out-of-range";
+        assert_eq!(codes(&problems), ["alert-rule::unknown-measure", range, range, range]);
+        assert!(problems[0].hint.as_ref().unwrap().contains("meals"), "{problems:?}");
+        for (text, why) in [(r#"{ "rules": [], "many": 1 }"#, "many"), ("[]", "an object with \"rules\"")] {
+            let Problems(problems) = Rules::read(text).unwrap_err();
+            assert_eq!(codes(&problems), ["alert-rule::invalid"]);
+            assert!(problems[0].data["why"].as_str().unwrap().contains(why), "{problems:?}");
+        }
+    }
+
+    fn codes(problems: &[Problem]) -> Vec<&'static str> {
+        problems.iter().map(|problem| problem.code).collect()
     }
 
     #[test]
-    fn a_name_is_of_one_rule_and_several_are_two_or_more() {
+    fn rejects_rules_with_one_name_and_several_of_less_than_two() {
         let text = r#"{ "rules": [
             { "name": "a", "measure": "meals", "when": "less" },
             { "name": "a", "measure": "sleep", "when": "less" },
             { "name": "a", "measure": "sleep", "when": "more" }
         ], "several": { "at_least": 0, "k_sd": 0 } }"#;
-        let problems = Rules::read(text).unwrap_err();
-        assert_eq!(problems.len(), 3, "{problems:?}");
-        assert!(problems[0].contains("\"a\"") && problems[1].contains("at_least") && problems[2].contains("k_sd"));
+        let Problems(problems) = Rules::read(text).unwrap_err();
+        assert_eq!(codes(&problems), ["alert-rule::same-name", "alert-rule::several", "alert-rule::several"]);
+        assert_eq!(problems[0].data["rule"], "a");
+        assert_eq!([&problems[1], &problems[2]].map(|problem| problem.data["key"].clone()), ["at_least", "k_sd"]);
     }
 }

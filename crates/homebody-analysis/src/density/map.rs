@@ -43,37 +43,50 @@ impl Default for Asked {
     }
 }
 
-/// Why there is no map.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum NoMap {
-    /// The log has no row.
-    #[error("it has no rows")]
-    Empty,
-    /// The log has no sensor that is taken for a motion sensor.
-    #[error("no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody")]
-    NoMotion,
-    /// Nor has it, and the words of these sensors are not understood: a sentence.
-    #[error("no sensor in it tells of motion: {0}\n  hint: write ON and OFF for the two words")]
-    NotUnderstood(String),
-    /// Its sensors are never in a state that is known.
-    #[error("the state of its sensors is never known")]
-    Unknown,
-    /// So many days were asked for.
-    #[error("a map of {0} days is longer than ten years")]
-    TooLong(usize),
-    /// The date that was asked for, and the first and the last that the log has.
-    #[error("{0} is no day of it\n  hint: it goes from {1} to {2}")]
-    NoDay(Date, Date, Date),
-    /// The log is too long for memory, and could not be read a second time.
-    #[error("its rows could not be read again: {0}")]
-    Unread(String),
-    /// The log is too long for memory, and a row comes much later than one of a later instant: both instants.
-    #[error(
-        "it has more rows than are kept in memory, and they are out of order: {} comes after {}\n  hint: sort its rows by time first",
-        written(*.0),
-        written(*.1)
-    )]
-    Disorder(Micros, Micros),
+homebody_core::messages! {
+    /// Reasons why a log has no density map and no measures.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum NoMap in "measure" {
+        /// The density map and the measures of days count the rows of a log. This log has none of sensors.
+        Empty error "no-rows" ("the log has no rows");
+        /// The density map and the measures of days count movements, which motion sensors report. Homebody recognises a motion sensor by
+        /// its kind, its name and its values.
+        NoMotion error "no-motion-sensors" ("no sensor of the log reports motion")
+            hint ("motion sensors send ON, FIRE, true or 1 when they see a person");
+        /// Sensors with names of motion sensors send two words that Homebody does not know, so their rows count as readings.
+        NotUnderstood(remarks: Vec<String>) error "unknown-states"
+            ("no sensor of the log reports motion: {}", remarks.join("; "))
+            hint ("write ON and OFF for the two words");
+        /// Systems such as Home Assistant write `unavailable` or `unknown` for a sensor that does not answer. The motion sensors of this log
+        /// have no other values.
+        Unknown error "never-known" ("the state of the motion sensors is never known");
+        /// The density map and the measures of days have a limit of ten years, so that a wrong date does not exhaust the memory.
+        TooLong(days: usize) error "too-many-days" ("the log covers {days} days, and the limit is ten years");
+        /// The requested first day is before the first row of the log, or after the last.
+        NoDay {
+            /// The requested date.
+            date: Date,
+            /// The first date of the log.
+            first: Date,
+            /// The last date of the log.
+            last: Date,
+        } error "no-such-day" ("the log has no {date}")
+            hint ("the log covers {first} to {last}");
+        /// The log is too long for the memory, so Homebody reads it a second time. The second reading failed.
+        Unread(why: String) error "unreadable" ("cannot read the rows of the log again: {why}");
+        /// Homebody sorts a log that fits into the memory. This log is longer, so its rows must be in the order of time.
+        Disorder {
+            /// The time of the row, in microseconds.
+            at: Micros,
+            /// The time of an earlier row of the file, in microseconds.
+            before: Micros,
+        } error "out-of-order" (
+            "the log has more rows than the memory holds, and they are out of order: {row} comes after {earlier}",
+            row = written(*at),
+            earlier = written(*before)
+        )
+            hint ("sort its rows by time first");
+    }
 }
 
 impl NoMap {
@@ -81,7 +94,7 @@ impl NoMap {
     pub(crate) fn no_motion(log: &Log) -> NoMap {
         match OwnWords::of(log).not_understood() {
             [] => NoMap::NoMotion,
-            sentences => NoMap::NotUnderstood(sentences.join("; ")),
+            remarks => NoMap::NotUnderstood(remarks.to_vec()),
         }
     }
 }
@@ -424,7 +437,7 @@ fn days(asked: &Asked, begin: Micros, end: Micros) -> Result<Days, NoMap> {
     let (first, last) = (date_of(begin), date_of(end - 1));
     let from = asked.from.unwrap_or(first);
     if !(first..=last).contains(&from) {
-        return Err(NoMap::NoDay(from, first, last));
+        return Err(NoMap::NoDay { date: from, first, last });
     }
     let there = ((midnight(last) - midnight(from)) / DAY + 1) as usize;
     let count = asked.days.unwrap_or(there).min(there);

@@ -112,7 +112,7 @@ fn a_part_of_the_days_is_cut_out() {
     assert_eq!(map(&rows, &part(3, Some(9))).days.len(), 1, "there are no more days than the log has");
     let (first, last) = (date(1970, 1, 1), date(1970, 1, 3));
     let wrong = Map::of("log", &log(&rows), &part(4, None));
-    assert_eq!(wrong, Err(NoMap::NoDay(date(1970, 1, 4), first, last)));
+    assert_eq!(wrong, Err(NoMap::NoDay { date: date(1970, 1, 4), first, last }));
 }
 
 #[test]

@@ -4,6 +4,7 @@
 
 use super::Shape;
 use homebody_core::fuzzy::Fuzzy;
+use homebody_core::problem::{Problem, Problems};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -64,6 +65,11 @@ pub enum Feature {
 }
 
 impl Feature {
+    /// Its name in a file of rules.
+    fn name(self) -> String {
+        serde_json::to_value(self).ok().and_then(|name| name.as_str().map(str::to_owned)).unwrap_or_default()
+    }
+
     fn of(self, shape: &Shape) -> f64 {
         match self {
             Feature::CentroidUpM => shape.centroid_up_m,
@@ -131,52 +137,113 @@ impl Default for FallRules {
     }
 }
 
+homebody_core::messages! {
+    /// Problems with rules of falls.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum FallRuleMessage in "fall-rule" {
+        /// A file of rules is JSON with "terms", "states" and "falls". `homebody falls --show-rules` prints the default rules, which are an
+        /// example.
+        Form {
+            /// The reason, with the line and the column.
+            why: String,
+        } error "invalid" ("cannot parse the rules of falls: {why}");
+        /// The four numbers of a term are the value at which it begins to hold, the values between which it holds wholly, and the value at
+        /// which it ends:
+        ///
+        /// ```json
+        /// { "terms": { "height_m": { "low": [0, 0, 0.4, 0.7] } } }
+        /// ```
+        Unsorted {
+            /// The feature of the term.
+            feature: String,
+            /// The term.
+            term: String,
+        } error "unsorted-term" ("the numbers of the term {term:?} of {feature:?} are not in order")
+            hint ("write four finite numbers, each as large as the one before or larger");
+        /// A rule of "states" says which terms make a state. Without a term it would hold always.
+        NoCondition {
+            /// The number of the rule, from 1.
+            rule: usize,
+        } error "no-condition" ("rule {rule} of \"states\" has an empty \"if\"")
+            hint ("write a feature and one of its terms into \"if\"");
+        /// A rule of "states" names the terms that the file declares under "terms".
+        UnknownTerm {
+            /// The number of the rule, from 1.
+            rule: usize,
+            /// The feature.
+            feature: String,
+            /// The name of the term.
+            term: String,
+            /// The terms of the feature.
+            known: Vec<String>,
+        } error "unknown-term" ("rule {rule} of \"states\" names an unknown term of {feature:?}, {term:?}")
+            advice (Some(match known.is_empty() {
+                true => format!("declare the term under \"terms\": {feature:?} has none"),
+                false => format!("the terms of {feature:?} are {}", known.join(", ")),
+            }));
+        /// The times of a rule of "falls" are the least duration on the ground and the longest time since the state before.
+        Times {
+            /// The name of the rule.
+            rule: String,
+        } error "times" ("the rule {rule:?} of \"falls\" has a time out of range")
+            hint ("write times from 0 to 86400 s");
+        /// The confidence of a rule of "falls" is a share.
+        Confidence {
+            /// The name of the rule.
+            rule: String,
+        } error "confidence" ("the \"confidence\" of the rule {rule:?} of \"falls\" is out of range")
+            hint ("write a number from 0 to 1");
+    }
+}
+
 impl FallRules {
     /// Rules as a file has them.
     ///
     /// # Errors
     ///
-    /// All that is wrong with them, a line each.
-    pub fn parse(text: &str) -> Result<FallRules, Vec<String>> {
-        let rules: FallRules = serde_json::from_str(text).map_err(|error| vec![error.to_string()])?;
+    /// All problems of the text.
+    pub fn parse(text: &str) -> Result<FallRules, Problems> {
+        let unread = |error: serde_json::Error| Problems(vec![FallRuleMessage::Form { why: error.to_string() }.into()]);
+        let rules: FallRules = serde_json::from_str(text).map_err(unread)?;
         let wrong = rules.wrong();
-        if wrong.is_empty() { Ok(rules) } else { Err(wrong) }
+        match wrong.is_empty() {
+            true => Ok(rules),
+            false => Err(Problems(wrong.into_iter().map(Problem::from).collect())),
+        }
     }
 
-    fn wrong(&self) -> Vec<String> {
+    fn wrong(&self) -> Vec<FallRuleMessage> {
         let mut wrong = Vec::new();
-        let name = |feature: &Feature| serde_json::to_string(feature).unwrap_or_default();
         for (feature, terms) in &self.terms {
             for (term, numbers) in terms {
                 if !numbers.is_sorted() || numbers.iter().any(|number| !number.is_finite()) {
-                    wrong.push(format!("{term:?} of {}: its four numbers must not fall", name(feature)));
+                    wrong.push(FallRuleMessage::Unsorted { feature: feature.name(), term: term.clone() });
                 }
             }
         }
-        for (number, rule) in self.states.iter().enumerate() {
+        for (rule, number) in self.states.iter().zip(1..) {
             if rule.conditions.is_empty() {
-                wrong.push(format!("rule {} of \"states\" has no \"if\"", number + 1));
+                wrong.push(FallRuleMessage::NoCondition { rule: number });
             }
             for (feature, term) in &rule.conditions {
                 let terms = self.terms.get(feature);
                 if terms.is_none_or(|terms| !terms.contains_key(term)) {
-                    let known: Vec<&str> = terms.into_iter().flat_map(BTreeMap::keys).map(String::as_str).collect();
-                    let known = if known.is_empty() { "none".into() } else { known.join(", ") };
-                    let number = number + 1;
-                    wrong.push(format!(
-                        "rule {number} of \"states\": {} has no term {term:?}; its terms: {known}",
-                        name(feature)
-                    ));
+                    wrong.push(FallRuleMessage::UnknownTerm {
+                        rule: number,
+                        feature: feature.name(),
+                        term: term.clone(),
+                        known: terms.into_iter().flat_map(BTreeMap::keys).cloned().collect(),
+                    });
                 }
             }
         }
         for rule in &self.falls {
             let within = rule.before.map_or(0.0, |before| before.within_s);
             if !(0.0..=86_400.0).contains(&rule.lies_s) || !(0.0..=86_400.0).contains(&within) {
-                wrong.push(format!("{:?} of \"falls\": times are from 0 to 86400 s", rule.name));
+                wrong.push(FallRuleMessage::Times { rule: rule.name.clone() });
             }
             if !(0.0..=1.0).contains(&rule.confidence) {
-                wrong.push(format!("{:?} of \"falls\": \"confidence\" is from 0 to 1", rule.name));
+                wrong.push(FallRuleMessage::Confidence { rule: rule.name.clone() });
             }
         }
         wrong
@@ -201,6 +268,7 @@ impl FallRules {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
 
     fn shape(centroid_up_m: f64, height_m: f64, tilt_deg: f64, volume_l: f64) -> Shape {
         Shape { centroid_up_m, height_m, tilt_deg, volume_l, at_m: [0.0, 0.0] }
@@ -221,14 +289,21 @@ mod tests {
     }
 
     #[test]
-    fn all_that_is_wrong_with_rules_is_told() {
+    fn reports_all_problems_of_rules() {
         let text = r#"{ "terms": { "height_m": { "low": [0, 0.5, 0.4, 1] } },
             "states": [{ "state": "upright", "if": { "height_m": "tall", "tilt_deg": "up" } }, { "state": "upright", "if": {} }],
             "falls": [{ "name": "f", "lies_s": -1, "confidence": 2 }] }"#;
-        let wrong = FallRules::parse(text).unwrap_err();
-        assert_eq!(wrong.len(), 6, "{wrong:?}");
-        assert!(wrong.iter().any(|line| line.contains("no term \"tall\"; its terms: low")), "{wrong:?}");
-        assert!(FallRules::parse("{").is_err());
+        let Problems(wrong) = FallRules::parse(text).unwrap_err();
+        let codes: Vec<&str> = wrong.iter().filter_map(|problem| problem.code.strip_prefix("fall-rule::")).collect();
+        let terms = ["unsorted-term", "unknown-term", "unknown-term", "no-condition"];
+        assert_eq!(codes, [&terms[..], &["times", "confidence"]].concat());
+        let tall = &wrong[1].data;
+        assert_eq!(
+            (&tall["feature"], &tall["term"], &tall["known"][0]),
+            (&json!("height_m"), &json!("tall"), &json!("low"))
+        );
+        let Problems(unread) = FallRules::parse("{").unwrap_err();
+        assert_eq!(unread[0].code, "fall-rule::invalid");
     }
 
     #[test]

@@ -139,20 +139,26 @@ pub struct Sign {
     pub medians: [f64; 2],
 }
 
-/// Why two logs cannot be held against each other.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum NotComparable {
-    /// The log of this name has no motion.
-    #[error(
-        "{0}: no sensor in it tells of motion\n  hint: motion sensors say ON, FIRE, true or 1 when they see somebody"
-    )]
-    NoMotion(String),
-    /// The log of this name has no whole day.
-    #[error("{0}: no day of it is whole\n  hint: days are compared, so record or live two days or more")]
-    NoDay(String),
-    /// The log of this name spans too many days.
-    #[error("{0}: it spans {1} days, but realism compares at most ten years\n  hint: compare a part of the log")]
-    TooLong(String, usize),
+homebody_core::messages! {
+    /// Reasons why two logs cannot be compared.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum NotComparable in "realism" {
+        /// The measures of realism compare movements, which motion sensors report. Homebody recognises a motion sensor by its kind, its name
+        /// and its values.
+        NoMotion(log: String) error "no-motion-sensors" ("{log}: no sensor reports motion")
+            hint ("motion sensors send ON, FIRE, true or 1 when they see a person");
+        /// The measures of realism compare whole days, from midnight to midnight. The first and the last day of a log are rarely whole.
+        NoDay(log: String) error "no-whole-day" ("{log}: the log has no whole day")
+            hint ("record or simulate two days or more");
+        /// The comparison has a limit of ten years, so that a wrong date does not exhaust the memory.
+        TooLong {
+            /// The name of the log.
+            log: String,
+            /// The number of days that it covers.
+            days: usize,
+        } error "too-many-days" ("{log}: the log covers {days} days, and the limit is ten years")
+            hint ("compare a part of the log");
+    }
 }
 
 /// The fewest days on each side from which anybody can say whether days are told apart.
@@ -166,7 +172,9 @@ const MOST_SIGNS: usize = 8;
 pub fn realism(a: Told, b: Told) -> Result<Realism, Vec<NotComparable>> {
     let logs = [a, b].map(|told| Heard::of(told.log, told.recorded));
     let problem = |(told, heard): (&Told, &Heard)| match () {
-        () if heard.days_count() > MOST_DAYS => Some(NotComparable::TooLong(told.name.into(), heard.days_count())),
+        () if heard.days_count() > MOST_DAYS => {
+            Some(NotComparable::TooLong { log: told.name.into(), days: heard.days_count() })
+        }
         () if heard.sensors.is_empty() => Some(NotComparable::NoMotion(told.name.into())),
         () if heard.days_count() == 0 => Some(NotComparable::NoDay(told.name.into())),
         () => None,

@@ -2,7 +2,7 @@
 
 use homebody_core::drivers::error::DriverError;
 use homebody_core::event::{Events, Fact};
-use homebody_core::problem::Problems;
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, Micros, SECOND};
@@ -31,18 +31,34 @@ pub struct Flat {
     pub in_kitchen: Vec<bool>,
 }
 
-/// Why nobody lives in the flat.
-#[derive(Debug, thiserror::Error)]
-pub enum NotLived {
-    /// The routine cannot be lived there.
-    #[error("the routine that was written of the first half is refused:\n{0}")]
-    Routine(Problems),
-    /// Its log cannot be written.
-    #[error(transparent)]
-    Log(#[from] LogError),
-    /// Its life came to a bad end.
-    #[error(transparent)]
-    Life(#[from] DriverError),
+homebody_core::messages! {
+    /// Reasons why the flat of the experiment cannot be simulated.
+    pub enum NotLived in "recogniser" {
+        /// The experiment writes a routine from the activities of the first half of the days. An activity of the data may have a name or a
+        /// time that routines do not have.
+        Routine(problems: Vec<String>) error "routine" (
+            "the routine that the experiment wrote from the first half of the days has problems: {}",
+            problems.join("; ")
+        );
+        => inner {
+            /// The log cannot be written.
+            Log(LogError);
+            /// The simulation failed.
+            Life(DriverError);
+        }
+    }
+}
+
+impl From<LogError> for NotLived {
+    fn from(error: LogError) -> NotLived {
+        NotLived::Log(error)
+    }
+}
+
+impl From<DriverError> for NotLived {
+    fn from(error: DriverError) -> NotLived {
+        NotLived::Life(error)
+    }
 }
 
 impl Flat {
@@ -51,7 +67,8 @@ impl Flat {
         let mut files: BTreeMap<String, String> =
             FILES.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())).collect();
         files.insert(ROUTINE.into(), routine.into());
-        let (scenario, household) = Household::load(&files, ENTRY, &[]).map_err(NotLived::Routine)?;
+        let rejected = |Problems(problems)| NotLived::Routine(problems.iter().map(Problem::to_string).collect());
+        let (scenario, household) = Household::load(&files, ENTRY, &[]).map_err(rejected)?;
         let run = Run::new(&scenario, &household, 0, 0);
         let called = |name: &String| scenario.logger.ids.get(name).unwrap_or(name).clone();
         let sensors = run.sensors().iter().map(|sensor| called(&sensor.name)).collect();

@@ -5,8 +5,9 @@ use super::{
     AnnotatedRun, Comparison, House, Interval, ShortStay, Unplaced, compare_run, compare_runs, hold, path_of,
     without_short_stays,
 };
+use homebody_core::drivers::error::DriverError;
 use homebody_core::event::Events;
-use homebody_core::problem::Problems;
+use homebody_core::problem::{Problem, Problems};
 use homebody_core::run::Run;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::scenario::logger::MessagesFile;
@@ -47,19 +48,51 @@ pub struct Recording {
     pub walked_back: WalkedBack,
 }
 
-/// Why the experiment cannot be done.
-#[derive(Debug, thiserror::Error)]
-pub enum Undone {
-    #[error("{recording}: {why}")]
-    Unplaced { recording: String, why: Unplaced },
-    /// The path made of a recording does not pass the checks of every path.
-    #[error("{recording}: the path made of it cannot be walked\n{problems}")]
-    Unwalkable { recording: String, problems: Problems },
-    #[error("{0}")]
-    House(String),
-    /// Nothing is to be learnt of the house's sensors.
-    #[error(transparent)]
-    Senses(#[from] NotLearnt),
+homebody_core::messages! {
+    /// Reasons why the experiment is not possible.
+    pub enum Undone in "sphere" {
+        /// A recording names a room, a way or a movement that the house does not have.
+        Unplaced {
+            /// The name of the recording.
+            recording: String,
+            /// The reason.
+            why: Unplaced,
+        } error "not-placed" ("{recording}: {why}");
+        /// Homebody makes a path from the annotations of a recording, and checks it as each path. A person cannot walk this one.
+        Unwalkable {
+            /// The name of the recording.
+            recording: String,
+            /// The problems of the path.
+            problems: Vec<String>,
+        } error "not-walkable" (
+            "{recording}: a person cannot walk the path of its annotations: {}",
+            problems.join("; ")
+        );
+        /// One person acts out the recordings.
+        OneResident error "one-resident" ("the house must have one resident, who acts out the recordings")
+            hint ("leave one file in \"residents\" in scenario.json");
+        /// The recordings have a sensor for each room, with the name of the room. The experiment compares the sensors of the house with them.
+        SensorRoom(sensor: String) error "sensor-name" ("no room of the house has the name of the sensor {sensor:?}")
+            hint ("give each sensor the name of its room");
+        /// The real sensors write ON and OFF. The experiment compares the times between the two.
+        Messages error "messages" ("the logger of the house must write ON and OFF, as the real one does")
+            hint ("choose \"on_off\" as \"messages\" in the file of the logger");
+        /// The recordings replace the path of the resident.
+        NoPath error "no-path" ("the resident of the house must follow a path, which the recordings replace")
+            hint ("name a path as the driver in the file of the resident");
+        => inner {
+            /// A simulation failed.
+            Run(DriverError);
+            /// Homebody cannot compute how the sensors of the house respond.
+            Senses(NotLearnt);
+        }
+    }
+}
+
+impl From<NotLearnt> for Undone {
+    fn from(error: NotLearnt) -> Undone {
+        Undone::Senses(error)
+    }
 }
 
 impl Experiment {
@@ -68,7 +101,7 @@ impl Experiment {
     pub fn run(recordings: &[(String, AnnotatedRun)], house: &Scenario, seed: u64) -> Result<Experiment, Undone> {
         let rooms = sensed_rooms(house)?;
         let [resident] = &house.residents[..] else {
-            return Err(unfit("the house must have one resident, who acts out the recordings"));
+            return Err(Undone::OneResident);
         };
         let senses = Senses::learn(house, 0)?;
         let bodies = [senses];
@@ -103,9 +136,7 @@ impl Experiment {
 fn sensed_rooms(house: &Scenario) -> Result<Vec<String>, Undone> {
     let sensed = |name: &str| match house.home.rooms.iter().any(|room| room.name == name) {
         true => Ok(name.to_owned()),
-        false => {
-            Err(unfit(&format!("the house's sensor {name:?} must have the name of the room that it is compared in")))
-        }
+        false => Err(Undone::SensorRoom(name.to_owned())),
     };
     house.home.sensors.iter().map(|sensor| sensed(sensor.name())).collect()
 }
@@ -120,27 +151,27 @@ fn act(
     seed: u64,
 ) -> Result<Vec<Interval>, Undone> {
     let MessagesFile::OnOff(messages) = &house.logger.messages else {
-        return Err(unfit("the house's logger must say ON and OFF, as the real one does"));
+        return Err(Undone::Messages);
     };
     let Some(DriverFile::Path(path_name)) = house.residents.first().map(|resident| &resident.file.driver) else {
-        return Err(unfit("the house's resident must follow a path, which the recordings replace"));
+        return Err(Undone::NoPath);
     };
     // The annotated path takes the place of the house's own, and passes the same checks.
     let scenario = house.edit().path(0, path_name, path).load();
-    let scenario = scenario.map_err(|problems| Undone::Unwalkable { recording: name.to_owned(), problems })?;
+    let unwalkable = |Problems(problems)| Undone::Unwalkable {
+        recording: name.to_owned(),
+        problems: problems.iter().map(Problem::to_string).collect(),
+    };
+    let scenario = scenario.map_err(unwalkable)?;
 
     let mut lived = Run::new(&scenario, &(), seed, micros(run.end_s() - run.begin_s()));
     let (mut events, mut firings) = (Events::default(), Vec::new());
     while lived.now() < lived.length() {
-        lived.advance(lived.now() + STEP, &mut events).map_err(|error| unfit(&error.to_string()))?;
+        lived.advance(lived.now() + STEP, &mut events).map_err(Undone::Run)?;
         firings.extend(events.firings.iter().map(|firing| (run.begin_s() + seconds(firing.at), firing.sensor.index())));
         events.clear();
     }
     Ok(hold(firings, rooms, messages.hold_s))
-}
-
-fn unfit(why: &str) -> Undone {
-    Undone::House(why.to_owned())
 }
 
 impl fmt::Display for Experiment {
@@ -243,25 +274,27 @@ pub mod tests {
         // The negative control: with that stay, the path of the recording is one that nobody can walk.
         let path = path_of(&run, &mut House::new(house.home.plan(), 0.22)).unwrap();
         let rooms = sensed_rooms(&house).unwrap();
-        let undone = act("00009", &run, &path, &house, &rooms, 1).unwrap_err().to_string();
-        assert!(undone.starts_with("00009: the path made of it cannot be walked\n"), "{undone}");
-        assert!(undone.contains("m in 0.085 s would be faster than"), "{undone}");
+        let undone = act("00009", &run, &path, &house, &rooms, 1).unwrap_err();
+        let Undone::Unwalkable { recording, problems } = &undone else { panic!("{undone}") };
+        assert_eq!(recording, "00009");
+        assert!(problems[0].contains("m in 0.085 s"), "{problems:?}");
     }
 
     #[test]
     fn a_house_that_does_not_fit_is_named() {
         let undone = Experiment::run(&[recording("attic")], &house(), 1).unwrap_err();
-        assert_eq!(undone.to_string(), "a minute: the home has no room \"attic\" to stand in");
+        let Undone::Unplaced { recording: name, why } = &undone else { panic!("{undone}") };
+        assert_eq!((name.as_str(), why), ("a minute", &Unplaced::Room("attic".into())));
         let mut silent = house();
         silent.logger.messages = MessagesFile::FireOnly;
-        assert!(matches!(Experiment::run(&[recording("kitchen")], &silent, 1), Err(Undone::House(_))));
+        assert!(matches!(Experiment::run(&[recording("kitchen")], &silent, 1), Err(Undone::Messages)));
         let rename = |home: &mut HomeFile| {
             let room = home.rooms.iter_mut().find(|room| room.name == "kitchen");
             room.unwrap().name = "scullery".into();
         };
         let renamed = house().edit().home(rename).load().unwrap();
-        let undone = Experiment::run(&[recording("hall")], &renamed, 1).unwrap_err().to_string();
-        assert!(undone.contains("sensor \"kitchen\""), "{undone}");
+        let undone = Experiment::run(&[recording("hall")], &renamed, 1).unwrap_err();
+        assert!(matches!(&undone, Undone::SensorRoom(sensor) if sensor == "kitchen"), "{undone}");
     }
 
     #[test]

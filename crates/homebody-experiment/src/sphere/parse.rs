@@ -2,6 +2,7 @@
 
 use super::{AnnotatedRun, Interval};
 use csv::{ReaderBuilder, StringRecord, Trim};
+use homebody_core::problem::readable;
 use std::fmt;
 
 /// The text of a recording's files.
@@ -17,13 +18,50 @@ pub struct Texts<'a> {
     pub second_location: Option<&'a str>,
 }
 
-/// A row that cannot be understood.
-#[derive(Clone, Debug, PartialEq, Eq)]
+homebody_core::messages! {
+    /// Problems with a row of a recording.
+    #[derive(Clone, PartialEq)]
+    pub enum RowMessage in "sphere" {
+        /// A person is in some room. Without a room there is nothing to compare.
+        NoRoom error "no-annotated-room" ("no room is annotated")
+            hint ("download the recording again");
+        /// Each file of a recording begins with the names of its columns.
+        Heading {
+            /// The line.
+            line: String,
+            /// The expected line.
+            expected: &'static str,
+        } error "heading" ("the first line is {line:?}")
+            hint ("write {expected}");
+        /// Each row has a start, an end, a name and an index.
+        Fields {
+            /// The number of fields.
+            count: usize,
+        } error "fields" ("the row has {count} fields, and 4 are expected");
+        /// Times are seconds since the start of the recording.
+        Time {
+            /// The text.
+            text: String,
+        } error "time" ("{text:?} is not a time in seconds");
+        /// A row lasts from its start to its end.
+        Backward {
+            /// The start, in seconds.
+            start_s: f64,
+            /// The end, in seconds.
+            end_s: f64,
+        } error "backward" ("the row ends at {end_s} s, before it starts at {start_s} s");
+        /// A row names a room or a movement.
+        NoName error "no-name" ("the row has no name");
+    }
+}
+
+/// A row that cannot be parsed.
+#[derive(Clone, Debug, PartialEq)]
 pub struct BadRow {
     pub file: &'static str,
     /// Counted from 1.
     pub line: usize,
-    pub what: String,
+    pub what: RowMessage,
 }
 
 impl fmt::Display for BadRow {
@@ -49,7 +87,7 @@ pub fn parse(texts: &Texts) -> Result<AnnotatedRun, Vec<BadRow>> {
         second_rooms: second.map(intervals),
     };
     if run.rooms.is_empty() && bad.is_empty() {
-        bad.push(BadRow { file: "location_0.csv", line: 1, what: "no room is annotated".into() });
+        bad.push(BadRow { file: "location_0.csv", line: 1, what: RowMessage::NoRoom });
     }
     if bad.is_empty() { Ok(run) } else { Err(bad) }
 }
@@ -73,7 +111,7 @@ fn rows(file: &'static str, text: &str, bad: &mut Vec<BadRow>) -> Vec<(Interval,
         let line = line_of(&record, text);
         let parsed = match index {
             0 if record.iter().eq(COLUMNS.split(',')) => continue,
-            0 => Err(format!("the first line must be {COLUMNS}, but is {:?}", fields(&record).join(","))),
+            0 => Err(RowMessage::Heading { line: readable(fields(&record).join(",")), expected: COLUMNS }),
             _ if fields(&record) == [""] => continue,
             _ => row(&record),
         };
@@ -99,20 +137,20 @@ fn line_of(record: &StringRecord, text: &str) -> usize {
     place.line() as usize + ends.filter(|byte| **byte == b'\n').count()
 }
 
-fn row(record: &StringRecord) -> Result<Interval, String> {
+fn row(record: &StringRecord) -> Result<Interval, RowMessage> {
     let [start, end, name, _index] = fields(record)[..] else {
-        return Err(format!("a row has 4 fields, but this one {}", record.len()));
+        return Err(RowMessage::Fields { count: record.len() });
     };
     let second = |text: &str| match text.parse::<f64>() {
         Ok(second) if second.is_finite() && second >= 0.0 => Ok(second),
-        _ => Err(format!("{text:?} is no time in seconds")),
+        _ => Err(RowMessage::Time { text: readable(text.to_owned()) }),
     };
     let (start_s, end_s) = (second(start)?, second(end)?);
     if end_s < start_s {
-        return Err(format!("it ends at {end_s} s, before it starts at {start_s} s"));
+        return Err(RowMessage::Backward { start_s, end_s });
     }
     if name.is_empty() {
-        return Err("it has no name".into());
+        return Err(RowMessage::NoName);
     }
     Ok(Interval { start_s, end_s, name: name.into() })
 }
@@ -158,19 +196,20 @@ mod tests {
     }
 
     #[test]
-    fn everything_that_is_wrong_is_said_at_once() {
+    fn reports_all_wrong_rows_at_once() {
         let location = "start,end,name,index\nnow,2,hall,3\n3,2,hall,3\n3,4,,3\n3,4,hall\n3,NaN,hall,3\n";
         let bad = parse(&texts(location, "start;end\n")).unwrap_err();
-        let bad: Vec<String> = bad.iter().map(BadRow::to_string).collect();
+        let bad: Vec<_> = bad.into_iter().map(|row| (row.file, row.line, row.what)).collect();
+        let (time, of_rooms) = (|text: &str| RowMessage::Time { text: text.into() }, "location_0.csv");
         assert_eq!(
             bad,
             [
-                "location_0.csv:2: \"now\" is no time in seconds",
-                "location_0.csv:3: it ends at 2 s, before it starts at 3 s",
-                "location_0.csv:4: it has no name",
-                "location_0.csv:5: a row has 4 fields, but this one 3",
-                "location_0.csv:6: \"NaN\" is no time in seconds",
-                "pir.csv:1: the first line must be start,end,name,index, but is \"start;end\"",
+                (of_rooms, 2, time("now")),
+                (of_rooms, 3, RowMessage::Backward { start_s: 3.0, end_s: 2.0 }),
+                (of_rooms, 4, RowMessage::NoName),
+                (of_rooms, 5, RowMessage::Fields { count: 3 }),
+                (of_rooms, 6, time("NaN")),
+                ("pir.csv", 1, RowMessage::Heading { line: "start;end".into(), expected: COLUMNS }),
             ]
         );
         assert!(parse(&texts("start,end,name,index\n", LOCATION)).is_err());
@@ -183,7 +222,7 @@ mod tests {
                 "\u{feff}start,end,name,index\n\n1,2,hall,3\n  \n\n3,4,living,5\n5,now,hall,3\n".replace('\n', end);
             let bad = parse(&texts(&location, LOCATION)).unwrap_err();
             let bad: Vec<String> = bad.iter().map(BadRow::to_string).collect();
-            assert_eq!(bad, ["location_0.csv:7: \"now\" is no time in seconds"], "{end:?}");
+            assert_eq!(bad, ["location_0.csv:7: \"now\" is not a time in seconds"], "{end:?}");
             let right = location.replace("now", "6");
             assert_eq!(parse(&texts(&right, LOCATION)).unwrap().room_lines, [3, 6, 7], "{end:?}");
         }

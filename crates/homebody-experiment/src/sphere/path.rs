@@ -20,7 +20,6 @@ use homebody_core::geometry::Point;
 use homebody_core::home::plan::Plan;
 use homebody_core::scenario::path::{Go, PathFile, Posture, Spot, Step, StirFile, Wait};
 use homebody_core::time::{Micros, SECOND, micros, seconds};
-use std::fmt;
 
 /// What we take for the pace of adults who follow a script indoors, in metres a second.
 const PACE_MPS: f64 = 0.8;
@@ -31,28 +30,23 @@ const IN_DOORWAY: Micros = 3 * SECOND;
 /// Shortest walk between two points (our choice).
 const LEAST_WALK_M: f64 = 0.4;
 
-/// Why a recording cannot be placed in a home.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Unplaced {
-    /// The home has no room of this name, or no point in it to stand on.
-    Room(String),
-    /// No way leads from the one room to the other.
-    Way(String, String),
-    /// An annotation of a kind we do not know.
-    Movement(String),
-}
-
-impl fmt::Display for Unplaced {
-    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Unplaced::Room(name) => write!(f, "the home has no room {name:?} to stand in"),
-            Unplaced::Way(from, to) => write!(f, "no way leads from {from:?} to {to:?}"),
-            Unplaced::Movement(name) => write!(f, "{name:?} is no kind of movement that we know"),
-        }
+homebody_core::messages! {
+    /// Reasons why a recording cannot be placed in a home.
+    #[derive(Clone, PartialEq, Eq)]
+    pub enum Unplaced in "sphere" {
+        /// The recording names a room that the home does not have, or one whose furniture leaves no place for a body.
+        Room(room: String) error "no-room" ("the home has no room {room:?} to stand in");
+        /// The person of the recording walks from one room to the other. In the home no doors and rooms connect them.
+        Way {
+            /// The name of the first room.
+            from: String,
+            /// The name of the second room.
+            to: String,
+        } error "no-way" ("no way leads from {from:?} to {to:?}");
+        /// The annotations of the SPHERE challenge have some twenty names of movements. This one is another.
+        Movement(name: String) error "unknown-movement" ("the annotation {name:?} is not a known movement");
     }
 }
-
-impl std::error::Error for Unplaced {}
 
 /// The path of a recording through a home. Its second 0 is the first annotated instant, [`AnnotatedRun::begin_s`].
 pub fn path_of(run: &AnnotatedRun, house: &mut House) -> Result<PathFile, Unplaced> {
@@ -69,7 +63,7 @@ pub fn path_of(run: &AnnotatedRun, house: &mut House) -> Result<PathFile, Unplac
         let ways = walk(&mut stay, &mut here, doors.get(index).copied(), house).ok_or_else(|| {
             let name = |room: usize| plan.rooms[room].name.clone();
             // Only a door can be out of reach.
-            Unplaced::Way(name(rooms[index]), name(*rooms.get(index + 1).unwrap_or(&rooms[index])))
+            Unplaced::Way { from: name(rooms[index]), to: name(*rooms.get(index + 1).unwrap_or(&rooms[index])) }
         })?;
         unhurry(&mut stay.pieces, &ways);
         let mut ways = ways.into_iter();
@@ -219,7 +213,7 @@ pub(super) fn door_between([from, to]: [usize; 2], in_first: bool, house: &House
     let way = house.doors_between(from, to);
     let door = if in_first { way.last() } else { way.first() };
     let name = |room: usize| house.plan.rooms[room].name.clone();
-    door.copied().ok_or_else(|| Unplaced::Way(name(from), name(to)))
+    door.copied().ok_or_else(|| Unplaced::Way { from: name(from), to: name(to) })
 }
 
 /// The index of the room of a name.
@@ -532,7 +526,7 @@ pub mod tests {
         assert!(placed(&recording, &plan()).is_ok());
         let shelf = json!([{ "name": "shelf", "at": [4.0, 1.5], "size_m": [0.3, 3.0], "height_m": 2.0 }]);
         let why = placed(&recording, &furnished(shelf)).unwrap_err();
-        assert_eq!(why.to_string(), "no way leads from \"hall\" to \"bedroom\"");
+        assert_eq!(why, Unplaced::Way { from: "hall".into(), to: "bedroom".into() });
     }
 
     #[test]
@@ -544,11 +538,11 @@ pub mod tests {
     }
 
     #[test]
-    fn what_cannot_be_placed_is_named() {
+    fn names_rooms_and_movements_that_cannot_be_placed() {
         let plan = plan();
-        let why = |rooms, movements| placed(&recording(rooms, movements), &plan).unwrap_err().to_string();
-        assert_eq!(why("0-9 attic", "0-9 a_walk"), "the home has no room \"attic\" to stand in");
-        assert_eq!(why("0-9 hall, 9-12 shed", "0-9 a_walk"), "no way leads from \"hall\" to \"shed\"");
-        assert_eq!(why("0-9 hall", "0-9 a_fly"), "\"a_fly\" is no kind of movement that we know");
+        let why = |rooms, movements| placed(&recording(rooms, movements), &plan).unwrap_err();
+        assert_eq!(why("0-9 attic", "0-9 a_walk"), Unplaced::Room("attic".into()));
+        assert_eq!(why("0-9 hall, 9-12 shed", "0-9 a_walk"), Unplaced::Way { from: "hall".into(), to: "shed".into() });
+        assert_eq!(why("0-9 hall", "0-9 a_fly"), Unplaced::Movement("a_fly".into()));
     }
 }

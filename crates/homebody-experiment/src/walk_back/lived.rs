@@ -20,18 +20,36 @@ pub struct Home<'a> {
     pub people: Vec<usize>,
 }
 
-/// Why a log could not be walked back.
-#[derive(Debug, thiserror::Error)]
-pub enum NotWalked {
-    /// Nothing is to be learnt of the home.
-    #[error(transparent)]
-    Home(#[from] NotLearnt),
-    /// Its log cannot be written.
-    #[error(transparent)]
-    Log(#[from] LogError),
-    /// Its lives came to a bad end.
-    #[error(transparent)]
-    Lives(#[from] DriverError),
+homebody_core::messages! {
+    /// Reasons why residents cannot be located in a simulated log: errors of other areas.
+    pub enum NotWalked in "located" {
+        => inner {
+            /// Homebody cannot compute how the sensors of the home respond.
+            Home(NotLearnt);
+            /// The log cannot be written.
+            Log(LogError);
+            /// The simulation failed.
+            Lives(DriverError);
+        }
+    }
+}
+
+impl From<NotLearnt> for NotWalked {
+    fn from(error: NotLearnt) -> NotWalked {
+        NotWalked::Home(error)
+    }
+}
+
+impl From<LogError> for NotWalked {
+    fn from(error: LogError) -> NotWalked {
+        NotWalked::Log(error)
+    }
+}
+
+impl From<DriverError> for NotWalked {
+    fn from(error: DriverError) -> NotWalked {
+        NotWalked::Lives(error)
+    }
 }
 
 /// Where somebody is: out, between rooms, or in a room by its index.

@@ -91,7 +91,7 @@ fn asked(desk: &Desk, text: &str) -> Result<bool, String> {
         problems(&desk.month(month, &Cancel::new()).problems)?;
     } else if let Ok(save) = serde_json::from_str::<Save>(text) {
         if let Err(why) = desk.save(save) {
-            told::message(&why)?;
+            told::message(&why.to_string())?;
         }
         let _ = (desk.files(), desk.versions());
     } else if let Ok(connect) = serde_json::from_str::<Connect>(text) {
@@ -112,7 +112,7 @@ fn problems(problems: &[ProblemView]) -> Result<(), String> {
 
 /// Has a run on a stage of its own do what it is told.
 fn staged(shelf: Shelf, says: Vec<Say>) -> Result<(), String> {
-    let stage = Stage::open(shelf)?;
+    let stage = Stage::open(shelf).map_err(|error| error.to_string())?;
     let mut seen = Seen::default();
     let voice = stage.voice();
     for say in says {

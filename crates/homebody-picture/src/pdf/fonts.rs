@@ -56,7 +56,7 @@ impl Fonts {
 impl Font {
     fn write(self, number: usize, pdf: &mut Pdf, ids: [Ref; 5]) -> Result<Ref, PdfError> {
         let [font, cid, descriptor, file, unicode] = ids;
-        let mut told = Err(PdfError::Font("it is not there".into()));
+        let mut told = Err(PdfError::Font("the font is missing".into()));
         font::with_data(self.id, |bytes, index| told = Told::of(bytes, index, &self.numbers));
         let told = told?;
         // Six letters in front say that it is a part of the font.

@@ -1,19 +1,24 @@
-//! How the streams of a PDF are packed, and why there is none.
+//! The compression of the streams of a PDF, and its errors.
 
 use resvg::usvg;
 
-/// Why there is no PDF.
-#[derive(Debug, thiserror::Error)]
-pub enum PdfError {
-    /// A text is no SVG, or one that the reader does not take.
-    #[error("this is no SVG that can be drawn: {0}")]
-    Svg(#[from] usvg::Error),
-    /// A picture has something that pages do not know.
-    #[error("a page cannot have {0}")]
-    Unknown(&'static str),
-    /// A font cannot be made smaller; the text says why.
-    #[error("a font cannot be put into the file: {0}")]
-    Font(String),
+homebody_core::messages! {
+    /// Reasons why pictures do not become a PDF.
+    pub enum PdfError in "pdf" {
+        /// Homebody draws pages as SVG, and makes PDF from them. A program that uses the library can pass SVG of its own, which must be
+        /// valid.
+        Svg(why: String) error "invalid-svg" ("cannot draw this SVG: {why}");
+        /// Pages of a PDF have paths, patterns and letters. The SVG has something else.
+        Unknown(what: &'static str) error "not-supported" ("a page of a PDF cannot have {what}");
+        /// A PDF contains the letters of its fonts. They could not be taken out of the font.
+        Font(why: String) error "font" ("cannot put a font into the PDF: {why}");
+    }
+}
+
+impl From<usvg::Error> for PdfError {
+    fn from(error: usvg::Error) -> PdfError {
+        PdfError::Svg(error.to_string())
+    }
 }
 
 /// Bytes as a stream that is inflated has them.

@@ -3,6 +3,8 @@
 use super::plan::{build, covered, home, step_m};
 use super::{Desk, problems};
 use crate::draw;
+use crate::messages::DeskMessage;
+use crate::refusal::sentence;
 use crate::wire::{
     DiffersView, Draft, LayoutView, Layouts, LayoutsView, PartView, PartsView, ProblemView, ReachedView, StepView,
     Suggest, SuggestionView,
@@ -12,6 +14,7 @@ use homebody_analysis::coverage;
 use homebody_analysis::parts::{Layout, Part, Parts, beside};
 use homebody_core::home::Build;
 use homebody_core::home::resolved::ResolvedHome;
+use homebody_core::problem::{Diagnose, Diagnostic, readable};
 use homebody_core::scenario::device::Device;
 use homebody_experiment::people::{NotLived, Opened};
 use homebody_experiment::placing;
@@ -46,10 +49,11 @@ impl Desk {
     }
 
     /// Sheets to print of a draft, as a PDF; or what is wrong with the home.
-    pub fn sheet(&self, draft: Draft) -> Result<Vec<u8>, String> {
-        let (home, build) = self.read(draft).map_err(|wrong| in_words(&wrong))?;
+    pub fn sheet(&self, draft: Draft) -> Result<Vec<u8>, Diagnostic> {
+        let wrong = |problems: Vec<ProblemView>| DeskMessage::HomeProblems { problems: in_words(&problems) };
+        let (home, build) = self.read(draft).map_err(wrong)?;
         let seen = coverage::of_home(&home, build, step_m(home.plan()));
-        pdf(&home.name, &installing(&home, &seen, &Parts::of(&home))).map_err(|error| error.to_string())
+        Ok(pdf(&home.name, &installing(&home, &seen, &Parts::of(&home)))?)
     }
 
     /// Two drafts side by side.
@@ -85,7 +89,11 @@ impl Desk {
         match self.proposed(asked, cancel) {
             Ok(proposed) => suggestion(proposed),
             Err(Unsuggested::Problems(problems)) => SuggestionView { problems, ..SuggestionView::default() },
-            Err(Unsuggested::Said(why)) => SuggestionView { refused: Some(why), ..SuggestionView::default() },
+            Err(Unsuggested::Refused(why)) => SuggestionView {
+                refused: Some(sentence(&why)),
+                code: (!why.code.is_empty()).then(|| why.code.to_owned()),
+                ..SuggestionView::default()
+            },
         }
     }
 
@@ -96,17 +104,16 @@ impl Desk {
 
     fn proposed(&self, asked: Suggest, cancel: &Cancel) -> Result<Proposed, Unsuggested> {
         let Suggest { draft, sensors, to_see, people, device } = asked;
-        let goals = goals(&to_see)
-            .map_err(|unknown| Unsuggested::Said(format!("Unknown goals: {}.", unknown.join(", ").escape_debug())))?;
+        let goals = goals(&to_see).map_err(|goals| DeskMessage::UnknownGoals { goals })?;
         if goals.is_empty() {
-            return Err(Unsuggested::Said("Choose at least one goal.".into()));
+            return Err(DeskMessage::NoGoals.into());
         }
         let of_key = |key: &String| Device::all().find(|device| device.key() == *key);
         let device = match &device {
-            Some(key) => Some(of_key(key).ok_or_else(|| Unsuggested::Said("This device is not known.".into()))?),
+            Some(key) => Some(of_key(key).ok_or_else(|| DeskMessage::UnknownDevice { device: readable(key.clone()) })?),
             None => None,
         };
-        let rules = Rules::read(USUAL).map_err(|wrong| Unsuggested::Said(wrong.join("; ")))?;
+        let rules = Rules::read(USUAL).map_err(|wrong| Unsuggested::Refused(wrong.diagnostic()))?;
         let files = self.with(draft);
         let home = home(&files, &self.shelf.entry).map_err(|wrong| Unsuggested::Problems(problems(&wrong)))?;
         let sensors = usize::from(sensors.clamp(1, MOST_SENSORS));
@@ -141,24 +148,27 @@ impl Desk {
 /// Why nothing is suggested.
 enum Unsuggested {
     Problems(Vec<ProblemView>),
-    Said(String),
+    Refused(Diagnostic),
+}
+
+impl From<DeskMessage> for Unsuggested {
+    fn from(why: DeskMessage) -> Unsuggested {
+        Unsuggested::Refused(why.into())
+    }
 }
 
 impl From<NotLived> for Unsuggested {
     fn from(error: NotLived) -> Unsuggested {
         match error {
             NotLived::Problems(wrong) => Unsuggested::Problems(problems(&wrong.0)),
-            NotLived::NoRoutine => Unsuggested::Said(
-                "The first resident has no routine, so no condition can be simulated. Choose only “Most of the floor”."
-                    .into(),
-            ),
-            other => Unsuggested::Said(other.to_string()),
+            NotLived::NoRoutine => DeskMessage::NoRoutine.into(),
+            other => Unsuggested::Refused(other.into()),
         }
     }
 }
 
-fn in_words(problems: &[ProblemView]) -> String {
-    problems.iter().map(|problem| format!("{}: {}", problem.file, problem.what)).collect::<Vec<_>>().join("\n")
+fn in_words(problems: &[ProblemView]) -> Vec<String> {
+    problems.iter().map(|problem| format!("{}: {}", problem.file, problem.what)).collect()
 }
 
 fn part(part: &Part) -> PartView {
@@ -186,6 +196,7 @@ fn suggestion(Proposed { sensors, placed, own }: Proposed) -> SuggestionView {
     SuggestionView {
         problems: Vec::new(),
         refused: None,
+        code: None,
         sensors: serde_json::to_string(&sensors).unwrap_or_default(),
         steps: placed.steps.iter().map(step).collect(),
         whole: placed.swapped.last().map(|swap| step(&swap.layout)),

@@ -3,10 +3,11 @@
 use super::lived_draft::LivedDraft;
 use super::{Desk, problems};
 use crate::dates;
+use crate::messages::DeskMessage;
 use crate::wire::{
     ConditionView, Explain, ExplainView, Month, MonthView, ProblemView, SentenceView, WordKind, WordView,
 };
-use homebody_core::problem::Problem;
+use homebody_core::problem::{Diagnose, Problem};
 use homebody_core::scenario::load::{Driver, Scenario};
 use homebody_kit::Cancel;
 use homebody_routine::completion;
@@ -29,8 +30,8 @@ impl Desk {
         let is_asked = |driver: &Driver| matches!(driver, Driver::Routine { file, .. } if *file == asked);
         let resident = scenario.residents.iter().position(|resident| is_asked(&resident.driver));
         let Some(known) = resident.and_then(|resident| Household::understand(&scenario, &files, resident)) else {
-            let nobodys = Problem::of_file(&asked, "no resident uses this routine", None);
-            return not_understood(problems(&[nobodys]));
+            let unused = Problem::of_file(&asked, DeskMessage::UnusedRoutine, None);
+            return not_understood(problems(&[unused]));
         };
         let length = scenario.calendar.span_of_days(scenario.file.days);
         let days = dates::last(&scenario.calendar, length) + 1;
@@ -63,7 +64,7 @@ impl Desk {
         let month = draft.month(&scenario, &household, from, days.clamp(1, LONGEST), cancel);
         *living = Some(draft);
         month.unwrap_or_else(|error| {
-            let unlived = Problem::of_file(&self.shelf.entry, error.to_string(), None);
+            let unlived = Problem::of_file(&self.shelf.entry, error.diagnostic(), None);
             MonthView { problems: problems(&[unlived]), ..MonthView::default() }
         })
     }

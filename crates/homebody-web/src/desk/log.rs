@@ -40,7 +40,7 @@ impl Desk {
                     Ok((places, cut)) => (Vec::new(), places, cut),
                     Err(error) => {
                         let file = scenario.file.logger.as_deref().unwrap_or(&self.shelf.entry);
-                        (problems(&[Problem::of_file(file, error.to_string(), None)]), Vec::new(), None)
+                        (problems(&[Problem::of_file(file, error, None)]), Vec::new(), None)
                     }
                 }
             }
@@ -52,8 +52,12 @@ impl Desk {
     pub fn connect(&self, Connect { url }: Connect) -> ConnectView {
         let tried = url.parse().map_err(LogError::NoPlace).and_then(|url: Url| self.try_url(&url));
         match tried {
-            Ok(said) => ConnectView { works: true, said },
-            Err(error) => ConnectView { works: false, said: error.to_string() },
+            Ok(said) => ConnectView { works: true, said, code: None },
+            Err(error) => {
+                let code = error.diagnostic().code;
+                let code = (!code.is_empty()).then(|| code.to_owned());
+                ConnectView { works: false, said: error.to_string(), code }
+            }
         }
     }
 

@@ -2,13 +2,14 @@
 
 use super::{Desk, problems};
 use crate::draw;
+use crate::messages::DeskMessage;
 use crate::wire::{CoverageView, DeadZoneView, Draft, FloorView, ImportView, PlanView, SeenView};
 use homebody_analysis::coverage::{self, Coverage, Floor, STEP_M, Seen};
 use homebody_core::home::Build;
 use homebody_core::home::plan::Plan;
 use homebody_core::home::resolved::ResolvedHome;
 use homebody_core::problem::Problem;
-use homebody_core::scenario::load::{Files, Scenario};
+use homebody_core::scenario::load::{Files, NoText, Scenario};
 use homebody_core::scenario::resident::ResidentFile;
 use homebody_import::{Imported, NotImported, SCHEMA, sweet_home};
 use serde_json::{Value, json};
@@ -61,11 +62,13 @@ pub fn home(files: &dyn Files, entry: &str) -> Result<ResolvedHome, Vec<Problem>
 
 /// The file of a scenario's home: its name and its text.
 fn file(files: &dyn Files, entry: &str) -> Result<(String, String), Vec<Problem>> {
-    let of_entry = |what: String| vec![Problem::of_file(entry, what, None)];
-    let text = files.read(entry).map_err(|why| of_entry(format!("cannot read the file: {why}")))?;
-    let root: serde_json::Value = serde_json::from_str(&text).map_err(|error| of_entry(error.to_string()))?;
-    let name = root["home"].as_str().ok_or_else(|| of_entry("names no home file".into()))?;
-    let text = files.read(name).map_err(|why| of_entry(format!("cannot read {name:?}: {why}")))?;
+    let of_entry = |message: DeskMessage| vec![Problem::of_file(entry, message, None)];
+    let unread = |name: &str, why: NoText| of_entry(DeskMessage::NotRead { file: name.into(), why: why.to_string() });
+    let text = files.read(entry).map_err(|why| unread(entry, why))?;
+    let unparsed = |error: serde_json::Error| of_entry(DeskMessage::NotJson { why: error.to_string() });
+    let root: serde_json::Value = serde_json::from_str(&text).map_err(unparsed)?;
+    let name = root["home"].as_str().ok_or_else(|| of_entry(DeskMessage::NoHome))?;
+    let text = files.read(name).map_err(|why| unread(name, why))?;
     Ok((name.to_owned(), text))
 }
 

@@ -1,6 +1,8 @@
 //! What is read in another thread while it is shown already, in order of time.
 
-use crate::stored_log::{Refusal, damaged};
+use crate::messages::PageMessage;
+use crate::refusal::{Refusal, failed};
+use homebody_core::problem::Diagnose;
 use homebody_core::time::Micros;
 use homebody_log::{Cancel, LogError};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -78,7 +80,7 @@ impl<T: Grows> Coming<T> {
     pub fn until(&self, instant: Micros) -> Result<MutexGuard<'_, T>, Refusal> {
         let known = self.wait(instant, LONGEST_WAIT);
         match known.read_us()? {
-            Some(read) if read < instant => Err(Refusal::Early("Homebody is still reading this run.".into())),
+            Some(read) if read < instant => Err(Refusal::Early(PageMessage::StillReading.diagnostic())),
             _ => Ok(known),
         }
     }
@@ -121,5 +123,5 @@ impl<T: Grows> Coming<T> {
 
 /// Has something be read in a thread of this name.
 pub(super) fn read_in(name: &str, read: impl FnOnce() + Send + 'static) -> Result<(), Refusal> {
-    thread::Builder::new().name(name.into()).spawn(read).map(drop).map_err(damaged)
+    thread::Builder::new().name(name.into()).spawn(read).map(drop).map_err(failed)
 }

@@ -1,7 +1,8 @@
 //! What is looked for over a whole stored run.
 
 use super::{Opened, Playback, Refusal};
-use crate::stored_log::{damaged, shortened};
+use crate::messages::PageMessage;
+use crate::refusal::{damaged, unknown};
 use crate::wire::{AlertView, DateView, Find, FindWhat, FoundView, HitView, PlaybackView};
 use homebody_core::activity::FALLEN;
 use homebody_core::time::{Micros, SECOND};
@@ -68,7 +69,7 @@ impl Playback {
         };
         let found = find(&query, &mut ground).map_err(|why| match why {
             Unfindable::Unread(_) => damaged(why),
-            why => Refusal::Unknown(shortened(&why.to_string())),
+            why => unknown(why),
         })?;
         let all = found.hits.len() as u64;
         let hits = found.hits.into_iter().take(MOST_HITS);
@@ -91,12 +92,10 @@ fn query(asked: &Find) -> Result<Query, Refusal> {
         FindWhat::Lost => What::Lost,
         FindWhat::Alert => What::Alert,
     };
-    let hours = |(from, to): (u32, u32)| {
-        Hours::new(from, to).ok_or_else(|| Refusal::Damaged("The two hours must differ.".into()))
-    };
+    let hours = |(from, to): (u32, u32)| Hours::new(from, to).ok_or_else(|| damaged(PageMessage::SameHours));
     let hours = asked.between_min.map(hours).transpose()?;
     if !(0.0..=1e9).contains(&asked.least_s) {
-        return Err(Refusal::Damaged("The shortest duration must be a number of seconds.".into()));
+        return Err(damaged(PageMessage::Duration));
     }
     let name = asked.name.clone().filter(|name| !name.is_empty());
     Ok(Query { what, name, hours, least: (asked.least_s * SECOND as f64) as Micros })

@@ -1,7 +1,7 @@
 //! What residents did and where they were, of a run whose truth is read while the run is open already, as its log is.
 
 use super::coming::{Coming, Grows, HowFar, read_in};
-use crate::stored_log::{Refusal, damaged};
+use crate::refusal::{Refusal, damaged};
 use homebody_core::time::{DAY, Micros};
 use homebody_log::{LifeSpan, LogError, RunClock, SpanKind, Url};
 use std::collections::HashMap;

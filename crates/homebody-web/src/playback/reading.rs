@@ -2,7 +2,8 @@
 //! have come.
 
 use super::coming::{Coming, Grows, HowFar, read_in};
-use crate::stored_log::{MOST_ROWS, Refusal, StoredRows, damaged, stranger, told_of};
+use crate::refusal::{Refusal, damaged, failed};
+use crate::stored_log::{MOST_ROWS, StoredRows, stranger, told_of};
 use crate::wire::PlaybackView;
 use homebody_core::scenario::load::Scenario;
 use homebody_core::time::{DAY, Micros};
@@ -77,7 +78,7 @@ impl Grows for Known {
 impl Known {
     /// The rows of a day.
     pub fn of(&mut self, day: usize) -> Result<Vec<Event>, Refusal> {
-        self.rows.of(day).map_err(damaged)
+        self.rows.of(day).map_err(failed)
     }
 
     /// A part of the log has come.
@@ -115,6 +116,7 @@ impl Known {
 mod tests {
     use super::*;
     use crate::dates;
+    use crate::messages::PageMessage;
     use homebody_core::scenario::calendar::Calendar;
     use std::path::Path;
     use std::thread;
@@ -174,8 +176,8 @@ mod tests {
             let reading = reading.clone();
             move || reading.until(Micros::MAX).map(drop)
         });
-        reading.end(|known| known.end(Err(Refusal::Damaged("cut short".into())), true));
-        assert_eq!(waiting.join().unwrap(), Err(Refusal::Damaged("cut short".into())));
+        reading.end(|known| known.end(Err(damaged(PageMessage::LogIncomplete)), true));
+        assert_eq!(waiting.join().unwrap(), Err(damaged(PageMessage::LogIncomplete)));
         let reading = begun();
         reading.stop();
         let stopped = reading.grow(|known| known.take(&part(0..1), &mut None, &mut HashMap::new()));

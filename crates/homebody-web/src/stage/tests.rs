@@ -81,7 +81,7 @@ fn frame(news: &News) -> &Frame {
 
 fn told(news: &News) -> Option<&str> {
     news.tells.iter().find_map(|tell| match tell {
-        Tell::Note { text, bad: true } => Some(text.as_str()),
+        Tell::Note { text, bad: true, .. } => Some(text.as_str()),
         _ => None,
     })
 }

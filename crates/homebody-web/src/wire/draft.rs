@@ -399,6 +399,10 @@ pub struct ConnectView {
     pub works: bool,
     /// What was found there, or why it does not work and what to do.
     pub said: String,
+    /// The stable code of the message, where it does not work.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub code: Option<String>,
 }
 
 /// What the log of the run that is being lived has got so far.

@@ -91,6 +91,10 @@ pub struct SuggestionView {
     pub problems: Vec<ProblemView>,
     /// Why there is none, in a sentence.
     pub refused: Option<String>,
+    /// The stable code of that message.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[ts(optional)]
+    pub code: Option<String>,
     /// The sensors as `home.json` takes them: a list in JSON.
     pub sensors: String,
     /// With one sensor, two, and so on.

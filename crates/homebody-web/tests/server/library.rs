@@ -28,10 +28,10 @@ impl Served {
         names
     }
 
-    /// What is answered, which is no success.
-    fn refusal(&self, method: &str, path: &str, body: &Value) -> (u16, String) {
+    /// The status of a refusal, and its message.
+    fn refusal(&self, method: &str, path: &str, body: &Value) -> (u16, Value) {
         let answer = self.send(method, path, body.to_string().as_bytes());
-        (answer.code, String::from_utf8_lossy(&answer.body).into_owned())
+        (answer.code, answer.refusal())
     }
 }
 
@@ -91,7 +91,7 @@ fn names_that_are_none_are_refused_with_all_that_is_wrong() {
     for name in ["..", ".hidden", "a%2Fb", "%2Fetc", "..%2F..%2Fetc", "a%00b", "runs", "%20", "a.", "a%3Ab", &long] {
         let (code, why) = served.refusal("POST", &format!("/api/library/homes/{name}"), &json!({ "from": "empty" }));
         assert!(code == 422 || code == 404, "{name}: {code} {why}");
-        assert!(why.len() < 500, "{why}");
+        assert!(why["what"].as_str().unwrap_or_default().len() < 500, "{why}");
         for path in [format!("/api/library/homes/{name}/copy"), format!("/api/library/homes/{name}/name")] {
             assert!(served.refusal("POST", &path, &json!({ "name": "b" })).0 >= 404, "{path}");
         }
@@ -99,14 +99,18 @@ fn names_that_are_none_are_refused_with_all_that_is_wrong() {
         assert_eq!(served.api(&format!("/api/homes/{name}/files")).code, 404, "{name}");
     }
     let (_, why) = served.refusal("POST", "/api/library/homes/studio/name", &json!({ "name": format!(".{long}/") }));
-    assert!(
-        why.contains("longer than 100 characters")
-            && why.contains("starts with a dot")
-            && why.contains("contains one of /"),
+    assert_eq!(
+        (&why["code"], why["data"]["why"].as_array().unwrap().len()),
+        (&json!("library::invalid-name"), 3),
         "{why}"
     );
     let (code, why) = served.refusal("POST", "/api/library/homes/studio/copy", &json!({ "name": "studio" }));
-    assert!(code == 422 && why.contains("The name studio is already in use here"), "{why}");
+    assert_eq!(
+        (code, &why["code"], &why["data"]["name"]),
+        (422, &json!("library::name-used"), &json!("studio")),
+        "{why}"
+    );
+    assert_eq!(why["what"], "The name studio is already in use here. Choose another name.");
     assert_eq!(fs::read_dir(served.folder.path()).unwrap().count(), given);
 }
 
@@ -123,7 +127,7 @@ fn links_lead_out_of_no_library() {
     // A home with a link in it is not copied, and what was copied before is gone.
     std::os::unix::fs::symlink("/etc/hostname", served.folder.path().join("studio/link")).unwrap();
     let (code, why) = served.refusal("POST", "/api/library/homes/studio/copy", &json!({ "name": "copy" }));
-    assert!(code == 422 && why.contains("is a link"), "{code} {why}");
+    assert_eq!((code, &why["code"]), (422, &json!("library::not-plain")), "{why}");
     assert_eq!(served.homes(), ["studio"]);
 }
 
@@ -137,8 +141,8 @@ fn a_home_whose_runs_are_a_link_is_refused() {
     std::os::unix::fs::symlink(elsewhere.path(), served.folder.path().join("studio/runs")).unwrap();
     for path in ["/api/homes/studio/runs", "/api/homes/studio/files", "/api/library/homes/studio"] {
         let answer = served.api(path);
-        let why = String::from_utf8_lossy(&answer.body).into_owned();
-        assert!(answer.code == 422 && why.contains("runs of studio is a link"), "{path}: {} {why}", answer.code);
+        let why = answer.refusal();
+        assert_eq!((answer.code, &why["code"]), (422, &json!("library::linked-runs")), "{path}: {why}");
     }
     assert_eq!(fs::read_dir(elsewhere.path()).unwrap().count(), 0);
     // The control: another home has its own.
@@ -150,7 +154,8 @@ fn a_name_that_nobody_sees_is_no_home_s() {
     let served = Served::library(&[]);
     for name in ["%E2%80%8B", "a%E2%80%AEb", "%EF%BB%BF", "flat%E2%81%A6"] {
         let (code, why) = served.refusal("POST", &format!("/api/library/homes/{name}"), &json!({ "from": "empty" }));
-        assert!(code == 422 && why.contains("an invisible character"), "{name}: {code} {why}");
+        let is_told = why["data"]["why"].to_string().contains("an invisible character");
+        assert!(code == 422 && is_told, "{name}: {code} {why}");
     }
     assert_eq!(served.homes(), [""; 0]);
 }
@@ -281,7 +286,7 @@ fn a_folder_that_cannot_be_written_is_said_so() {
     let view = served.json("/api/library");
     assert!(view["trouble"].as_str().unwrap().contains("Cannot write to this folder"), "{view}");
     let (code, why) = served.refusal("POST", "/api/library/homes/mine", &json!({ "from": "empty" }));
-    assert!(code == 422 && why.contains("Cannot write to /proc"), "{code} {why}");
+    assert_eq!((code, &why["code"]), (422, &json!("library::not-writable")), "{why}");
 }
 
 #[test]
@@ -303,7 +308,7 @@ fn a_thousand_homes_are_shown_and_more_are_told_of() {
 fn homes_come_from_plans_and_logs() {
     let served = Served::library(&[]);
     let (code, why) = served.refusal("POST", "/api/library/plans/plan", &json!("no plan"));
-    assert!(code == 422 && !why.is_empty(), "{code} {why}");
+    assert!(code == 422 && why["code"].as_str().is_some_and(|code| code.starts_with("import::")), "{code} {why}");
     let rows: String = (0..40)
         .map(|minute| {
             let sensor = if minute % 8 < 4 { "bedroom" } else { "kitchen" };
@@ -322,7 +327,7 @@ fn homes_come_from_plans_and_logs() {
     // Of names that tell no room, what to do is said as the page does it.
     let placeless = rows.replace("bedroom", "M001").replace("kitchen", "M002");
     let answer = served.send("POST", "/api/library/logs/none/week.txt", placeless.as_bytes());
-    let why = String::from_utf8_lossy(&answer.body).into_owned();
+    let why = answer.refusal()["what"].as_str().unwrap().to_owned();
     assert!(
         answer.code == 422 && why.contains("M001") && why.contains("draw its rooms") && !why.contains("--"),
         "{why}"

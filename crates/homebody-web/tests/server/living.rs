@@ -84,7 +84,7 @@ fn a_recording_is_replayed_to_the_same_firings() {
     page.say(&json!({ "say": "replay", "run": id }).to_string());
     assert_eq!(page.until_told("matches the recording").rows, first.rows);
     page.say(r#"{"say":"replay","run":"../by-hand"}"#);
-    page.until_told("there is no run");
+    page.until_told("There is no run");
 }
 
 /// Whoever looks, and however fast: the log is the one of a run that nobody looks at.

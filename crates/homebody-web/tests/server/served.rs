@@ -34,6 +34,13 @@ pub struct Answer {
     pub body: Vec<u8>,
 }
 
+impl Answer {
+    /// The code, the sentences and the data of a refusal; nothing of an answer that has none.
+    pub fn refusal(&self) -> serde_json::Value {
+        serde_json::from_slice(&self.body).unwrap_or_default()
+    }
+}
+
 pub type Socket = WebSocket<TcpStream>;
 
 /// How long a page waits for a frame: far longer than any takes on a machine that is busy.

@@ -27,16 +27,6 @@ homebody_core::messages! {
             file: PathBuf,
         } error "no-rules" ("the file of rules {file} does not exist", file = file.display())
             hint ("correct the path; docs/reference/measures.md lists the default rules");
-        /// A file of rules is JSON. Each rule names a measure, the direction of the change, and its size in standard deviations:
-        ///
-        /// ```json
-        /// {"rules": [{"name": "fewer meals", "measure": "meals", "when": "less", "k_sd": 2}]}
-        /// ```
-        Rule {
-            /// The problem.
-            why: String,
-        } error "rule" ("{why}")
-            advice ((!why.contains("hint: ")).then(|| "docs/reference/measures.md describes the rules".into()));
     }
 }
 
@@ -136,13 +126,13 @@ fn records(log: &str, alerts: &[Alert]) -> Records {
 /// The rules of a file, or the default rules.
 pub fn rules(path: Option<&Path>) -> Result<Rules, Failure> {
     let Some(path) = path else {
-        return Rules::read(USUAL).map_err(|problems| Failure::file(AlertsMessage::Rule { why: problems.join("; ") }));
+        return Ok(Rules::read(USUAL)?);
     };
     let text = fs::read_to_string(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => Failure::asked(AlertsMessage::NoRules { file: path.to_owned() }),
         _ => LogError::reading(path, error).into(),
     })?;
     let name = path.display().to_string();
-    let problem = |why: String| Problem::of_file(&name, AlertsMessage::Rule { why }, None);
-    Rules::read(&text).map_err(|problems| Failure::all(problems.into_iter().map(problem).collect()))
+    let of_file = |problem| Problem::of_file(&name, problem, None);
+    Rules::read(&text).map_err(|problems| Failure::all(problems.0.into_iter().map(of_file).collect()))
 }

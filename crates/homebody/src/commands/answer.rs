@@ -208,7 +208,7 @@ impl<const N: usize> CheckedPictures<'_, N> {
         for (name, picture) in self.names.iter().zip(pictures) {
             let svg = picture();
             if let Some(path) = &asked.png {
-                files.push((named(path, name), png(&svg, asked.width).map_err(undrawn)?));
+                files.push((named(path, name), png(&svg, asked.width).map_err(|error| undrawn(&error, "--width"))?));
             }
             if let Some(path) = &asked.svg {
                 files.push((named(path, name), svg.into_bytes()));
@@ -229,15 +229,6 @@ fn is_named_as(path: &Path, form: &'static str) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::asked(PictureMessage::Form { form, extension, path: path.to_owned() }))
-}
-
-fn undrawn(error: PngError) -> Failure {
-    match error {
-        PngError::Size { width: width_px, height: height_px } => {
-            Failure::asked(PictureMessage::Size { width_px, height_px, option: "--width" })
-        }
-        error => Failure::asked(PictureMessage::NotDrawn { why: error.to_string() }),
-    }
 }
 
 /// The file of a picture beside the first one.

@@ -5,7 +5,6 @@ use super::density::DensityMessage;
 use super::devices::DeviceMessage;
 use super::doctor::DoctorMessage;
 use super::experiment::messages::ExperimentMessage;
-use super::falls::FallsMessage;
 use super::fit::TrainingMessage;
 use super::fleet::told::FleetEndMessage;
 use super::follow::FollowMessage;
@@ -38,7 +37,6 @@ pub const MESSAGES: &[&[Entry]] = &[
     DensityMessage::ENTRIES,
     MeasuresMessage::ENTRIES,
     AlertsMessage::ENTRIES,
-    FallsMessage::ENTRIES,
     MomentMessage::ENTRIES,
     SilhouettesMessage::ENTRIES,
     GoalsMessage::ENTRIES,

@@ -1,7 +1,7 @@
 //! `homebody density`: motion density, hour by hour.
 
 use super::answer::Answer;
-use super::messages::LogContentMessage;
+use super::messages::{LogContentMessage, not_measurable};
 use super::read_log::{HowRead, read_any_length};
 use crate::failure::Failure;
 use crate::length::span;
@@ -33,6 +33,14 @@ homebody_core::messages! {
                 Some(nearest) => format!("did you mean {nearest:?}?"),
                 None => format!("the sensors are {}", known.join(", ")),
             }));
+        /// Measures and maps come from the events of sensors, above all of motion sensors. This log only lists what people did.
+        OnlyActivities {
+            /// The log.
+            log: String,
+            /// The number of activities.
+            activities: usize,
+        } error "only-activities" ("{log} has no rows of sensors, only {n}", n = counted(*activities, "activity", "activities"))
+            hint ("homebody inspect {log} lists them");
     }
 }
 
@@ -145,16 +153,15 @@ impl Arguments {
 
 /// The failure of a log without a map and measures, with a hint.
 pub fn no_map(name: &str, log: &LogWithRun, why: &NoMap) -> Failure {
+    let activities = log.log.activities.len();
     let hint = match why {
-        NoMap::TooLong(_) => "\n  hint: select a part with --from and --days".to_owned(),
-        NoMap::Empty if !log.log.activities.is_empty() => {
-            let notes = counted(log.log.activities.len(), "activity", "activities");
-            format!(" of sensors, only {notes}\n  hint: homebody inspect {name} lists them")
-        }
-        NoMap::Disorder(..) => sorting(name, &log.log.columns),
+        NoMap::TooLong(_) => "select a part with --from and --days".to_owned(),
+        NoMap::Empty if activities > 0 => return Failure::asked(DensityMessage::OnlyActivities { log: name.into(), activities }),
+        NoMap::Disorder { .. } => format!("sort its rows by time first{}", sorting(name, &log.log.columns)),
         _ => String::new(),
     };
-    Failure::asked(LogContentMessage::NotMeasurable { log: name.to_owned(), why: format!("{why}{hint}") })
+    let failure = not_measurable(name, why);
+    if hint.is_empty() { failure } else { failure.advising(&hint) }
 }
 
 /// How rows of comma-separated values are sorted whose dates begin with the year; nothing of other logs.

@@ -15,19 +15,6 @@ use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-homebody_core::messages! {
-    /// Problems with the rules that detect falls.
-    pub enum FallsMessage in "falls" {
-        /// A file of rules is JSON, in the form that `homebody falls --show-rules` prints: terms of the features, rules of the states, and
-        /// rules of the sequences.
-        Rule {
-            /// The problem.
-            why: String,
-        } error "rule" ("{why}")
-            hint ("homebody falls --show-rules prints the default rules");
-    }
-}
-
 /// Detect falls in the silhouettes of a run's cameras
 ///
 /// Two cameras of a room yield the voxel person of Anderson et al. 2009, the volume on which both agree; a single camera yields the
@@ -87,8 +74,8 @@ fn rules(path: &Path) -> Result<FallRules, Failure> {
     let text = plain::read_text(path, LARGEST_OF_SCENARIO_BYTES)
         .map_err(|error| Failure::asked(LogError::reading(path, error)))?;
     let name = path.display().to_string();
-    let problem = |why: String| Problem::of_file(&name, FallsMessage::Rule { why }, None);
-    FallRules::parse(&text).map_err(|wrong| Failure::all(wrong.into_iter().map(problem).collect()))
+    let of_file = |problem| Problem::of_file(&name, problem, None);
+    FallRules::parse(&text).map_err(|problems| Failure::all(problems.0.into_iter().map(of_file).collect()))
 }
 
 /// What was found, in words.

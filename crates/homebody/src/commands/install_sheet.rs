@@ -61,7 +61,7 @@ impl Arguments {
         if let Some(path) = &self.pdf {
             let pages = installing(home, &coverage::of_home(home, build, STEP_M), &parts);
             let bytes = pdf(&home.name, &pages);
-            let bytes = bytes.map_err(|error| Failure::file(PictureMessage::NotDrawn { why: error.to_string() }))?;
+            let bytes = bytes.map_err(Failure::file)?;
             write_file(path, &bytes, self.answer.replaces())?;
             tell(format_args!("wrote {}", path.display()));
         }

@@ -1,13 +1,29 @@
 //! Messages that several commands have in common: about logs, moments, pictures and new homes.
 
 use crate::failure::Failure;
+use homebody_analysis::density::NoMap;
+use homebody_core::messages::Diagnose;
 use homebody_core::problem::Diagnostic;
+use homebody_picture::PngError;
 use std::path::PathBuf;
 
 /// The failure to compare two logs, with all reasons.
-pub fn not_comparable(reasons: &[impl ToString]) -> Failure {
-    let problem = |why: String| Diagnostic::from(LogContentMessage::NotComparable { why });
-    Failure::all(reasons.iter().map(ToString::to_string).map(problem).collect())
+pub fn not_comparable(reasons: &[impl Diagnose]) -> Failure {
+    Failure::all(reasons.iter().map(Diagnose::diagnostic).collect())
+}
+
+/// The failure to measure a log.
+pub fn not_measurable(log: &str, why: &NoMap) -> Failure {
+    Failure::asked(Diagnostic::of_file(log, why.diagnostic(), None))
+}
+
+/// The failure to draw a picture that the option makes smaller.
+pub fn undrawn(error: &PngError, option: &str) -> Failure {
+    let failure = Failure::asked(error.diagnostic());
+    match error {
+        PngError::Size { .. } => failure.advising(&format!("choose a smaller {option}")),
+        _ => failure,
+    }
 }
 
 homebody_core::messages! {
@@ -43,19 +59,6 @@ homebody_core::messages! {
                 "convert" => "name the folder of a run with its ground truth, or leave out --activities to convert the log's own".into(),
                 _ => "name the ground truth after the log: its database, or csv:FILE, parquet:FILE and so on".into(),
             }));
-        /// Measures and maps come from the events of sensors, above all of motion sensors. docs/reference/measures.md lists the sensors
-        /// that each measure needs.
-        NotMeasurable {
-            /// The log.
-            log: String,
-            /// The reason.
-            why: String,
-        } error "not-measurable" ("cannot measure {log}: {why}");
-        /// Homebody compares the events of motion sensors on whole days, so each of the two logs needs both.
-        NotComparable {
-            /// The log and the reason.
-            why: String,
-        } error "not-comparable" ("cannot compare the logs: {why}");
         /// The run was interrupted or still continues, so the log lacks its later rows. A resumed run writes them.
         IncompleteRun {
             /// The log.
@@ -126,21 +129,6 @@ homebody_core::messages! {
                 "svg" | "png" => format!("use --{extension} for this form"),
                 _ => format!("name it {}", path.with_extension(form).display()),
             }));
-        /// A picture with a very long side takes too much memory. The height of a picture follows from its width.
-        Size {
-            /// The width in pixels.
-            width_px: u32,
-            /// The height in pixels.
-            height_px: u32,
-            /// The option that makes the picture smaller.
-            option: &'static str,
-        } error "size" ("cannot draw a picture of {width_px} x {height_px} pixels")
-            hint ("choose a smaller {option}");
-        /// Homebody cannot draw a picture that it made itself. This is an error of the program: report it with the command that you ran.
-        NotDrawn {
-            /// The reason.
-            why: String,
-        } error "not-drawn" ("cannot draw the picture: {why}");
     }
 }
 

@@ -25,11 +25,6 @@ homebody_core::messages! {
             ip: String,
         } error "every-address" ("{ip} means every address of this machine, and the page needs a single one")
             hint ("name the address by which others reach this machine");
-        /// The server cannot start: its port is taken, its address belongs to another machine, or the file of its address is not private.
-        NotServed {
-            /// The reason.
-            why: String,
-        } error "not-served" ("cannot start the server: {why}");
         /// The page needs the token of the printed address. Other machines can try to guess it, and see the traffic of the network.
         Exposed {
             /// The address.
@@ -150,13 +145,14 @@ fn open(file: &Path) -> bool {
 
 impl From<ServeError> for Failure {
     fn from(error: ServeError) -> Failure {
-        let by = if matches!(error, ServeError::NoPort { .. } | ServeError::Port { .. }) { ", by --port" } else { "" };
-        let message = ServeMessage::NotServed { why: format!("{error}{by}") };
         match error {
             ServeError::Scenario(_)
             | ServeError::Foreign(_)
-            | ServeError::Unkept(Unkept::Open(_) | Unkept::NoAddress(_)) => Failure::asked(message),
-            _ => Failure::file(message),
+            | ServeError::Unkept(Unkept::Open(_) | Unkept::NoAddress(_)) => Failure::asked(error),
+            ServeError::NoPort { .. } | ServeError::Port { .. } => {
+                Failure::file(error).advising("choose another port with --port")
+            }
+            _ => Failure::file(error),
         }
     }
 }

@@ -62,9 +62,7 @@ impl Arguments {
             None => None,
             Some(other) => {
                 let read = read_log(other, None, &HowRead::default())?;
-                let measures = read.measures().map_err(|why| {
-                    Failure::asked(LogContentMessage::NotMeasurable { log: other.clone(), why: why.to_string() })
-                })?;
+                let measures = read.measures().map_err(|why| not_measurable(other, &why))?;
                 Some(of_summaries(&summary, &summarise(&measures, about)))
             }
         };

@@ -76,7 +76,7 @@ fn a_log_without_silhouettes_and_rules_that_are_wrong_are_told() {
     folder.run("run studio --quiet --for 1d").ok();
     folder.run("falls runs/studio-1").fails(2, "kit::no-silhouettes");
     folder.write("rules.json", folder.run("falls --show-rules").ok().out.replace("\"high\" }", "\"tall\" }"));
-    folder.run("falls runs/studio-1 --rules rules.json").fails(2, "rules.json: error[falls::rule]");
+    folder.run("falls runs/studio-1 --rules rules.json").fails(2, "rules.json: error[fall-rule::");
     folder.run("falls").fails(2, "LOG");
     folder.run("find runs/studio-1 seen-fall").fails(2, "kit::no-silhouettes");
     folder.run("silhouettes runs/studio-1").fails(2, "kit::no-silhouettes");

@@ -150,7 +150,7 @@ fn a_day_or_a_log_that_is_not_there_is_refused() {
         ("day empty.txt first", 2, "error[log-form::empty]"),
         ("day runs/flat-1 first --time-zone Mars/Olympus", 2, "Mars/Olympus"),
         ("density nowhere", 1, "[log::not-found]: nowhere"),
-        ("density room.txt", 2, "error[log-content::not-measurable]"),
+        ("density room.txt", 2, "error[measure::no-motion-sensors]"),
         ("density empty.txt", 2, "error[log-form::empty]"),
         ("density runs/flat-1 --days 0", 2, "1..=3660"),
         ("density runs/flat-1 --away-after 30", 2, "write a number with its unit"),

@@ -97,9 +97,7 @@ impl Arguments {
         let of_log = |(log, read): (&String, &mut LogWithRun)| {
             // A measure by the notes alone cannot be compared with the notes.
             let notes = std::mem::take(&mut read.log.activities);
-            let heard = read.measures().map_err(|why| {
-                Failure::asked(LogContentMessage::NotMeasurable { log: log.clone(), why: why.to_string() })
-            })?;
+            let heard = read.measures().map_err(|why| not_measurable(log, &why))?;
             let end = read.log.events.iter().map(|event| event.at).max().map_or(0, |last| last + 1);
             let begin = read.log.events.iter().map(|event| event.at).min().unwrap_or(0);
             let told = Measures::told(&read.name, &notes, begin..end);

@@ -205,7 +205,7 @@ impl<'a> Outputs<'a> {
                 Open::Folder(part, pictures) => {
                     let name = local.strftime("%Y-%m-%dT%H-%M-%S%.3f%z.png").to_string();
                     let path = part.join(&folder).join(name);
-                    let png = silhouette_png(&kept.silhouette, self.scale).map_err(undrawn)?;
+                    let png = silhouette_png(&kept.silhouette, self.scale).map_err(|error| undrawn(&error, "--scale"))?;
                     fs::write(&path, png).map_err(|error| LogError::file(&path, error))?;
                     *pictures += 1;
                 }
@@ -258,7 +258,7 @@ impl<'a> Outputs<'a> {
             }
         };
         let frames: Vec<FilmFrame> = frames.iter().enumerate().map(frame).collect();
-        silhouette_film(&sizes, &frames, self.scale).map_err(undrawn)
+        silhouette_film(&sizes, &frames, self.scale).map_err(|error| undrawn(&error, "--scale"))
     }
 }
 
@@ -277,15 +277,6 @@ impl Drop for Outputs<'_> {
 fn part_of(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     path.with_file_name(format!("{name}.{}.part", std::process::id()))
-}
-
-fn undrawn(error: PngError) -> Failure {
-    match error {
-        PngError::Size { width: width_px, height: height_px } => {
-            Failure::asked(PictureMessage::Size { width_px, height_px, option: "--scale" })
-        }
-        error => Failure::asked(PictureMessage::NotDrawn { why: error.to_string() }),
-    }
 }
 
 /// What a silhouette is like.
