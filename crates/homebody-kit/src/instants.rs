@@ -60,7 +60,7 @@ impl NamedLog {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         let mut log = self.read()?;
         let first = log.events.iter().take(MOST_COMPARED).copied().collect();
-        let truth = self.truth_of(&mut log, first)?;
+        let truth = self.own_truth(&mut log, first)?;
         let known = self.zone();
         let off_the_wall = asked.clone().filter(|_| known.is_none() && log.clock == Clock::Local);
         let clock_of = |file: RunClock| OnEarth {
@@ -149,7 +149,7 @@ impl NamedLog {
         let asked = zone.map(|name| Calendar::zone(name).map_err(|_| Error::zone(name))).transpose()?;
         let mut log = self.read()?;
         let first = log.events.iter().take(MOST_COMPARED).copied().collect();
-        let truth = self.truth_of(&mut log, first)?;
+        let truth = self.own_truth(&mut log, first)?;
         if let Some(zone) = asked.filter(|_| self.zone().is_none()) {
             put_on_wall(&mut log, &zone);
         }

@@ -21,9 +21,7 @@ use homebody_log::places::{LIST, RECORDING, logs_of, recording_in};
 use homebody_log::source::{Clock, Value, truth_rows};
 use homebody_log::truth::{Truth, tables};
 use homebody_log::word::one_word;
-use homebody_log::{
-    Life, Log, LogError, Places, RunClock, SensorInfo, Source, Url, lives, read, stream, survey, truth_of,
-};
+use homebody_log::{Life, Log, LogError, Places, RunClock, SensorInfo, Source, Url, lives, read, stream, survey};
 use homebody_walk::Mesh;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
@@ -103,7 +101,7 @@ impl LogWithRun {
     pub fn of(named: NamedLog, zone: Option<&str>) -> Result<LogWithRun, Error> {
         let mut log = named.read()?;
         let first = log.events.iter().take(MOST_COMPARED).copied().collect();
-        let truth = named.truth_of(&mut log, first)?;
+        let truth = named.own_truth(&mut log, first)?;
         LogWithRun::with(named, log, None, truth, zone)
     }
 
@@ -126,7 +124,7 @@ impl LogWithRun {
             kept.take(part);
         })?;
         let long = kept.give(&mut log, &named.place, &named.mapping);
-        let truth = named.truth_of(&mut log, first)?;
+        let truth = named.own_truth(&mut log, first)?;
         LogWithRun::with(named, log, long, truth, zone)
     }
 

@@ -5,14 +5,14 @@ use crate::log_with_run::NamedLog;
 use homebody_analysis::dates::on_wall;
 use homebody_core::time::Micros;
 use homebody_log::source::is_truth_of;
-use homebody_log::{Event, Log, Url};
+use homebody_log::{Event, Log, Url, truth_of};
 
 /// Largest number of rows of a log that are compared with its ground truth (our choice).
 pub(crate) const MOST_COMPARED: usize = 2000;
 
 impl NamedLog {
     /// The ground truth next to the log, if it is of the same run: `first` are the first rows. Otherwise a remark of the log says so.
-    pub(crate) fn truth_of(&self, log: &mut Log, first: Vec<Event>) -> Result<Option<Url>, Error> {
+    pub(crate) fn own_truth(&self, log: &mut Log, first: Vec<Event>) -> Result<Option<Url>, Error> {
         let Some(truth) = self.truth() else { return Ok(None) };
         let zone = self.zone();
         let also = |at| zone.as_ref().map_or(at, |zone| on_wall(at, zone));

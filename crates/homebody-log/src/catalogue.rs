@@ -11,7 +11,21 @@ pub const MESSAGES: &[&[Entry]] = &{
         problems::ENTRIES;
     let (own, refused) = (reason::ENTRIES, written::REFUSED);
     [
-        LogError::ENTRIES, own, form, table, length, truth, other_run, changed, hold, output, refused, count, thread, packed,
-        sensor_table, mapping,
+        LogError::ENTRIES,
+        own,
+        form,
+        table,
+        length,
+        truth,
+        other_run,
+        changed,
+        hold,
+        output,
+        refused,
+        count,
+        thread,
+        packed,
+        sensor_table,
+        mapping,
     ]
 };

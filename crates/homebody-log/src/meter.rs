@@ -67,7 +67,10 @@ impl fmt::Display for News {
         match absence {
             None => write!(f, "{place} is available again"),
             Some(Absence { why, waits: None }) => {
-                write!(f, "warning: {place} is unavailable: {why}\n  Homebody stores rows in the spool until it is available")
+                write!(
+                    f,
+                    "warning: {place} is unavailable: {why}\n  Homebody stores rows in the spool until it is available"
+                )
             }
             Some(Absence { why, waits: Some(waits) }) => {
                 let seconds = waits.as_secs();

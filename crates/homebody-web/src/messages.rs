@@ -88,7 +88,7 @@ homebody_core::messages! {
             /// The name.
             name: String,
         } error "name-taken" ("another {kind} now has the name {name}")
-            advice ((*kind == "home").then(|| "rename that one first".into()));
+            advice ((*kind == "home").then(|| "rename that one first".to_owned()));
         /// A deleted run or home cannot be moved back.
         NotRestored {
             /// The key.

@@ -39,8 +39,8 @@ pub fn sentence(message: &Diagnostic) -> String {
     if message.code.is_empty() || !message.file.is_empty() || message.what.contains('\n') {
         return shortened(&message.to_string());
     }
-    let hint = message.hint.iter().map(|hint| format!(" {}", as_sentence(hint)));
-    shortened(&(as_sentence(&message.what) + &hint.collect::<String>()))
+    let sentences = [Some(&message.what), message.hint.as_ref()].into_iter().flatten();
+    shortened(&sentences.map(|text| as_sentence(text)).collect::<Vec<_>>().join(" "))
 }
 
 /// A message as a bad note of the page.

@@ -47,7 +47,7 @@ homebody_core::messages! {
         } error "unknown-code" ("no message has the code {code:?}")
             advice (Some(match nearest {
                 Some(nearest) => format!("did you mean {nearest}?"),
-                None => "homebody explain lists all codes".into(),
+                None => "homebody explain lists all codes".to_owned(),
             }));
     }
 }

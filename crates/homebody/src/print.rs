@@ -24,8 +24,8 @@ homebody_core::messages! {
             what: &'static str,
         } error "standard-output" ("rows and the {what} cannot both go to standard output")
             advice (Some(match *what {
-                "report" => "leave out --json, or write the reports to a file: --report FILE".into(),
-                _ => "leave out --json: the result then goes to standard error".into(),
+                "report" => "leave out --json, or write the reports to a file: --report FILE".to_owned(),
+                _ => "leave out --json: the result then goes to standard error".to_owned(),
             }));
         /// A FHIR bundle holds an observation for each measure. It has no place for alerts and sentences.
         Fhir error "fhir" ("--out fhir: this form holds measures only")

@@ -1,10 +1,10 @@
 //! What commands that answer a question leave: words for people, figures as JSON, pictures.
 
-use super::messages::PictureMessage;
+use super::messages::{PictureMessage, undrawn};
 use crate::failure::Failure;
 use crate::print::{json_text, print_json, print_text, tell, write_file};
 use homebody_log::places::can_be_written;
-use homebody_picture::{PngError, png};
+use homebody_picture::png;
 use serde::Serialize;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};

@@ -156,7 +156,9 @@ pub fn no_map(name: &str, log: &LogWithRun, why: &NoMap) -> Failure {
     let activities = log.log.activities.len();
     let hint = match why {
         NoMap::TooLong(_) => "select a part with --from and --days".to_owned(),
-        NoMap::Empty if activities > 0 => return Failure::asked(DensityMessage::OnlyActivities { log: name.into(), activities }),
+        NoMap::Empty if activities > 0 => {
+            return Failure::asked(DensityMessage::OnlyActivities { log: name.into(), activities });
+        }
         NoMap::Disorder { .. } => format!("sort its rows by time first{}", sorting(name, &log.log.columns)),
         _ => String::new(),
     };

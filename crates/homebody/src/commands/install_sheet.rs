@@ -1,7 +1,6 @@
 //! `homebody install-sheet`: the sensors of a home, for the installer.
 
 use super::answer::Answer;
-use super::messages::PictureMessage;
 use super::scenario::Chosen;
 use crate::failure::Failure;
 use crate::print::{tell, write_file};

@@ -46,7 +46,7 @@ homebody_core::messages! {
             known: Vec<String>,
         } error "no-resident" ("--resident {resident:?}: the ground truth has no such resident")
             advice (Some(match known.is_empty() {
-                true => "this log has no ground truth; homebody run writes one".into(),
+                true => "this log has no ground truth; homebody run writes one".to_owned(),
                 false => format!("the residents are {}", known.join(", ")),
             }));
     }

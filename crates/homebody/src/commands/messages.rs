@@ -56,8 +56,8 @@ homebody_core::messages! {
             command: &'static str,
         } error "no-truth" ("{log} has no ground truth")
             advice (Some(match *command {
-                "convert" => "name the folder of a run with its ground truth, or leave out --activities to convert the log's own".into(),
-                _ => "name the ground truth after the log: its database, or csv:FILE, parquet:FILE and so on".into(),
+                "convert" => "name the folder of a run with its ground truth, or leave out --activities to convert the log's own".to_owned(),
+                _ => "name the ground truth after the log: its database, or csv:FILE, parquet:FILE and so on".to_owned(),
             }));
         /// The run was interrupted or still continues, so the log lacks its later rows. A resumed run writes them.
         IncompleteRun {

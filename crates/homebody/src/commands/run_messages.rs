@@ -16,8 +16,8 @@ homebody_core::messages! {
             is_truth: bool,
         } error "middle-of-run" ("{place} cannot start in the middle of a run")
             advice (Some(match is_truth {
-                true => "leave out --truth: Homebody resumes the ground truth in the folder; name only one on a server".into(),
-                false => "resume the folder with servers and object stores only; homebody convert copies its log to a file afterwards".into(),
+                true => "leave out --truth: Homebody resumes the ground truth in the folder; name only one on a server".to_owned(),
+                false => "resume the folder with servers and object stores only; homebody convert copies its log to a file afterwards".to_owned(),
             }));
         /// The command line has two values of a parameter. Homebody does not guess which one counts.
         ParameterTwice {

@@ -3,7 +3,7 @@
 use super::answer::Figures;
 use super::for_programs::{ForPrograms, row};
 use super::measures::Measured;
-use super::messages::LogContentMessage;
+use super::messages::not_measurable;
 use super::read_log::{HowRead, read_log};
 use crate::failure::{EXIT_CODES, Failure};
 use homebody_analysis::summaries::{About, Sentence, Summary, of_summaries, summarise};

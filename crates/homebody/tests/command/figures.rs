@@ -153,10 +153,10 @@ fn recordings_of_a_real_house_are_walked_again() {
         "\"kind\": \"motion\", \"name\": \"kitchen\"",
         "\"kind\": \"motion\", \"name\": \"K1\"",
     );
-    folder.run(words).fails(2, "error[experiment::house]");
+    folder.run(words).fails(2, "error[sphere::");
 
     folder.write("data/00001/pir.csv", "start,end,name,index\nx,70,kitchen,0\n");
-    folder.run("experiment sphere --data data").fails(2, "pir.csv:2:1: error[experiment::recording]");
+    folder.run("experiment sphere --data data").fails(2, "pir.csv:2:1: error[sphere::");
 }
 
 #[test]

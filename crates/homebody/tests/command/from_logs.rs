@@ -105,7 +105,8 @@ fn sensors_on_a_picture_are_where_they_are_and_the_picture_goes_along() {
 fn what_is_wrong_is_told_at_once_and_nothing_is_written() {
     let folder = Folder::new();
     folder.write("codes.txt", "2016-07-12 08:00:00 M1 ON\n2016-07-12 08:00:05 M2 ON\n2016-07-12 08:00:09 D3 OPEN\n");
-    let said = folder.run("new flat --from-log codes.txt").fails(2, "error[home-from-log::no-rooms-of-sensors]: codes.txt: ");
+    let said =
+        folder.run("new flat --from-log codes.txt").fails(2, "error[home-from-log::no-rooms-of-sensors]: codes.txt: ");
     assert!(said.err.contains("--sensors FILE"), "{}", said.err);
     folder.write("wrong.csv", "id,room,x,y,kind\nM1,hall,1,,motion\nM1,hall,,,\n,kitchen,,,\nM2,hall,a,2,laser\n");
     let said = folder

@@ -247,9 +247,7 @@ fn what_is_there_stays_and_what_fails_leaves_nothing() {
     folder.run("import flat.sh3d mine").fails(1, "[kit::exists]: mine");
     folder.run("import none.sh3d new").fails(1, "none.sh3d: ");
     folder.run("import . new").fails(1, "error[log::is-folder]");
-    folder
-        .run("import text.sh3d new")
-        .fails(2, "error[import::not-an-archive]: text.sh3d: ");
+    folder.run("import text.sh3d new").fails(2, "error[import::not-an-archive]: text.sh3d: ");
     folder.run("import old.sh3d new").fails(2, "the plan has no rooms");
     folder
         .run("import old.sh3d new --level attic")

@@ -86,9 +86,7 @@ fn a_mapping_names_another_networks_table() {
     folder.run("convert odd.csv --mapping logger.json --out casas:log.txt").ok();
     assert_eq!(folder.read("log.txt"), "2009-03-02 07:00:00.000000\tM1\t5\n2009-03-02 07:00:09.000000\tM1\t0\n");
     folder.write("wrong.json", r#"{ "colums": {} }"#);
-    folder
-        .run("inspect odd.csv --mapping wrong.json")
-        .fails(2, "wrong.json: error[mapping::invalid]: ");
+    folder.run("inspect odd.csv --mapping wrong.json").fails(2, "wrong.json: error[mapping::invalid]: ");
 }
 
 #[test]

@@ -389,9 +389,7 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     running.finish().ok();
     folder.write("runs/flat-2/recording.json", folder.read("runs/flat-3/recording.json"));
     let before = left(&folder, "flat-2");
-    folder
-        .run("run --resume runs/flat-2")
-        .fails(1, "error[resume::other-run]");
+    folder.run("run --resume runs/flat-2").fails(1, "error[resume::other-run]");
     assert_eq!(differ(&folder, "flat-2", &before), Vec::<String>::new(), "and no journal is left");
     folder.write("runs/flat-2/recording.json", &recording);
     folder.run("run --resume runs/flat-2").fails(2, "the run in runs/flat-2 is complete");

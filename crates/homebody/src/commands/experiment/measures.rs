@@ -3,7 +3,7 @@
 use super::messages::ExperimentMessage;
 use super::walk_back::{every_fault, lived, of_homes, of_one};
 use crate::commands::answer::Figures;
-use crate::commands::messages::LogContentMessage;
+use crate::commands::messages::not_measurable;
 use crate::commands::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use homebody_analysis::measures::Measures;

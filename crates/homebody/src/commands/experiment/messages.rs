@@ -25,24 +25,6 @@ homebody_core::messages! {
             folder: PathBuf,
         } error "no-recordings" ("no folder in {folder} holds a pir.csv", folder = folder.display())
             hint ("name the folder `train` of the SPHERE challenge");
-        /// A line of a recording is not as the data set describes it. The file may be incomplete, or was changed.
-        Recording {
-            /// The problem.
-            why: String,
-        } error "recording" ("{why}")
-            hint ("restore the file from the data set");
-        /// The recordings and the model of the house do not fit together: each room of the recordings needs a sensor in the house.
-        House {
-            /// The reason.
-            why: String,
-        } error "house" ("cannot compare the house with its simulation: {why}");
-        /// The log is not that of the flat of the experiment, or has too few days.
-        OtherLog {
-            /// The log.
-            log: PathBuf,
-            /// The reason.
-            why: String,
-        } error "other-log" ("cannot use {log} for this experiment: {why}", log = log.display());
         /// The experiment compares measures from sensors with noted activities, such as sleeping, eating and going out. The log notes
         /// none of those.
         NoActivities {

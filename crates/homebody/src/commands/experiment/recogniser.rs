@@ -5,6 +5,8 @@ use crate::commands::read_log::{HowRead, read_log};
 use crate::failure::Failure;
 use crate::print::{json_text, print_json, print_text, write_file};
 use crate::progress::bar;
+use homebody_core::messages::Diagnose;
+use homebody_core::problem::Diagnostic;
 use homebody_experiment::recogniser::{Case, NotRecognised, Prepared};
 use homebody_log::places::can_be_written;
 use rayon::prelude::*;
@@ -51,9 +53,8 @@ impl Arguments {
         let Some(path) = path else {
             return Err(Failure::file(ExperimentMessage::NoData { folder: self.data, file: SENSORS.to_owned() }));
         };
-        let refused = |why: NotRecognised| {
-            Failure::asked(ExperimentMessage::OtherLog { log: path.clone(), why: why.to_string() })
-        };
+        let log = path.display().to_string();
+        let refused = |why: NotRecognised| Failure::asked(Diagnostic::of_file(&log, why.diagnostic(), None));
         let prepared =
             Prepared::new(&read_log(&path.to_string_lossy(), None, &HowRead::default())?.log).map_err(refused)?;
         let progress = bar(u64::from(self.seeds), "{bar:40} {pos} of {len} seeds  {eta} left");

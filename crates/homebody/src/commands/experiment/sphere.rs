@@ -3,6 +3,7 @@
 use super::messages::ExperimentMessage;
 use crate::commands::answer::Answer;
 use crate::failure::Failure;
+use homebody_core::messages::Diagnose;
 use homebody_core::problem::Problem;
 use homebody_experiment::sphere::{AnnotatedRun, BadRow, Experiment, Interval, Recording, Texts, parse};
 use homebody_kit::{Source, Template};
@@ -42,8 +43,7 @@ impl Arguments {
         };
         let house = source.scenario()?;
         let recordings = recordings(&self.data)?;
-        let experiment = Experiment::run(&recordings, &house, self.seed);
-        let experiment = experiment.map_err(|why| Failure::asked(ExperimentMessage::House { why: why.to_string() }))?;
+        let experiment = Experiment::run(&recordings, &house, self.seed).map_err(Failure::asked)?;
         answer.give(&experiment, [&|| picture(&experiment)])
     }
 }
@@ -101,8 +101,7 @@ fn recording(folder: &Path) -> Result<Parsed, Failure> {
     };
     let problem = |row: &BadRow| {
         let file = folder.join(row.file).display().to_string();
-        let message = ExperimentMessage::Recording { why: row.what.clone() };
-        Problem { line: row.line as u32, column: 1, ..Problem::of_file(&file, message, None) }
+        Problem { line: row.line as u32, column: 1, ..Problem::of_file(&file, row.what.diagnostic(), None) }
     };
     Ok(match parse(&texts) {
         Ok(run) => Ok((folder.file_name().unwrap_or_default().to_string_lossy().into_owned(), run)),

@@ -1,7 +1,7 @@
 //! Where silhouettes go: films, tables, and folders of pictures. Each is whole under its name, or not there.
 
 use super::messages::SilhouettesMessage;
-use crate::commands::messages::PictureMessage;
+use crate::commands::messages::undrawn;
 use crate::failure::Failure;
 use crate::print::not_written;
 use homebody_analysis::falls::single;
@@ -18,7 +18,7 @@ use homebody_log::fresh::FreshFile;
 use homebody_log::places::can_be_written;
 use homebody_log::silhouettes::Kept;
 use homebody_log::spreadsheet::escaped;
-use homebody_picture::{FilmFrame, PngError, silhouette_film, silhouette_png};
+use homebody_picture::{FilmFrame, silhouette_film, silhouette_png};
 use serde::Serialize;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -205,7 +205,8 @@ impl<'a> Outputs<'a> {
                 Open::Folder(part, pictures) => {
                     let name = local.strftime("%Y-%m-%dT%H-%M-%S%.3f%z.png").to_string();
                     let path = part.join(&folder).join(name);
-                    let png = silhouette_png(&kept.silhouette, self.scale).map_err(|error| undrawn(&error, "--scale"))?;
+                    let png =
+                        silhouette_png(&kept.silhouette, self.scale).map_err(|error| undrawn(&error, "--scale"))?;
                     fs::write(&path, png).map_err(|error| LogError::file(&path, error))?;
                     *pictures += 1;
                 }
