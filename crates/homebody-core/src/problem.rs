@@ -261,7 +261,7 @@ impl fmt::Display for Advice {
     }
 }
 
-/// A text that has no code yet.
+/// A text of a caller of the library, without a code.
 impl From<String> for Diagnostic {
     fn from(what: String) -> Diagnostic {
         Diagnostic::new("", Severity::Error, what, None, Vec::new())

@@ -82,9 +82,9 @@ crate::messages! {
             /// The reason.
             why: String,
             /// The correction, where it is known.
-            fix: Option<String>,
+            help: Option<String>,
         } error "unreadable" ("cannot read {name:?}: {why}")
-            advice (fix.clone());
+            advice (help.clone());
         /// Each file of a scenario has one kind, such as home, logger or resident.
         TwoUses {
             /// The name.

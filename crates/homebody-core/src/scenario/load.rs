@@ -298,7 +298,7 @@ impl Loader<'_> {
                 let nearest = nearest(&name, names.iter().map(String::as_str)).map(str::to_owned);
                 FileMessage::Missing { name, nearest }
             }
-            NoText::Unreadable { why, hint } => FileMessage::Unreadable { name, why, fix: hint },
+            NoText::Unreadable { why, hint } => FileMessage::Unreadable { name, why, help: hint },
         }
     }
 

@@ -127,12 +127,12 @@ impl<'a> Walk<'a> {
             };
             let noun = if wanted.ends_with(" 1") { "item" } else { "items" };
             let is_number = |item: &Node| matches!(item.value, Value::Number(..));
-            let fix = match count == 2 * most && items.iter().all(is_number) {
+            let help = match count == 2 * most && items.iter().all(is_number) {
                 true => Some(DECIMAL_POINT.into()),
                 false => hint_of(schema),
             };
             let (subject, wanted) = (subject.into(), format!("{wanted} {noun}"));
-            self.report(node.start, SchemaMessage::WrongCount { subject, wanted, count, fix });
+            self.report(node.start, SchemaMessage::WrongCount { subject, wanted, count, help });
         }
         let Some(schema) = schema.get("items") else { return };
         for (index, item) in items.iter().enumerate() {
@@ -242,8 +242,8 @@ impl<'a> Walk<'a> {
         };
         let Value::Text(name) = &value.value else {
             let (wanted, found) = ("a text".to_owned(), kind_of(value));
-            let fix = Some(choice(&None, &names_among(&names)).text);
-            let message = SchemaMessage::WrongType { subject: format!("{tag:?}"), wanted, found, fix };
+            let help = Some(choice(&None, &names_among(&names)).text);
+            let message = SchemaMessage::WrongType { subject: format!("{tag:?}"), wanted, found, help };
             return self.report(value.start, message);
         };
         match branches.iter().find(|branch| name_of(branch) == Some(name)) {
@@ -272,14 +272,14 @@ impl<'a> Walk<'a> {
         let quoted_number = matches!(&node.value, Value::Text(text) if is_number(text));
         let with_comma = matches!(&node.value, Value::Text(text) if is_number(&text.replacen(',', ".", 1)));
         let wants_number = wanted.iter().any(|wanted| wanted.ends_with("number"));
-        let fix = match &node.value {
+        let help = match &node.value {
             _ if quoted_number && wants_number => Some("remove the quotes".into()),
             _ if with_comma && wants_number => Some(format!("{DECIMAL_POINT}, and remove the quotes")),
             Value::Text(text) if wanted == ["a list"] => Some(format!("write [{text:?}]")),
             _ => hint_of(schema),
         };
         let (subject, wanted, found) = (subject.to_owned(), wanted.join(" or "), kind_of(node));
-        self.report(node.start, SchemaMessage::WrongType { subject, wanted, found, fix });
+        self.report(node.start, SchemaMessage::WrongType { subject, wanted, found, help });
     }
 
     /// What the schema takes, in words.

@@ -64,9 +64,9 @@ crate::messages! {
             /// The number of items that it has.
             count: u64,
             /// The correction, or the meaning of the key.
-            fix: Option<String>,
+            help: Option<String>,
         } error "wrong-count" ("{subject} must have {wanted}, but has {count}")
-            advice (fix.clone());
+            advice (help.clone());
         /// The object has more entries than Homebody reads.
         TooManyKeys {
             /// The key or item.
@@ -153,9 +153,9 @@ crate::messages! {
             /// The type that it has.
             found: String,
             /// The correction, or the meaning of the key.
-            fix: Option<String>,
+            help: Option<String>,
         } error "wrong-type" ("{subject} must be {wanted}, but is {found}")
-            advice (fix.clone());
+            advice (help.clone());
         /// Homebody stops after very many problems in a file. Most of them often have the same cause.
         TooMany {
             /// The largest number of problems.
