@@ -18,7 +18,10 @@ mod walk_back;
 
 use crate::failure::Failure;
 
-/// Repeat a validation experiment, against published or simulated truth
+/// Repeat an experiment that validates Homebody
+///
+/// Each experiment compares results of Homebody with published figures, with logs of real homes, or with the ground truth of simulated
+/// homes.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment godsey2009 --svg firings.svg
