@@ -18,7 +18,7 @@ A preset sets a sensor's timing and which movements it notices. Height, field an
 all of a device's values at once, pick it on the page under *Plan*, *Parts*. `homebody suggest-sensors --device` suggests positions for
 a device, and `homebody devices NAME` prints one with its sources.
 
-Manufacturers publish few of these values. An unpublished value is that of the sensor measured by Godsey & Skubic in 2009, or our choice.
+Manufacturers state few of these values. The other values are those of the sensor that Godsey & Skubic measured in 2009, or our choice.
 
 This page is made from `crates/homebody-core/src/scenario/device.rs` and `preset.rs`.
 
