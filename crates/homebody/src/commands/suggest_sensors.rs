@@ -173,8 +173,11 @@ struct Found {
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Some(first) = self.proposed.placed.steps.first() else {
-            let hint = if self.asked == 1 { " by itself; try a larger --count" } else { "" };
-            return writeln!(f, "No sensor helps with the goals{hint}.");
+            let text = match self.asked {
+                1 => "No single sensor helps with the goals. Try a larger --count.",
+                _ => "No sensor helps with the goals.",
+            };
+            return writeln!(f, "{text}");
         };
         writeln!(f, "Suggested sensors, the most useful first\n")?;
         write!(f, "{:>2}  {:32} {:>6}", "", "sensor", "score")?;
