@@ -96,7 +96,7 @@ measures! {
         "Rantz et al. 2015, bed restlessness; the definition of a bout is our choice",
         night: "more restless in bed", "less restless in bed";
     bathroom_night ("visits", "Bathroom visits at night")
-        "Stays in the bathroom of 20 s or more between going to bed and getting up; gaps of up to 60 s do not end a stay. If several sensors see a person at once, the person counts as in the room in which most of these sensors are",
+        "Stays in the bathroom of 20 s or more between going to bed and getting up; gaps of up to 60 s do not end a stay. If several sensors see a person at once, the person counts as in the room with most of these sensors",
         "Rantz et al. 2015, bathroom activity",
         night: "more bathroom visits at night", "fewer bathroom visits at night"; "got up for the bathroom {}" "did not get up for the bathroom";
     bathroom_day ("visits", "Bathroom visits by day")
