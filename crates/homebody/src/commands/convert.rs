@@ -71,7 +71,7 @@ pub struct Arguments {
     /// Add the activities of the run's ground truth
     #[arg(long)]
     activities: bool,
-    /// Time zone of the output for a log in UTC, in forms with local time only
+    /// Time zone of the output, if the log is in UTC and the form of the output has only local time
     #[arg(long, value_name = "ZONE", default_value = "UTC")]
     time_zone: String,
     #[command(flatten)]

@@ -42,7 +42,7 @@ pub struct Arguments {
     /// logger.json with the table and column names of a log
     #[arg(long, value_name = "FILE")]
     mapping: Option<PathBuf>,
-    /// Also test writing, without leaving data: send the broker a message that it does not retain
+    /// Also test writing. No data remain: the broker gets a message that it does not retain
     #[arg(long)]
     write: bool,
     /// Replay the run of a folder, and compare each event

@@ -47,7 +47,7 @@ pub struct Arguments {
     /// Destination: FILE.csv, FILE.db, casas:FILE and so on, as listed below
     #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Url,
-    /// Time zone of the output for a log in UTC, in forms with local time only
+    /// Time zone of the output, if the log is in UTC and the form of the output has only local time
     #[arg(long, value_name = "ZONE", default_value = "UTC")]
     time_zone: String,
     #[command(flatten)]

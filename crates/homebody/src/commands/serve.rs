@@ -76,7 +76,7 @@ pub struct Arguments {
     /// Print the address without opening a browser
     #[arg(long)]
     no_open: bool,
-    /// Listen on this IP address only; unless it is loopback, other machines can connect
+    /// Listen on this IP address instead of 127.0.0.1. Other machines can then connect, unless it is a loopback address
     #[arg(long, value_name = "IP")]
     bind: Option<IpAddr>,
 }
