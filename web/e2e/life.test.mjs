@@ -99,7 +99,7 @@ test('the days are drawn, and are others without the condition', { timeout: 240_
   await page.getByLabel('depression', { exact: true }).check();
   await page.getByLabel('Side by side').uncheck();
   await page.getByRole('heading', { name: 'Without depression' }).waitFor();
-  const motion = (all) => all.reduce((sum, day) => sum + Number(/(\d+) motion events/.exec(day)[1]), 0);
+  const motion = (all) => all.reduce((sum, day) => sum + Number(/(\d+) firings/.exec(day)[1]), 0);
   assert.ok(motion(await days()) > motion(before) * 1.1, 'who is not depressed moves more');
   assert.notEqual(await drawn(), picture);
   await list().focus();

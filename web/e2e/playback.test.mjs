@@ -73,7 +73,7 @@ test('of two runs that differ by a condition it is shown what one has and the ot
     const lanes = page.getByRole('region', { name: 'Lanes' }).locator('canvas');
     const box = await lanes.boundingBox();
     await page.mouse.move(box.x + box.width * 0.97, box.y + 7);
-    await page.getByText(/about \d+ times here, in the second run \d+$/).waitFor();
+    await page.getByText(/about \d+ events here, in the second run \d+$/).waitFor();
     if (process.env.PICTURES) await page.screenshot({ path: `${process.env.PICTURES}/twins.png` });
     await page.getByText('Export', { exact: true }).click();
     const [file] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: '(CSV)' }).click()]);

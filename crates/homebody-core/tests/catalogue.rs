@@ -15,10 +15,10 @@ const HEAD: &str = "\
 This page lists the motion sensors with known timing that `preset` in `home.json` can name.
 
 A preset sets a sensor's timing and which movements it notices. Height, field and reach are keys of each sensor in `home.json`. To set
-all of a device's values at once, pick it on the page under *Plan*, *Parts*. `homebody suggest-sensors --device` suggests positions for
+all of a device's values at once, pick it on the page under *Plan*, *Install*. `homebody suggest-sensors --device` suggests positions for
 a device, and `homebody devices NAME` prints one with its sources.
 
-Manufacturers publish few of these values. An unpublished value is that of the sensor measured by Godsey & Skubic in 2009, or our choice.
+Manufacturers state few of these values. The other values are those of the sensor that Godsey & Skubic measured in 2009, or our choice.
 
 This page is made from `crates/homebody-core/src/scenario/device.rs` and `preset.rs`.
 

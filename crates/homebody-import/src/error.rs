@@ -9,7 +9,7 @@ homebody_core::messages! {
             hint ("name the .sh3d file that Sweet Home 3D has saved");
         /// Homebody imports plans of Sweet Home 3D. For other forms there are other ways into a home.
         OtherForm {
-            /// Its form, such as a picture in PNG.
+            /// Its form, such as an image in PNG.
             form: &'static str,
             /// The command that takes it.
             hint: &'static str,

@@ -6,19 +6,18 @@ use crate::error::NotImported;
 const LOOKED_AT: usize = 64 << 10;
 
 /// The command for a picture in one of the forms that the command reads.
-const PICTURE: &str = "homebody new my-home --image plan.png --known X,Y=EAST,NORTH --known X,Y=EAST,NORTH takes pictures, with two \
+const PICTURE: &str = "homebody new my-home --image plan.png --known X,Y=EAST,NORTH --known X,Y=EAST,NORTH takes images, with two \
      points in pixels and in metres; homebody serve my-home then draws over it. Where you have a log of its sensors, add --from-log LOG";
 
 /// The command for a picture that the page alone reads.
-const IN_PAGE: &str =
-    "homebody serve takes pictures in PNG, JPEG and SVG: \"New home\", from an image, and draw over it";
+const IN_PAGE: &str = "homebody serve takes images in PNG, JPEG and SVG: \"New home\", from an image, and draw over it";
 
 /// The command for a picture in another form.
-const AS_PICTURE: &str = "save it as a picture in PNG; homebody new my-home --image plan.png, or \"New home\" in homebody serve, takes \
+const AS_PICTURE: &str = "save it as an image in PNG; homebody new my-home --image plan.png, or \"New home\" in homebody serve, takes \
      that to draw over";
 
 /// The command for a building or a plan of another program.
-const OTHER_PROGRAM: &str = "draw the plan in Sweet Home 3D and name the .sh3d file, or save it as a picture in PNG, which homebody new \
+const OTHER_PROGRAM: &str = "draw the plan in Sweet Home 3D and name the .sh3d file, or save it as an image in PNG, which homebody new \
      my-home --image plan.png takes to draw over in the page";
 
 /// The command for a home of this program.
@@ -30,12 +29,12 @@ const PACKED: &str = "unpack it, and name the .sh3d file or the Home.xml that is
 
 /// The first bytes of binary forms.
 const SIGNS: [(&[u8], &str, &str); 14] = [
-    (b"\x89PNG\r\n\x1a\n", "a picture in PNG", PICTURE),
-    (b"\xff\xd8\xff", "a picture in JPEG", PICTURE),
-    (b"GIF8", "a picture in GIF", AS_PICTURE),
-    (b"BM", "a picture in BMP", AS_PICTURE),
-    (b"II*\0", "a picture in TIFF", AS_PICTURE),
-    (b"MM\0*", "a picture in TIFF", AS_PICTURE),
+    (b"\x89PNG\r\n\x1a\n", "an image in PNG", PICTURE),
+    (b"\xff\xd8\xff", "an image in JPEG", PICTURE),
+    (b"GIF8", "an image in GIF", AS_PICTURE),
+    (b"BM", "an image in BMP", AS_PICTURE),
+    (b"II*\0", "an image in TIFF", AS_PICTURE),
+    (b"MM\0*", "an image in TIFF", AS_PICTURE),
     (b"%PDF-", "a PDF", AS_PICTURE),
     (b"%!PS", "a page in PostScript", AS_PICTURE),
     (b"AC10", "a drawing of AutoCAD (DWG)", OTHER_PROGRAM),
@@ -72,7 +71,7 @@ pub fn of_archive(names: impl Iterator<Item = String>) -> NotImported {
             () if ends(".usdc") || ends(".usda") => Some(("a scan in USDZ", OTHER_PROGRAM)),
             () if ends(".ifc") || ends(".ifcxml") => Some(("a building in IFC, packed", OTHER_PROGRAM)),
             () if [".png", ".jpg", ".jpeg"].iter().any(|end| ends(end)) => {
-                Some(("an archive of pictures", PACKED_PICTURES))
+                Some(("an archive of images", PACKED_PICTURES))
             }
             () => None,
         }
@@ -85,13 +84,13 @@ pub fn of_archive(names: impl Iterator<Item = String>) -> NotImported {
 
 /// The command for pictures that are packed.
 const PACKED_PICTURES: &str =
-    "unpack it; homebody new my-home --image plan.png takes a picture to draw over in the page";
+    "unpack it; homebody new my-home --image plan.png takes an image to draw over in the page";
 
 /// Forms with their name behind the first bytes.
 fn of_container(bytes: &[u8]) -> Option<(&'static str, &'static str)> {
     match (bytes.get(..4)?, bytes.get(4..8)?, bytes.get(8..12)?) {
-        (b"RIFF", _, b"WEBP") => Some(("a picture in WebP", AS_PICTURE)),
-        (_, b"ftyp", b"heic" | b"heix" | b"mif1" | b"avif") => Some(("a picture in HEIC or AVIF", AS_PICTURE)),
+        (b"RIFF", _, b"WEBP") => Some(("an image in WebP", AS_PICTURE)),
+        (_, b"ftyp", b"heic" | b"heix" | b"mif1" | b"avif") => Some(("an image in HEIC or AVIF", AS_PICTURE)),
         _ => None,
     }
 }
@@ -126,7 +125,7 @@ fn of_svg(text: &str) -> &'static str {
     match () {
         () if has_entity => "a floor plan of Home Assistant in SVG",
         () if text.contains("class=\"Wall") && text.contains("class=\"Space") => "a floor plan of CubiCasa in SVG",
-        () => "a picture in SVG",
+        () => "an image in SVG",
     }
 }
 
@@ -196,14 +195,14 @@ mod tests {
     #[test]
     fn names_each_form_by_its_first_bytes() {
         for (bytes, named) in [
-            (&b"\x89PNG\r\n\x1a\n\0\0"[..], "a picture in PNG"),
-            (b"\xff\xd8\xff\xe0", "a picture in JPEG"),
-            (b"RIFF\0\0\0\0WEBPVP8 ", "a picture in WebP"),
+            (&b"\x89PNG\r\n\x1a\n\0\0"[..], "an image in PNG"),
+            (b"\xff\xd8\xff\xe0", "an image in JPEG"),
+            (b"RIFF\0\0\0\0WEBPVP8 ", "an image in WebP"),
             (b"%PDF-1.7", "a PDF"),
             (b"AC1032\0", "a drawing of AutoCAD (DWG)"),
             (b"  0\r\nSECTION\r\n  2\r\nHEADER\r\n", "a drawing in DXF"),
             (b"ISO-10303-21;\nHEADER;", "a building in IFC"),
-            (b"<?xml version='1.0'?>\n<!-- a plan -->\n<svg width='9'><rect/></svg>", "a picture in SVG"),
+            (b"<?xml version='1.0'?>\n<!-- a plan -->\n<svg width='9'><rect/></svg>", "an image in SVG"),
             (b"<svg><path id=\"binary_sensor.hall\"/></svg>", "a floor plan of Home Assistant in SVG"),
             (b"<svg><g class=\"Wall External\"/><g class=\"Space Bath\"/></svg>", "a floor plan of CubiCasa in SVG"),
             (

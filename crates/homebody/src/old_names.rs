@@ -6,19 +6,21 @@ use std::ffi::OsString;
 /// The release that drops the old names.
 const GONE_IN: &str = "0.2.0";
 
-/// Commands: the old name and the new one.
-const COMMANDS: [(&str, &str); 11] = [
-    ("calibrate", "fit"),
-    ("health", "sensor-faults"),
-    ("look", "inspect"),
-    ("measure", "measures"),
-    ("numbers", "parameters"),
-    ("parts", "install-sheet"),
-    ("place", "suggest-sensors"),
-    ("strip", "storyboard"),
-    ("summarise", "summary"),
-    ("summarize", "summary"),
-    ("translate", "locate"),
+/// Commands: the old name, the new one, and the command that has it. The empty command is the whole program.
+const COMMANDS: [(&str, &str, &str); 13] = [
+    ("calibrate", "fit", ""),
+    ("health", "sensor-faults", ""),
+    ("look", "inspect", ""),
+    ("measure", "measures", ""),
+    ("numbers", "parameters", ""),
+    ("parts", "install-sheet", ""),
+    ("place", "suggest-sensors", ""),
+    ("strip", "storyboard", ""),
+    ("summarise", "summary", ""),
+    ("summarize", "summary", ""),
+    ("translate", "locate", ""),
+    ("walk-back", "locate", "experiment"),
+    ("sensor-health", "sensor-faults", "experiment"),
 ];
 
 /// Flags: the old name, the new one, and the commands that have it. The empty command is the whole program.
@@ -46,8 +48,9 @@ const FLAGS: [(&str, &str, &[&str]); 19] = [
 
 /// The command line with all old names as aliases.
 pub fn with_aliases(mut whole: Command) -> Command {
-    for (old, new) in COMMANDS {
-        whole = whole.mut_subcommand(new, |command| command.alias(old));
+    for (old, new, within) in COMMANDS {
+        let renamed = |of: Command| of.mut_subcommand(new, |command| command.alias(old));
+        whole = if within.is_empty() { renamed(whole) } else { whole.mut_subcommand(within, renamed) };
     }
     for (old, new, paths) in FLAGS {
         for path in paths {
@@ -84,8 +87,9 @@ pub fn notes(whole: &Command, words: &[OsString]) -> Vec<String> {
             let renamed = FLAGS.iter().find(|(old, _, paths)| *old == name && word.starts_with("--") && has(paths));
             notes.extend(renamed.map(|(old, new, _)| note(&format!("--{old}"), &format!("--{new}"))));
         } else if let Some(next) = command.find_subcommand(word) {
-            let renamed = COMMANDS.iter().find(|(old, _)| old == word && path.is_empty());
-            notes.extend(renamed.map(|(old, new)| note(old, new)));
+            let renamed = COMMANDS.iter().find(|(old, _, within)| old == word && path == *within);
+            let full = |name: &str| format!("{path} {name}").trim_start().to_owned();
+            notes.extend(renamed.map(|(old, new, _)| note(&full(old), &full(new))));
             path = format!("{path} {}", next.get_name()).trim_start().to_owned();
             command = next;
         }
@@ -110,9 +114,11 @@ mod tests {
     #[test]
     fn each_old_name_is_an_alias_of_a_name_that_exists() {
         let whole = crate::command();
-        for (old, new) in COMMANDS {
-            assert_eq!(whole.find_subcommand(old).map(Command::get_name), Some(new));
-            assert!(whole.find_subcommand(new).is_some_and(|of| !of.get_visible_aliases().any(|alias| alias == old)));
+        for (old, new, within) in COMMANDS {
+            let of = if within.is_empty() { Some(&whole) } else { whole.find_subcommand(within) };
+            let found = |name: &str| of.and_then(|of| of.find_subcommand(name));
+            assert_eq!(found(old).map(Command::get_name), Some(new));
+            assert!(found(new).is_some_and(|of| !of.get_visible_aliases().any(|alias| alias == old)));
         }
         for (old, new, paths) in FLAGS {
             for path in paths {
@@ -133,6 +139,8 @@ mod tests {
         assert_eq!(noted("homebody --log json fleet a --storm x --every 5s").len(), 3);
         assert_eq!(noted("homebody mqtt clean mqtt://host/a --look"), [flag("look", "dry-run")]);
         assert_eq!(noted("homebody translate a --home b --to c").len(), 2);
+        let nested = format!("note: `experiment walk-back` is now `experiment locate`; {gone}");
+        assert_eq!(noted("homebody experiment walk-back --homes 5"), [nested]);
     }
 
     #[test]

@@ -51,7 +51,7 @@ test('what the home lacks is put where there is room for it', () => {
   expect(JSON.parse(lacks.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1] }, bed]);
   expect(mend({ fix: { ...fix, room: null } })!.what).toBe('Add “bed”');
   const enterable = mend({ fix: { kind: 'let_enter', furniture: 'table' } })!;
-  expect(enterable.what).toBe('Let residents use “table”');
+  expect(enterable.what).toBe('Let residents be in or on “table”');
   expect(JSON.parse(enterable.texts()['home.json']!).furniture).toEqual([{ name: 'table', at: [1, 1], enterable: true }]);
   expect(mend({ hint: 'add to "furniture" what it lacks' })).toBeNull();
 });

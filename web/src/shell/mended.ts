@@ -43,7 +43,7 @@ export function mendOf(problem: ProblemView, texts: Texts): Mend | null {
   const ofHome = home === null ? undefined : texts.text(home);
   if (home === null || ofHome === undefined) return null;
   if (fix.kind === 'let_enter') {
-    return { what: `Let residents use ${quoted(fix.furniture)}`, rest: hint, texts: () => ({ [home]: enterable(ofHome, fix.furniture) }) };
+    return { what: `Let residents be in or on ${quoted(fix.furniture)}`, rest: hint, texts: () => ({ [home]: enterable(ofHome, fix.furniture) }) };
   }
   const into = fix.room === null ? '' : ` to ${quoted(fix.room)}`;
   return { what: `Add ${quoted(String(fix.piece.name))}${into}`, rest: fix.rest, texts: () => ({ [home]: insert(ofHome, 'furniture', fix.piece) }) };

@@ -10,7 +10,7 @@ export function laneAt(lane: Lane, at_us: number, near_us: number): { at_us: num
   if (lane.density !== undefined) {
     const about = (counts: Counts) => Math.round(countBetween(counts, at_us - near_us, at_us + near_us));
     const count = about(lane.density);
-    const words = count === 0 ? 'nothing' : count === 1 ? 'about once here' : `about ${count.toLocaleString('en-GB')} times here`;
+    const words = count === 0 ? 'nothing' : count === 1 ? 'about 1 event here' : `about ${count.toLocaleString('en-GB')} events here`;
     return { at_us, words: lane.densityBeside === undefined ? words : `${words}, in the second run ${about(lane.densityBeside.counts).toLocaleString('en-GB')}` };
   }
   const own = saidNear(lane.fired, lane.said, at_us, near_us);

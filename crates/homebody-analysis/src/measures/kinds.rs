@@ -76,7 +76,7 @@ macro_rules! measures {
 
 measures! {
     time_in_bed ("h", "Time in bed")
-        "Hours in bed in the night: from going to bed to getting up, without the time in other rooms. From the bed's sensor, or else from stays in the bedroom with a silence of 20 min or more",
+        "Hours in bed in the night: from going to bed to getting up, without the time in other rooms. Taken from the bed sensor. Without one, taken from stays in the bedroom with 20 min or more without events",
         "Rantz et al. 2015, time in bed; the rule for motion sensors is our choice",
         night: "more time in bed", "less time in bed"; "was in bed {}";
     bedtime ("h of day", "Bedtime")
@@ -96,7 +96,7 @@ measures! {
         "Rantz et al. 2015, bed restlessness; the definition of a bout is our choice",
         night: "more restless in bed", "less restless in bed";
     bathroom_night ("visits", "Bathroom visits at night")
-        "Stays in the bathroom of 20 s or more between going to bed and getting up; gaps of up to 60 s do not end a stay. If several sensors see a person at once, the room of most of them counts",
+        "Stays in the bathroom of 20 s or more between going to bed and getting up; gaps of up to 60 s do not end a stay. If several sensors see a person at once, the person counts as in the room with most of these sensors",
         "Rantz et al. 2015, bathroom activity",
         night: "more bathroom visits at night", "fewer bathroom visits at night"; "got up for the bathroom {}" "did not get up for the bathroom";
     bathroom_day ("visits", "Bathroom visits by day")
@@ -108,15 +108,15 @@ measures! {
         "our definition",
         day: "more showers", "fewer showers"; "showered {}" "did not shower";
     meals ("times", "Kitchen meals")
-        "Periods around the kitchen with 15 min or more in it; gaps of up to 15 min do not end a period",
+        "Periods with 15 min or more in the kitchen; times outside it of up to 15 min do not end a period",
         "our definition",
         day: "more kitchen meals", "fewer kitchen meals"; "had a meal in the kitchen {}" "had no meal in the kitchen";
     time_out ("h", "Time out of the home")
-        "Hours of the day in which the home is empty, as far as known at the end of the day",
+        "Hours of the day in which the home is empty, by what the log shows at the end of the day",
         "Wang and Skubic 2008, time away from home",
         day: "more time out of the home", "less time out of the home"; "was out {}" "did not go out";
     outings ("times", "Outings")
-        "Absences of half an hour or more, counted on the day on which the half hour ended",
+        "Absences of half an hour or more. An absence counts on the day on which its first half hour ends",
         "Wang and Skubic 2008, time away from home",
         day: "more outings", "fewer outings"; "went out {}" "did not go out";
     room_changes ("times", "Room changes")
@@ -144,7 +144,7 @@ measures! {
         "Hagler et al. 2010, the distribution of walking speeds",
         day: "faster fast walks", "slower fast walks";
     company ("h", "Time with visitors")
-        "Estimate of the hours of the day with a visitor. A visit lies between two uses of the front door's contact, 10 min to 5 h apart; a person is at home before and after it; and the signs of presence are at least 1.3 times the median of the last 28 days",
+        "Estimate of the hours of the day with a visitor. A visit lies between two uses of the front door's contact, 10 min to 5 h apart. A person is at home before and after it, and the signs of presence are at least 1.3 times the median of the last 28 days",
         "Petersen et al. 2012, visitors by sensors; the rule is our choice",
         day: "more time with visitors", "less time with visitors"; "had visitors {}" "had no visitors";
     visits ("times", "Visitors")
@@ -160,7 +160,7 @@ measures! {
         "Martino-Saltzman et al. 1991; the threshold of three is our choice",
         day: "more walking in circles", "less walking in circles";
     sedentary ("h", "Sitting and resting")
-        "Hours of the day in stays of 30 min or more in one room, outside the bed of the night",
+        "Hours of the day in stays of 30 min or more in one room, without the night in bed",
         "our definition, after the 30-min bouts of sedentary time in actigraphy",
         day: "more sitting and resting by day", "less sitting and resting by day"; "sat or rested {} by day";
     density_night ("firings/h", "Movement at night")
@@ -180,7 +180,7 @@ measures! {
         "Wang and Skubic 2008",
         day: "more movement in the evening", "less movement in the evening";
     density_distance ("0-2.24", "Change of daily pattern")
-        "Distance between the density map of the seven days that end with the day and that of the seven days before; the levels of the map are fixed from the first 14 whole days of the log",
+        "Distance between the density map of the seven days that end with the day and that of the seven days before; the eight colour levels of the map follow from the first 14 whole days of the log",
         "Wang and Skubic 2008, dissimilarity of density maps",
         day: "more change in the daily pattern", "less change in the daily pattern";
     interdaily_stability ("0-1", "Regularity of days")

@@ -21,7 +21,7 @@ pub(crate) use tables::read_tables;
 pub(crate) const FORMS: [Form; 2] = [
     Form {
         name: "parquet",
-        what: "Parquet, a file or a folder of them by run and day: columns of time, sensor and value under any of the usual names or ours",
+        what: "Parquet, a file or a folder of them by run and day: columns of time, sensor and value under common names or those of Homebody",
         shows: |start| shows(start, batches::PARQUET),
         read: rows::read,
     },

@@ -40,8 +40,8 @@ pub struct Device {
 }
 
 const PAPER: &str = "Godsey & Skubic 2009, section III.D";
-const AS_PAPER: &str = "unpublished; as in Godsey & Skubic 2009";
-const OURS: &str = "unpublished; our choice";
+const AS_PAPER: &str = "not stated by the maker; value of Godsey & Skubic 2009";
+const OURS: &str = "not stated; our choice";
 
 impl Device {
     /// The device of a preset.

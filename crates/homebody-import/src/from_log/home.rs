@@ -294,7 +294,7 @@ fn measured(understood: &Understood, sensors: &[LogSensor], pieces: &[Piece]) ->
         }
     }
     let rects: Option<Vec<Rect>> = rects.into_iter().collect();
-    rects.ok_or_else(|| Unsaid::Unsound("no sensor has a place on the picture".into()))
+    rects.ok_or_else(|| Unsaid::Unsound("no sensor has a place on the image".into()))
 }
 
 /// What was put together.

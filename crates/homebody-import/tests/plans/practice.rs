@@ -208,10 +208,10 @@ fn a_plan_without_its_archive_is_read() {
 fn files_of_other_forms_lead_to_what_takes_them() {
     let said = |bytes: &[u8]| import(bytes).unwrap_err().to_string();
     for (bytes, form, hint) in [
-        (&b"\x89PNG\r\n\x1a\n\0"[..], "a picture in PNG", "homebody new my-home --image plan.png"),
-        (b"\xff\xd8\xff\xe1", "a picture in JPEG", "homebody new my-home --image"),
-        (b"%PDF-1.4\n", "a PDF", "save it as a picture in PNG"),
-        (b"<svg xmlns='http://www.w3.org/2000/svg'/>", "a picture in SVG", "homebody serve"),
+        (&b"\x89PNG\r\n\x1a\n\0"[..], "an image in PNG", "homebody new my-home --image plan.png"),
+        (b"\xff\xd8\xff\xe1", "an image in JPEG", "homebody new my-home --image"),
+        (b"%PDF-1.4\n", "a PDF", "save it as an image in PNG"),
+        (b"<svg xmlns='http://www.w3.org/2000/svg'/>", "an image in SVG", "homebody serve"),
         (b"0\nSECTION\n2\nENTITIES\n", "a drawing in DXF", "draw the plan in Sweet Home 3D"),
         (b"ISO-10303-21;\n", "a building in IFC", "draw the plan in Sweet Home 3D"),
         (b"rooms:\n  - name: a\n    points:\n", "a floor plan of ESPresense in YAML", "draw the plan"),

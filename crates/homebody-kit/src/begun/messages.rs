@@ -48,26 +48,26 @@ homebody_core::messages! {
             first_line: u64,
         } error "same-sensor" ("the sensor {sensor:?} is already in line {first_line}")
             hint ("delete one of the two rows");
-        /// Homebody reads the size of a picture from its first bytes, which the two formats PNG and JPEG have in a known form.
-        NotAPicture error "not-a-picture" ("the file is not a picture in PNG or JPEG")
+        /// Homebody reads the size of an image from its first bytes, which PNG and JPEG have in a known form.
+        NotAPicture error "not-a-picture" ("the file is not an image in PNG or JPEG")
             hint ("save the plan as PNG");
-        /// Two points with known positions decide the scale and the direction of the picture. Fewer leave them open, and more could
+        /// Two points with known positions decide the scale and the direction of the image. Fewer leave them open, and more could
         /// contradict each other.
         KnownPoints {
             /// The points given.
             points: usize,
         } error "known-points" ("two known points are needed, and {points} are given")
             hint ("pass the pixels and metres of two points: --known 120,340=0,0 --known 900,340=8.5,0");
-        /// The two points have the same pixel or the same position, so that they have no distance to scale the picture by.
+        /// The two points have the same pixel or the same position, so that they have no distance to scale the image by.
         SamePoint error "same-point" ("the two known points are the same point")
             hint ("choose two points that are far apart");
-        /// A known point is a pixel of the picture and its position in the home, in metres.
+        /// A known point is a pixel of the image and its position in the home, in metres.
         KnownPoint {
             /// The text.
             text: String,
         } error "known-point" ("{text:?} is not a pixel and a position")
             hint ("write pixels and metres, such as 120,340=0,0");
-        /// The coordinates in the table count pixels from the upper left corner of the picture.
+        /// The coordinates in the table count pixels from the upper left corner of the image.
         OffPicture {
             /// The id of the sensor.
             sensor: String,
@@ -75,10 +75,10 @@ homebody_core::messages! {
             x_px: f64,
             /// The pixels downward.
             y_px: f64,
-        } error "off-picture" ("the sensor {sensor:?} is not on the picture: {x_px}, {y_px}")
+        } error "off-picture" ("the sensor {sensor:?} is not on the image: {x_px}, {y_px}")
             hint ("correct x and y, in pixels from the upper left corner");
-        /// The picture of a plan is of use only where at least one sensor has coordinates on it.
-        NothingOnPicture error "nothing-on-picture" ("no sensor has a place on the picture")
+        /// An image of a plan helps only if at least one sensor has coordinates on it.
+        NothingOnPicture error "nothing-on-picture" ("no sensor has a place on the image")
             hint ("write x and y of each sensor, in pixels, into a table, and pass --sensors FILE");
         /// The ids in the table and the ids in the log have nothing in common. Probably they belong to different homes.
         OtherLog {

@@ -17,7 +17,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "jsonl",
-    what: "JSON Lines: one object per line with time, sensor and value, under the usual names or those of Homebody, or with a topic and \
+    what: "JSON Lines: one object per line with time, sensor and value, under common names or those of Homebody, or with a topic and \
            a payload of MQTT",
     shows,
     read,

@@ -15,7 +15,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "psql",
-    what: "a table as psql prints it, with cells separated by |: the X10 network of MavPad, or a log with the usual names",
+    what: "a table as psql prints it, with cells separated by |: the X10 network of MavPad, or a log with common column names",
     shows,
     read,
 };

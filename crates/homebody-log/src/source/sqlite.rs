@@ -17,7 +17,7 @@ use std::path::Path;
 
 pub(super) const FORM: Form = Form {
     name: "sqlite",
-    what: "a database file with a table of time, sensor and value, under the names of logger.json, those of Homebody or the usual ones",
+    what: "a database file with a table of time, sensor and value, with the column names of logger.json or of Homebody, or common names such as timestamp, device and state",
     shows,
     read,
 };

@@ -32,9 +32,9 @@ homebody_core::numbers! {
     /// another.
     static RISES = "spare_time.rises": 26.0, "1", [0.0, 500.0];
     /// Number of errands before noon, as a multiple of that in the afternoon. In homes of the CASAS collection, 40 to
-    /// 47 % of a day's firings come between 6 and 12 h.
+    /// 47 % of a day's firings come from 06:00 to 12:00.
     static MORNING = "spare_time.morning": 1.7, "1", [0.0, 10.0];
-    /// Number of errands after 18 h, as a multiple of that in the afternoon. In the same homes, 24 to 25 % of a day's
+    /// Number of errands after 18:00, as a multiple of that in the afternoon. In the same homes, 24 to 25 % of a day's
     /// firings come then.
     static EVENING = "spare_time.evening": 0.75, "1", [0.0, 10.0];
     /// Probability that another errand follows one at once.

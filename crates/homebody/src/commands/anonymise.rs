@@ -45,7 +45,7 @@ pub struct Arguments {
     /// Write the original name of each sensor to a CSV file
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     key: Option<PathBuf>,
-    /// Time zone of the output for a log in UTC, in forms with local time only
+    /// Time zone of the output, if the log is in UTC and the form of the output has only local time
     #[arg(long, value_name = "ZONE", default_value = "UTC")]
     time_zone: String,
     #[command(flatten)]

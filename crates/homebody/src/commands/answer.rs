@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 #[command(next_help_heading = "Output")]
 pub struct Answer {
-    /// Print the result as JSON instead of text, or write it to FILE and print the text; without FILE, put --json last
+    /// Print the result as JSON instead of text. With FILE, write the JSON there and print the text. Without FILE, put --json last
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
     #[command(flatten)]
@@ -24,7 +24,7 @@ pub struct Answer {
 #[derive(clap::Args)]
 #[command(next_help_heading = "Output")]
 pub struct Figures {
-    /// Print the result as JSON instead of text, or write it to FILE and print the text; without FILE, put --json last
+    /// Print the result as JSON instead of text. With FILE, write the JSON there and print the text. Without FILE, put --json last
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
     /// Replace existing files

@@ -11,7 +11,7 @@ use serde_json::json;
 /// Report all problems of a scenario
 ///
 /// Each problem has its file, its line and a hint. Warnings name likely mistakes, such as a fault that begins after the end of the
-/// run, and conditions under which a run cannot start or writes an empty log, such as a home without sensors.
+/// run. They also name reasons why a run cannot start or writes an empty log, such as a home without sensors.
 ///
 /// Homebody checks the meaning of a file once its keys and values are valid. Until then the report omits other problems of the
 /// file; if the file is home.json, it also omits problems of the routines.

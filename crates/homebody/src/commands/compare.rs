@@ -28,7 +28,7 @@ pub struct Arguments {
     b: String,
     #[command(flatten)]
     how: HowRead,
-    /// CSV file with the columns id and name: a sensor's name in one log, and in the other
+    /// CSV file with the columns id and name: Homebody renames the sensor id to name in both logs before it compares them
     #[arg(long, value_name = "FILE")]
     sensors: Option<PathBuf>,
     /// Print one JSON object

@@ -21,7 +21,7 @@ pub fn forms_of_logs() -> String {
     let form = |row: SchemeRow| format!("  {:<32} {}\n", format!("{}:{}", row.name, row.at), row.what);
     let forms = SCHEMES.map(form).concat();
     format!(
-        "Forms of logs:\n{forms}\nA destination without a form goes by its extension: {KNOWN_EXTENSIONS}.\n\
+        "Forms of logs:\n{forms}\nIf a destination has no form, its extension decides: {KNOWN_EXTENSIONS}.\n\
              Homebody recognises the form of an input file by its first lines."
     )
 }
@@ -40,8 +40,8 @@ pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
 /// Instants stay exact to the microsecond. Names and values do not change, except in the form of CASAS, which has local
 /// time only and no blanks in names.
 ///
-/// Homebody also converts activities. In CASAS they become notes at their start and end; in other forms they are a column of the
-/// rows and a separate table (in SQLite activity, in CSV a second file such as week.activity.csv).
+/// Homebody also converts activities. In CASAS, they become notes at their start and end. Other forms have a column and a separate
+/// table: `activity` in SQLite, and a second file such as week.activity.csv in CSV.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody convert log.db --out casas:log.txt
@@ -55,8 +55,8 @@ pub const LOG_COLUMNS: &str = "seq, fired_at, sensor, value";
 
 Forms that Homebody reads:
 {read}
-Columns: {LOG_COLUMNS}, and activity if the log has some; in SQLite in the table firing, after
-run_id. The form of CASAS has time, sensor and value, without a header.
+Columns: {LOG_COLUMNS}, and activity if the log has activities. In SQLite they are in the table
+firing, after the column run_id. The form of CASAS has time, sensor and value, without a header.
 
 Homebody skips rows that it cannot parse, and reports them. It does not replace files of a run's
 folder.
@@ -71,7 +71,7 @@ pub struct Arguments {
     /// Add the activities of the run's ground truth
     #[arg(long)]
     activities: bool,
-    /// Time zone of the output for a log in UTC, in forms with local time only
+    /// Time zone of the output, if the log is in UTC and the form of the output has only local time
     #[arg(long, value_name = "ZONE", default_value = "UTC")]
     time_zone: String,
     #[command(flatten)]

@@ -24,7 +24,7 @@ pub struct Arguments {
     /// Date such as 2009-03-02, or first or last
     #[arg(value_name = "DATE")]
     date: Asked,
-    /// The home's time zone, for a log in UTC; a run has its own
+    /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]

@@ -46,9 +46,11 @@ homebody_core::messages! {
 
 /// Map the motion density of each hour, with absences
 ///
-/// The motion density map of Wang and Skubic (2008): density is the number of events of motion sensors per hour at home.
+/// This is the motion density map of Wang and Skubic (2008). Density is the number of firings of motion sensors per hour at home. An
+/// OFF does not count.
 ///
-/// An absence begins with an event at the entrance that few events follow for half an hour, and ends with the next event there.
+/// An absence begins with an event at the entrance, if almost no events follow for half an hour. It ends with the next event at the
+/// entrance.
 /// Homebody picks the sensors at the entrance by their names, and the report lists them.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
@@ -75,7 +77,7 @@ pub struct Arguments {
     /// Number of days (default: all days)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=3660))]
     days: Option<u32>,
-    /// The home's time zone, for a log in UTC; a run has its own
+    /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     /// Write the hours of the first log as CSV: date,hour,events,athome_h,density

@@ -28,8 +28,8 @@ homebody_core::messages! {
 
 /// List the motion sensors of the catalogue, with sources
 ///
-/// Each has make and model, network, mounting height, field of view, reach and timing, with their sources. The first column is the
-/// value for "preset" in home.json.
+/// Each device has maker and model, network, mounting height, field of view, reach and timing, with their sources. The first column
+/// is the value for "preset" in home.json.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody devices

@@ -25,7 +25,8 @@ homebody_core::messages! {
 /// Diagnose an installation, a log, a database, a broker or a run
 ///
 /// A place is a log, a ground truth, a database, a broker, a run folder or a cohort folder. Each line is one check: ok, warning or
-/// wrong, with a hint. Doctor only reads, unless you add --write; it never prints passwords.
+/// wrong, with a hint. The command only reads, unless you add --write. It never prints passwords. The exit code is 1 if a check is
+/// wrong; warnings do not count.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody doctor
@@ -33,8 +34,7 @@ homebody_core::messages! {
   homebody doctor sqlite:log.db parquet:lives
   homebody doctor postgresql://ann@db.example/homes mqtts://ann@broker/homebody --write
 
-{EXIT_CODES}.
-The exit code is 1 if a check is wrong; warnings do not count."))]
+{EXIT_CODES}."))]
 pub struct Arguments {
     /// Places to check (default: the installation)
     #[arg(value_name = "PLACE")]
@@ -42,7 +42,7 @@ pub struct Arguments {
     /// logger.json with the table and column names of a log
     #[arg(long, value_name = "FILE")]
     mapping: Option<PathBuf>,
-    /// Also test writing, without leaving data: send the broker a message that it does not retain
+    /// Also test writing. No data remain: the broker gets a message that it does not retain
     #[arg(long)]
     write: bool,
     /// Replay the run of a folder, and compare each event

@@ -17,9 +17,9 @@ use std::path::{Path, PathBuf};
 
 /// Detect falls in the silhouettes of a run's cameras
 ///
-/// Two cameras of a room yield the voxel person of Anderson et al. 2009, the volume on which both agree; a single camera yields the
-/// shape of its silhouette. Fuzzy rules rate how far a person is upright, in between or on the ground; a second level of rules
-/// decides whether the sequence is a fall. --rules replaces the default rules by those of a JSON file.
+/// With two cameras in a room, Homebody computes the volume that both see as a body: the voxel person of Anderson et al. (2009). With one
+/// camera, it uses the shape of the silhouette. Fuzzy rules rate how far a person is upright, in between or on the ground. A second
+/// level of rules decides whether the sequence is a fall. --rules replaces the default rules by those of a JSON file.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody falls runs/cameras-1

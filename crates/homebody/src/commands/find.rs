@@ -33,7 +33,7 @@ pub struct Arguments {
     how: HowRead,
     /// Kind of interval
     what: Wanted,
-    /// Name of the room, sensor or activity; the sensor of lost messages; the rule of alerts and seen falls
+    /// Name of what to find: a room, a sensor (for `on` and `lost`), an activity, or a rule (for `alert` and `seen-fall`)
     name: Option<String>,
     /// Hours of the day, such as 0-6, 22-6 or 08:30-20
     #[arg(long, value_name = "HOURS")]
@@ -41,7 +41,7 @@ pub struct Arguments {
     /// Shortest interval, such as 30m
     #[arg(long, value_name = "DURATION", value_parser = span)]
     min_duration: Option<Micros>,
-    /// The home's time zone, for a log in UTC; a run has its own
+    /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]

@@ -43,8 +43,9 @@ homebody_core::messages! {
 
 /// Fit a scenario to the log of its home, and evaluate the fit
 ///
-/// Homebody fits the timing of the sensors, the rhythm of the resident, how much the resident moves and turns, how days differ, and
-/// the shares of repeated and lost messages. It simulates the fitted scenario and compares it with days that it did not use.
+/// Homebody fits the timing, the reach and the missed passes of the sensors, the routine of the resident, the amount of movement, the
+/// variation between days, and the shares of repeated and lost messages. It simulates the fitted scenario and compares it with days
+/// that it did not use.
 ///
 /// The scenario must have one resident. Its sensors must have the names that the log uses, unless its logger.json maps their ids.
 /// Walls, furniture and everything else that a log does not show stay as in the scenario.
@@ -56,7 +57,7 @@ homebody_core::messages! {
 
 Files in the new folder:
   scenario.json   the fitted scenario, with its home, its logger, its link and its routine
-  fitted.routine  the rhythm in sentences: homebody routine explain fitted
+  fitted.routine  the routine in sentences: homebody routine explain fitted
   report.json     the fitted values, and each measure of homebody realism on the test days
 
 The report compares the test days with the fitted scenario, with the training days (how much the home

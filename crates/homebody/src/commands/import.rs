@@ -14,9 +14,11 @@ use std::path::{Path, PathBuf};
 
 /// Make a scenario from a plan of Sweet Home 3D
 ///
-/// Homebody imports rooms, walls, doors and furniture. It places levels that are connected by stairs side by side. It reports what
-/// it left out or guessed. The resident is Anna, with an ordinary routine. Homebody lists the furniture that the routine needs and
-/// the home lacks, each with a line to paste into home.json; --furnish adds it for you. Sensors are up to you.
+/// Homebody imports rooms, walls, doors and furniture. If stairs connect several levels, it places the levels side by side on the
+/// plan. It reports what it left out or guessed. The resident is Anna, with an ordinary routine. Homebody lists the furniture that the
+/// routine needs and the home lacks, each with a line to paste into home.json. --furnish adds this furniture.
+///
+/// The new scenario has no sensors: add them on the page or in home.json.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody import flat.sh3d my-home && homebody check my-home
@@ -24,7 +26,7 @@ use std::path::{Path, PathBuf};
   homebody import house.sh3d upstairs --level \"First floor\"
   homebody import house.sh3d downstairs --level 1
 
-To draw over a picture of a plan: homebody new my-home --image plan.png, or \"New home\" in homebody serve.")]
+To draw over an image of a plan: homebody new my-home --image plan.png, or \"New home\" in homebody serve.")]
 pub struct Arguments {
     /// Plan: a file of Sweet Home 3D 5.3 or later, or the Home.xml in it
     plan: PathBuf,
@@ -34,7 +36,7 @@ pub struct Arguments {
     /// connect to it)
     #[arg(long, value_name = "NAME")]
     level: Option<String>,
-    /// Add furniture that the routine needs and the plan lacks or makes unreachable
+    /// Add the furniture that the routine needs, if it is missing from the plan or cannot be reached
     #[arg(long)]
     furnish: bool,
 }

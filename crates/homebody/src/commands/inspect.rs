@@ -26,15 +26,17 @@ use std::path::{Path, PathBuf};
   homebody inspect runs/tigerplace-1 --png log.png
   homebody inspect week.csv --home scenarios/tigerplace --sensors sensors.csv --json log.json --html log.html
 
-An ON that follows an ON counts as a repeated message; an OFF without an ON before it counts as a
-missing ON. A sensor is dead if it has sent nothing for the last two days or more, and for at least
-three times its longest earlier silence. A motion sensor is stuck if it is on for 6 h; a sensor of
-readings is stuck after 50 equal values over a day.
+For a sensor that reports OFF, an ON after an ON counts as a repeated message. An OFF without an ON
+before it counts as a missing ON. A sensor is dead if it has sent nothing for the last two days or
+more, and for at least three times its longest earlier silence. A motion sensor is stuck if it is on
+for 6 h. A sensor with readings, such as a thermometer, is stuck after 50 equal values in a day or more.
 
-The kind of a sensor is motion, contact, used, reading or other. Homebody takes it from the first of:
-a sensors.csv in the log's folder (columns id,kind), the log's source, the home, the values, the name,
-the length of its ONs. A state such as unavailable, and a gap of the recorder, end an ON; the restored
-state after it counts neither as an event nor as a missing message.
+The kind of a sensor is motion, contact, used (of a thing that people use, such as a tap), reading or
+other. Homebody takes it from the first of: a sensors.csv in the log's folder (columns id,kind), the
+log's source, the home, the values, the name, the length of its ONs.
+
+An ON ends at a state such as unavailable, and at a gap of the recorder. The first state after either
+is neither an event nor a missing message.
 
 {EXIT_CODES}."))]
 pub struct Arguments {
@@ -43,10 +45,10 @@ pub struct Arguments {
     /// Compare with the home of this scenario, and report sensors that are unknown, silent or of another kind
     #[arg(long, value_name = "SCENARIO")]
     home: Option<PathBuf>,
-    /// CSV file with the columns id and name: the home's names of the log's sensors
+    /// CSV file with the columns id and name: a sensor in the log, and its name in the home
     #[arg(long, value_name = "FILE")]
     sensors: Option<PathBuf>,
-    /// The home's time zone, for a log in UTC; a run has its own
+    /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     /// Write the report as one HTML page with pictures

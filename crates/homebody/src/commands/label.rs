@@ -30,10 +30,10 @@ Columns: {LOG_COLUMNS}, then
   activity  the activity of that resident
   cause     movement, act, reading, duplicate or false
   thing     the piece of furniture or door of an act
-In SQLite they are in the table labelled, after run_id. The form of CASAS has time, sensor, value
+In SQLite they are in the table labelled, after the column run_id. The form of CASAS has time, sensor, value
 and activity, without a header.
 
-The log must be complete and unchanged, because rows are matched by number. Homebody does not
+The log must be complete and unchanged, because Homebody matches rows by number. Homebody does not
 replace files of a run's folder.
 
 {EXIT_CODES}.", forms = forms_of_logs()))]
@@ -47,7 +47,7 @@ pub struct Arguments {
     /// Destination: FILE.csv, FILE.db, casas:FILE and so on, as listed below
     #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Url,
-    /// Time zone of the output for a log in UTC, in forms with local time only
+    /// Time zone of the output, if the log is in UTC and the form of the output has only local time
     #[arg(long, value_name = "ZONE", default_value = "UTC")]
     time_zone: String,
     #[command(flatten)]

@@ -48,9 +48,11 @@ homebody_core::messages! {
 
 /// Simulate a home in real time until you stop it
 ///
-/// Homebody writes the log, the ground truth and the recording into live/NAME, or into --folder. --out sends the rows to servers
-/// and to standard output as they come. After a stop or a crash, the same command resumes: Homebody simulates the time in between
-/// as fast as possible. No row is missing; brokers and readers may receive a row twice, with the same number.
+/// Homebody writes the log, the ground truth and the recording into live/NAME, where NAME is the name in scenario.json, or into
+/// --folder. --out sends the rows to servers and to standard output as they come.
+///
+/// After a stop or a crash, the same command resumes: Homebody simulates the time in between as fast as possible. No row is missing.
+/// Brokers and readers may receive a row twice, with the same number.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody live scenarios/tigerplace

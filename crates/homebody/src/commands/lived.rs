@@ -56,7 +56,7 @@ impl Output {
 pub struct Away {
     /// Action while a server is unavailable
     ///
-    /// The reader of standard output counts as a server.
+    /// A program that reads standard output counts as a server.
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
     on_unavailable: OnUnavailable,
     /// Folder for spooled rows
@@ -75,7 +75,7 @@ pub struct Away {
 pub struct DestinationTimeout {
     /// Treat a server as unavailable if one request takes longer than this: 500ms, 10s or 2m
     ///
-    /// The reader of standard output counts as a server.
+    /// A program that reads standard output counts as a server.
     #[arg(long, value_name = "DURATION", value_parser = timeout, default_value = "10s")]
     destination_timeout: Duration,
 }

@@ -13,10 +13,10 @@ use std::path::PathBuf;
 /// Locate residents over time from the log of their home
 ///
 /// Homebody infers the room of each resident at each instant, with a probability. It uses the plan, the fields of the sensors and the
-/// walking speed of the residents, and counts both events and silences. It simulates the inferred path again, so that you can watch
-/// it and compare it with the log; in a folder of runs, Playback on the page shows it.
+/// walking speed of the residents. Both events and the absence of events count. Homebody then simulates the inferred path, so that
+/// you can compare the result with the log. To watch it, open the new folder with homebody serve.
 ///
-/// Sensors do not identify people: with several residents, Homebody cannot tell which of them was where. In a home with one resident,
+/// Sensors do not identify people. With several residents, Homebody cannot tell which of them was where. In a home with one resident,
 /// it reports another person only if the log is much less likely without one.
 ///
 /// With --follow, Homebody writes no files. It prints changes as rows arrive, using only the rows received so far.
@@ -42,8 +42,8 @@ Files in the new folder:
   scenario.json  the home with a path for each resident, for homebody run and homebody serve
   run            the run of that path: log, ground truth, recording
   given          a copy of the log
-  report.json    unexplained events, sensors without credit, and the share of each sensor's
-                 events that the path explains
+  report.json    unexplained events, sensors that Homebody does not trust, and the share of
+                 each sensor's events that the path explains
 
 Times are local times of the home.
 

@@ -131,7 +131,7 @@ pub struct Measured {
     /// Measure what this resident did by the ground truth, instead of the log
     #[arg(long, value_name = "NAME")]
     resident: Option<String>,
-    /// The home's time zone, for a log in UTC; a run has its own
+    /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
 }

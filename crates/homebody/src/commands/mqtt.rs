@@ -27,8 +27,8 @@ enum What {
 
 /// Remove the retained messages of Homebody's homes below a prefix
 ///
-/// These are the states of sensors and the discovery messages for Home Assistant. Homebody touches only homes with its own mark. A
-/// running home sends its messages again at its next connection.
+/// Retained messages are the states of sensors and the discovery messages for Home Assistant. Homebody removes only the messages of
+/// homes that it has marked as its own, in the topic PREFIX/HOME/run. A running home sends its messages again at its next connection.
 #[derive(clap::Args)]
 struct Clean {
     /// Broker and prefix: mqtt://USER@HOST/PREFIX

@@ -1,4 +1,4 @@
-//! `homebody new`: a scenario of one's own, from one that works, from a picture of a plan, or from the log of a home.
+//! `homebody new`: a scenario from a template, from an image of a plan, or from the log of a home.
 
 use super::messages::NewHomeMessage;
 use super::read_log::{HowRead, read_log};
@@ -10,16 +10,16 @@ use homebody_kit::Template;
 use homebody_kit::begun::{GivenLog, Known, OfLog, Traced, begin, empty, of_log, of_template, read_table, write};
 use std::path::{Path, PathBuf};
 
-/// Make a scenario from a template, a log or a picture of a plan
+/// Make a scenario from a template, a log or an image of a plan
 ///
 /// Homebody creates the folder and a scenario in it: a copy of a template, an empty home, or a schematic home from a log.
 ///
-/// Start with an empty home and draw it on the page of homebody serve, over a picture of the plan if you have one. Its resident is
-/// Anna, with an ordinary routine; homebody check lists the furniture that the routine needs and the home lacks.
+/// Start with an empty home and draw it on the page of homebody serve, over an image of the plan if you have one. The resident is
+/// Anna, with an ordinary routine. homebody check lists the furniture that the routine needs and the home lacks.
 ///
 /// From a log, Homebody guesses a schematic home. It takes rooms, furniture and positions from the names of the sensors and from
-/// the activities, and neighbouring rooms from the order and the delay of events. If you give a picture of the plan and the
-/// position of each sensor on it, Homebody places the sensors there, and the Plan view shows the picture beneath the drawing.
+/// the activities. It takes neighbouring rooms from the order and the delay of events. If you give an image of the plan and the
+/// position of each sensor on it, Homebody places the sensors there. The Plan view then shows the image beneath the drawing.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Templates:
 {}
@@ -34,7 +34,7 @@ Examples:
     --known 120,640=0,0 --known 900,640=8.5,0 && homebody serve their-home
 
 sensors.csv has the header id,room,place,x,y and a line for each sensor: its name in the log, its room,
-what it watches (free text), and its position in pixels of the picture, or in metres without one. Only
+what it watches (free text), and its position in pixels of the image, or in metres without an image. Only
 id is required. A column kind (motion or contact) corrects a wrong guess.
 
 {EXIT_CODES}.", templates()))]
@@ -52,14 +52,14 @@ pub struct Arguments {
     /// CSV file with the log's sensors: id, room, place, x, y
     #[arg(long, value_name = "FILE", requires = "from_log")]
     sensors: Option<PathBuf>,
-    /// Picture of the plan (PNG or JPEG), to draw over on the page
+    /// Image of the plan (PNG or JPEG), to draw over on the page
     #[arg(long, value_name = "FILE", conflicts_with = "template")]
     image: Option<PathBuf>,
-    /// A point of the picture, in pixels from its upper left corner, and the same point in metres east and north of the origin;
+    /// A point of the image, in pixels from its upper left corner, and the same point in metres east and north of the origin;
     /// give two points
     #[arg(long, value_name = "X,Y=EAST,NORTH", requires = "image")]
     known: Vec<Known>,
-    /// The home's time zone; a run has its own
+    /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE", requires = "from_log")]
     time_zone: Option<String>,
 }
@@ -138,7 +138,7 @@ impl Arguments {
         let folder = folder.display();
         tell(match beginning {
             Beginning::Empty if picture.is_some() => {
-                format!("{folder} is ready: draw over the picture in Plan on the page.\n  homebody serve {folder}")
+                format!("{folder} is ready: draw over the image in Plan on the page.\n  homebody serve {folder}")
             }
             Beginning::Empty => format!("{folder} is ready, and empty.\n  homebody serve {folder}"),
             Beginning::Template(_) => format!("{folder} is ready.\n  homebody check {folder}\n  homebody run {folder}"),

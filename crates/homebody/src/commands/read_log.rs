@@ -40,7 +40,7 @@ pub struct HowRead {
     /// Read each column of the table as a sensor
     #[arg(long)]
     wide: bool,
-    /// Column that names the home or person of a row, and which to read; NAME=* reads all as one
+    /// Column with the home or person of each row, and the one to read; NAME=* reads all as one log
     #[arg(long, value_name = "NAME[=HOME]")]
     home_column: Option<String>,
     /// Order of day and month in dates such as 02/03/2009

@@ -12,11 +12,11 @@ use std::path::PathBuf;
 
 /// Measure how realistic a log is, compared with a real one
 ///
-/// Homebody compares log B, such as a run's, with log A, such as a real home's: gaps, ON durations, hours, sensors and days. A random
-/// forest also classifies their days and hours; the report has its accuracy and the features that it used. Each value has its floor:
-/// the same value for the two halves of A.
+/// Homebody compares log B, such as that of a run, with log A, such as that of a real home: gaps, ON lengths, hours, sensors and days. A
+/// random forest also tries to tell days and hours of A from those of B. The report has its area under the curve and the features
+/// that it used. Each value has a floor: the same measure, between the two halves of A.
 ///
-/// Only motion sensors on whole days count. Shares of sensors and transitions between them need logs with the same sensor names.
+/// Only motion sensors on whole days count. Sensor shares and ways (transitions between sensors) need logs with the same sensor names.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody realism casas:real.txt runs/older-adult-1
@@ -35,7 +35,7 @@ pub struct Arguments {
     /// Write the report as one HTML page with pictures
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     html: Option<PathBuf>,
-    /// The home's time zone, for a log in UTC; a run has its own
+    /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it
     #[arg(long, value_name = "ZONE")]
     time_zone: Option<String>,
     #[command(flatten)]

@@ -6,7 +6,7 @@ use homebody_log::{How, Url};
 #[derive(clap::Args)]
 #[command(next_help_heading = "Output")]
 pub struct Replacing {
-    /// Replace existing files; a database file only if it holds nothing but a run
+    /// Replace existing files. A database file is replaced only if it contains one run and nothing else
     #[arg(short, long)]
     pub force: bool,
     /// Replace the rows of the same run in a server's database; its other rows stay

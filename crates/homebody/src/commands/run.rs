@@ -49,10 +49,11 @@ with the feature cloud can write the folder to an object store.
 Columns of --profiles:
   name        name of the member's folder
   seed        the member's own seed; by default from the name and the seed of the run
-  age         in years; it changes only the text of the routine
+  age         in years; only the text of the member's routine shows it
   pace_mps    walking speed in metres a second
   conditions  conditions instead of the routine's, joined by +; or none
-  severity    mild, moderate or severe; one for all conditions or one each, joined by +, as in the next three columns
+  severity    mild, moderate or severe. For several conditions, give one value for all, or one each, joined by +; the same
+              holds for the next three columns
   onset       start of the condition: week 6, day 40 or 2009-04-13; by default the start of the run
   over        time from the onset to the full effect: 10 days, 4 weeks
   until       end of the condition: week 12, day 80, 2009-06-01
@@ -81,7 +82,7 @@ pub struct Arguments {
     seed: Option<u64>,
     /// Leave out a condition of the routine; repeatable
     ///
-    /// Everything that the condition does not affect draws the same random numbers with and without it.
+    /// Homebody uses the same random numbers with and without the condition, except where the condition has an effect.
     #[arg(long, value_name = "CONDITION")]
     without: Vec<String>,
     /// Set a parameter of the models; repeatable
@@ -91,7 +92,7 @@ pub struct Arguments {
     numbers: Vec<(String, f64)>,
     /// Simulate a cohort of N members, on all processors
     ///
-    /// Members differ from the routine as real people differ from one another, and each has its own folder.
+    /// Members vary around the routine as real people do, and each has its own folder.
     #[arg(long, value_name = "N", help_heading = "Cohorts", value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_MEMBERS)))]
     members: Option<u32>,
     /// Resume the interrupted run or cohort in this folder
@@ -104,8 +105,8 @@ pub struct Arguments {
     resume: Option<PathBuf>,
     /// Simulate a cohort from a CSV file with a row for each member
     ///
-    /// The first line names the columns; only the column name is required. An empty cell means the scenario's value. All other
-    /// properties vary between members as they do between real people.
+    /// The first line names the columns; only the column name is required. An empty cell, or a column that is missing, keeps the
+    /// value of the scenario. Members vary around this value as real people do.
     #[arg(long, value_name = "FILE", conflicts_with = "members", help_heading = "Cohorts")]
     profiles: Option<PathBuf>,
     /// Ground truth tables that a cohort stores

@@ -21,7 +21,7 @@ use std::path::PathBuf;
   homebody sensor-faults runs/tigerplace-1 --home scenarios/tigerplace
   homebody sensor-faults casas:spring.txt --home my-home --json faults.json
 
-`homebody experiment sensor-health` measures how many simulated faults it finds.
+`homebody experiment sensor-faults` measures how many simulated faults this command finds.
 
 {EXIT_CODES}."))]
 pub struct Arguments {

@@ -41,13 +41,15 @@ homebody_core::messages! {
 
 /// Open the page of a scenario: watch, edit, steer and replay it
 ///
-/// For a folder of scenarios (the current folder by default), a first page lists all homes: make, copy, rename, delete and restore
-/// them there.
+/// For a folder of scenarios (the current folder by default), a first page lists all homes. You can make, copy, rename, delete and
+/// restore homes there.
 ///
-/// Only this machine can reach the page, and only with the printed address, which holds a token. Homebody opens the browser through a
-/// file that only you can read, and removes the file afterwards. Programs send the token, the part of the address after `#token=`, in
-/// the header `X-Homebody-Token`. Runs go into new folders under runs/, as with homebody run; for a folder of homes, into the runs/ of
-/// each home. The page also opens a scenario with problems, and helps to fix them. Ctrl-C ends the run and the server with exit code 0.
+/// By default, only this machine can reach the page. The address that Homebody prints contains a token, without which the page does
+/// not open. To open the browser, Homebody writes the address to a file that only you can read. It then removes the file. Programs
+/// send the token, the part of the address after `#token=`, in the header `X-Homebody-Token`.
+///
+/// Runs go into new folders under runs/, as with homebody run. For a folder of homes, they go into the runs/ of each home. The page
+/// also opens a scenario with problems, and helps to fix them. Ctrl-C ends the run and the server with exit code 0.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody serve scenarios/tigerplace
@@ -63,13 +65,13 @@ pub struct Arguments {
     /// Port (default: the first free one from 8642 on)
     #[arg(long)]
     port: Option<u16>,
-    /// Store port and token in this file, so that the address stays the same; only you can read the file
+    /// Store port and token in this file, so that the address stays the same. Only you can read the file
     #[arg(long, value_name = "FILE")]
     address_file: Option<PathBuf>,
     /// Print the address without opening a browser
     #[arg(long)]
     no_open: bool,
-    /// Listen on this IP address only; unless it is loopback, other machines can connect
+    /// Listen on this IP address instead of 127.0.0.1. Other machines can then connect, unless it is a loopback address
     #[arg(long, value_name = "IP")]
     bind: Option<IpAddr>,
 }

@@ -49,12 +49,13 @@ homebody_core::messages! {
 
 /// Suggest where to mount sensors, and what each sensor adds
 ///
-/// Homebody simulates people in the home with the routine of its first resident, each with variations: some with the conditions of
-/// --goals from day 61 on, some without. Candidates are a motion sensor in each room, one above each seat, the shower and the
-/// toilet, a sensor in each bed and a contact on each outer door. Homebody picks the sensor whose log scores best on the goals,
-/// then the one that adds most, and so on (two at once where one adds nothing). At the end, Homebody replaces a sensor if a
-/// different candidate scores better. The report also scores the sensors that the home has. scenarios/tigerplace takes about a
-/// minute.
+/// Homebody simulates people in the home with the routine of its first resident and with variations between people. Some of them have
+/// a condition of --goals from day 61 on. Candidates are a motion sensor in each room, one above each seat, the shower and the
+/// toilet, a sensor in each bed and a contact on each outer door.
+///
+/// Homebody picks the sensor whose log scores best on the goals, then the one that adds most, and so on. If no single sensor adds
+/// anything, it tries pairs. At the end, Homebody replaces a sensor if a different candidate scores better. The report also scores the
+/// sensors that the home has. scenarios/tigerplace takes about a minute.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody suggest-sensors scenarios/tigerplace --count 6
@@ -172,8 +173,11 @@ struct Found {
 impl fmt::Display for Found {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Some(first) = self.proposed.placed.steps.first() else {
-            let hint = if self.asked == 1 { " by itself; try a larger --count" } else { "" };
-            return writeln!(f, "No sensor helps with the goals{hint}.");
+            let text = match self.asked {
+                1 => "No single sensor helps with the goals. Try a larger --count.",
+                _ => "No sensor helps with the goals.",
+            };
+            return writeln!(f, "{text}");
         };
         writeln!(f, "Suggested sensors, the most useful first\n")?;
         write!(f, "{:>2}  {:32} {:>6}", "", "sensor", "score")?;

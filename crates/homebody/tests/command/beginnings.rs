@@ -71,11 +71,11 @@ fn a_picture_lies_below_an_empty_home() {
     folder.write("plan.png", picture);
     let known = "--known 0,500=0,0 --known 1000,500=10,0";
     let said = folder.run(&format!("new flat --image plan.png {known}")).ok().err;
-    assert!(said.contains("draw over the picture") && said.contains("homebody serve flat"), "{said}");
+    assert!(said.contains("draw over the image") && said.contains("homebody serve flat"), "{said}");
     assert!(folder.path("flat/plan.png").is_file() && folder.read("flat/underlay.json").contains("\"width_m\": 10.0"));
     folder.run("check flat").fails(2, "\"rooms\" must have");
     // A plan of another program's form is sent there.
-    folder.run("import plan.png other").fails(2, "it is a picture in PNG\n  hint: homebody new my-home --image");
+    folder.run("import plan.png other").fails(2, "it is an image in PNG\n  hint: homebody new my-home --image");
     folder.run("new second --image plan.png").fails(2, "--known 120,340=0,0");
     folder.run(&format!("new third --image plan.png {known} --template studio")).fails(2, "--template");
     assert!(!folder.path("other").exists() && !folder.path("second").exists());

@@ -13,14 +13,16 @@ pub const PAGE: &str = "docs/reference/commands.md";
 const HEAD: &str = "\
 # Commands
 
-Usage, options and examples of each command, made from the program by the test that `crates/homebody/tests/rules/reference.rs` holds.
+This page lists the usage, options and examples of each command. The test `crates/homebody/tests/rules/reference.rs` generates it
+from the program.
 
-`homebody --help` lists the commands in these groups, and `--help` after a command prints its text on this page; `-h` prints a short
-form. Three short options are the same everywhere: `-o` is `--out` (a destination), `-q` is `--quiet`, and `-f` is `--force`. Every
-command takes `--log-format json`, which writes progress, notes and errors to standard error as JSON.
+`homebody --help` lists the commands in these groups. `--help` after a command prints its text on this page, and `-h` prints a short
+form. Three short options are the same everywhere: `-o` is `--out` (a destination, or a new folder), `-q` is `--quiet`, and `-f` is
+`--force`. Every command takes `--log-format json`, which writes progress, notes and errors to standard error as JSON.
 
 Exit codes: 0 success, 1 a file could not be read or written, 2 an argument or a file is invalid. `run`, `live` and `fleet` also end
-with 129, 130 or 143 after SIGHUP, SIGINT or SIGTERM.
+with 129, 130 or 143 after SIGHUP, SIGINT or SIGTERM. `doctor` also ends with 1 if a check is wrong, and `experiment possible` if an
+impossible event occurs. `experiment claims` also ends with 2 if a claim fails.
 ";
 
 #[test]
@@ -44,6 +46,7 @@ fn a_command_is_documented_with_usage_options_and_examples() {
         assert!(page.contains(part), "{part}");
     }
     assert!(!page.contains("on-sink-down"), "an old name is shown");
+    assert!(!page.contains("```text\n\n```"), "a block is empty");
 }
 
 fn document() -> String {
@@ -73,7 +76,8 @@ fn of_command(text: &mut String, command: &Command, name: &str, title: &str) {
     }
     options(text, command);
     let after = command.get_after_long_help().map(ToString::to_string).unwrap_or_default();
-    let parts = after.split("\n\n").filter(|part| !part.trim_start().starts_with("Exit codes:"));
+    let is_shown = |part: &&str| !part.trim().is_empty() && !part.trim_start().starts_with("Exit codes:");
+    let parts = after.split("\n\n").filter(is_shown);
     let (examples, others): (Vec<&str>, Vec<&str>) = parts.partition(|part| part.starts_with("Example"));
     for examples in examples {
         let lines: Vec<&str> = examples.lines().skip(1).map(|line| line.strip_prefix("  ").unwrap_or(line)).collect();

@@ -74,7 +74,7 @@ export function described(cell: Cell): string {
   const alerts = (count: number) => `${count} ${count === 1 ? 'alert' : 'alerts'}`;
   if (cell.open > 0) parts.push(`${alerts(cell.open)} open`);
   if (cell.seen > 0) parts.push(`${alerts(cell.seen)} acknowledged`);
-  if (cell.odd > 0) parts.push(`${cell.odd} ${cell.odd === 1 ? 'thing' : 'things'} unusual`);
+  if (cell.odd > 0) parts.push(`${cell.odd} unusual ${cell.odd === 1 ? 'measure' : 'measures'}`);
   if (cell.noted) parts.push('with a note');
   if (parts.length === 1) parts.push('nothing unusual');
   return parts.join(', ');

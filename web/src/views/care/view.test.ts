@@ -105,9 +105,9 @@ test('the day, what has changed and what is worth a look are told in words', asy
 
 test('arrow keys go through the calendar by day and week, and the day that is open follows', async () => {
   await begin();
-  expect(cell().title).toBe('Monday 30 March 2009, 1 thing unusual');
+  expect(cell().title).toBe('Monday 30 March 2009, 1 unusual measure');
   for (const [key, label] of [
-    ['ArrowLeft', 'Sunday 29 March 2009, 1 alert open, 1 thing unusual'],
+    ['ArrowLeft', 'Sunday 29 March 2009, 1 alert open, 1 unusual measure'],
     ['ArrowUp', 'Sunday 22 March 2009, nothing unusual'],
     ['Home', 'Monday 16 March 2009, nothing unusual'],
     ['PageUp', 'Friday 20 February 2009, nothing unusual'],
@@ -144,7 +144,7 @@ test('an alert is seen to with a note, which is kept by the server, and so is on
     ['/api/runs/a/notes', { before: seen, note: { ...seen, note: 'a cold' } }],
   ]);
   expect(text()).toContain('The one alert is acknowledged');
-  expect(cell().title).toBe('Sunday 29 March 2009, 1 alert acknowledged, 1 thing unusual, with a note');
+  expect(cell().title).toBe('Sunday 29 March 2009, 1 alert acknowledged, 1 unusual measure, with a note');
   const ofDay = one<HTMLInputElement>('input[placeholder="Note on this day"]');
   ofDay.value = 'her son came';
   ofDay.dispatchEvent(new Event('change', { bubbles: true }));

@@ -108,7 +108,7 @@ export function drawDay(canvas: HTMLCanvasElement, width: number, sides: readonl
     lane('Rooms', BAND);
     bands(pen, touching(day, view.stays[resident] ?? []), x, top, (what) => [view.rooms[what] ?? '', palette.furniture], palette);
     top += BAND;
-    lane('Motion an hour', BARS);
+    lane('Firings per hour', BARS);
     motion(pen, day, view, number, x, top, most, palette);
   });
 }

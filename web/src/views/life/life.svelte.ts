@@ -100,7 +100,7 @@ export class Life {
     const { whole, less, without } = this.lived;
     if (less === null) return [{ title: '', view: whole }];
     const left = { title: `Without ${without.join(', ')}`, view: less };
-    return this.sideBySide ? [{ title: 'As written', view: whole }, left] : [left];
+    return this.sideBySide ? [{ title: 'With all conditions', view: whole }, left] : [left];
   }
 
   /** Another routine is looked at: nothing is known of it yet. */

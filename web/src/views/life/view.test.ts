@@ -148,7 +148,7 @@ test('a condition is left out, and both lives are compared', async () => {
   [...document.querySelectorAll('label')].find((label) => label.textContent!.includes('depression'))!.querySelector('input')!.click();
   for (let turn = 0; turn < 8; turn++) await settle();
   expect(months().at(-1)!.without).toEqual(['depression']);
-  expect(options()[20]).toMatch(/As written: sleep 8 h.*Without depression: sleep 6 h 30 min/);
+  expect(options()[20]).toMatch(/With all conditions: sleep 8 h.*Without depression: sleep 6 h 30 min/);
   expect(options()[20]).not.toBe(before[20]);
   button('Watch run').click();
   for (let turn = 0; turn < 3; turn++) await settle();

@@ -139,7 +139,7 @@ type Bearer = (typeof SENSOR_KINDS)[SensorKind]['bearers'][number];
 const BEARERS: Record<Bearer, string> = {
   door: 'a door',
   furniture: 'a piece of furniture',
-  enterable: 'a piece of furniture that residents can sit or lie on',
+  enterable: 'a piece of furniture that residents can be in or on',
   lamp: 'the floor of a room, for its lamp',
 };
 

@@ -76,8 +76,8 @@ const WORDS: Record<string, string[]> = {
 const METRES = new Set(['at', 'from', 'to']);
 
 const LABELS: Record<string, string> = {
-  at: 'Place', from: 'From', to: 'To', on: 'Hangs on', facing_deg: 'Direction, from east', enterable: 'Residents can use it', outside: 'Leads outside',
-  level: 'Sees', preset: 'Timing of device', first_fire_s: 'First event', refire_s: 'Next events',
+  at: 'Place', from: 'From', to: 'To', on: 'Attached to', facing_deg: 'Direction, from east', enterable: 'Residents can be in or on it', outside: 'Leads outside',
+  level: 'Sees', preset: 'Device model', first_fire_s: 'First event', refire_s: 'Next events',
   notice: 'Notices',
 };
 
@@ -135,7 +135,7 @@ function field(key: string, raw: Schema, path: Path, required: boolean): Field |
   const [fewest, most] = [of.minItems ?? 0, of.maxItems ?? 1000];
   if (of.items.type === 'string') return { ...base, form: 'names', fewest, most };
   if (of.items.type === 'array') return { ...base, unit: 'm', form: 'corners', bounds: bounds(of.items.items ?? {}), fewest, most };
-  if (fewest === most) return { ...base, unit: METRES.has(key) ? 'm' : unit, form: 'numbers', bounds: bounds(of.items), words: WORDS[key] ?? ['Least', 'Most'] };
+  if (fewest === most) return { ...base, unit: METRES.has(key) ? 'm' : unit, form: 'numbers', bounds: bounds(of.items), words: WORDS[key] ?? ['Minimum', 'Maximum'] };
   return { ...base, form: 'list', bounds: bounds(of.items), fewest, most };
 }
 

@@ -80,7 +80,7 @@ export class Player {
     try {
       const run = await Stored.open(this.server, name);
       if (asked !== this.asked) return;
-      if (run.view.days.length === 0) throw new Refused(422, 'The run has no days.');
+      if (run.view.days.length === 0) throw new Refused(422, 'This run is empty: it contains no simulated time.');
       if (this.second?.view.name === name) this.second = null;
       this.first = run;
       this.marks = marksOf(name);

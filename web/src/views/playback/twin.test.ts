@@ -73,7 +73,7 @@ test('of many days the counts of both runs are by the first one’s time; what t
   expect(days(lanes[2]!)).toEqual([[96, 24 * 6, 96], [96, 0, 96], [96, 0, 0]]);
   expect([days(lanes[1]!)[0], days(lanes.at(-1)!)[0]]).toEqual([[96, 0, 96], [0, 24 * 5, 0]]);
   expect(countIn(lanes[2]!, { from_us: 0, to_us: DAY })).toBe(96 + 24 * 6);
-  expect(laneAt(lanes[2]!, HOUR, HOUR)!.words).toBe('about 8 times here, in the second run 12');
+  expect(laneAt(lanes[2]!, HOUR, HOUR)!.words).toBe('about 8 events here, in the second run 12');
   // Bands stand below each other, those of the second a day earlier than by its own time.
   expect(bands.map(({ isBeside, spans }) => [isBeside ?? false, spans[0]![0], spans.length])).toEqual([[false, 0, 6], [true, 0, 4], [false, 0, 6], [true, 0, 4]]);
   const table = tableOf({ from_us: 0, to_us: HOUR }, bands.slice(0, 2), [lanes[2]!], String, { first: 'one', second: 'early' });

@@ -10,9 +10,9 @@ use rayon::prelude::*;
 
 /// Measure whether simulations follow the sentences of routines
 ///
-/// Each case adds sentences to a calm routine, and measures their claims in the ground truth: how often, when, how long, how far. A
-/// claim is "lived" if the measured value agrees with it, "told" if it does not but Homebody warned before the run, and "neither"
-/// otherwise. The exit code is 0 only if every claim is "lived" or "told".
+/// Each case adds sentences to a simple routine. It then measures in the ground truth whether they hold: how often, when, how long and
+/// how far. The verdict of a claim is "lived" if the measured value agrees with it. It is "told" if the value does not agree, but
+/// Homebody warned before the run, and "neither" otherwise. The exit code is 2 if the verdict of a claim is "neither".
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment claims
@@ -21,7 +21,7 @@ use rayon::prelude::*;
 JSON has \"claims\", each with form, text, claim, expected, measured, verdict and the line of its case in
 the table of claims; and the numbers of \"lived\", \"told\" and \"neither\".")]
 pub struct Arguments {
-    /// Days of a case that sets none
+    /// Number of days, for cases that do not set it
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(i32).range(60..=3660))]
     days: i32,
     /// Seed of all random numbers

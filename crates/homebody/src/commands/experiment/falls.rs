@@ -8,11 +8,11 @@ use homebody_kit::template;
 
 /// Measure how well cameras and motion sensors detect falls
 ///
-/// A person falls, or does something similar, in a room with two cameras and motion sensors. A person falls while walking, while
-/// standing, on rising or out of bed, or sinks to the floor, and then lies for 2 to 59 minutes. The other cases are exercise on the
-/// floor, kneeling, sitting still, bending, going to bed, picking something up, and a cat that passes. Each case has four variants:
-/// normal, without noise, with three times the noise, and behind more furniture. The experiment also searches weeks of a simulated
-/// home with cameras and falls.
+/// A person falls, or does something similar, in a room with two cameras and motion sensors. The person falls while walking, while
+/// standing, while getting up or out of bed, or sinks to the floor. The person then lies there for 2 to 59 minutes. The other cases are
+/// exercise on the floor, kneeling, sitting still, bending, going to bed, picking something up, and a cat that passes. Each case has
+/// four variants: normal, without noise, with three times the noise, and behind more furniture. The experiment also searches weeks of
+/// a simulated home with cameras and falls.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment falls

@@ -14,7 +14,7 @@ use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// Measure the errors of homebody measures
+/// Find out how accurate the values of homebody measures are
 ///
 /// Homebody compares the measures from logs with those from the ground truth. The homes cycle through the templates that have one
 /// resident, each with its own seed. Each home has two logs: one without losses, and one with every sensor fault.

@@ -18,7 +18,10 @@ mod walk_back;
 
 use crate::failure::Failure;
 
-/// Repeat a validation experiment, against published or simulated truth
+/// Repeat an experiment that validates Homebody
+///
+/// Each experiment compares results of Homebody with published figures, with logs of real homes, or with the ground truth of simulated
+/// homes.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment godsey2009 --svg firings.svg
@@ -28,12 +31,12 @@ use crate::failure::Failure;
   homebody experiment conditions
   homebody experiment possible
   homebody experiment realism --data casas --json realism.json
-  homebody experiment walk-back --json walk-back.json
+  homebody experiment locate --json locate.json
   homebody experiment measures --homes 8
   homebody experiment alerts --people 200 --json alerts.json
   homebody experiment falls --cases 100
   homebody experiment round-trip --homes 40
-  homebody experiment sensor-health --homes 10
+  homebody experiment sensor-faults --homes 10
   homebody experiment recogniser --data uci")]
 pub struct Arguments {
     #[command(subcommand)]
@@ -50,12 +53,12 @@ enum Experiment {
     Possible(possible::Arguments),
     Realism(realism::Arguments),
     Recogniser(recogniser::Arguments),
-    WalkBack(walk_back::Arguments),
+    Locate(walk_back::Arguments),
     Measures(measures::Arguments),
     Alerts(alerts::Arguments),
     Falls(falls::Arguments),
     RoundTrip(round_trip::Arguments),
-    SensorHealth(sensor_health::Arguments),
+    SensorFaults(sensor_health::Arguments),
 }
 
 impl Arguments {
@@ -69,12 +72,12 @@ impl Arguments {
             Experiment::Possible(arguments) => arguments.run(),
             Experiment::Realism(arguments) => arguments.run(),
             Experiment::Recogniser(arguments) => arguments.run(),
-            Experiment::WalkBack(arguments) => arguments.run(),
+            Experiment::Locate(arguments) => arguments.run(),
             Experiment::Measures(arguments) => arguments.run(),
             Experiment::Alerts(arguments) => arguments.run(),
             Experiment::Falls(arguments) => arguments.run(),
             Experiment::RoundTrip(arguments) => arguments.run(),
-            Experiment::SensorHealth(arguments) => arguments.run(),
+            Experiment::SensorFaults(arguments) => arguments.run(),
         }
     }
 }

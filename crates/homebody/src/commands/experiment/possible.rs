@@ -17,8 +17,8 @@ use std::path::PathBuf;
 
 /// Count impossible events in simulations
 ///
-/// These are two people in one spot or walking through each other, visits to an empty home, meals eaten before they are cooked, and
-/// intervals that end before they begin. Without a scenario, Homebody simulates all templates. The exit code is 0 only if no
+/// Impossible events are two people in one spot or walking through each other, visits to an empty home, meals eaten before they are
+/// cooked, and intervals that end before they begin. Without a scenario, Homebody simulates all templates. The exit code is 1 if an
 /// impossible event occurs.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:

@@ -22,10 +22,11 @@ use std::path::PathBuf;
 
 /// Compare real homes of CASAS with a simulated home
 ///
-/// The simulated log is that of the template `older-adult` with sensors of the same make. The real logs do not come with Homebody:
-/// download them into the folder as casas_hh111_week1/hh111week1.csv and casas_tm000/tm000.multiday_absence.txt. The parameters of
-/// sensors and movement were set with both logs in view, so the result is a fit, not a test on unseen homes. Homes and residents
-/// differ, so a perfect match is not possible.
+/// The simulated log comes from the template `older-adult`, with sensors that behave like those of the real homes. The real logs do not
+/// come with Homebody: download them into the folder as casas_hh111_week1/hh111week1.csv and casas_tm000/tm000.multiday_absence.txt.
+///
+/// The parameters of sensors and movement were set by comparison with both logs. The result is therefore a fit, and not a test on
+/// other homes. Homes and residents differ, so a perfect match is not possible.
 #[derive(clap::Args)]
 #[command(after_long_help = "Example:\n  homebody experiment realism --data casas --json realism.json")]
 pub struct Arguments {

@@ -14,10 +14,10 @@ use std::path::{Path, PathBuf};
 
 /// Train a recogniser on simulated days, and test it on a real flat
 ///
-/// Homebody compares it with a recogniser that is trained on real days of the flat. The flat is home A of the data set "ADLs
+/// Homebody compares this recogniser with one that is trained on real days of the flat. The flat is home A of the data set "ADLs
 /// Recognition Using Binary Sensors" (Ordonez et al. 2013), which does not come with Homebody. The folder needs
-/// uci_adl_ordonez/OrdonezA_Sensors.txt and OrdonezA_ADLs.txt. The routine comes from the first half of its days; the test uses the
-/// second half only.
+/// uci_adl_ordonez/OrdonezA_Sensors.txt and OrdonezA_ADLs.txt. The simulated routine comes from the first half of the real days. The
+/// test uses only the second half.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment recogniser --data uci
@@ -26,7 +26,7 @@ pub struct Arguments {
     /// Folder of the data set, or the folder above it
     #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
-    /// Number of repetitions, each with other simulated days and another draw of real ones
+    /// Number of repetitions, each with other simulated days and other random real days
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1000))]
     seeds: u32,
     /// Simulated days of each repetition

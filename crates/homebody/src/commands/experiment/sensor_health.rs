@@ -1,4 +1,4 @@
-//! `homebody experiment sensor-health`.
+//! `homebody experiment sensor-faults`.
 
 use super::walk_back::{lived, of_homes};
 use crate::commands::answer::Figures;
@@ -13,8 +13,8 @@ use std::fmt;
 /// and even homes have different kinds of fault.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
-  homebody experiment sensor-health
-  homebody experiment sensor-health --homes 5 --days 21 --json sensor-health.json")]
+  homebody experiment sensor-faults
+  homebody experiment sensor-faults --homes 5 --days 21 --json sensor-faults.json")]
 pub struct Arguments {
     /// Number of homes
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]

@@ -16,8 +16,9 @@ use std::path::{Path, PathBuf};
 
 /// Compare a real house of the SPHERE challenge with its simulation
 ///
-/// Homebody simulates the recorded walks of the resident, and compares the motion sensors. The recordings (Twomey et al. 2016) do
-/// not come with Homebody. Each is a folder with location_0.csv, annotations_0.csv and pir.csv.
+/// Homebody simulates the recorded walks of the resident, and compares the motion sensors. It also compares the rooms that homebody
+/// locate infers with the recorded ones. The recordings (Twomey et al. 2016) do not come with Homebody. Each is a folder with
+/// location_0.csv, annotations_0.csv and pir.csv.
 #[derive(clap::Args)]
 #[command(after_long_help = "Example:\n  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
 pub struct Arguments {

@@ -1,4 +1,4 @@
-//! `homebody experiment walk-back`.
+//! `homebody experiment locate`.
 
 use crate::commands::answer::Figures;
 use crate::failure::Failure;
@@ -19,8 +19,8 @@ use std::fmt;
 /// every sensor fault. The method knows the home and its sensors, and nothing of the routines.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
-  homebody experiment walk-back
-  homebody experiment walk-back --homes 5 --days 3 --json walk-back.json")]
+  homebody experiment locate
+  homebody experiment locate --homes 5 --days 3 --json locate.json")]
 pub struct Arguments {
     /// Number of homes
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]

@@ -27,9 +27,9 @@ use told::{Telling, bar};
 
 /// Load a back end with thousands of homes in real time
 ///
-/// One process simulates all homes. The scenario, the start, the seed and the number of a home decide its events; the number of
-/// homes and the speed do not. With several scenarios, homes take them in turn. Homebody reports the message rate and the delays
-/// every few seconds, and the totals at the end.
+/// One process simulates all homes. The events of a home depend on its scenario, the start, the seed and its own number in the fleet.
+/// They do not depend on the size of the fleet or the speed. With several scenarios, the homes use them in rotation. Homebody reports
+/// the message rate and the delays every few seconds, and the totals at the end.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:
   homebody fleet scenarios/tigerplace --homes 1000 --out 'mqtt://localhost/load?discovery=off' --for 10min
@@ -40,7 +40,7 @@ use told::{Telling, bar};
 {EXIT_CODES},
 129, 130 or 143 SIGHUP, SIGINT or SIGTERM ended it."))]
 pub struct Arguments {
-    /// Scenario folders, or their scenario.json files; homes take them in turn
+    /// Scenario folders, or their scenario.json files; the homes use them in rotation
     #[arg(required = true, value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
     #[command(flatten)]
@@ -71,13 +71,13 @@ pub struct Arguments {
     /// Leave out a condition of the routines; repeatable
     #[arg(long, value_name = "CONDITION")]
     without: Vec<String>,
-    /// Network outages of all homes, such as 'every 5min for 30s'; all homes report at once after each
+    /// Network outages of all homes, such as 'every 5min for 30s'; after each outage, all homes send their messages at once
     #[arg(long, value_name = "WHEN", value_parser = storms)]
     outages: Option<Storms>,
-    /// Largest error of a home's clock, either way, such as 2s
+    /// Largest error of a home's clock, such as 2s; a clock can be fast or slow
     #[arg(long, value_name = "DURATION", value_parser = span)]
     skew: Option<Micros>,
-    /// Homes connect and disconnect: average times, such as 'stay 30min gone 5min'
+    /// Make homes connect and disconnect; average times, such as 'stay 30min gone 5min'
     #[arg(long, value_name = "TIMES", value_parser = churn)]
     churn: Option<Churn>,
     /// Action while a destination is unavailable

@@ -39,7 +39,7 @@ const STRIP_EVERY: Micros = 1_000_000;
   homebody silhouettes runs/cameras-1 --from 2025-06-03T03:12 --to 2025-06-03T03:14 --out fall.apng
   homebody silhouettes runs/cameras-1 --camera 'camera east' --every 1m --out features.csv --out pictures
 
-A film shortens gaps between two pictures to a second.
+If two pictures are more than a second apart, a film shows them one second apart.
 
 {EXIT_CODES}."))]
 pub struct Arguments {
@@ -63,7 +63,7 @@ pub struct Arguments {
     /// Write FILE.apng, FILE.csv, FILE.jsonl or a new folder; repeatable
     #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Vec<PathBuf>,
-    /// Pixels of the output for each pixel of a camera, each way
+    /// Width and height, in pixels of the output, of each pixel of a camera
     #[arg(long, value_name = "N", help_heading = "Output", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=32))]
     scale: u32,
     #[command(flatten)]
