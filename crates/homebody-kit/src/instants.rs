@@ -3,7 +3,7 @@
 
 use crate::error::Error;
 use crate::log_with_run::NamedLog;
-use crate::own_truth::MOST_COMPARED;
+use crate::long_log::MOST_COMPARED;
 use homebody_analysis::dates::put_on_wall;
 use homebody_core::scenario::calendar::Calendar;
 use homebody_core::time::Micros;

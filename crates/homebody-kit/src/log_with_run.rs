@@ -2,8 +2,7 @@
 //! sensors' own names, the time zone, and from when to when the run was.
 
 use crate::error::Error;
-use crate::long_log::{Kept, LongLog, MOST_ROWS, TakeRow};
-use crate::own_truth::MOST_COMPARED;
+use crate::long_log::{Kept, LongLog, MOST_COMPARED, MOST_ROWS, TakeRow};
 use homebody_analysis::dates::{date_of, on_wall, put_on_wall, zone_of};
 use homebody_analysis::density::{Asked, Map, Mapping, NoMap};
 use homebody_analysis::look::HomeSensor;

@@ -12,6 +12,9 @@ use std::collections::BinaryHeap;
 /// Largest number of rows of a log that is held in memory: they take 32 MB.
 pub const MOST_ROWS: usize = 2_000_000;
 
+/// Largest number of rows of a log that are compared with its ground truth (our choice).
+pub(crate) const MOST_COMPARED: usize = 2000;
+
 /// Largest number of rows that wait for earlier ones.
 const MOST_WAITING: usize = 1 << 17;
 

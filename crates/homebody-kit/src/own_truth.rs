@@ -7,9 +7,6 @@ use homebody_core::time::Micros;
 use homebody_log::source::is_truth_of;
 use homebody_log::{Event, Log, Url, truth_of};
 
-/// Largest number of rows of a log that are compared with its ground truth (our choice).
-pub(crate) const MOST_COMPARED: usize = 2000;
-
 impl NamedLog {
     /// The ground truth next to the log, if it is of the same run: `first` are the first rows. Otherwise a remark of the log says so.
     pub(crate) fn own_truth(&self, log: &mut Log, first: Vec<Event>) -> Result<Option<Url>, Error> {

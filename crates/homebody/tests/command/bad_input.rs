@@ -102,7 +102,7 @@ fn what_is_asked_wrongly_is_refused() {
             "plan flat --svg a.png",
             "error[picture::form]: --svg cannot write png: a.png\n  hint: use --png for this form",
         ),
-        ("serve flat --no-open --bind 192.0.2.1", "error[serve::not-served]"),
+        ("serve flat --no-open --bind 192.0.2.1", "error[serve::foreign-address]"),
         ("experiment alchemy", "unrecognized subcommand 'alchemy'"),
         ("completions klingon", "bash"),
     ] {

@@ -38,6 +38,7 @@ fn what_is_looked_for_is_told_with_its_times_and_what_leads_nowhere_is_refused()
 #[test]
 fn ignores_a_ground_truth_of_another_run() {
     let folder = Folder::new();
+    folder.copy_scenario("tigerplace");
     folder.run("run tigerplace --quiet --for 2d").ok();
     folder.run("run tigerplace --quiet --for 2d --seed 8").ok();
     folder.run("convert runs/tigerplace-1 --from 2009-03-03 --out csv:runs/tigerplace-1/part.csv").ok();
