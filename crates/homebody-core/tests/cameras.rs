@@ -78,7 +78,7 @@ fn a_camera_wakes_with_its_sensor_and_sleeps_after_it() {
 #[test]
 fn rejects_cameras_that_see_nothing_or_never_wake() {
     let told = |camera: serde_json::Value| {
-        let problems = Scenario::load(&texts(&camera), "scenario.json").err().map(|problems| problems.to_string());
+        let problems = Scenario::load(&texts(&camera), "scenario.json").err().map(|problems| problems.render());
         problems.unwrap_or_default()
     };
     assert_eq!(told(first(&["motion"])), "");
@@ -106,7 +106,7 @@ fn rejects_bodies_and_cameras_above_the_ceiling() {
         let mut home: serde_json::Value = serde_json::from_str(&texts["home.json"]).unwrap();
         home["rooms"][0]["ceiling_m"] = json!(ceiling_m);
         texts.insert("home.json".into(), home.to_string());
-        Scenario::load(&texts, "scenario.json").err().map(|problems| problems.to_string()).unwrap_or_default()
+        Scenario::load(&texts, "scenario.json").err().map(|problems| problems.render()).unwrap_or_default()
     };
     assert_eq!(told(2.4), "");
     let low = told(1.5);
