@@ -25,7 +25,7 @@ homebody_core::messages! {
         /// {"columns": {"time": "when", "sensor": "what", "value": "state"}}
         /// ```
         NoColumns { columns: String }
-            error "missing-columns" ("no columns of time, sensor and value are among {columns}")
+            error "missing-columns" ("cannot find columns of time, sensor and value among {columns}")
             hint ("name the columns with --mapping logger.json");
         /// The time must be an instant, a number or a text; sensor and value must be texts, numbers or truth values.
         ColumnType { column: String }
@@ -38,7 +38,7 @@ homebody_core::messages! {
         ActivityType error "activity-type" ("a column of its table of activities has another type than a run writes")
             hint ("restore the file, or remove it to read the log without activities");
         /// A data set is a folder with files in folders such as `run=1/day=2009-03-02`.
-        NoFiles error "no-files" ("no file in it or in folders such as run=1/day=2009-03-02 ends in .parquet")
+        NoFiles error "no-files" ("the folder has no .parquet file, and neither has a subfolder such as run=1/day=2009-03-02")
             hint ("name a file, or the folder of a data set");
         /// A log is of one run. A data set may have several, each in a folder of its own.
         SeveralRuns { runs: Vec<String> }

@@ -76,7 +76,7 @@ crate::messages! {
             /// The interval, in microseconds.
             every_us: Micros,
         } error "repeat-interval" ("a stuck sensor cannot repeat its message every {every_us} µs")
-            hint ("give 0.1 s to a day, or no interval for a silent sensor");
+            hint ("give an interval from 0.1 s to a day, or no interval for a silent sensor");
         /// A bad link loses a share of all messages, in millionths.
         LostShare {
             /// The share, in millionths.

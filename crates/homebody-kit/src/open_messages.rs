@@ -35,6 +35,6 @@ homebody_core::messages! {
             /// The limit.
             most: usize,
         } error "too-many-rows" ("the table has more than {most} rows")
-            hint ("locate the residents in a part of the log");
+            hint ("locate the residents again, with a shorter log");
     }
 }

@@ -206,7 +206,7 @@ fn a_run_that_is_there_is_refused_replaced_or_gone_on_with() {
     refused(
         &url,
         How::New,
-        &["the run 1 of \"a quiet night\" is in the schema \"public\" already", "--replace-rows", "--resume"],
+        &["the run 1 of \"a quiet night\" is already in the schema \"public\"", "--replace-rows", "--resume"],
     );
     server.psql(
         &database,

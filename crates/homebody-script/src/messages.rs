@@ -169,7 +169,7 @@ homebody_core::messages! {
         SlowHour {
             /// The limit.
             most: u64,
-        } error "slow-hour" ("the script runs away: it takes more than {most} operations in an hour")
+        } error "slow-hour" ("the script runs away: it takes more than {most} operations in an hour of the run")
             hint ("decide less often, or with less work each time");
         /// A single decision has a limit, so that an endless loop ends with a message. The limit is our choice.
         SlowDecision {

@@ -20,7 +20,7 @@ homebody_core::messages! {
             days: usize,
         } error "no-day" ("the run {run:?} has {count}, numbered from 0", count = counted(*days, "day", "days"));
         /// The address of a request has a number of a day or an instant, and it is not a number.
-        Number error "invalid-number" ("days are numbered from 0, and instants counted in microseconds");
+        Number error "invalid-number" ("the address has an invalid number: days count from 0, and times are in microseconds");
         /// Silhouettes exist only for runs whose home has cameras.
         NoSilhouettes {
             /// The name of the run.

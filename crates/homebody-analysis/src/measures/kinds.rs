@@ -112,7 +112,7 @@ measures! {
         "our definition",
         day: "more kitchen meals", "fewer kitchen meals"; "had a meal in the kitchen {}" "had no meal in the kitchen";
     time_out ("h", "Time out of the home")
-        "Hours of the day in which the home is empty, by what the log shows at the end of the day",
+        "Hours of the day in which the home is empty, computed from the rows up to the end of the day",
         "Wang and Skubic 2008, time away from home",
         day: "more time out of the home", "less time out of the home"; "was out {}" "did not go out";
     outings ("times", "Outings")

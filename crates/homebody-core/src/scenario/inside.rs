@@ -40,7 +40,7 @@ crate::messages! {
             path: String,
             /// The run's own file.
             of_run: String,
-        } error "of-run" ("{path:?} is in the place of the run's own {of_run}")
+        } error "of-run" ("{path:?} conflicts with {of_run}, which each run writes into its folder")
             hint ("choose another name, such as \"csv:logs/week.csv\"");
         /// Homebody creates and removes files with this ending while it runs.
         OfProgram {

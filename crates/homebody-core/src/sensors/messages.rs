@@ -212,7 +212,7 @@ crate::messages! {
         Unresolved {
             /// The sensor.
             sensor: String,
-        } error "unresolved" ("the home has no part that the sensor {sensor:?} can be on")
+        } error "unresolved" ("the sensor {sensor:?} names a part that the home does not have")
             hint ("correct the part that the sensor names");
     }
 }

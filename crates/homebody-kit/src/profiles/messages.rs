@@ -32,7 +32,7 @@ homebody_core::messages! {
             hint ("save it as CSV in UTF-8");
         /// A cell that begins with a double quote ends with another one. Everything after the first one belongs to the cell, across lines.
         OpenQuote error "open-quote" ("the double quote of this cell is never closed")
-            hint ("close it with another \"; write a \" within a cell twice");
+            hint ("end the cell with a double quote; inside the cell, write each double quote twice");
         /// The list has a line with the names of the columns and no row below it, so the cohort has no member.
         NoMembers error "no-members" ("the list has no members")
             hint ("write a row for each member below the names of the columns");

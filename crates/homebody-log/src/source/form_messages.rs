@@ -49,7 +49,7 @@ homebody_core::messages! {
             hint ("copy it again with sqlite3 FILE '.backup COPY', or restore it");
         /// The name or the scheme says that the file is a database, and its first bytes are not those of one.
         NotDatabase error "not-a-database" ("the file is not an SQLite database")
-            hint ("name the database, or name the file without sqlite: so that Homebody recognises its form");
+            hint ("name the database, or remove \"sqlite:\" before the name, so that Homebody recognises its form");
         /// Homebody looks for a table with columns of a time, a sensor and a value, by their names. `--mapping logger.json` gives other names:
         ///
         /// ```json
@@ -100,11 +100,11 @@ homebody_core::messages! {
         PsqlColumns error "psql-columns" ("its first line has no columns of time, sensor and value")
             hint ("select a time, a sensor and a value, or name the columns with --mapping logger.json");
         /// The tables of OpenSHS have a column for each sensor, one for the time and one for the activity.
-        OpenshsColumns error "openshs-columns" ("its first line has no columns timestamp, Activity and of two sensors")
-            hint ("name the file without openshs: so that Homebody recognises its form");
+        OpenshsColumns error "openshs-columns" ("its first line lacks the columns of OpenSHS: timestamp, Activity and two or more sensors")
+            hint ("remove \"openshs:\" before the name, so that Homebody recognises the form");
         /// Each row of a table of labels has two instants and a text.
         NoLabels error "no-labels" ("no row has a start, an end and a label")
-            hint ("name the file without labels: so that Homebody recognises its form");
+            hint ("remove \"labels:\" before the name, so that Homebody recognises its form");
         /// A log of sensors repeats a few names, while a log of a program has sentences, levels and names of modules.
         ProgramLog { evidence: String }
             error "program-log" ("it looks like the log of a program: {evidence}")

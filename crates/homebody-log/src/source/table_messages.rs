@@ -16,7 +16,7 @@ homebody_core::messages! {
         /// {"columns": {"time": "when", "sensor": "what", "value": "state"}}
         /// ```
         NoColumns { wanted: &'static str, among: String }
-            error "missing-columns" ("no columns of {wanted} are among {among}")
+            error "missing-columns" ("cannot find columns of {wanted} among {among}")
             hint ("write a heading such as time,sensor,value, or name the columns with --mapping logger.json");
         /// Each row of a log needs an instant. Homebody reads dates with a time of day, and numbers of seconds since 1970.
         NoInstants { among: String }
@@ -52,7 +52,7 @@ homebody_core::messages! {
         /// {"columns": {"time": "when", "sensor": "who", "value": "state"}}
         /// ```
         OpenSensors { column: String, other: String }
-            error "ambiguous-sensors" ("the columns {column} and {other} have the same names, and nothing says which names the sensors")
+            error "ambiguous-sensors" ("the columns {column} and {other} have the same values, and neither heading says which column has the sensors")
             hint ("name the column of the sensors with --mapping logger.json");
         /// Such lists have instants as logs have, but their rows are about other things than the sensors of a home.
         OtherList { column: String, content: &'static str }

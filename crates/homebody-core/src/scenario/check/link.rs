@@ -52,7 +52,7 @@ crate::messages! {
             other_days: String,
             /// Whether the other fault has an end.
             other_ends: bool,
-        } error "faults-overlap" ("{sensor:?} cannot be {kind:?} {days}: it is {other:?} {other_days}")
+        } error "faults-overlap" ("{sensor:?} cannot have the fault {kind:?} {days}: it has the fault {other:?} {other_days}")
             advice (Some(match other_ends {
                 _ if other == "moved" => "remove one of them".to_owned(),
                 true => "end one of them before the other begins".to_owned(),

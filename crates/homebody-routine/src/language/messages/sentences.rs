@@ -19,7 +19,7 @@ homebody_core::messages! {
         AfterSemicolon {
             /// The words for the days.
             text: String,
-        } error "after-semicolon" ("{text:?} may hold after the semicolon or not")
+        } error "after-semicolon" ("nothing says whether {text:?} also holds after the semicolon")
             hint ("make two sentences, and write the days in both");
         /// Indented lines belong to the heading above them:
         ///

@@ -247,7 +247,7 @@ homebody_core::messages! {
             text: String,
         } error "whose-time" ("{text:?} can be the time of the fall, or of the person who comes")
             hint
-                ("say how often she falls, or when, in front; and in a sentence of its own when the person comes: \"her daughter visits at 9:00\"");
+                ("begin with the time or the frequency of the fall; write a sentence of its own for the visit: \"her daughter visits at 9:00\"");
         /// People are up to 130 years old.
         Age {
             /// The words.

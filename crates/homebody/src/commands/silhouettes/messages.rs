@@ -62,7 +62,7 @@ homebody_core::messages! {
             /// Its extension.
             extension: String,
         } error "form" ("--out {path}: cannot write .{extension}", path = path.display())
-            hint ("use .apng for a film, .csv or .jsonl for a table; any other name is a folder of pictures");
+            hint ("use .apng for a film, .csv or .jsonl for a table, or a name without an extension for a folder of pictures");
         /// Pictures go into a folder of their own, so that none of them replaces another file.
         NotEmpty {
             /// The folder, or a file in its place.
