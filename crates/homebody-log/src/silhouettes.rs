@@ -120,7 +120,7 @@ impl SilhouetteLog {
     /// Completes the file.
     pub fn finish(mut self) -> Result<(), LogError> {
         if self.there > 0 {
-            let more = ChangedMessage::RowsAhead { rows: self.there as u64 };
+            let more = ChangedMessage::RowsAhead { rows: self.there };
             return Err(LogError::changed(place_of(self.database.path()), more));
         }
         self.insert()?;

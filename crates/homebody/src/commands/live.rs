@@ -18,7 +18,7 @@ homebody_core::messages! {
     /// Problems with a home in real time.
     pub enum LiveMessage in "live" {
         /// The folder holds the home of another scenario. Each home in real time has a folder of its own.
-        OtherHome {
+        Home {
             /// The folder.
             folder: PathBuf,
             /// The scenario of the home in it.
@@ -28,7 +28,7 @@ homebody_core::messages! {
         } error "other-home" ("{folder} holds the home of {holds}", folder = folder.display())
             hint ("name another --folder for {scenario}");
         /// The home of the folder started at another time. Homebody resumes it and cannot change its past.
-        OtherStart {
+        Start {
             /// The folder.
             folder: PathBuf,
             /// The start of the home in it.
@@ -36,7 +36,7 @@ homebody_core::messages! {
         } error "other-start" ("the home in {folder} starts at {start}", folder = folder.display())
             hint ("leave out --start to resume it, or name another --folder");
         /// The home of the folder has another seed. Homebody resumes it and cannot change its past.
-        OtherSeed {
+        Seed {
             /// The folder.
             folder: PathBuf,
             /// The seed of the home in it.
@@ -115,7 +115,7 @@ impl Arguments {
         };
         if home.goes_on() && home.scenario().file.name != opened.name() {
             let (holds, scenario) = (home.scenario().file.name.clone(), opened.name().to_owned());
-            return Err(Failure::asked(LiveMessage::OtherHome { folder, holds, scenario }));
+            return Err(Failure::asked(LiveMessage::Home { folder, holds, scenario }));
         }
         if home.goes_on() {
             self.is_what_was_asked_for(&home, &folder)?;
@@ -152,11 +152,11 @@ impl Arguments {
         if let Start::At(at) = self.start
             && at != begins
         {
-            return Err(Failure::asked(LiveMessage::OtherStart { folder, start: begins.to_string() }));
+            return Err(Failure::asked(LiveMessage::Start { folder, start: begins.to_string() }));
         }
         match self.seed {
             Some(seed) if seed != home.seed() => {
-                Err(Failure::asked(LiveMessage::OtherSeed { folder, seed: home.seed() }))
+                Err(Failure::asked(LiveMessage::Seed { folder, seed: home.seed() }))
             }
             _ => Ok(()),
         }

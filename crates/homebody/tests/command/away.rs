@@ -87,7 +87,9 @@ fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
     let begun = Instant::now();
     folder.run(&words).fails(1, "no broker listens there\n  hint: start the broker");
     assert!(begun.elapsed() < SOON, "{:?}", begun.elapsed());
-    for (number, (how, says)) in [("retry", "the run waits"), ("spool", "stores rows in the spool")].into_iter().enumerate() {
+    for (number, (how, says)) in
+        [("retry", "the run waits"), ("spool", "stores rows in the spool")].into_iter().enumerate()
+    {
         let mut command = folder.command(&format!("{words} --on-unavailable {how}"));
         command.stdout(Stdio::null()).stderr(File::create(folder.path("said")).unwrap());
         let mut run = Ends(command.spawn().unwrap());

@@ -91,7 +91,11 @@ fn a_stopped_run_is_the_beginning_of_the_whole() {
     assert!(running.is_alive(), "a paused run waits");
     running.say("step 5\nstop\n");
     let done = running.finish().ok();
-    assert!(done.err.starts_with("error[pace::command]: there is no command \"st\u{fffd}\""), "what is no text ends nothing: {}", done.err);
+    assert!(
+        done.err.starts_with("error[pace::command]: there is no command \"st\u{fffd}\""),
+        "what is no text ends nothing: {}",
+        done.err
+    );
     let json = done.json();
     assert_eq!((json["stopped"].as_bool(), json["simulated_s"].as_f64()), (Some(true), Some(25.0)));
     let (whole, part) = (folder.read("whole-log.csv"), folder.read("part.csv"));
