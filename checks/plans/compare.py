@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Imports plans of Sweet Home 3D, simulates a day in each, and draws each plan next to Homebody's drawing of it.
 
-Usage: PYTHON checks/plans/beside.py HOMEBODY DRAWN TO
+Usage: PYTHON checks/plans/compare.py HOMEBODY DRAWN TO
 
 PYTHON is the interpreter of an environment with Pillow, HOMEBODY the program, and DRAWN the output folder of Draw.java: NAME.sh3d, with
 a picture NAME.LEVEL.png of each of its levels. The script creates the folder TO with NAME.png for each plan, and sheet.png for all.
