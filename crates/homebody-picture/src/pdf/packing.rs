@@ -9,7 +9,7 @@ homebody_core::messages! {
         /// valid.
         Svg(why: String) error "invalid-svg" ("cannot draw this SVG: {why}");
         /// Pages of a PDF have paths, patterns and letters. The SVG has something else.
-        Unknown(what: &'static str) error "not-supported" ("a page of a PDF cannot have {what}");
+        Unknown(what: &'static str) error "not-supported" ("Homebody does not write {what} into a PDF");
         /// A PDF contains the letters of its fonts. They could not be taken out of the font.
         Font(why: String) error "font" ("cannot put a font into the PDF: {why}");
     }
