@@ -118,7 +118,7 @@ test('what is looked for over the whole run is listed, marked on the time line, 
   await page.getByLabel('From hour').selectOption('0');
   await page.getByLabel('To hour').selectOption('0');
   await page.getByRole('button', { name: 'Find', exact: true }).click();
-  await page.getByRole('alert').getByText('The two hours must differ').waitFor();
+  await page.getByRole('alert').getByText('The two times of day must differ').waitFor();
 });
 
 test('the time line goes from the whole run to seconds, is sorted, and is kept as picture, lines and table', { timeout: 240_000 }, async () => {

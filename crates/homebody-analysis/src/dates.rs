@@ -176,7 +176,7 @@ homebody_core::messages! {
             /// The text.
             text: String,
         } error "invalid" ("{text:?} is not a date")
-            hint ("write a date such as 2009-03-02, or first or last");
+            hint ("write a date such as 2009-03-02, or the word first or last");
     }
 }
 

@@ -40,7 +40,7 @@ homebody_core::messages! {
         /// { "driver": { "routine": "resident.routine" } }
         /// ```
         NoRoutine error "no-routine" ("the first resident has no routine, so no condition can be simulated")
-            hint ("name a routine as the driver in the file of the first resident");
+            hint ("name a routine as the driver of the first resident, in the file of that resident");
         /// The program that started the work stopped it before its end.
         Stopped error "stopped" ("the work was stopped");
         => inner {

@@ -50,7 +50,7 @@ homebody_core::messages! {
         NoActivities error "no-activities" ("the log has no activities")
             hint ("put the file of activities, such as OrdonezA_ADLs.txt, into the folder of the log");
         /// The experiment trains on the first half of the days, and tests on the second. Each half must have some days.
-        TooFewDays(days: i64) error "too-few-days" ("the log has {days} days, and each half needs {FEW_DAYS}");
+        TooFewDays(days: i64) error "too-few-days" ("the log has only {days} days, and each of its halves needs {FEW_DAYS} days");
         /// The experiment simulates the flat of home A of the data set, with all its sensors. The log must have the same.
         NoSensor(sensor: String) error "no-sensor" ("the log has no sensor {sensor:?}")
             hint ("name the log of home A of the data set");

@@ -74,10 +74,10 @@ homebody_core::messages! {
     /// Reasons why Homebody cannot compute how the sensors of a home respond.
     pub enum NotLearnt in "response" {
         /// Homebody lets the body of a resident go everywhere in the home, and counts the rows of the sensors. The home has no resident.
-        Nobody error "no-residents" ("the home has no residents, so no body can go through it")
+        Nobody error "no-residents" ("the scenario has no resident, so Homebody cannot compute how the sensors respond")
             hint ("add a file to \"residents\" in scenario.json");
         /// Homebody lets the body of a resident go everywhere in the home, and counts the rows of the sensors. The body could not continue.
-        Walk(why: String) error "not-walkable" ("a body cannot go through the home: {why}");
+        Walk(why: String) error "not-walkable" ("a resident cannot walk through the home: {why}");
         => inner {
             /// The rows of the sensors cannot be written.
             Log(LogError);

@@ -64,7 +64,7 @@ homebody_core::messages! {
             width: u32,
             /// Pixels from top to bottom.
             height: u32,
-        } error "size" ("cannot draw {width} x {height} pixels: a side has 1 to {MOST_PIXELS}");
+        } error "size" ("cannot draw {width} x {height} pixels: each side must have 1 to {MOST_PIXELS} pixels");
         /// The encoder of PNG did not accept the pixels.
         Encoding(why: String) error "encoding" ("cannot write the picture as PNG: {why}");
     }

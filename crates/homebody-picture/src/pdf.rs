@@ -176,7 +176,7 @@ impl Book {
         }
         let Some(stroke) = stroke else { return Ok(()) };
         let Paint::Color(colour) = stroke.paint() else {
-            return Err(PdfError::Unknown("strokes of more than a colour"));
+            return Err(PdfError::Unknown("strokes with more than one colour"));
         };
         let [r, g, b] = parts(colour);
         canvas.content.set_stroke_rgb(r, g, b);

@@ -31,8 +31,8 @@ homebody_core::messages! {
         } error "not-own" ("{}: this file is {what}, so other users may know its token", path.display())
             hint ("remove the file; the server writes a new one with a new token");
         /// The server replaces the file when it has a new address. It does not replace a file that holds something else.
-        NoAddress(path: PathBuf) error "not-an-address" ("{}: this file has no address of Homebody", path.display())
-            hint ("name a file that does not exist; the server writes it with a new token");
+        NoAddress(path: PathBuf) error "not-an-address" ("{}: this is not an address file of Homebody", path.display())
+            hint ("pass a new file to --address-file; the server writes an address with a new token into it");
         /// The file cannot be read or written.
         Io {
             /// The file.
@@ -75,10 +75,10 @@ fn not_own(found: &fs::Metadata) -> Option<&'static str> {
     {
         use std::os::unix::fs::MetadataExt;
         if homebody_log::written::owner_of_new_files().is_some_and(|own| own != found.uid()) {
-            return Some("another user's");
+            return Some("owned by another user");
         }
         if found.is_file() && found.nlink() > 1 {
-            return Some("one with a second name");
+            return Some("hard-linked under a second name");
         }
     }
     None
@@ -139,11 +139,11 @@ mod tests {
         std::os::unix::fs::symlink(&path, &link).unwrap();
         assert!(matches!(read(&link), Err(Unkept::NotOwn { what: "a link", .. })));
         fs::hard_link(&path, &other).unwrap();
-        assert!(matches!(read(&path), Err(Unkept::NotOwn { what: "one with a second name", .. })));
+        assert!(matches!(read(&path), Err(Unkept::NotOwn { what: "hard-linked under a second name", .. })));
         fs::remove_file(&other).unwrap();
         // The test needs the right to give a file away.
         if std::os::unix::fs::chown(&path, Some(12345), None).is_ok() {
-            assert!(matches!(read(&path), Err(Unkept::NotOwn { what: "another user's", .. })));
+            assert!(matches!(read(&path), Err(Unkept::NotOwn { what: "owned by another user", .. })));
         }
     }
 

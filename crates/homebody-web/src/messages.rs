@@ -18,7 +18,7 @@ homebody_core::messages! {
             run: String,
             /// The number of its days.
             days: usize,
-        } error "no-day" ("the run {run:?} has {count}, numbered from 0", count = counted(*days, "day", "days"));
+        } error "no-day" ("the run {run:?} has no such day: it has {count}, numbered from 0", count = counted(*days, "day", "days"));
         /// The address of a request has a number of a day or an instant, and it is not a number.
         Number error "invalid-number" ("the address has an invalid number: days count from 0, and times are in microseconds");
         /// Silhouettes exist only for runs whose home has cameras.
@@ -29,7 +29,7 @@ homebody_core::messages! {
         /// Homebody reads a long log while the page shows its first days. The part that was requested is not read yet.
         StillReading error "still-reading" ("Homebody is still reading this run");
         /// A search between two times of day needs two different times.
-        SameHours error "same-hours" ("the two hours must differ");
+        SameHours error "same-hours" ("the two times of day must differ");
         /// A search for spans has a shortest duration.
         Duration error "duration" ("the shortest duration must be a number of seconds");
         /// The page analyses a log in memory, and its limit protects the memory. The commands have no such limit.
@@ -88,7 +88,7 @@ homebody_core::messages! {
             /// The name.
             name: String,
         } error "name-taken" ("another {kind} now has the name {name}")
-            advice ((*kind == "home").then(|| "rename that one first".to_owned()));
+            advice ((*kind == "home").then(|| "rename the other home first".to_owned()));
         /// A deleted run or home cannot be moved back.
         NotRestored {
             /// The key.
@@ -111,30 +111,30 @@ homebody_core::messages! {
         /// Another window has changed this note since the page read it. The page does not replace what it has not seen.
         NoteChanged error "note-changed" ("this note was changed in another window");
         /// A run that is being simulated cannot be deleted.
-        RunRunning error "run-running" ("this run is running")
-            hint ("stop it first");
+        RunRunning error "run-running" ("a run cannot be deleted while it is running")
+            hint ("stop the run first");
         /// A plan of another program comes into memory, and its limit protects the memory.
         PlanTooLarge {
             /// The limit.
             limit_mb: u64,
-        } error "plan-too-large" ("a plan has at most {limit_mb} MB");
+        } error "plan-too-large" ("the plan is too large: the limit is {limit_mb} MB");
         /// A log that the page sends comes into memory, and its limit protects the memory. The commands have no such limit.
         LogTooLarge {
             /// The limit.
             limit_mb: u64,
             /// The command for larger logs.
             command: &'static str,
-        } error "log-too-large" ("the page takes logs of at most {limit_mb} MB")
+        } error "log-too-large" ("the log is too large for the page: the limit is {limit_mb} MB")
             hint ("for a larger log, use {command}");
         /// The connection ended before all of the log had arrived.
-        LogIncomplete error "log-incomplete" ("the log arrived incomplete")
-            hint ("send it again");
+        LogIncomplete error "log-incomplete" ("the connection ended before the whole log had arrived")
+            hint ("send the log again");
         /// Homebody locates the people of one log at a time.
         Locating {
             /// The name of the log.
             log: String,
-        } error "locating" ("Homebody is locating people in {log}")
-            hint ("wait for it, or stop it");
+        } error "locating" ("Homebody is still locating people in {log}")
+            hint ("wait until it has finished, or stop it");
         /// The page locates people in memory, and its limit protects the memory.
         TooManyRows {
             /// The number of rows of the log.
@@ -142,7 +142,7 @@ homebody_core::messages! {
             /// The limit.
             limit: usize,
         } error "too-many-rows" ("the log has {rows} rows; the limit of the page is {limit}")
-            hint ("open a part of the log, or use homebody locate, which has no limit");
+            hint ("open a shorter log, or use the command homebody locate, which has no limit");
         /// The page locates people in memory, and its limit protects the memory.
         TooManyDays {
             /// The number of days that the log covers.
@@ -150,11 +150,11 @@ homebody_core::messages! {
             /// The limit.
             limit: i64,
         } error "too-many-days" ("the log covers {days}; the limit of the page is {limit}", days = counted(*days, "day", "days"))
-            hint ("open a part of the log, or use homebody locate, which has no limit");
+            hint ("open a shorter log, or use the command homebody locate, which has no limit");
         /// Homebody has an error. The log is not changed.
         LocatingBroke error "locating-broke" ("cannot locate people because of an error in Homebody");
         /// The file underlay.json names an image in the folder of the scenario, and the image is not there.
-        NoImage error "no-image" ("there is no image under the plan");
+        NoImage error "no-image" ("the home has no image beneath its plan");
         /// A run has a recording, and a log where its logger writes a file.
         NoFile error "no-file" ("this run does not have this file");
         /// The system reports an error, for example that a file cannot be opened.
@@ -164,7 +164,7 @@ homebody_core::messages! {
         } error "system" ("the server cannot answer: {why}");
         /// The server answers requests under the address that it printed, so that a page of another server cannot reach it under a name of
         /// its own.
-        ForeignHost error "foreign-host" ("this server does not answer under this host name");
+        ForeignHost error "foreign-host" ("this server answers only at the address that it printed, not at this host name");
         /// The browser sends the address of the page with a request. It was the page of another server.
         ForeignPage error "foreign-page" ("this server answers requests from its own page only");
         /// Requests carry the token of the address that the server printed. A server without `--address-file` makes a new token when it
@@ -187,7 +187,7 @@ homebody_core::messages! {
             /// The name of the home.
             name: String,
         } error "linked-runs"
-            ("the folder {RUNS} of {name} is a link, and Homebody writes runs only into the folder of the home")
+            ("{name}/{RUNS} is a link, and Homebody does not write runs outside the folder of the home")
             hint ("remove the link");
         /// Each home of a library has a name of its own, which is the name of its folder.
         NameUsed {
@@ -214,13 +214,13 @@ homebody_core::messages! {
             /// The limit.
             limit: usize,
         } error "too-many-open" ("{limit} homes are already open, each with a page or a running simulation")
-            hint ("close the page of one");
+            hint ("stop the simulation of another home, and close its page");
         /// The page copies plain files and folders only: a link may lead elsewhere.
         NotPlain {
             /// The path.
             path: String,
-        } error "not-plain" ("{path} is a link or a device, which Homebody does not copy")
-            hint ("copy the folder yourself if you want it");
+        } error "not-plain" ("{path} is a link or a special file, which Homebody does not copy")
+            hint ("copy the folder with another program");
         /// A copy has limits, so that it does not fill the disk.
         TooLarge {
             /// The folder.
@@ -229,14 +229,14 @@ homebody_core::messages! {
             files: usize,
             /// Largest size of the files.
             limit_mb: u64,
-        } error "too-large" ("{folder} has more than {files} files or {limit_mb} MB");
+        } error "too-large" ("cannot copy {folder}: it has more than {files} files or {limit_mb} MB");
         /// A copy has limits, so that it ends.
         TooDeep {
             /// The folder.
             folder: String,
             /// Largest depth.
             limit: usize,
-        } error "too-deep" ("{folder}: folders are nested more than {limit} deep");
+        } error "too-deep" ("cannot copy {folder}: its folders are nested more than {limit} deep");
         /// A file or folder of the home cannot be read or written.
         NotCopied {
             /// The file or folder.
@@ -277,7 +277,7 @@ homebody_core::messages! {
             written: Vec<String>,
         } error "not-written" (
             "cannot write {file:?}: {why}{before}",
-            before = if written.is_empty() { String::new() } else { format!("; {} was written", written.join(", ")) }
+            before = if written.is_empty() { String::new() } else { format!("; already written: {}", written.join(", ")) }
         )
             advice (solution.clone());
         /// The folder of the scenario was deleted while the page showed it.
@@ -302,8 +302,8 @@ homebody_core::messages! {
         /// ```json
         /// { "home": "home.json" }
         /// ```
-        NoHome error "no-home" ("the scenario names no file of its home")
-            hint ("write \"home\" with the name of a file");
+        NoHome error "no-home" ("scenario.json does not name the file of the home")
+            hint ("add the name of the file, such as \"home\": \"home.json\"");
         /// The page explains a routine as its resident uses it. This routine has no resident.
         UnusedRoutine error "unused-routine" ("no resident uses this routine");
         /// A sheet has the devices of a home. The file of this home has problems.
@@ -325,7 +325,7 @@ homebody_core::messages! {
         } error "unknown-device" ("the device {device:?} is not known");
         /// A condition changes a routine, and the first resident has another driver. The floor that sensors see needs no resident.
         NoRoutine error "no-routine" ("the first resident has no routine, so no condition can be simulated")
-            hint ("choose only “Most of the floor”");
+            hint ("choose only the goal “Most of the floor”");
     }
 }
 
@@ -334,11 +334,11 @@ homebody_core::messages! {
     #[derive(Clone, PartialEq, Eq)]
     pub enum StageMessage in "stage" {
         /// A seed is a whole number that JavaScript holds exactly.
-        Seed error "seed" ("a seed must be below 2 to the power of 53");
+        Seed error "seed" ("the seed must be a whole number below 9007199254740992, which is 2 to the power of 53");
         /// A step continues a paused run.
-        Step error "step" ("a step is at most a day long");
+        Step error "step" ("the step is too long: the limit is one day");
         /// A run goes so many times as fast as the clock.
-        Speed error "speed" ("the speed must be between 0.1 and 1000");
+        Speed error "speed" ("the speed must be 0.1 to 1000 times real time");
         /// The page sends commands faster than the run obeys them.
         Busy error "busy" ("the run is still busy with earlier commands and dropped this one")
             hint ("try again a little later");
@@ -366,6 +366,6 @@ homebody_core::messages! {
             /// The state of the files of the run, as a sentence.
             files: String,
         } error "broke" ("the run stopped because of an error in Homebody: {why}. {files}")
-            hint ("you can start a new run");
+            hint ("start a new run");
     }
 }

@@ -101,10 +101,10 @@ homebody_core::messages! {
             /// The last port.
             last: u16,
         } error "no-port" ("no port from {first} to {last} is free on {ip}")
-            hint ("name another port");
+            hint ("name another port with --port");
         /// A server listens at an address of its own machine.
         Foreign(ip: String) error "foreign-address" ("this machine has no address {ip}")
-            hint ("`ip address` lists the addresses that it has; 127.0.0.1 is for this machine alone");
+            hint ("choose an address that `ip address` lists, or leave out --bind to serve this machine only");
         /// Another program listens at this port, or the user may not open it: on most systems ports below 1024 are for the administrator.
         Port {
             /// The address and the port.
@@ -112,10 +112,10 @@ homebody_core::messages! {
             /// The message of the system.
             source: io::Error,
         } error "port" ("cannot listen at {address}: {source}")
-            hint ("another program may use it; name another port")
+            hint ("name another port with --port; another program may be using this one")
             cause (Some(source));
         /// The token of the page is a random number, which the system makes.
-        Token(why: String) error "no-token" ("the system gives no random number for a token: {why}");
+        Token(why: String) error "no-token" ("cannot get a random number for the token: {why}");
         /// The system reports an error of the network or of threads.
         Broken(source: io::Error) error "broken" ("the server cannot run: {source}")
             cause (Some(source));

@@ -25,7 +25,7 @@ homebody_core::messages! {
     #[derive(Clone, Copy, PartialEq, Eq)]
     pub enum ControlMessage in "control" {
         /// With `--control`, each line of standard input is one short command. Homebody skips longer lines.
-        TooLong error "too-long" ("a command has {LONGEST_COMMAND_BYTES} bytes at most")
+        TooLong error "too-long" ("the command is longer than {LONGEST_COMMAND_BYTES} bytes")
             hint ("write one command per line: pause, resume, step [SECONDS], speed X, stop");
     }
 }
@@ -34,7 +34,7 @@ homebody_core::messages! {
 #[derive(clap::Args)]
 #[command(next_help_heading = "Speed")]
 pub struct Asked {
-    /// Simulated seconds per second: 0.1 to 1000, or max; it does not change the log
+    /// Simulated seconds per real second: 0.1 to 1000, or max; the speed does not change the log
     #[arg(long, value_name = "FACTOR", default_value = "max")]
     speed: Speed,
     #[arg(long, help = CONTROL)]

@@ -28,8 +28,8 @@ homebody_core::messages! {
                 _ => "leave out --json: the result then goes to standard error".to_owned(),
             }));
         /// A FHIR bundle holds an observation for each measure. It has no place for alerts and sentences.
-        Fhir error "fhir" ("--out fhir: this form holds measures only")
-            hint ("write alerts and sentences to jsonl:FILE or sqlite:FILE, and measures with homebody measures");
+        Fhir error "fhir" ("--out fhir:FILE accepts measures only")
+            hint ("write alerts and sentences to jsonl:FILE or sqlite:FILE, and use homebody measures for fhir:FILE");
     }
 }
 
@@ -146,7 +146,7 @@ pub enum LogFormat {
     /// Lines of text.
     #[default]
     Text,
-    /// One JSON object a line, with time, level and message.
+    /// One JSON object per line, with time, level and message.
     Json,
 }
 

@@ -21,14 +21,14 @@ homebody_core::messages! {
             /// The address.
             address: String,
         } warning "exposed" ("anyone who reaches {address} can read the run's metrics")
-            hint ("give a port alone to serve metrics to this machine only");
+            hint ("pass --metrics a port without an IP address to serve this machine only");
     }
 }
 
 /// The option for metrics.
 #[derive(clap::Args)]
 pub struct Watched {
-    /// Serve metrics for Prometheus at this port of 127.0.0.1, or at IP:PORT: rows, lag, retries, spooled bytes
+    /// Serve metrics for Prometheus (rows, lag, retries, spooled bytes) at this port of 127.0.0.1, or at IP:PORT
     #[arg(long, value_name = "PORT", help_heading = "Output", value_parser = address)]
     metrics: Option<SocketAddr>,
 }

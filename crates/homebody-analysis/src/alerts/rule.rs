@@ -128,8 +128,8 @@ homebody_core::messages! {
         Form {
             /// The reason, with the line and the column.
             why: String,
-        } error "invalid" ("cannot parse the rules of alerts: {why}")
-            hint ("docs/reference/measures.md lists the keys of a rule");
+        } error "invalid" ("cannot parse the alert rules: {why}")
+            hint ("write only keys that docs/reference/measures.md lists");
         /// An alert names its rule, so each rule has a name of its own.
         SameName {
             /// The name.
@@ -166,7 +166,7 @@ homebody_core::messages! {
             allowed: &'static str,
             /// A usual number.
             example: &'static str,
-        } error "several" ("several: {key} must be {allowed}")
+        } error "several" ("in \"several\", {key} must be {allowed}")
             hint ("write a number such as {example}");
     }
 }

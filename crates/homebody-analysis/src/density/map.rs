@@ -56,10 +56,10 @@ homebody_core::messages! {
         /// Sensors with names of motion sensors send two words that Homebody does not know, so their rows count as readings.
         NotUnderstood(remarks: Vec<String>) error "unknown-states"
             ("no sensor of the log reports motion: {}", remarks.join("; "))
-            hint ("write ON and OFF for the two words");
+            hint ("replace the two words by ON and OFF in the log");
         /// Systems such as Home Assistant write `unavailable` or `unknown` for a sensor that does not answer. The motion sensors of this log
         /// have no other values.
-        Unknown error "never-known" ("the state of the motion sensors is never known");
+        Unknown error "never-known" ("all values of the motion sensors are words such as unavailable or unknown");
         /// The density map and the measures of days have a limit of ten years, so that a wrong date does not exhaust the memory.
         TooLong(days: usize) error "too-many-days" ("the log covers {days} days, and the limit is ten years");
         /// The requested first day is before the first row of the log, or after the last.
@@ -70,10 +70,10 @@ homebody_core::messages! {
             first: Date,
             /// The last date of the log.
             last: Date,
-        } error "no-such-day" ("the log has no {date}")
-            hint ("the log covers {first} to {last}");
+        } error "no-such-day" ("the log does not cover {date}")
+            hint ("choose a day from {first} to {last}");
         /// The log is too long for the memory, so Homebody reads it a second time. The second reading failed.
-        Unread(why: String) error "unreadable" ("cannot read the rows of the log again: {why}");
+        Unread(why: String) error "unreadable" ("Homebody reads a long log twice, and the second reading failed: {why}");
         /// Homebody sorts a log that fits into the memory. This log is longer, so its rows must be in the order of time.
         Disorder {
             /// The time of the row, in microseconds.
@@ -81,11 +81,11 @@ homebody_core::messages! {
             /// The time of an earlier row of the file, in microseconds.
             before: Micros,
         } error "out-of-order" (
-            "the log has more rows than the memory holds, and they are out of order: {row} comes after {earlier}",
+            "the log is too long to sort in memory, and its rows are out of order: {row} comes after {earlier}",
             row = written(*at),
             earlier = written(*before)
         )
-            hint ("sort its rows by time first");
+            hint ("sort the rows of the log by time");
     }
 }
 

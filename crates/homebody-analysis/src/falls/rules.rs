@@ -159,7 +159,7 @@ homebody_core::messages! {
             /// The term.
             term: String,
         } error "unsorted-term" ("the numbers of the term {term:?} of {feature:?} are not in order")
-            hint ("write four finite numbers, each as large as the one before or larger");
+            hint ("write four finite numbers in ascending order; equal numbers are allowed");
         /// A rule of "states" says which terms make a state. Without a term it would hold always.
         NoCondition {
             /// The number of the rule, from 1.
@@ -176,9 +176,9 @@ homebody_core::messages! {
             term: String,
             /// The terms of the feature.
             known: Vec<String>,
-        } error "unknown-term" ("rule {rule} of \"states\" names an unknown term of {feature:?}, {term:?}")
+        } error "unknown-term" ("rule {rule} of \"states\" names the term {term:?}, which {feature:?} does not have")
             advice (Some(match known.is_empty() {
-                true => format!("declare the term under \"terms\": {feature:?} has none"),
+                true => format!("declare the term under \"terms\", where {feature:?} has no terms"),
                 false => format!("the terms of {feature:?} are {}", known.join(", ")),
             }));
         /// The times of a rule of "falls" are the least duration on the ground and the longest time since the state before.

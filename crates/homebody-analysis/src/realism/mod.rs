@@ -157,7 +157,7 @@ homebody_core::messages! {
             /// The number of days that it covers.
             days: usize,
         } error "too-many-days" ("{log}: the log covers {days} days, and the limit is ten years")
-            hint ("compare a part of the log");
+            hint ("compare a shorter log");
     }
 }
 

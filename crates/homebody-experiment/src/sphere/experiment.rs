@@ -70,13 +70,13 @@ homebody_core::messages! {
         );
         /// One person acts out the recordings.
         OneResident error "one-resident" ("the house must have one resident, who acts out the recordings")
-            hint ("leave one file in \"residents\" in scenario.json");
+            hint ("keep only one file under \"residents\" in scenario.json");
         /// The recordings have a sensor for each room, with the name of the room. The experiment compares the sensors of the house with them.
         SensorRoom(sensor: String) error "sensor-name" ("no room of the house has the name of the sensor {sensor:?}")
             hint ("give each sensor the name of its room");
         /// The real sensors write ON and OFF. The experiment compares the times between the two.
         Messages error "messages" ("the logger of the house must write ON and OFF, as the real one does")
-            hint ("choose \"on_off\" as \"messages\" in the file of the logger");
+            hint ("write \"messages\": \"on_off\" in the file of the logger");
         /// The recordings replace the path of the resident.
         NoPath error "no-path" ("the resident of the house must follow a path, which the recordings replace")
             hint ("name a path as the driver in the file of the resident");

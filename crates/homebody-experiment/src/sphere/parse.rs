@@ -31,8 +31,8 @@ homebody_core::messages! {
             line: String,
             /// The expected line.
             expected: &'static str,
-        } error "heading" ("the first line is {line:?}")
-            hint ("write {expected}");
+        } error "heading" ("the first line does not name the columns: {line:?}")
+            hint ("write {expected} in the first line");
         /// Each row has a start, an end, a name and an index.
         Fields {
             /// The number of fields.

@@ -35,7 +35,7 @@ homebody_core::messages! {
     #[derive(Clone, PartialEq, Eq)]
     pub enum Unplaced in "sphere" {
         /// The recording names a room that the home does not have, or one whose furniture leaves no place for a body.
-        Room(room: String) error "no-room" ("the home has no room {room:?} to stand in");
+        Room(room: String) error "no-room" ("the home has no room {room:?}, or the room has no space for a person");
         /// The person of the recording walks from one room to the other. In the home no doors and rooms connect them.
         Way {
             /// The name of the first room.

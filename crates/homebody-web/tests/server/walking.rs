@@ -175,7 +175,10 @@ fn one_log_at_a_time_is_walked_back_and_it_can_be_stopped() {
     assert_eq!(served.send("POST", "/api/walk/month.csv", &log).code, 200);
     let busy = served.send("POST", "/api/walk/other.csv", &log);
     assert_eq!(busy.code, 409);
-    assert_eq!(busy.refusal()["what"], "Homebody is locating people in month.csv. Wait for it, or stop it.");
+    assert_eq!(
+        busy.refusal()["what"],
+        "Homebody is still locating people in month.csv. Wait until it has finished, or stop it."
+    );
     assert_eq!(served.send("DELETE", "/api/walk", b"").code, 200);
     let stopped = served.walked();
     assert_eq!((&stopped["state"], &stopped["run"]), (&"stopped".into(), &Value::Null), "{stopped}");

@@ -19,8 +19,8 @@ homebody_core::messages! {
     pub enum AlertsMessage in "alerts" {
         /// With `--follow`, the command runs until you stop it and prints each alert as it comes. It has no end at which it could
         /// write a file.
-        FilesWithFollow error "files-with-follow" ("--follow prints alerts and writes no files")
-            hint ("pass --out jsonl:- to print lines of JSON");
+        FilesWithFollow error "files-with-follow" ("with --follow, Homebody prints alerts and cannot write them to a file")
+            hint ("pass --out jsonl:- to print the alerts as lines of JSON");
         /// `--rules` names a file with rules of your own. Without it, Homebody uses the default rules.
         NoRules {
             /// The file.
@@ -47,7 +47,7 @@ homebody_core::messages! {
 pub struct Arguments {
     #[command(flatten)]
     measured: Measured,
-    /// Alert rules instead of the default ones
+    /// JSON file with alert rules, instead of the default rules
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     /// Follow the log as it grows, and print each new alert until you stop the program

@@ -39,7 +39,7 @@ pub struct Arguments {
     /// Shift dates by N weeks (default: the first week becomes that of 1 January 2001)
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(i64).range(-52_000..=52_000))]
     weeks: Option<i64>,
-    /// Keep the activities
+    /// Keep the activities of the log
     #[arg(long)]
     activities: bool,
     /// Write the original name of each sensor to a CSV file

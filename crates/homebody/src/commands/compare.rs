@@ -28,7 +28,7 @@ pub struct Arguments {
     b: String,
     #[command(flatten)]
     how: HowRead,
-    /// CSV file with the columns id and name: Homebody renames the sensor id to name in both logs before it compares them
+    /// CSV file with the columns id and name; before the comparison, Homebody gives each sensor id its name in both logs
     #[arg(long, value_name = "FILE")]
     sensors: Option<PathBuf>,
     /// Print one JSON object

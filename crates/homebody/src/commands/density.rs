@@ -62,13 +62,13 @@ pub struct Arguments {
     log: String,
     #[command(flatten)]
     how: HowRead,
-    /// Compare with this log: the distance of the two maps, and both in the picture
+    /// Compare with this log: report the distance between the two maps, and draw both
     #[arg(long, value_name = "LOG")]
     compare: Option<String>,
-    /// Sensor at the entrance, instead of a guess by names; repeatable
+    /// Sensor at the entrance (default: Homebody guesses it from the names of the sensors); repeatable
     #[arg(long, value_name = "SENSOR")]
     door: Vec<String>,
-    /// Shortest absence: 10m, 30m, 2h
+    /// Shortest time that counts as an absence, such as 10m or 2h
     #[arg(long, value_name = "DURATION", default_value = "30m", value_parser = span)]
     away_after: Micros,
     /// First day of the map, such as 2009-03-02 (default: the first day of the log)
@@ -161,7 +161,7 @@ pub fn no_map(name: &str, log: &LogWithRun, why: &NoMap) -> Failure {
         NoMap::Empty if activities > 0 => {
             return Failure::asked(DensityMessage::OnlyActivities { log: name.into(), activities });
         }
-        NoMap::Disorder { .. } => format!("sort its rows by time first{}", sorting(name, &log.log.columns)),
+        NoMap::Disorder { .. } => format!("sort the rows of the log by time{}", sorting(name, &log.log.columns)),
         _ => String::new(),
     };
     let failure = not_measurable(name, why);

@@ -17,7 +17,7 @@ homebody_core::messages! {
         Wrong {
             /// The number of wrong checks.
             count: usize,
-        } error "wrong" ("wrong checks: {count}")
+        } error "wrong" ("number of checks marked wrong: {count}")
             hint ("follow the hints of the report, and run homebody doctor again");
     }
 }
@@ -39,13 +39,13 @@ pub struct Arguments {
     /// Places to check (default: the installation)
     #[arg(value_name = "PLACE")]
     places: Vec<String>,
-    /// logger.json with the table and column names of a log
+    /// File such as logger.json with the table and column names of a log
     #[arg(long, value_name = "FILE")]
     mapping: Option<PathBuf>,
-    /// Also test writing. No data remain: the broker gets a message that it does not retain
+    /// Also test writing, without leaving data: the test message to a broker is not retained
     #[arg(long)]
     write: bool,
-    /// Replay the run of a folder, and compare each event
+    /// Replay the run in a run folder, and compare each event
     #[arg(long)]
     replay: bool,
     /// Print one JSON object

@@ -33,7 +33,7 @@ pub struct Arguments {
     /// Folder of a run with cameras
     #[arg(required_unless_present = "show_rules")]
     log: Option<String>,
-    /// Rules instead of the default ones
+    /// JSON file with rules of falls, instead of the default rules
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     /// Print the default rules

@@ -12,7 +12,7 @@ use homebody_kit::find_in_log;
 use serde::Serialize;
 use std::fmt;
 
-/// Find intervals in a log: in a room, sensor on, falls, alerts
+/// Find intervals in a log, such as stays in a room, falls or alerts
 ///
 /// Each result has its start and its duration. For a run, rooms, activities, falls and lost messages come from the ground truth.
 /// For another log, a resident is in a room from an event there until the next event in another room. Homebody first cuts the
@@ -33,12 +33,12 @@ pub struct Arguments {
     how: HowRead,
     /// Kind of interval
     what: Wanted,
-    /// Name of what to find: a room, a sensor (for `on` and `lost`), an activity, or a rule (for `alert` and `seen-fall`)
+    /// Name to find: a room, a sensor (for `on` and `lost`), an activity, or a rule (for `alert` and `seen-fall`)
     name: Option<String>,
-    /// Hours of the day, such as 0-6, 22-6 or 08:30-20
+    /// Find only in these hours of the day, such as 0-6, 22-6 or 08:30-20
     #[arg(long, value_name = "HOURS")]
     between: Option<Hours>,
-    /// Shortest interval, such as 30m
+    /// Shortest interval to report, such as 30m
     #[arg(long, value_name = "DURATION", value_parser = span)]
     min_duration: Option<Micros>,
     /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it

@@ -36,7 +36,7 @@ homebody_core::messages! {
             last: String,
         } error "few-days" ("{log}: too few days: {training_days} for training and {test_days} for the test")
             hint (
-                "choose days from {first} to {last}, or use a longer log: a fit needs {LEAST_DAYS} training days or more, and a test day"
+                "choose --training-days from {first} to {last}, or use a longer log: a fit needs {LEAST_DAYS} training days and 1 test day"
             );
     }
 }

@@ -22,8 +22,8 @@ homebody_core::messages! {
         /// ```sh
         /// tail -n +1 -F home.txt | homebody locate casas:- --home my-home --follow
         /// ```
-        NoForm error "no-form" ("standard input has no known form")
-            hint ("write casas:- for a log of CASAS, csv:- for CSV");
+        NoForm error "no-form" ("cannot recognise the form of a log on standard input")
+            hint ("write casas:- for a CASAS log, or csv:- for a CSV log");
     }
 }
 

@@ -13,8 +13,8 @@ use std::str::FromStr;
 #[derive(clap::Args)]
 #[command(next_help_heading = "Output")]
 pub struct ForPrograms {
-    /// Also write rows for programs: FILE.jsonl (jsonl:- for standard output), FILE.db (SQLite), or fhir:FILE (homebody measures only);
-    /// repeatable
+    /// Also write the results as rows for other programs: FILE.jsonl (jsonl:- for standard output), FILE.db (SQLite), or fhir:FILE
+    /// (homebody measures only); repeatable
     #[arg(short = 'o', long = "out", value_name = "DESTINATION")]
     to: Vec<To>,
 }

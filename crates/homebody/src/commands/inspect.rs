@@ -45,7 +45,7 @@ pub struct Arguments {
     /// Compare with the home of this scenario, and report sensors that are unknown, silent or of another kind
     #[arg(long, value_name = "SCENARIO")]
     home: Option<PathBuf>,
-    /// CSV file with the columns id and name: a sensor in the log, and its name in the home
+    /// CSV file with the columns id (a sensor in the log) and name (the same sensor in the home)
     #[arg(long, value_name = "FILE")]
     sensors: Option<PathBuf>,
     /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it

@@ -25,24 +25,24 @@ homebody_core::messages! {
             holds: String,
             /// The scenario asked for.
             scenario: String,
-        } error "other-home" ("{folder} holds the home of {holds}", folder = folder.display())
-            hint ("name another --folder for {scenario}");
+        } error "other-home" ("{folder} already contains another home, {holds}", folder = folder.display())
+            hint ("name another folder for {scenario} with --folder");
         /// The home of the folder started at another time. Homebody resumes it and cannot change its past.
         Start {
             /// The folder.
             folder: PathBuf,
             /// The start of the home in it.
             start: String,
-        } error "other-start" ("the home in {folder} starts at {start}", folder = folder.display())
-            hint ("leave out --start to resume it, or name another --folder");
+        } error "other-start" ("the home in {folder} started at {start}, and --start cannot change it", folder = folder.display())
+            hint ("leave out --start to resume the home, or name another folder with --folder");
         /// The home of the folder has another seed. Homebody resumes it and cannot change its past.
         Seed {
             /// The folder.
             folder: PathBuf,
             /// The seed of the home in it.
             seed: u64,
-        } error "other-seed" ("the home in {folder} has the seed {seed}", folder = folder.display())
-            hint ("leave out --seed to resume it, or name another --folder");
+        } error "other-seed" ("the home in {folder} has the seed {seed}, and --seed cannot change it", folder = folder.display())
+            hint ("leave out --seed to resume the home, or name another folder with --folder");
     }
 }
 
@@ -72,7 +72,7 @@ pub struct Arguments {
     /// Homebody simulates the time before now as fast as possible.
     #[arg(long, value_name = "TIME", default_value = "now")]
     start: Start,
-    /// Folder of the home (default: live/NAME)
+    /// Folder for the files of the home (default: live/NAME, with the name in scenario.json)
     #[arg(long, value_name = "FOLDER")]
     folder: Option<PathBuf>,
     /// Seed of all random numbers (default: that of the scenario)
@@ -81,7 +81,7 @@ pub struct Arguments {
     /// Leave out a condition of the routine; repeatable
     #[arg(long, value_name = "CONDITION")]
     without: Vec<String>,
-    /// Also send the rows to this server, or to jsonl:-, csv:- or casas:-; repeatable
+    /// Also send the rows to this server, or to standard output as jsonl:-, csv:- or casas:-; repeatable
     #[arg(short, long, value_name = "DESTINATION")]
     out: Vec<Url>,
     #[command(flatten)]

@@ -59,10 +59,10 @@ pub struct Away {
     /// A program that reads standard output counts as a server.
     #[arg(long, value_name = "ACTION", value_enum, default_value_t)]
     on_unavailable: OnUnavailable,
-    /// Folder for spooled rows
+    /// Folder for rows that wait for a server, with --on-unavailable spool
     #[arg(long, value_name = "FOLDER", default_value = "spool")]
     spool: PathBuf,
-    /// Largest spool of each server in MB; beyond it the run stops, and can be resumed
+    /// Most rows to store for each server, in MB; at this limit the run stops, and you can resume it
     #[arg(long, value_name = "MB", default_value_t = 1024)]
     spool_mb: u64,
     #[command(flatten)]

@@ -24,7 +24,7 @@ homebody_core::messages! {
             log: String,
             /// The scenario of the home.
             home: PathBuf,
-        } error "other-home" ("{log}: this home has none of its sensors")
+        } error "other-home" ("the home in {home} has none of the sensors of {log}", home = home.display())
             hint ("homebody inspect {log} --home {home} lists the sensors of both", home = home.display());
         /// Homebody knows the rooms of less than half of the sensors. Measures of rooms leave out the events of the others.
         FewSensors {
@@ -36,7 +36,7 @@ homebody_core::messages! {
             placed: usize,
             /// The number of sensors of the log.
             sensors: usize,
-        } warning "few-sensors" ("{log}: this home has only {placed} of its {sensors} sensors")
+        } warning "few-sensors" ("the home in {home} has only {placed} of the {sensors} sensors of {log}", home = home.display())
             hint ("homebody inspect {log} --home {home} lists the sensors of both", home = home.display());
         /// With `--resident`, measures come from the ground truth, which names the residents of the run.
         NoResident {
@@ -46,7 +46,7 @@ homebody_core::messages! {
             known: Vec<String>,
         } error "no-resident" ("--resident {resident:?}: the ground truth has no such resident")
             advice (Some(match known.is_empty() {
-                true => "this log has no ground truth; homebody run writes one".to_owned(),
+                true => "leave out --resident: this log has no ground truth, which homebody run writes".to_owned(),
                 false => format!("the residents are {}", known.join(", ")),
             }));
     }
@@ -128,7 +128,7 @@ pub struct Measured {
     /// Scenario with the home of the log, for the rooms of its sensors
     #[arg(long, value_name = "SCENARIO")]
     home: Option<PathBuf>,
-    /// Measure what this resident did by the ground truth, instead of the log
+    /// Compute the measures of this resident from the ground truth instead of the log
     #[arg(long, value_name = "NAME")]
     resident: Option<String>,
     /// The home's time zone, for a log in UTC; not needed for a run folder, which stores it

@@ -35,7 +35,7 @@ homebody_core::messages! {
             /// The log.
             log: String,
         } error "no-rows" ("{log}: the log has no rows")
-            hint ("name another log, or let its run last longer");
+            hint ("name another log, or simulate a longer run");
         /// Days are dates in the local time of the home. The words first and last also name days of a log.
         NoDay {
             /// The log.
@@ -47,7 +47,7 @@ homebody_core::messages! {
             /// The last date of the log.
             last: String,
         } error "no-day" ("{log} has no day {day}")
-            hint ("choose a day from {first} to {last}; first and last also name days");
+            hint ("choose a day from {first} to {last}, or write first or last");
         /// The command needs the ground truth of the run that wrote the log. Homebody looks for it in the run's folder.
         NoTruth {
             /// The log.
@@ -56,8 +56,8 @@ homebody_core::messages! {
             command: &'static str,
         } error "no-truth" ("{log} has no ground truth")
             advice (Some(match *command {
-                "convert" => "name the folder of a run with its ground truth, or leave out --activities to convert the log's own".to_owned(),
-                _ => "name the ground truth after the log: its database, or csv:FILE, parquet:FILE and so on".to_owned(),
+                "convert" => "name the folder of a run with its ground truth, or leave out --activities to convert the log's activities".to_owned(),
+                _ => "name the ground truth after the log, such as truth.db, csv:FILE or parquet:FILE".to_owned(),
             }));
         /// The run was interrupted or still continues, so the log lacks its later rows. A resumed run writes them.
         IncompleteRun {
@@ -65,7 +65,7 @@ homebody_core::messages! {
             log: String,
             /// The folder to resume.
             resume: PathBuf,
-        } warning "incomplete-run" ("{log}: its run is incomplete")
+        } warning "incomplete-run" ("{log}: this run is incomplete")
             hint ("homebody run --resume {resume} completes it", resume = resume.display());
         /// The run was killed, so its log and its ground truth may end at different rows. The rows in between would have no labels.
         UnequalEnds {
@@ -73,7 +73,7 @@ homebody_core::messages! {
             log: String,
             /// The folder to resume.
             resume: PathBuf,
-        } error "unequal-ends" ("{log}: its run is incomplete: its log and its ground truth may end at different rows")
+        } error "unequal-ends" ("{log}: this run is incomplete, so its log and its ground truth may end at different rows")
             hint ("homebody run --resume {resume} completes it", resume = resume.display());
     }
 }
@@ -87,7 +87,7 @@ homebody_core::messages! {
             /// The text.
             text: String,
         } error "not-a-time" ("{text:?} is not a time")
-            hint ("write 2026-01-12T18:40:05, or 18:40:05 for a time of the first 24 hours");
+            hint ("write a time such as 2026-01-12T18:40:05, or 18:40:05 in the first 24 hours of the run");
         /// The run begins later than this moment, or has ended before it. A moment without a date is in the first 24 hours of the run.
         OutsideRun {
             /// The moment asked for.
@@ -96,8 +96,8 @@ homebody_core::messages! {
             begin: String,
             /// The end of the run.
             end: String,
-        } error "outside-run" ("the run has no moment {asked}")
-            hint ("choose a moment from {begin} to {end}");
+        } error "outside-run" ("the time {asked} is outside the run")
+            hint ("choose a time from {begin} to {end}");
         /// The last moment is at or before the first one, so no moment is between them. Perhaps the last one has no date: a time alone is in
         /// the first 24 hours of the run.
         NoSpan {
@@ -105,8 +105,8 @@ homebody_core::messages! {
             from: String,
             /// The last moment.
             to: String,
-        } error "no-span" ("the time from {from} to {to} is empty")
-            hint ("--to must be later than --from");
+        } error "no-span" ("--to is {to}, which is not later than --from, {from}")
+            hint ("pass a later time to --to, or an earlier time to --from");
     }
 }
 
@@ -114,8 +114,8 @@ homebody_core::messages! {
     /// Problems with pictures.
     pub enum PictureMessage in "picture" {
         /// The command draws a picture and prints nothing else.
-        NoFile error "no-file" ("no file for the picture")
-            hint ("name one with --svg or --png");
+        NoFile error "no-file" ("the command has no file for the picture")
+            hint ("name a file with --svg or --png");
         /// The extension of the file is that of another form of pictures. Other programs would not open the file.
         Form {
             /// The option without its dashes: `svg` or `png`.
@@ -124,10 +124,10 @@ homebody_core::messages! {
             extension: String,
             /// The file.
             path: PathBuf,
-        } error "form" ("--{form} cannot write {extension}: {path}", path = path.display())
+        } error "form" ("--{form} cannot write the file {path}, because its name ends in .{extension}", path = path.display())
             advice (Some(match extension.as_str() {
-                "svg" | "png" => format!("use --{extension} for this form"),
-                _ => format!("name it {}", path.with_extension(form).display()),
+                "svg" | "png" => format!("use --{extension} for this file"),
+                _ => format!("name the file {}", path.with_extension(form).display()),
             }));
     }
 }

@@ -34,7 +34,7 @@ homebody_core::messages! {
   homebody parameters activity.reading --json
   homebody run scenarios/tigerplace --set gait.slowest=0.25")]
 pub struct Arguments {
-    /// Only parameters whose names begin with this, such as gait
+    /// List only parameters whose names begin with this, such as gait
     group: Option<String>,
     /// Print one JSON object
     #[arg(long)]

@@ -34,13 +34,13 @@ impl Mapped {
 #[derive(clap::Args, Clone, Default)]
 #[command(next_help_heading = "Input form")]
 pub struct HowRead {
-    /// logger.json with the table and column names of a database or CSV file, if they are unusual
+    /// File such as logger.json with the table and column names of a database or CSV file, if the names are unusual
     #[arg(long, value_name = "FILE")]
     mapping: Option<PathBuf>,
     /// Read each column of the table as a sensor
     #[arg(long)]
     wide: bool,
-    /// Column with the home or person of each row, and the one to read; NAME=* reads all as one log
+    /// Column that names the home or person of each row, and the home to read; NAME=* reads all homes as one log
     #[arg(long, value_name = "NAME[=HOME]")]
     home_column: Option<String>,
     /// Order of day and month in dates such as 02/03/2009

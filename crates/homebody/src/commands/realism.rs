@@ -10,7 +10,7 @@ use homebody_kit::LogWithRun;
 use homebody_picture::{realism_chart, realism_page};
 use std::path::PathBuf;
 
-/// Measure how realistic a log is, compared with a real one
+/// Measure how realistic a log is, compared with a real log
 ///
 /// Homebody compares log B, such as that of a run, with log A, such as that of a real home: gaps, ON lengths, hours, sensors and days. A
 /// random forest also tries to tell days and hours of A from those of B. The report has its area under the curve and the features

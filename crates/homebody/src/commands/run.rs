@@ -130,7 +130,7 @@ pub struct Arguments {
 enum TruthTables {
     /// All tables
     All,
-    /// All but cause, off, movement and lost, which have a row for each event or movement
+    /// All tables except cause, off, movement and lost, which have a row for each event or movement
     Brief,
 }
 

@@ -14,10 +14,10 @@ homebody_core::messages! {
             place: String,
             /// Whether it is one of the ground truth.
             is_truth: bool,
-        } error "middle-of-run" ("{place} cannot start in the middle of a run")
+        } error "middle-of-run" ("cannot write to {place}: if the run is resumed, this destination lacks the earlier rows")
             advice (Some(match is_truth {
-                true => "leave out --truth: Homebody resumes the ground truth in the folder; name only one on a server".to_owned(),
-                false => "resume the folder with servers and object stores only; homebody convert copies its log to a file afterwards".to_owned(),
+                true => "leave out --truth, or name a server: Homebody completes the ground truth in the folder by itself".to_owned(),
+                false => "leave out this destination; homebody convert copies the log in the folder to a file".to_owned(),
             }));
         /// The command line has two values of a parameter. Homebody does not guess which one counts.
         ParameterTwice {
@@ -31,7 +31,7 @@ homebody_core::messages! {
             hint ("set each parameter once");
         /// The ground truth of a single run always has all tables. Only cohorts can leave some out.
         TruthTables error "truth-tables" ("--truth-tables applies to cohorts only")
-            hint ("leave it out; the ground truth of a single run has all tables");
+            hint ("leave out --truth-tables; the ground truth of a single run has all tables");
         /// A cohort simulates many members at once, and writes the files of each into one folder. Some options make sense for single
         /// runs only.
         CohortOption {
@@ -40,18 +40,18 @@ homebody_core::messages! {
             /// The reason.
             why: &'static str,
         } error "cohort-option" ("{option}: {why}")
-            hint ("leave this option out of a cohort");
+            hint ("leave out {option} for a cohort");
         /// All members of a cohort go into one folder or object store.
         CohortDestinations {
             /// The number of destinations.
             count: usize,
-        } error "cohort-destinations" ("a cohort has one destination, and not {count}")
-            hint ("give one --out, such as parquet:cohort");
+        } error "cohort-destinations" ("a cohort has only one destination, and you gave {count}")
+            hint ("pass --out once, such as --out parquet:cohort");
         /// The folder belongs to `homebody live`, which simulates a home until it is stopped. A run needs an end.
         HomeInRealTime {
             /// The folder.
             folder: PathBuf,
-        } error "home-in-real-time" ("{folder} holds a home in real time, which has no end", folder = folder.display())
+        } error "home-in-real-time" ("{folder} contains a home of homebody live, and its simulation has no end", folder = folder.display())
             hint ("homebody live SCENARIO --folder {folder} resumes it", folder = folder.display());
         /// SQLite cannot complete a database while another program reads it. Copy both files, or wait until that program has ended.
         OpenDatabase {
@@ -60,7 +60,7 @@ homebody_core::messages! {
             /// The second file.
             part: PathBuf,
         } warning "open-database" (
-            "another program is reading {file}: until it ends, {part} is part of the database",
+            "another program is reading {file}: until it closes the database, keep {part} with the file",
             file = file.display(),
             part = part.display()
         );
@@ -92,11 +92,11 @@ homebody_core::messages! {
             /// The number of events of the recording.
             recorded: u64,
         } error "other-version" (
-            "the replay differs from the recording of version {version}; this is version {VERSION}: it has {events} events, and the \
-             recording {recorded}",
+            "the replay has {events} events and the recording {recorded}: version {version} recorded the run, this is version \
+             {VERSION}",
             events = grouped(*events),
             recorded = grouped(*recorded)
         )
-            hint ("replay it with that version, or run its scenario again");
+            hint ("replay the recording with version {version}, or run its scenario again");
     }
 }

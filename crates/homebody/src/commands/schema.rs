@@ -7,7 +7,7 @@ use homebody_log::LogError;
 use std::fs;
 use std::path::PathBuf;
 
-/// Write the JSON Schemas of the scenario files, for editors
+/// Write the JSON Schemas of the scenario files, for text editors
 #[derive(clap::Args)]
 #[command(
     after_long_help = "Example:\n  homebody schema schemas\n\nMost editors use the schema named by the \"$schema\" key of a file."

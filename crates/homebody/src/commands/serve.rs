@@ -24,7 +24,7 @@ homebody_core::messages! {
             /// The address.
             ip: String,
         } error "every-address" ("{ip} means every address of this machine, and the page needs a single one")
-            hint ("name the address by which others reach this machine");
+            hint ("pass --bind the address at which other machines reach this one");
         /// The page needs the token of the printed address. Other machines can try to guess it, and see the traffic of the network.
         Exposed {
             /// The address.

@@ -40,7 +40,7 @@ homebody_core::messages! {
             names = names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
         )
             hint (
-                "name conditions ({conditions}), measures ({measures}), night-bathroom or falls",
+                "choose from the conditions ({conditions}), the measures ({measures}), night-bathroom and falls",
                 conditions = conditions.join(", "),
                 measures = measures.join(", ")
             );
@@ -72,7 +72,7 @@ pub struct Arguments {
     /// Purpose of the sensors: conditions, measures, night-bathroom, falls; separated by commas
     #[arg(long, value_name = "GOALS", value_delimiter = ',', default_value = "depression,night-bathroom,falls")]
     goals: Vec<String>,
-    /// Largest number of sensors
+    /// Largest number of sensors to suggest
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u16).range(1..=64))]
     count: u16,
     /// Number of simulated people
@@ -84,7 +84,7 @@ pub struct Arguments {
     /// Device of the motion sensors, by its name in homebody devices, such as fibaro
     #[arg(long, value_name = "NAME")]
     device: Option<String>,
-    /// Alert rules instead of the default ones
+    /// JSON file with alert rules, instead of the default rules
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     #[command(flatten)]

@@ -31,7 +31,7 @@ pub struct Arguments {
     /// Audience of the sentences
     #[arg(long, value_enum, value_name = "READER", default_value_t = Reader::Carers)]
     audience: Reader,
-    /// Compare with the summary of this log: a distance from 0 to 1, after Wilbik and Keller
+    /// Report the distance, from 0 to 1, to the summary of this log (after Wilbik and Keller)
     #[arg(long, value_name = "LOG")]
     compare: Option<String>,
     #[command(flatten)]

@@ -97,10 +97,13 @@ fn what_is_asked_wrongly_is_refused() {
         ("convert flat/home.json", "--out <DESTINATION>"),
         ("coverage flat --width 10", "200..=8000"),
         ("plan flat", "error[picture::no-file]"),
-        ("plan flat --png a.jpg", "error[picture::form]: --png cannot write jpg: a.jpg\n  hint: name it a.png"),
+        (
+            "plan flat --png a.jpg",
+            "error[picture::form]: --png cannot write the file a.jpg, because its name ends in .jpg\n  hint: name the file a.png",
+        ),
         (
             "plan flat --svg a.png",
-            "error[picture::form]: --svg cannot write png: a.png\n  hint: use --png for this form",
+            "error[picture::form]: --svg cannot write the file a.png, because its name ends in .png\n  hint: use --png for this file",
         ),
         ("serve flat --no-open --bind 192.0.2.1", "error[serve::foreign-address]"),
         ("experiment alchemy", "unrecognized subcommand 'alchemy'"),

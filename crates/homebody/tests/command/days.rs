@@ -142,8 +142,8 @@ fn a_day_or_a_log_that_is_not_there_is_refused() {
     let given = folder.files();
     for (words, code, said) in [
         ("day runs/flat-1 2009-03-05", 2, "error[log-content::no-day]"),
-        ("day runs/flat-1 2009-02-30", 2, "write a date such as 2009-03-02, or first or last"),
-        ("day runs/flat-1 monday", 2, "write a date such as 2009-03-02, or first or last"),
+        ("day runs/flat-1 2009-02-30", 2, "write a date such as 2009-03-02, or the word first or last"),
+        ("day runs/flat-1 monday", 2, "write a date such as 2009-03-02, or the word first or last"),
         ("day runs/flat-1", 2, "required arguments were not provided"),
         ("day nowhere first", 1, "[log::not-found]: nowhere"),
         ("day nonsense.txt first", 2, "error[log-form::unknown]"),

@@ -242,7 +242,7 @@ fn somebody_may_look_at_a_live_run() {
     watcher.execute_batch("BEGIN; SELECT count(*) FROM firing").unwrap();
     // The watcher holds on to what it sees, and is in nobody's way; what it keeps beside the log is told.
     let done = running.finish().ok();
-    let told = "warning[run::open-database]: another program is reading log.db: until it ends, log.db-wal is part of the database\n";
+    let told = "warning[run::open-database]: another program is reading log.db: until it closes the database, keep log.db-wal with the file\n";
     assert_eq!(done.err, told);
     watcher.execute_batch("COMMIT").unwrap();
     drop(watcher);

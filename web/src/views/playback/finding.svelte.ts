@@ -83,7 +83,7 @@ export class Finding {
     const { what, name, between, least_min } = this;
     const of = ASKED[what].of === null ? null : name;
     if (between !== null && between[0] === between[1]) {
-      [this.found, this.problem] = [null, 'The two hours must differ.'];
+      [this.found, this.problem] = [null, 'The two times of day must differ.'];
       return;
     }
     const query: Find = {

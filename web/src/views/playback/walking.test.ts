@@ -60,7 +60,7 @@ test('why a log cannot be opened is said', async () => {
   answers = [view({ state: 'failed', problem: 'none of the sensors is one of the home’s\n  hint: ids' })];
   await walking.open(log(), null);
   expect(walking.problem).toContain('Cannot open week.csv: none of the sensors');
-  refuses = 'Homebody is locating people in other.csv. Wait for it, or stop it.';
+  refuses = 'Homebody is still locating people in other.csv. Wait until it has finished, or stop it.';
   await walking.open(log(), null);
   expect([walking.problem, walking.isGoingOn]).toEqual([refuses, false]);
 });

@@ -17,7 +17,7 @@ use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// Measure how early alerts find conditions, and how often they are false
+/// Measure how early alerts find conditions, and how often alerts are false
 ///
 /// Homebody simulates people with and without conditions in the apartment of the template `older-adult`, with the variation that
 /// exists between people. One in nine has no condition. Each of the others has one of the program's conditions from day 61 on,
@@ -35,16 +35,16 @@ pub struct Arguments {
     /// Number of people
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(9..=100_000))]
     people: u32,
-    /// Days of each person
+    /// Days to simulate for each person
     #[arg(long, value_name = "N", default_value_t = 120, value_parser = clap::value_parser!(u32).range(90..=3660))]
     days: u32,
     /// Seed of all random numbers
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
-    /// Also measure the delay with sensor faults, with one motion sensor per room, and without each sensor
+    /// Also measure the delay with sensor faults, with one motion sensor per room, and without each sensor in turn
     #[arg(long)]
     layouts: bool,
-    /// Alert rules instead of the default ones
+    /// JSON file with alert rules, instead of the default rules
     #[arg(long, value_name = "FILE")]
     rules: Option<PathBuf>,
     #[command(flatten)]

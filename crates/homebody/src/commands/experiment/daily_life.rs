@@ -28,7 +28,7 @@ pub struct Arguments {
     /// Number of people
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     people: u32,
-    /// Days of each person; the first does not count
+    /// Days to simulate for each person; the first day does not count
     #[arg(long, value_name = "N", default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=3660))]
     days: u32,
     /// Seed of all random numbers

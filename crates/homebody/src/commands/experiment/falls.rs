@@ -22,13 +22,13 @@ JSON has \"rows\" of \"method\", \"cameras\", \"condition\", \"sensitivity\", \"
 \"seconds_to_alarm\", with 95 % confidence intervals. The picture shows the sensitivity of each method
 against its false alarms.")]
 pub struct Arguments {
-    /// Cases of each kind
+    /// Number of cases of each kind
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     cases: u32,
-    /// Seed of the first case; seeds 1 to 1000 are for fitting rules
+    /// Seed of the first case; keep seeds 1 to 1000 for fitting rules
     #[arg(long, value_name = "N", default_value_t = FIRST_SEED)]
     seed: u64,
-    /// Weeks of the template `cameras` to search
+    /// Weeks of the template `cameras` to simulate and search for falls
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(0..=520))]
     weeks: u32,
     #[command(flatten)]

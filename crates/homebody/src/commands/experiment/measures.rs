@@ -14,7 +14,7 @@ use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
 
-/// Find out how accurate the values of homebody measures are
+/// Measure the accuracy of the command homebody measures
 ///
 /// Homebody compares the measures from logs with those from the ground truth. The homes cycle through the templates that have one
 /// resident, each with its own seed. Each home has two logs: one without losses, and one with every sensor fault.
@@ -29,7 +29,7 @@ pub struct Arguments {
     /// Number of homes
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
-    /// Days of each home
+    /// Days to simulate for each home
     #[arg(long, value_name = "N", default_value_t = 28, value_parser = clap::value_parser!(u32).range(2..=366))]
     days: u32,
     /// Log of a real home with activities, instead of simulated homes; repeatable

@@ -11,7 +11,7 @@ homebody_core::messages! {
             folder: PathBuf,
             /// The missing file.
             file: String,
-        } error "no-data" ("{folder} has no {file}", folder = folder.display())
+        } error "no-data" ("{folder} does not contain {file}", folder = folder.display())
             hint ("download the data set, which is not part of Homebody, and name its folder with --data");
         /// The experiment compares simulations with a published data set, and looks for it in the folder of `--data`.
         NoFolder {
@@ -23,14 +23,14 @@ homebody_core::messages! {
         NoRecordings {
             /// The folder.
             folder: PathBuf,
-        } error "no-recordings" ("no folder in {folder} holds a pir.csv", folder = folder.display())
+        } error "no-recordings" ("no folder in {folder} contains a file pir.csv", folder = folder.display())
             hint ("name the folder `train` of the SPHERE challenge");
         /// The experiment compares measures from sensors with noted activities, such as sleeping, eating and going out. The log notes
         /// none of those.
         NoActivities {
             /// The log.
             log: String,
-        } error "no-activities" ("{log}: no measure is about its activities")
+        } error "no-activities" ("{log}: no measure corresponds to an activity of this log")
             hint ("homebody inspect LOG lists its activities; docs/reference/logs.md says where Homebody looks for them");
         /// The table of cases that comes with the program is damaged. This is an error of the program: report it.
         Cases {
@@ -42,7 +42,7 @@ homebody_core::messages! {
         ClaimsFail {
             /// The number of claims.
             count: usize,
-        } error "claims-fail" ("claims that fail without a warning before the run: {count}");
+        } error "claims-fail" ("claims that the simulation did not follow, without a warning before the run: {count}");
         /// Each kind of impossible event is a row of the table. The experiment succeeds only if all counts are 0.
         Impossible error "impossible-events" ("the simulations have impossible events");
     }

@@ -27,7 +27,7 @@ use std::path::PathBuf;
 pub struct Arguments {
     /// Scenario folders (default: all templates)
     scenarios: Vec<PathBuf>,
-    /// Days of each scenario
+    /// Days to simulate for each scenario
     #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u32).range(1..=3660))]
     days: u32,
     /// Print one JSON object

@@ -30,7 +30,7 @@ use std::path::PathBuf;
 #[derive(clap::Args)]
 #[command(after_long_help = "Example:\n  homebody experiment realism --data casas --json realism.json")]
 pub struct Arguments {
-    /// Folder with the folders of the logs
+    /// Folder that contains the folders of the real logs
     #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
     /// Days to simulate

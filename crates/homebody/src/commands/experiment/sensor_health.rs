@@ -7,7 +7,7 @@ use homebody_experiment::sensor_health::{Case, KINDS, Planted, case, faulty};
 use serde::Serialize;
 use std::fmt;
 
-/// Measure how well homebody sensor-faults finds faults
+/// Measure how well the command homebody sensor-faults finds faults
 ///
 /// The homes cycle through the templates, each with its own seed. Each home has four faults, in four different motion sensors; odd
 /// and even homes have different kinds of fault.
@@ -19,7 +19,7 @@ pub struct Arguments {
     /// Number of homes
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
-    /// Days of each home
+    /// Days to simulate for each home
     #[arg(long, value_name = "N", default_value_t = 14, value_parser = clap::value_parser!(u32).range(7..=366))]
     days: u32,
     #[command(flatten)]

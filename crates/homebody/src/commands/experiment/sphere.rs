@@ -22,10 +22,10 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 #[command(after_long_help = "Example:\n  homebody experiment sphere --data sphere_challenge --svg rooms.svg")]
 pub struct Arguments {
-    /// Folder of the recordings, or the folder above it if it is called `train`
+    /// Folder of the recordings; if its name is `train`, the folder above it also works
     #[arg(long, value_name = "FOLDER")]
     data: PathBuf,
-    /// Another model of the house (default: the template `sphere-house`)
+    /// Scenario with the house (default: the template `sphere-house`)
     #[arg(long, value_name = "SCENARIO")]
     house: Option<PathBuf>,
     /// Seed of all random numbers

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt;
 
-/// Measure how well homebody locate finds residents from logs
+/// Measure how well the command homebody locate finds residents
 ///
 /// Homebody compares the located rooms with the ground truth, and with two simpler methods. The homes cycle through the templates,
 /// each with its own seed; every fifth home has two residents and a cat. Each home has two logs: one without losses, and one with
@@ -25,7 +25,7 @@ pub struct Arguments {
     /// Number of homes
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..=1000))]
     homes: u32,
-    /// Days of each home
+    /// Days to simulate for each home
     #[arg(long, value_name = "N", default_value_t = 7, value_parser = clap::value_parser!(u32).range(1..=366))]
     days: u32,
     #[command(flatten)]

@@ -25,7 +25,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use told::{Telling, bar};
 
-/// Load a back end with thousands of homes in real time
+/// Load-test a back end with thousands of homes in real time
 ///
 /// One process simulates all homes. The events of a home depend on its scenario, the start, the seed and its own number in the fleet.
 /// They do not depend on the size of the fleet or the speed. With several scenarios, the homes use them in rotation. Homebody reports
@@ -59,10 +59,10 @@ pub struct Arguments {
     /// Homebody simulates the time before now as fast as possible.
     #[arg(long, value_name = "TIME", default_value = "now")]
     start: Start,
-    /// Simulated seconds per second from the start on, 0.1 to 1000, instead of real time
+    /// Simulated seconds per real second, from the start on: 0.1 to 1000 (default: real time)
     #[arg(long, value_name = "FACTOR", value_parser = speed)]
     speed: Option<f64>,
-    /// Real duration, such as 10min (default: the fleet runs until you stop it)
+    /// Duration in real time, such as 10min (default: the fleet runs until you stop it)
     #[arg(long = "for", value_name = "DURATION", value_parser = span)]
     lasts: Option<Micros>,
     /// Seed of all random numbers (default: that of the first scenario)
@@ -77,7 +77,7 @@ pub struct Arguments {
     /// Largest error of a home's clock, such as 2s; a clock can be fast or slow
     #[arg(long, value_name = "DURATION", value_parser = span)]
     skew: Option<Micros>,
-    /// Make homes connect and disconnect; average times, such as 'stay 30min gone 5min'
+    /// Make homes disconnect and connect again, with average times such as 'stay 30min gone 5min'
     #[arg(long, value_name = "TIMES", value_parser = churn)]
     churn: Option<Churn>,
     /// Action while a destination is unavailable

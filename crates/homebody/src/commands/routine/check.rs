@@ -26,7 +26,7 @@ text, the expected and the simulated value, and whether Homebody warned before t
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// Print the problems, or with --lived the sentences, as JSON; or write them to FILE
+    /// Print the problems as JSON; with --lived, print the sentences as JSON or write them to FILE
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     json: Option<PathBuf>,
     /// Simulate the scenario, and list the sentences that it did not follow

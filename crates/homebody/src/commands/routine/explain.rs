@@ -18,7 +18,7 @@ use serde_json::json;
 pub struct Arguments {
     #[command(flatten)]
     scenario: Chosen,
-    /// Add the defaults for what the routine does not mention
+    /// Also list the defaults that apply where the routine says nothing
     #[arg(long)]
     unsaid: bool,
     /// Print one JSON object

@@ -17,8 +17,8 @@ homebody_core::messages! {
             first: String,
             /// The date asked for.
             date: String,
-        } error "no-day" ("{scenario} starts on {first} and has no {date}")
-            hint ("name a day within a hundred years of its start");
+        } error "no-day" ("{scenario} starts on {first}, so it has no day {date}")
+            hint ("choose a day from {first} to a hundred years later");
         /// `--json FILE` writes the sentences that a simulation did not follow, so Homebody must simulate the scenario.
         NeedsLived error "needs-lived" ("--json FILE needs --lived")
             hint ("add --lived, or use --json without a file");

@@ -49,9 +49,9 @@ homebody_core::messages! {
             path: PathBuf,
             /// Its extension.
             extension: String,
-        } error "not-a-film" ("--out {path} is not a film", path = path.display())
+        } error "not-a-film" ("--out cannot write a single picture such as {path}", path = path.display())
             hint (
-                "--{extension} {path} draws moments side by side; --out {film} writes a film",
+                "pass --{extension} {path} to draw moments side by side, or --out {film} to write a film",
                 path = path.display(),
                 film = path.with_extension("apng").display()
             );
@@ -79,7 +79,7 @@ homebody_core::messages! {
             what: &'static str,
             /// The largest number.
             most: u64,
-        } error "too-many" ("{path} would have {count} {what}, at most {most}", path = path.display())
-            hint ("select fewer with --from and --to, --camera, or --every 1s");
+        } error "too-many" ("{path} would have {count} {what}, and the limit is {most}", path = path.display())
+            hint ("select fewer {what} with --from and --to, with --camera, or with --every 1s");
     }
 }

@@ -45,16 +45,16 @@ If two pictures are more than a second apart, a film shows them one second apart
 pub struct Arguments {
     /// Folder of a run with cameras
     run: String,
-    /// Only this camera; repeatable
+    /// Export only this camera; repeatable
     #[arg(long, value_name = "NAME")]
     camera: Vec<String>,
     /// First moment: a date and time such as 2025-06-03T03:12:05, or a time in the first 24 hours of the run
     #[arg(long, value_name = "TIME")]
     from: Option<String>,
-    /// Last moment
+    /// Last moment, in the same form as --from
     #[arg(long, value_name = "TIME")]
     to: Option<String>,
-    /// Time between two pictures (default: all pictures, and 1s for --png and --svg)
+    /// Time between two pictures (default: 1s for --png and --svg, and all pictures for --out)
     #[arg(long, value_name = "DURATION", value_parser = span)]
     every: Option<Micros>,
     /// Number of moments in --png and --svg
@@ -63,7 +63,7 @@ pub struct Arguments {
     /// Write FILE.apng, FILE.csv, FILE.jsonl or a new folder; repeatable
     #[arg(short, long, value_name = "DESTINATION", help_heading = "Output")]
     out: Vec<PathBuf>,
-    /// Width and height, in pixels of the output, of each pixel of a camera
+    /// Size of each camera pixel in the output, in pixels
     #[arg(long, value_name = "N", help_heading = "Output", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=32))]
     scale: u32,
     #[command(flatten)]
