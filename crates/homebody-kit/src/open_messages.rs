@@ -23,7 +23,7 @@ homebody_core::messages! {
             hint ("name a folder with a scenario.json");
         /// The recording of a run is a file in the run's folder.
         RecordingFolder error "recording-folder" ("this is a folder, and a recording was expected")
-            hint ("name the recording.json in it");
+            hint ("name the recording.json in the folder");
         /// Homebody reads the tables that it writes itself, with the same columns.
         BadRow {
             /// The line of the table.
@@ -35,6 +35,6 @@ homebody_core::messages! {
             /// The limit.
             most: usize,
         } error "too-many-rows" ("the table has more than {most} rows")
-            hint ("locate the residents in a part of the log");
+            hint ("locate the residents again, with a shorter log");
     }
 }
