@@ -108,7 +108,7 @@ homebody_core::messages! {
             scenario: String,
             /// The residents of it.
             residents: usize,
-        } error "not-alone" ("{scenario:?} has {residents} residents, and only a resident who lives alone can be fitted")
+        } error "not-alone" ("{scenario:?} has {residents} residents, and Homebody fits only a resident who lives alone")
             hint ("use a scenario with one resident");
         /// The rhythm of a day begins and ends in bed. Homebody finds the night by the sensors of the bed or the bedroom.
         NoNight error "no-night" ("the log contains no night between two days")

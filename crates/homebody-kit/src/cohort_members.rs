@@ -56,7 +56,7 @@ homebody_core::messages! {
         Server {
             /// The URL.
             place: String,
-        } error "server" ("cannot write a cohort into a server: {place}")
+        } error "server" ("a server cannot store a cohort: {place}")
             hint ("name a folder for all members, such as parquet:cohort");
         /// The logs of all members in one stream would be one log.
         Output {
@@ -68,8 +68,8 @@ homebody_core::messages! {
         Store {
             /// The URL.
             place: String,
-        } error "object-store" ("this program was built without object stores: {place}")
-            hint ("build it with --features cloud; or name a folder, such as parquet:cohort, and copy it");
+        } error "object-store" ("this build of Homebody cannot write into object stores: {place}")
+            hint ("build Homebody with --features cloud; or name a folder, such as parquet:cohort, and copy the folder");
     }
 }
 

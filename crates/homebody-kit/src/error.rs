@@ -47,7 +47,7 @@ homebody_core::messages! {
             /// The folder.
             path: PathBuf,
         } error "invisible-character" ("the name {:?} has an invisible character", path.display().to_string())
-            hint ("write the name without it");
+            hint ("remove the invisible character");
         /// No recording exists at this path.
         NoRecording {
             /// The path.
@@ -58,7 +58,7 @@ homebody_core::messages! {
         NotBegun {
             /// Its folder.
             folder: PathBuf,
-        } error "nothing-to-resume" ("the run in {} ended before anything was stored", folder.display())
+        } error "nothing-to-resume" ("the run in {} ended before Homebody stored any data", folder.display())
             hint ("delete the folder, and start the run again");
         /// The file is not the recording of a run.
         Recording {
@@ -76,8 +76,8 @@ homebody_core::messages! {
             folder: Option<PathBuf>,
         } error "incomplete-run" ("the run of {} is not complete", path.display())
             advice (Some(match folder {
-                Some(folder) => format!("homebody run --resume {} resumes it; replay it after that", folder.display()),
-                None => "homebody run writes the recording of a complete run".into(),
+                Some(folder) => format!("resume the run with homebody run --resume {}, and then replay it", folder.display()),
+                None => "name the recording of a complete run".into(),
             }));
         /// A driver of another program moved a resident in this run. The recording does not contain that driver.
         OwnDrivers {
@@ -142,8 +142,8 @@ homebody_core::messages! {
             /// The version that started it.
             version: String,
         } error "other-version"
-            ("version {version} started the {what} in {}, and this is {VERSION}", folder.display())
-            hint ("resume it with that version, or start it again");
+            ("version {version} started the {what} in {}, and this is version {VERSION}", folder.display())
+            hint ("resume the {what} with that version, or start a new {what}");
         /// The work was stopped by the caller.
         Cancelled error "cancelled" ("the work was cancelled");
         /// The folder contains no log.
@@ -182,7 +182,7 @@ homebody_core::messages! {
             /// The duration asked for, in days.
             days: f64,
         } error "duration" ("a run cannot last {days} days")
-            hint ("choose more than 0 and at most 100 years");
+            hint ("choose more than 0 days and at most 100 years");
         /// No resident has this name.
         Resident {
             /// The name asked for.
@@ -216,7 +216,7 @@ homebody_core::messages! {
         Threads {
             /// The system's message.
             why: String,
-        } error "no-threads" ("cannot start threads to simulate on: {why}")
+        } error "no-threads" ("cannot start threads for the simulation: {why}")
             hint ("raise this user's limits on threads or memory, or run fewer simulations at once");
         /// Time zones have names as in the IANA database, which comes with the program.
         TimeZone {

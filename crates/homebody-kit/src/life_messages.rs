@@ -10,7 +10,7 @@ homebody_core::messages! {
             /// A sensor to begin with, as JSON.
             example: String,
         } warning "no-sensors" ("the home has no sensors, so a run has an empty log")
-            hint ("add some to \"sensors\"{example}; `homebody suggest-sensors` proposes positions, and the page's Plan has sensors to drag");
+            hint ("add sensors to \"sensors\"{example}; run `homebody suggest-sensors` for positions, or drag sensors in the page's Plan");
         /// Sensors fire when residents move. A home without residents has only the firings of devices and of faults.
         NoResidents warning "no-residents" ("the scenario has no residents, so no sensor fires on movement")
             hint ("add a file to \"residents\", as in a scenario of `homebody new`");
@@ -50,7 +50,7 @@ homebody_core::messages! {
             problem_code: &'static str,
             /// The hint of the problem.
             problem_hint: Option<Advice>,
-        } warning "lacks" ("a routine of {resident} is not possible: {problem}")
+        } warning "lacks" ("{resident} cannot have a routine: {problem}")
             advice (problem_hint.clone());
         /// A body of the residents' size finds no way into these rooms, because they have no door or because a piece of furniture
         /// blocks it.
@@ -76,7 +76,7 @@ homebody_core::messages! {
             /// Its effect in this run.
             effect: String,
         } warning "partial-effect" ("the effect of {sentence:?} in this run: {effect}")
-            hint ("let it begin earlier, or let the run last longer");
+            hint ("write an earlier beginning, or simulate a longer run");
         /// The run is too short for a sentence of this member, or begins too late for it.
         MemberWithoutEffect {
             /// The name of the member.
@@ -86,14 +86,14 @@ homebody_core::messages! {
             /// Its effect in this run.
             effect: String,
         } warning "partial-effect-of-member" ("{member}: the effect of {sentence:?} in this run: {effect}")
-            hint ("let it begin earlier, or let the run last longer");
+            hint ("write an earlier beginning, or simulate a longer run");
         /// The field of view of this sensor of movement covers no floor with room to stand, for example because it points at a wall. It never
         /// fires.
         Blind {
             /// The sensor.
             sensor: String,
-        } warning "blind-sensor" ("the sensor {sensor:?} sees no floor to stand on")
-            hint ("turn it or move it; `homebody coverage` draws the view of each sensor");
+        } warning "blind-sensor" ("the sensor {sensor:?} sees no floor on which a resident can stand")
+            hint ("turn or move the sensor; `homebody coverage` draws the view of each sensor");
         /// The sensor fires when this thing is used, and no routine of the scenario uses it.
         Unused {
             /// The sensor.
@@ -101,7 +101,7 @@ homebody_core::messages! {
             /// The thing.
             thing: String,
         } warning "unused-thing" ("the sensor {sensor:?} never fires: no resident uses {thing:?}")
-            hint ("attach it to something in use, such as a fridge, a cupboard or the front door");
+            hint ("attach the sensor to a thing that residents use, such as a fridge, a cupboard or the front door");
     }
 }
 

@@ -23,7 +23,7 @@ homebody_core::messages! {
             hint ("name a folder with a scenario.json");
         /// The recording of a run is a file in the run's folder.
         RecordingFolder error "recording-folder" ("this is a folder, and a recording was expected")
-            hint ("name the recording.json in it");
+            hint ("name the recording.json in the folder");
         /// Homebody reads the tables that it writes itself, with the same columns.
         BadRow {
             /// The line of the table.

@@ -13,13 +13,13 @@ homebody_core::messages! {
     /// Refusals of an order to a run.
     pub enum OrderMessage in "order" {
         /// A replay repeats a recording, so nothing can change it.
-        Replay error "replay" ("this run is a replay")
+        Replay error "replay" ("a replay takes no orders")
             hint ("send orders to a new run");
         /// The run has reached its end.
         Over error "over" ("the run is over")
             hint ("start another run");
         /// A resumed run first repeats the part that is already stored, and this part cannot change.
-        CatchesUp error "catches-up" ("the run repeats its stored part")
+        CatchesUp error "catches-up" ("the run is still repeating its stored part")
             hint ("send the order again when the run has caught up");
         /// A recording contains every order. The limit is our choice.
         TooMany error "too-many" ("this run already has {MOST_DEEDS} orders")
@@ -28,14 +28,14 @@ homebody_core::messages! {
         Busy error "busy" ("too many orders wait for this run")
             hint ("send the order again later");
         /// The broker gets the events of this run in real time, as other programs expect it.
-        RealTime error "real-time" ("this broker gets events in real time")
-            hint ("choose at most 1 for times; ?allow-fast=true in the URL lets the run go faster");
+        RealTime error "real-time" ("this broker takes events in real time only")
+            hint ("choose at most 1 for \"times\", or add ?allow-fast=true to the URL of the broker");
         /// A run has a range of speeds.
         Speed {
             /// The factor asked for.
             times: f64,
         } error "speed" ("a run cannot go {times} times as fast as the clock")
-            hint ("choose 0.1 to 1000 for times");
+            hint ("choose 0.1 to 1000 for \"times\"");
     }
 }
 

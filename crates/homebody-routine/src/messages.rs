@@ -13,15 +13,15 @@ homebody_core::messages! {
             known: Vec<String>,
         } error "not-shown" ("no resident shows {condition:?}")
             advice (Some(match known.is_empty() {
-                true => "leave it out: no routine of this scenario shows a condition".to_owned(),
-                false => format!("the routines show {}", known.join(", ")),
+                true => "leave the condition out: no routine of this scenario shows one".to_owned(),
+                false => format!("name a condition that the routines show: {}", known.join(", ")),
             }));
         /// A condition can show another condition. These conditions show each other, so that reading them would never end.
         Circle {
             /// The names of the conditions.
             conditions: Vec<String>,
-        } error "circle" ("the conditions {conditions} show each other in a circle", conditions = conditions.join(" and "))
-            hint ("remove one of them from the other");
+        } error "circle" ("the conditions {conditions} show each other", conditions = conditions.join(" and "))
+            hint ("remove the sentence that shows the other condition from one of the files");
         /// The routines of a scenario read a limited number of files with conditions. The limit is our choice.
         TooMany {
             /// The file that is one too many.
@@ -37,7 +37,7 @@ homebody_core::messages! {
             /// The reason.
             why: String,
         } error "too-long" ("{file:?} is too long: {why}")
-            hint ("make it a regular file with a condition, or remove it");
+            hint ("shorten the file, or remove it");
         /// The scenario has a file with this condition, so Homebody does not use its own condition instead.
         Unreadable {
             /// The file.
@@ -45,7 +45,7 @@ homebody_core::messages! {
             /// The reason.
             why: String,
         } error "unreadable" ("cannot read {file:?}: {why}")
-            hint ("make it a regular file with a condition, or remove it");
+            hint ("replace the file with a readable text file, or remove it");
     }
 }
 
@@ -57,21 +57,21 @@ homebody_core::messages! {
             /// A piece of furniture with a free position, or the reason against one.
             example: Advice,
         } error "no-bed" ("the home has no place to sleep")
-            hint ("add a piece of furniture \"bed\" that is enterable, or one with the \"role\" \"bed\"{example}")
+            hint ("add an enterable piece of furniture with the name or the role \"bed\"{example}")
             fix (example.fix.clone());
         /// Every resident with a routine uses a toilet.
         NoToilet {
             /// A piece of furniture with a free position, or the reason against one.
             example: Advice,
         } error "no-toilet" ("the home has no toilet")
-            hint ("add a piece of furniture or a place \"toilet\", or a piece with the \"role\" \"toilet\"{example}")
+            hint ("add a place \"toilet\", or a piece of furniture with the name or the role \"toilet\"{example}")
             fix (example.fix.clone());
         /// Every resident with a routine rests in a seat between activities.
         NoSeat {
             /// A piece of furniture with a free position, or the reason against one.
             example: Advice,
         } error "no-seat" ("the home has no place to sit")
-            hint ("add an \"armchair\" that is enterable, or another piece with the \"role\" \"armchair\"{example}")
+            hint ("add an enterable piece of furniture with the name or the role \"armchair\"{example}")
             fix (example.fix.clone());
         /// Every resident with a routine prepares meals.
         NoKitchen {
@@ -79,7 +79,7 @@ homebody_core::messages! {
             example: Advice,
         } error "no-kitchen" ("the home has no kitchen")
             hint
-                ("add a room \"kitchen\", a place \"fridge\", or a piece of furniture with the \"role\" \"fridge\"{example}")
+                ("add a room \"kitchen\", a place \"fridge\", or a piece of furniture with the role \"fridge\"{example}")
             fix (example.fix.clone());
         /// A body of this size finds no way out of the bed, so it cannot do anything else.
         BoxedIn {
@@ -105,13 +105,13 @@ homebody_core::messages! {
             advice (Some(help.clone()));
         /// The routine has outings, and the home has no door for them.
         NoWayOut error "no-way-out" ("the home has no way out")
-            hint ("mark a door as \"outside\", or name a place \"front door\"");
+            hint ("write \"outside\": true at a door, or add a place \"front door\"");
         /// The routine lets a fallen resident wait for a person, and no person ever comes.
         Unfound {
             /// The resident.
             resident: String,
-        } error "unfound" ("no person finds {resident}: the home has no other resident and no visitor")
+        } error "unfound" ("no person can find {resident} after a fall: the home has no other resident and no visitor")
             hint
-                ("say who comes: \"her daughter visits every morning for 20 minutes\"; or for how long she lies there: \"and lies there for 2 hours\"");
+                ("add a visitor: \"her daughter visits every morning for 20 minutes\"; or add a duration: \"and lies there for 2 hours\"");
     }
 }

@@ -241,7 +241,7 @@ impl Check<'_> {
         let more = if rooms.len() > NAMED { " and others" } else { "" };
         match named.is_empty() {
             true => "no room has space to stand".to_owned(),
-            false => format!("there is no room for one in the accessible rooms {}{more}", named.join(", ")),
+            false => format!("no space for one is left in the accessible rooms {}{more}", named.join(", ")),
         }
     }
 

@@ -372,7 +372,7 @@ fn conditions_that_show_each_other_are_refused() {
         ("conditions/worry.routine", "She shows mild sorrow.\n"),
     ];
     let said = household(&files("Margaret is 82.\nShe shows sorrow.\n", &others), &[]).unwrap_err();
-    assert!(said.contains("show each other in a circle"), "{said}");
+    assert!(said.contains("show each other"), "{said}");
 }
 
 #[test]

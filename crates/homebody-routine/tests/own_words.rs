@@ -44,8 +44,8 @@ fn what_is_wrong_in_it_is_told_with_its_line() {
     for (words, wanted) in [
         ("~read", "own.words:1:1: this line has no section above it"),
         ("[readng]\n~leaf", "did you mean \"[reading]\"?"),
-        ("[MEANS]\nat elevenses", "has no meaning after it"),
-        ("[reading]\nHOST leaves", "has no certain first word"),
+        ("[MEANS]\nat elevenses", "does not give the meaning of its words"),
+        ("[reading]\nHOST leaves", "can be missing"),
         ("[reading]\n~leaf through\n~leaf through", "occurs twice"),
         ("[tending bonsai] tends; 9000 minutes", "is not a valid usual length"),
     ] {

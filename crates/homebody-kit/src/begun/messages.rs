@@ -12,9 +12,9 @@ homebody_core::messages! {
         NoIdColumn {
             /// The column that has nearly this name.
             near: Option<String>,
-        } error "no-id-column" ("the table has no column id")
+        } error "no-id-column" ("the table has no column \"id\"")
             advice (Some(match near {
-                Some(near) => format!("call the column {near:?} id"),
+                Some(near) => format!("rename the column {near:?} to \"id\""),
                 None => "name the columns in the first line: id, room, place, x, y".into(),
             }));
         /// The id connects a row of the table with the sensor of the log.
@@ -26,19 +26,19 @@ homebody_core::messages! {
             kind: String,
             /// The kinds of sensors that a home is made with.
             known: Vec<String>,
-        } error "kind" ("{kind:?} is not a kind of sensor that a home is made with")
+        } error "kind" ("Homebody cannot draw a home from sensors of the kind {kind:?}")
             hint ("write one of {known}, or leave the cell empty", known = known.join(", "));
         /// Coordinates are numbers: pixels where a picture of the plan is given, and metres otherwise.
         Coordinate {
             /// The text of the cell.
             text: String,
         } error "coordinate" ("{text:?} is not a number")
-            hint ("write a number, with a point before its decimals");
+            hint ("write a number with a decimal point, such as 3.5");
         /// A place needs both coordinates.
         HalfPlace {
             /// The id of the sensor.
             sensor: String,
-        } error "half-place" ("{sensor:?} has only one of x and y")
+        } error "half-place" ("the sensor {sensor:?} has only one of x and y")
             hint ("write both, or leave both empty");
         /// Each sensor has one row, because it is in one place.
         SameSensor {
@@ -56,7 +56,7 @@ homebody_core::messages! {
         KnownPoints {
             /// The points given.
             points: usize,
-        } error "known-points" ("two known points are needed, and {points} are given")
+        } error "known-points" ("two known points are needed, not {points}")
             hint ("pass the pixels and metres of two points: --known 120,340=0,0 --known 900,340=8.5,0");
         /// The two points have the same pixel or the same position, so that they have no distance to scale the image by.
         SamePoint error "same-point" ("the two known points are the same point")
@@ -65,8 +65,8 @@ homebody_core::messages! {
         KnownPoint {
             /// The text.
             text: String,
-        } error "known-point" ("{text:?} is not a pixel and a position")
-            hint ("write pixels and metres, such as 120,340=0,0");
+        } error "known-point" ("{text:?} does not give a pixel and a position")
+            hint ("write the pixel and the position in metres, such as 120,340=0,0");
         /// The coordinates in the table count pixels from the upper left corner of the image.
         OffPicture {
             /// The id of the sensor.
@@ -75,7 +75,7 @@ homebody_core::messages! {
             x_px: f64,
             /// The pixels downward.
             y_px: f64,
-        } error "off-picture" ("the sensor {sensor:?} is not on the image: {x_px}, {y_px}")
+        } error "off-picture" ("the sensor {sensor:?} is outside the image: x is {x_px} and y is {y_px} pixels")
             hint ("correct x and y, in pixels from the upper left corner");
         /// An image of a plan helps only if at least one sensor has coordinates on it.
         NothingOnPicture error "nothing-on-picture" ("no sensor has a place on the image")
@@ -85,6 +85,6 @@ homebody_core::messages! {
             /// Some ids of the log.
             ids: Vec<String>,
         } error "other-log" ("no sensor of the table is in the log")
-            hint ("the log has {ids}", ids = ids.join(", "));
+            hint ("write the ids that the log has: {ids}", ids = ids.join(", "));
     }
 }

@@ -69,15 +69,15 @@ homebody_core::messages! {
         } error "no-condition" ("no member of the list shows {condition:?}")
             advice (Some(match (near, known.is_empty()) {
                 (Some(near), _) => format!("did you mean {near:?}?"),
-                (None, true) => "leave it out: no member shows a condition".into(),
-                (None, false) => format!("the members show {}", known.join(", ")),
+                (None, true) => "leave the condition out: no member shows one".into(),
+                (None, false) => format!("name a condition that the members show: {}", known.join(", ")),
             }));
         /// A column has one place in the list, because a member has one value for it.
         SameColumn {
             /// The name of both columns.
             column: String,
         } error "same-column" ("two columns are called {column:?}")
-            hint ("delete one of them");
+            hint ("delete or rename one of the two columns");
         /// The name of a column decides what its cells mean. `homebody run --help` explains each column.
         UnknownColumn {
             /// The name in the list.
@@ -91,25 +91,25 @@ homebody_core::messages! {
             /// The other columns.
             others: Vec<String>,
         } error "no-name-column" ("no column is called \"name\"")
-            hint ("name the columns in the first line: name, and those of {others} that you need", others = others.join(", "));
+            hint ("write the column names into the first line: name, and any of {others}", others = others.join(", "));
         /// The row has more cells than the first line has names, or the first line has an empty name here.
         NoColumn error "no-column" ("this cell has no column name above it")
-            hint ("name its column in the first line");
+            hint ("name the column in the first line, or delete the cell");
         /// Each member needs a name: the member's folder gets it.
         NoName error "no-name" ("this member has no name")
-            hint ("write one in the column name");
+            hint ("write a name into the column \"name\"");
         /// The name of a member is the name of a folder, on every system. Slashes, colons, quotes and some other characters cannot be
         /// in one.
         BadName {
             /// The name of the member.
             name: String,
-        } error "bad-name" ("a folder cannot be called {name:?}")
+        } error "bad-name" ("the member name {name:?} is not valid as the name of a folder")
             hint ("use at most 100 letters, digits, spaces, - and _");
         /// Homebody writes the list of the members into a file with this name in the cohort's folder.
         ReservedName {
             /// The name of the member.
             name: String,
-        } error "reserved-name" ("{name:?} is the name of the cohort's own list")
+        } error "reserved-name" ("a member cannot be called {name:?}: the list of the cohort has this name")
             hint ("choose another name");
         /// Two members would share one folder. Upper and lower case count as the same, as some systems have it.
         SameName {
@@ -126,14 +126,14 @@ homebody_core::messages! {
             hint ("write a whole number from 0 to {GREATEST_SEED}, or leave the cell empty");
         /// The row changes a resident, and every resident of this scenario follows a path or a script. Only routines have an age, a pace or
         /// conditions.
-        NoRoutine error "no-routine" ("no resident of this scenario has a routine that this could change")
+        NoRoutine error "no-routine" ("this cell changes a routine, and no resident of the scenario has one")
             hint ("give a resident a routine, or leave this cell empty");
         /// The scenario has several residents with routines, and the row changes one of them.
         WhichResident {
             /// The names of the residents.
             residents: Vec<String>,
-        } error "which-resident" ("the list does not say which resident this is about")
-            hint ("add a column resident: {residents}", residents = residents.join(" or "));
+        } error "which-resident" ("the list does not say which resident this row changes")
+            hint ("add a column \"resident\" with the value {residents}", residents = residents.join(" or "));
         /// The column `resident` names the resident that the row changes. The resident must have a routine.
         NoResident {
             /// The name in the list.
@@ -151,7 +151,7 @@ homebody_core::messages! {
             /// `routine` or `home`.
             kind: String,
         } error "unreadable" ("cannot read {file:?}: {why}")
-            hint ("name a {kind} in the scenario's folder");
+            hint ("name the file of a {kind} in the scenario's folder");
         /// Ages and paces are numbers above 0, such as `82` and `0.65`.
         Number {
             /// The text of the cell.
@@ -159,10 +159,10 @@ homebody_core::messages! {
             /// The meaning of the column.
             what: &'static str,
         } error "number" ("{text:?} is not a valid {what}")
-            hint ("write a number, with a point before its decimals");
+            hint ("write a number above 0 with a decimal point, such as 0.65");
         /// Severity, onset, `over` and `until` describe conditions, and this member has none.
-        NothingToDescribe error "no-condition-in-row" ("this describes a condition, and the row names none")
-            hint ("name one in the column conditions, or leave this cell empty");
+        NothingToDescribe error "no-condition-in-row" ("this cell describes a condition, and the row has no condition")
+            hint ("write a condition into the column \"conditions\", or leave this cell empty");
         /// A member with several conditions has one value for all of them, or one for each in the same order:
         ///
         /// ```text
@@ -174,8 +174,8 @@ homebody_core::messages! {
             values: usize,
             /// The conditions of the row.
             conditions: usize,
-        } error "value-count" ("there are {values} values for {conditions} conditions")
-            hint ("write one for all of them, or one for each with + between");
+        } error "value-count" ("the cell has {values} values for {conditions} conditions")
+            hint ("write one value for all conditions, or one for each with + between");
         /// A member shows a condition once, in one severity.
         SameCondition {
             /// The name of the condition.
@@ -196,13 +196,13 @@ homebody_core::messages! {
             /// The text of the cell.
             text: String,
         } error "not-plain" ("cannot read {text:?}")
-            hint ("write plain words, with + between several");
+            hint ("use only letters, digits, spaces, hyphens, points and %, with + between several values");
         /// The sentence that Homebody builds from this cell has another meaning than its column, such as a habit in the column
         /// `conditions`.
         OtherMeaning {
             /// The sentence.
             sentence: String,
-        } error "other-meaning" ("{sentence:?} has another meaning than this column")
-            hint ("write plain words, with + between several");
+        } error "other-meaning" ("the cell makes the sentence {sentence:?}, which does not fit this column")
+            hint ("write only values of this column, with + between several");
     }
 }

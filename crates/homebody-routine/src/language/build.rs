@@ -52,7 +52,7 @@ fn sleeps(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
     if part.is_some_and(|part| part != PartOfDay::Night) {
         return habit(reader, draft, Clause { predicate: Predicate::Does(Activity::Nap), ..clause });
     }
-    let why = "where somebody sleeps holds for all nights; for sleep by day, write \"naps\"";
+    let why = "a sleeping place holds for all nights; for sleep by day, write \"naps\"";
     let is_every = |chance: &Chance| chance.quantifier == Some(Quantifier::Every);
     if clause.adverbs.chance.as_ref().is_some_and(|chance| is_every(&chance.value)) {
         only(reader, &clause.adverbs, &[Part::Chance, Part::Part], why);
@@ -66,7 +66,7 @@ fn sleeps(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
 /// What somebody is, has or likes: kept as it was said.
 fn remark(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     if let Some(measure) = &clause.measure {
-        misfit(reader, measure, "this is not a change");
+        misfit(reader, measure, "the sentence states a fact, not a change");
     }
     only(reader, &clause.adverbs, &[Part::Phase], "this describes the person, not an activity");
     draft.routine.remarks.push(draft.said(clause.span));
@@ -116,10 +116,10 @@ fn person(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
     if draft.is_condition {
         return reader.fault(span, WordMessage::ConditionFact { text: reader.said(span) });
     }
-    only(reader, &clause.adverbs, &[], "this is always so");
+    only(reader, &clause.adverbs, &[], "a fact about the person holds at all times");
     no_place(reader, clause);
     if let Some(measure) = &clause.measure {
-        misfit(reader, measure, "this is not a change");
+        misfit(reader, measure, "the sentence states a fact, not a change");
     }
     let name = draft.name.clone().or_else(|| reader.names.person.clone()).unwrap_or_default();
     let said = draft.said(clause.span);
@@ -187,7 +187,7 @@ fn habit(reader: &mut Reader, draft: &mut Draft, clause: Clause) {
         once_a_day(reader, &clause);
     }
     if let Some(measure) = &clause.measure {
-        misfit(reader, measure, "this is a new activity, not a change");
+        misfit(reader, measure, "the sentence adds an activity, and changes none");
     }
     every_few_weeks(reader, adverbs);
     let when = time_of_fall(reader, &clause, adverbs.time_meant(activity == Activity::GoToBed));
@@ -325,7 +325,7 @@ fn change(reader: &mut Reader, draft: &mut Draft, clause: &Clause) {
         return;
     }
     let Some((effect, allowed)) = effect(reader, clause) else { return };
-    let why = "a change holds from its beginning on, on the given days";
+    let why = "a change holds for whole days, from its first day on";
     only(reader, &clause.adverbs, &allowed, why);
     no_place(reader, clause);
     let phase = clause.adverbs.phase_meant(reader, draft.is_condition);
@@ -498,7 +498,7 @@ fn not_a_change(reader: &mut Reader, clause: &Clause) {
         Predicate::Differ => "write \"her days differ twice as much\"",
         Predicate::Lively(..) => "write \"one day in three is a quiet day\" or \"on Sunday she has a busy day\"",
         Predicate::Breathes => "write \"breathes 6 breaths a minute faster\"",
-        _ => "such changes are \"later\", \"longer\" and \"more often\"",
+        _ => "describe the change as \"later\", \"longer\" or \"more often\"",
     };
     let span = clause.measure.as_ref().map_or(clause.predicate_span, |measure| measure.span);
     let (text, help) = (reader.said(span), hint.to_owned());

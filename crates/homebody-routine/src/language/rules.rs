@@ -20,7 +20,7 @@ use crate::routine::{Lapse, Response, Rule, Trigger};
 
 /// Reads a rule from behind "whenever".
 pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
-    only(reader, front, &[Kind::Phase], "a rule holds whenever it comes true");
+    only(reader, front, &[Kind::Phase], "a rule starts each time its first part comes true");
     let is_first = draft.routine.rules.is_empty();
     let Some((whenever, trigger_span, lasts, lasts_span)) = trigger(reader, is_first) else { return };
     let Some(mut only_if) = circumstances(reader) else { return };
@@ -53,7 +53,12 @@ pub fn rule(reader: &mut Reader, draft: &mut Draft, front: &Adverbs) {
         let (here, help) = (reader.here(), Some("end the rule with what she does".into()));
         return reader.fault(here, WordMessage::NotUnderstood { text: reader.said(here), help });
     }
-    only(reader, &adverbs, &[Kind::Chance, Kind::Lasts, Kind::Phase], "a rule holds whenever it comes true");
+    only(
+        reader,
+        &adverbs,
+        &[Kind::Chance, Kind::Lasts, Kind::Phase],
+        "a rule starts each time its first part comes true",
+    );
     let probability = adverbs.chance.as_ref().map_or(1.0, |chance| chance.value.probability);
     let all = adverbs.under(front);
     let phase = all.phase_meant(reader, draft.is_condition);

@@ -127,7 +127,7 @@ fn a_twin_is_the_same_until_the_onset() {
     let said = folder.run(&format!("{live} --without depresion --without grief")).fails(2, "2 problems").err;
     for part in [
         "people.csv: error[members::no-condition]: no member of the list shows \"depresion\"\n  hint: did you mean \"depression\"?",
-        "people.csv: error[members::no-condition]: no member of the list shows \"grief\"\n  hint: the members show depression, insomnia",
+        "people.csv: error[members::no-condition]: no member of the list shows \"grief\"\n  hint: name a condition that the members show: depression, insomnia",
     ] {
         assert!(said.contains(part), "{part}: {said}");
     }
@@ -164,7 +164,7 @@ fn another_routine_and_one_of_several_residents_may_be_meant() {
     let said = folder.run("run couple-with-cat --profiles people.csv").fails(2, "4 problems").err;
     for part in [
         "people.csv:2:4: error[members::which-resident]",
-        "hint: add a column resident: henry or ruth",
+        "hint: add a column \"resident\" with the value henry or ruth",
         "people.csv:3:3: error[members::no-resident]: no resident with a routine is called \"minka\"",
         "people.csv:4:3: error[members::no-resident]",
         "did you mean \"henry\"?",
@@ -217,7 +217,7 @@ fn homes_may_be_mixed_each_with_the_ids_that_it_has() {
     let said = folder.run("run studio --profiles people.csv --for 1d").fails(2, "3 problems").err;
     for part in [
         "people.csv:2:3: error[members::unreadable]: cannot read \"none.json\": there is no such file\n",
-        "hint: name a home in the scenario's folder",
+        "hint: name the file of a home in the scenario's folder",
         "people.csv:3:3: error[file::outside-folder]: \"../home.json\"",
         "people.csv:4:1: error[members::scenario]: the values of this row cause a problem at broken.json:",
     ] {
@@ -367,14 +367,14 @@ fn all_that_is_wrong_with_a_list_is_said_at_once() {
         "hint: did you mean \"severe\"?",
         "people.csv:2:29: ",
         "people.csv:2:37: error[members::unreadable]: cannot read \"none.routine\"",
-        "people.csv:3:1: error[members::bad-name]: a folder cannot be called \"a/b\"",
+        "people.csv:3:1: error[members::bad-name]: the member name \"a/b\" is not valid as the name of a folder",
         "people.csv:3:5: error[members::seed]: \"-1\"",
         "people.csv:3:8: error[routine::age]",
         "people.csv:3:26: error[routine::no-beginning]",
         "people.csv:4:1: error[members::same-name]: two members are called \"ANNA\"",
         "people.csv:4:14: error[members::no-condition-in-row]",
         "people.csv:5:3: error[members::no-name]",
-        "people.csv:6:24: error[members::value-count]: there are 3 values for 2 conditions",
+        "people.csv:6:24: error[members::value-count]: the cell has 3 values for 2 conditions",
         "people.csv:7:16: error[members::same-condition]: the condition \"Grief\"",
         "people.csv:7:23: error[routine::no-date]",
         "people.csv:7:34: ",
@@ -389,7 +389,7 @@ fn all_that_is_wrong_with_a_list_is_said_at_once() {
         "people.csv:12:2: error[members::seed]: \"-1\"",
         "people.csv:12:5: error[members::number]: \"x\" is not a valid age in years",
         "people.csv:12:8: error[routine::unknown-condition]: \"depresion\"",
-        "people.csv:12:26: error[members::value-count]: there are 3 values for 2 conditions",
+        "people.csv:12:26: error[members::value-count]: the cell has 3 values for 2 conditions",
     ] {
         assert!(done.err.contains(part), "{part}\n{}", done.err);
     }

@@ -65,7 +65,7 @@ fn order(folder: &Folder, port: u16, number: u32, mut order: Value) -> Value {
             let read = fs::read_to_string(&answers).unwrap();
             let mut answers = read.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
             match answers.rfind(|answer| answer["id"] == number) {
-                Some(answer) if answer["why"] == "the run repeats its stored part" => break,
+                Some(answer) if answer["why"] == "the run is still repeating its stored part" => break,
                 Some(answer) => return answer,
                 None => {}
             }

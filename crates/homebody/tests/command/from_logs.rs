@@ -133,7 +133,7 @@ fn what_is_wrong_is_told_at_once_and_nothing_is_written() {
     folder.run(&format!("{on} --known 1,1=0,0 --known 1,1=4,4")).fails(2, "error[new::same-point]");
     let said = folder
         .run(&format!("{on} --known 0,0=0,0 --known 900,0=9,0"))
-        .fails(2, "error[new::off-picture]: the sensor \"M1\" is not on the image: 5000, 10");
+        .fails(2, "error[new::off-picture]: the sensor \"M1\" is outside the image: x is 5000 and y is 10 pixels");
     assert!(said.err.contains("error[new::nothing-on-picture]"), "{}", said.err);
     folder.write("plan.gif", "GIF89a");
     folder

@@ -53,7 +53,7 @@ fn a_home_that_lacks_something_says_so_until_it_is_there() {
     let folder = Folder::new();
     folder.write("room.sh3d", plan(ROOM));
     let said = folder.run("import room.sh3d mine").ok().err;
-    let lack = "warning[new-home::routine-lacks]: the ordinary routine cannot run yet: the home has no place to sleep\n  hint: add a piece";
+    let lack = "warning[new-home::routine-lacks]: the ordinary routine cannot run yet: the home has no place to sleep\n  hint: add an enterable piece";
     assert!(said.contains(lack) && said.contains("--furnish adds"), "{said}");
     assert!(folder.path("mine/anna.routine").is_file());
     let lacks = folder.run("check mine").fails(2, "error[need::no-bed]").err;
@@ -163,7 +163,7 @@ fn the_check_says_what_keeps_a_life_or_a_log_from_coming() {
     assert!(said.contains("the home has no sensors") && !said.contains("no problems"), "{said}");
     // The proposed sensor is a valid line.
     let (_, sensor) = said.split_once("such as {").unwrap();
-    let (sensor, _) = sensor.split_once("}; `homebody suggest-sensors`").unwrap();
+    let (sensor, _) = sensor.split_once("}; run `homebody suggest-sensors`").unwrap();
     let home = folder.read("mine/home.json");
     folder.write("mine/home.json", home.replace("\n  ]\n}", &format!("\n  ],\n  \"sensors\": [{{{sensor}}}]\n}}")));
     let said = folder.run("check mine").ok().err;

@@ -368,7 +368,7 @@ fn what_cannot_be_gone_on_with_says_what_can_be_done() {
     running.kill();
 
     // A recording that is not complete is replayed once the run is; a file is in a folder.
-    let hint = "hint: homebody run --resume runs/flat-2 resumes it";
+    let hint = "hint: resume the run with homebody run --resume runs/flat-2, and then replay it";
     folder.run("replay runs/flat-2/recording.json").fails(2, hint);
     let hint = "runs/flat-2/recording.json is a file, and a folder was expected\n  hint: name its folder, runs/flat-2";
     folder.run("run --resume runs/flat-2/recording.json").fails(1, hint);

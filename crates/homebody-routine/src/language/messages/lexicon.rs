@@ -14,7 +14,7 @@ homebody_core::messages! {
             /// The limit.
             most: usize,
         } error "long-line" ("this line has more than {most} characters")
-            hint ("write one phrase a line");
+            hint ("write each phrase on a line of its own");
         /// Words belong to the section above them. A section begins with the label of an activity:
         ///
         /// ```text
@@ -22,7 +22,7 @@ homebody_core::messages! {
         /// ~leaf through the paper
         /// ```
         NoSection error "no-section" ("this line has no section above it")
-            hint ("begin with the activity of these words: \"[reading]\"");
+            hint ("write a section above the line, such as \"[reading]\"");
         /// A section in brackets is the label of an activity. A new activity needs a sentence part that describes it.
         UnknownActivity {
             /// The label.
@@ -31,7 +31,7 @@ homebody_core::messages! {
             near: Option<String>,
         } error "unknown-activity" ("{label:?} is not a known activity")
             advice (Some(format!(
-                "{}describe a new activity in the same line: \"[tending bonsai] tends the bonsai\"",
+                "{}describe a new activity after its bracket: \"[tending bonsai] tends the bonsai\"",
                 near.as_ref().map_or_else(String::new, |near| format!("did you mean \"[{near}]\"? Or "))
             )));
         /// The usual length of a new activity is a number of minutes.
@@ -50,13 +50,13 @@ homebody_core::messages! {
         NoMeaning {
             /// The line.
             text: String,
-        } error "no-meaning" ("the line {text:?} has no meaning after it")
-            hint ("write the new words, then \"=>\" and known ones: \"settee => sofa\"");
+        } error "no-meaning" ("the line {text:?} does not give the meaning of its words")
+            hint ("write the new words, then \"=>\" and known words: \"settee => sofa\"");
         /// A phrase needs a first word that is always there, so that the reader finds the phrase by it.
         NoFirstWord {
             /// The phrase.
             text: String,
-        } error "no-first-word" ("the phrase {text:?} has no certain first word")
+        } error "no-first-word" ("the first word of the phrase {text:?} can be missing")
             hint ("begin with a verb, such as \"~water plants\", or with a word that is always there");
     }
 }

@@ -8,7 +8,7 @@ homebody_core::messages! {
             /// The limit.
             most: usize,
         } error "long-line" ("this line has more than {most} characters")
-            hint ("write one sentence a line");
+            hint ("write each sentence on a line of its own");
         /// A routine has a limit, which is our choice.
         TooManySentences {
             /// The limit.
@@ -20,7 +20,7 @@ homebody_core::messages! {
             /// The words for the days.
             text: String,
         } error "after-semicolon" ("nothing says whether {text:?} also holds after the semicolon")
-            hint ("make two sentences, and write the days in both");
+            hint ("write two sentences, each with its own days");
         /// Indented lines belong to the heading above them:
         ///
         /// ```text
@@ -31,12 +31,12 @@ homebody_core::messages! {
             hint ("indent only lines below a heading such as \"Every day\"");
         /// An indented line has to be a sentence with a person and an activity.
         NothingDone error "nothing-done" ("this sentence has no activity")
-            hint ("a heading is not indented; a sentence says who does what");
+            hint ("write who does what, such as \"she reads\", and do not indent a heading");
         /// A heading holds for the indented lines below it.
         EmptyHeading error "empty-heading" ("this heading has no lines below it")
             hint ("indent the lines that belong to it, or write the activity in the same sentence");
         /// The sentence has no activity.
-        Unfinished error "unfinished" ("the sentence ends before its activity")
+        Unfinished error "unfinished" ("the sentence ends without an activity")
             hint ("write what she does, such as \"she reads\"");
         /// An activity happens in one place.
         TwoPlaces {
@@ -58,22 +58,22 @@ homebody_core::messages! {
             text: String,
             /// The activity as a sentence.
             activity: String,
-        } error "purpose" ("{text:?} is a purpose")
-            hint ("write what she does, not what for: \"then she {activity}\"");
+        } error "purpose" ("{text:?} is a purpose, and Homebody simulates only activities")
+            hint ("write the purpose as an activity of its own: \"then she {activity}\"");
         /// The verb before this activity has no meaning for Homebody, or another one.
         Roundabout {
             /// The words.
             text: String,
             /// The hint.
             help: Option<String>,
-        } error "roundabout" ("{text:?} is more than an activity")
+        } error "roundabout" ("{text:?} is not a plain activity")
             advice (help.clone());
         /// A rule begins with "whenever", and a place belongs behind it.
         BeforeRule {
             /// The words.
             text: String,
-        } error "before-rule" ("{text:?} does not fit before a rule")
-            hint ("write \"whenever she has been in the kitchen for 20 minutes\"");
+        } error "before-rule" ("a rule cannot begin with {text:?}")
+            hint ("write the place after \"whenever\": \"whenever she has been in the kitchen for 20 minutes\"");
         /// A sentence has a limited number of activities, which is our choice.
         TooManyActivities {
             /// The limit.
@@ -88,7 +88,7 @@ homebody_core::messages! {
             /// The words.
             text: String,
         } error "shared-part" ("{text:?} may belong to one activity or to both")
-            hint ("make two sentences, or begin the sentence with it if it is about both");
+            hint ("make two sentences, or move these words to the beginning if they belong to both");
         /// A sentence of this kind cannot have these words. The text names the reason.
         DoesNotFit {
             /// The words.
@@ -96,16 +96,16 @@ homebody_core::messages! {
             /// The reason.
             reason: String,
         } error "does-not-fit" ("{text:?} does not fit here: {reason}")
-            hint ("leave it out");
+            hint ("leave these words out");
         /// A fact about the person, such as the age, occurs once.
         SaidBefore {
             /// The words.
             text: String,
-        } error "said-before" ("another sentence already has a value for {text:?}")
+        } error "said-before" ("{text:?} is about a fact that another sentence already states")
             hint ("leave one of the two sentences out");
         /// "Then" places an activity after the activity before it.
         NothingBeforeThen error "nothing-before-then" ("\"then\" has no activity before it")
-            hint ("write the activity before it first");
+            hint ("write an activity before \"then\"");
         /// A person goes to a place for an activity.
         OnlyGoes {
             /// The words.
@@ -120,11 +120,11 @@ homebody_core::messages! {
         OnceADay {
             /// The words.
             text: String,
-        } error "once-a-day" ("{text:?} does not fit here: a day begins and ends once")
-            hint ("for the nights, write \"goes to the bathroom\", \"lies awake\" or \"wanders\"");
+        } error "once-a-day" ("{text:?} does not fit here: she gets up and goes to bed once a day")
+            hint ("for a break in the night, write \"goes to the bathroom\", \"lies awake\" or \"wanders\"");
         /// Help with getting up or going to bed happens at a time.
-        WhenHelped error "when-helped" ("the sentence does not say when")
-            hint ("write at what time, such as \"at about 8:00\"");
+        WhenHelped error "when-helped" ("the sentence does not say at what time the help comes")
+            hint ("add a time, such as \"at about 8:00\"");
         /// A kind of days needs the days that are of this kind.
         WhichDays error "which-days" ("the sentence does not say which days")
             hint ("write the days, such as \"on Sunday she has a quiet day\"");
@@ -132,8 +132,8 @@ homebody_core::messages! {
         OneOuting {
             /// The words.
             text: String,
-        } error "one-outing" ("{text:?} cannot change by itself: a change holds for all outings")
-            hint ("write \"she goes out half as often\", or say until when: \"until week 12 she goes for a walk\"");
+        } error "one-outing" ("{text:?} is one kind of outing, and a change holds for all outings")
+            hint ("write \"she goes out half as often\", or end the habit: \"until week 12 she goes for a walk\"");
         /// "More" can be a higher frequency or a longer duration.
         MoreOrLonger {
             /// The words.
@@ -146,7 +146,7 @@ homebody_core::messages! {
             text: String,
             /// The hint.
             help: String,
-        } error "open-change" ("{text:?} does not say how it changes")
+        } error "open-change" ("the sentence does not say how {text:?} changes")
             hint ("{help}");
         /// The activity cannot change in this way.
         OtherChange {
@@ -169,7 +169,7 @@ homebody_core::messages! {
             text: String,
             /// A sentence that says it.
             example: String,
-        } error "how-often" ("the sentence does not say how often she {text:?}")
+        } error "how-often" ("the sentence does not say how often this happens: {text:?}")
             hint ("write {example:?}");
     }
 }

@@ -45,28 +45,28 @@ homebody_core::messages! {
         MoreThanAll {
             /// The words.
             text: String,
-        } error "more-than-all" ("{text:?} is more than all")
+        } error "more-than-all" ("{text:?} is more than 100 %")
             hint ("write at most 100 %");
         /// A habit with a frequency of zero has no effect.
         Never {
             /// The words.
             text: String,
-        } error "never" ("at {text:?}, it never happens")
+        } error "never" ("with {text:?}, this never happens")
             hint ("write \"does not\", or leave the sentence out");
         /// Days, weeks and months of a run count from 1, and go up to a hundred years.
         NoDay {
             /// The words.
             text: String,
         } error "no-day" ("there is no {text:?}")
-            hint ("count from day 1, in week 1");
+            hint ("write a whole number from 1 to 36525, such as \"day 100\" or \"week 6\"");
         /// The day does not exist in this month, or the year is outside of the range.
-        NoDate error "no-date" ("there is no such date between 1900 and 2200")
+        NoDate error "no-date" ("this date does not exist, or is not between 1900 and 2200")
             hint ("write year, month and day, such as 2009-05-01");
         /// Every other week is about one day of the week. With several days, each of them could be in another week.
         SeveralWeekdays {
             /// The words.
             text: String,
-        } error "several-weekdays" ("{text:?} does not say which weekday is in which week")
+        } error "several-weekdays" ("{text:?} names several weekdays, which can fall in different weeks")
             hint ("write a sentence for each day: \"every other Saturday\", \"every third Monday\"");
         /// Homebody repeats habits by days. Within a day it counts how often they happen.
         EveryHours {
@@ -80,43 +80,43 @@ homebody_core::messages! {
         EveryDays {
             /// The words.
             text: String,
-        } error "every-days" ("a habit cannot return every {text:?}")
-            hint ("write a whole number of days, such as \"every 3 days\"");
+        } error "every-days" ("a habit cannot repeat every {text:?}")
+            hint ("write a whole number of days from 1 to 365, such as \"every 3 days\"");
         /// A part of each day has a beginning, and the sentence leaves it open.
         PartOfEachDay {
             /// The words.
             text: String,
-        } error "part-of-each-day" ("{text:?} says how long, but not from when")
-            hint ("say from when to when, \"from 14:00 to 17:00\", or on which days: \"every day\", \"most days\"");
+        } error "part-of-each-day" ("{text:?} gives a length, but no beginning")
+            hint ("write both times, \"from 14:00 to 17:00\", or the days: \"every day\", \"most days\"");
         /// The first number of a share is more than 0 and not more than the second.
         NotAShare {
             /// The words.
             text: String,
         } error "not-a-share" ("{text:?} is not a share of days")
-            hint ("write it as in \"one day in three\"");
+            hint ("write a share such as \"one day in three\"");
         /// A week has seven days.
         DaysAWeek {
             /// The words.
             text: String,
-        } error "days-a-week" ("a week does not have {text:?}")
+        } error "days-a-week" ("a week has 7 days, not {text:?}")
             hint ("write at most 7 days");
         /// The number of times in this period is more than its days. Several times a day are a number of times a day.
         OftenerThanDaily {
             /// The words.
             text: String,
-        } error "oftener-than-daily" ("{text:?} is more than once a day")
-            hint ("write how many times a day");
+        } error "oftener-than-daily" ("{text:?} in this period is more than once a day")
+            hint ("write a number of times a day, such as \"2 times a day\"");
         /// "At first" begins a change of a frequency. The second part says the later frequency.
         AtFirst error "at-first" ("\"at first\" needs a second part with the later frequency")
             hint ("write \"rarely at first, often by day 160\"");
         /// A change of a frequency ends on a day.
-        ByWhen error "by-when" ("the sentence does not say by when the frequency changes")
+        ByWhen error "by-when" ("the sentence does not say on which day the change of frequency ends")
             hint ("write \"rarely at first, often by day 160\"");
         /// A number of times is whole.
         Count {
             /// The words.
             text: String,
-        } error "count" ("{text:?} is not a number of times")
+        } error "count" ("{text:?} is not a whole number from 1 to 100")
             hint ("write a whole number from 1 to 100, such as \"2 to 3 times\"");
         /// A day has two times for each number from 1 to 12, and nothing in the sentence decides between them.
         AmbiguousTime {
@@ -143,32 +143,32 @@ homebody_core::messages! {
             /// The words for it.
             part_text: String,
         } error "part-of-day" ("{text:?} is not in the {part}")
-            hint ("write either the time or {part_text:?}");
+            hint ("correct the time, or leave out {part_text:?}");
         /// An activity and a phase have one end.
         TwoEnds {
             /// The words of one end.
             text: String,
             /// The words of the other end.
             other: String,
-        } error "two-ends" ("{text:?} and {other:?} are two ends of the same time")
+        } error "two-ends" ("{text:?} and {other:?} both say when this ends")
             hint ("leave one of them out");
         /// An activity and a phase begin before they end.
         EndBeforeBegin {
             /// The words of the end.
             text: String,
         } error "end-before-begin" ("{text:?} is not after the beginning")
-            hint ("write the earlier time first");
+            hint ("write an end after the beginning");
         /// A frequency changes within the phase that the sentence names.
         ChangeBeforeBegin {
             /// The words.
             text: String,
-        } error "change-before-begin" ("{text:?} changes before it begins")
+        } error "change-before-begin" ("{text:?} changes before the habit begins")
             hint ("write a later day after \"by\"");
         /// The sentence has a duration, and nothing says on which day it begins.
         NoBeginning {
             /// The hint.
             help: String,
-        } error "no-beginning" ("the sentence does not say from when")
+        } error "no-beginning" ("the sentence does not say on which day this begins")
             hint ("{help}");
         /// A change that fades has an end at which the fading begins.
         NoEndToFade error "no-end-to-fade" ("the sentence does not say when the fading begins")
@@ -180,20 +180,20 @@ homebody_core::messages! {
             /// The activity.
             activity: String,
         } error "until-activity" ("{text:?} is not a time of day")
-            hint ("write a time, such as \"until 22:00\", or how long before it: \"for 2 hours before {activity}\"");
+            hint ("write a time, such as \"until 22:00\", or a duration before the activity: \"for 2 hours before {activity}\"");
         /// "From" with a time of day begins a range.
         NoEnd {
             /// The words.
             text: String,
             /// The time.
             time: String,
-        } error "no-end" ("{text:?} does not say until when")
-            hint ("write \"at {time}\", or until when: \"from {time} to ...\"");
+        } error "no-end" ("the range {text:?} has no end")
+            hint ("write \"at {time}\", or add an end: \"from {time} to ...\"");
         /// A month alone can be its first day, or the month in each year.
         WhichDay {
             /// The words.
             text: String,
-        } error "which-day" ("the sentence does not say from which day of {text:?}")
+        } error "which-day" ("the sentence does not say on which day of {text:?} this begins")
             hint ("write a date such as 2009-03-01, or \"from March to May\" for those months of all years");
         /// A change builds up over one length of time.
         OneLength error "one-length" ("a change needs one length of time, not a range")
@@ -205,7 +205,7 @@ homebody_core::messages! {
         } error "not-a-length" ("{text:?} is not a length of time")
             hint ("write minutes, hours, days or weeks, such as \"for 20 minutes\"");
         /// A phase has whole days.
-        WholeDays error "whole-days" ("a phase needs one number of whole days, at least 1")
+        WholeDays error "whole-days" ("a length in days must be one whole number of at least 1")
             hint ("write one whole number, such as \"for 10 days\"");
         /// A sentence can place an activity before or after another activity. These words name a time instead.
         OpenTime {
@@ -213,7 +213,7 @@ homebody_core::messages! {
             text: String,
             /// The hint.
             help: String,
-        } error "open-time" ("{text:?} does not say when")
+        } error "open-time" ("{text:?} leaves the time open")
             hint ("{help}");
         /// A sentence can place an activity before or after another activity. Homebody does not know this one.
         UnknownEvent {
@@ -239,27 +239,27 @@ homebody_core::messages! {
         TwoTimesOfFall {
             /// The words.
             text: String,
-        } error "two-times-of-fall" ("{text:?} is a second time, next to the time of most falls")
-            hint ("leave one of them out");
+        } error "two-times-of-fall" ("the sentence gives the time of most falls, and {text:?} is a second time")
+            hint ("leave one of the two times out");
         /// The time can be the time of the fall, or the time at which a person finds her.
         WhoseTime {
             /// The words.
             text: String,
-        } error "whose-time" ("{text:?} can be the time of the fall, or of the person who comes")
+        } error "whose-time" ("{text:?} can be the time of the fall or of the visit")
             hint
                 ("begin with the time or the frequency of the fall; write a sentence of its own for the visit: \"her daughter visits at 9:00\"");
         /// People are up to 130 years old.
         Age {
             /// The words.
             text: String,
-        } error "age" ("a person cannot be {text}")
-            hint ("write the age in years, such as \"is 82\"");
+        } error "age" ("{text:?} is not a possible age")
+            hint ("write an age of at most 130 years, such as \"is 82\"");
         /// The walking speed of a person has a range.
         Pace {
             /// The words.
             text: String,
         } error "pace" ("a person cannot walk at {text:?}")
-            hint ("write 0.2 to 1.6 m/s");
+            hint ("write a speed from 0.2 to 1.6 m/s");
         /// A change has a limit, so that a run stays possible. The limit is our choice.
         TooGreat {
             /// The words.
@@ -272,7 +272,7 @@ homebody_core::messages! {
         LessThanNothing {
             /// The words.
             text: String,
-        } error "less-than-nothing" ("nothing can be {text:?}")
+        } error "less-than-nothing" ("a decrease cannot be more than 100 %: {text:?}")
             hint ("write at most 100 %");
         /// Each sentence has one value of this kind.
         Twice {
@@ -282,7 +282,7 @@ homebody_core::messages! {
             first: String,
             /// The meaning of both.
             meaning: String,
-        } error "twice" ("{text:?} comes after {first:?}: {meaning}")
+        } error "twice" ("{text:?} conflicts with {first:?}: {meaning}")
             hint ("leave one of them out, or make two sentences");
     }
 }

@@ -33,8 +33,8 @@ homebody_core::messages! {
         NothingRings {
             /// The words.
             text: String,
-        } error "nothing-rings" ("{text:?} is not a thing in this home")
-            hint ("give the home a piece of furniture with that name, such as \"door bell\", and let a person ring it");
+        } error "nothing-rings" ("no bell or telephone of this home fits {text:?}")
+            hint ("add the bell or telephone to \"furniture\" in home.json, under the name that the sentence uses");
         /// Homebody does not know the verb or its object. The reference of the routine language lists the activities. A new activity needs
         /// a place and a duration:
         ///
@@ -61,7 +61,7 @@ homebody_core::messages! {
             /// The name.
             name: String,
         } error "unknown-visitor" ("{name:?} is not a known visitor")
-            hint ("write who it is: \"her daughter visits\" or \"a nurse visits\"");
+            hint ("write the relation or the profession: \"her daughter visits\" or \"a nurse visits\"");
         /// A routine describes one person. Each resident has a routine of its own.
         OtherPerson {
             /// The person of the routine.
@@ -76,13 +76,13 @@ homebody_core::messages! {
         ConditionName {
             /// The name.
             name: String,
-        } error "condition-name" ("a condition is about no particular person, not about {name:?}")
+        } error "condition-name" ("a condition holds for any person, so it cannot name {name:?}")
             hint ("write \"she\", \"he\", \"they\" or \"the person\"");
         /// A condition describes changes that hold for every person who shows it, so it cannot state facts such as an age.
         ConditionFact {
             /// The words.
             text: String,
-        } error "condition-fact" ("a condition is about no particular person, so it cannot state {text:?}")
+        } error "condition-fact" ("a condition holds for any person, so it cannot state {text:?}")
             hint ("write a change: \"she walks 10 % slower\"");
         /// A routine may use the person's name after it has introduced the person.
         UnknownPerson {
@@ -109,7 +109,7 @@ homebody_core::messages! {
             /// The activity, as a part of a sentence.
             activity: String,
         } error "not-a-visitor" ("{text:?} is not a visitor")
-            hint ("write \"she {activity}\", or who comes: \"her daughter visits\"");
+            hint ("write \"she {activity}\", or name the visitor: \"her daughter visits\"");
         /// Things change only when a person uses them.
         ThingActs {
             /// The words.
@@ -124,7 +124,7 @@ homebody_core::messages! {
             text: String,
             /// The name of the visitor.
             visitor: String,
-        } error "visitor-acts" ("{text:?} does not live here, and a visitor only visits")
+        } error "visitor-acts" ("a sentence about {text:?} can only describe a visit")
             hint ("write \"her {visitor} visits on Sunday for 2 hours\"");
         /// The sentence begins with words that are neither the person of the routine nor a visitor.
         NotAPerson {
@@ -169,7 +169,7 @@ homebody_core::messages! {
             name: String,
             /// The name in another sentence.
             other: String,
-        } error "similar-visitors" ("{name:?} and {other:?} are different visitors")
+        } error "similar-visitors" ("the visitors {name:?} and {other:?} have nearly the same name")
             hint ("did you mean {other:?}?");
     }
 }
