@@ -124,7 +124,10 @@ impl Case {
         let files = self.files(said);
         let (scenario, household) = match Household::load(&files, "scenario.json", &[]) {
             Ok(loaded) => loaded,
-            Err(problems) => return Tried { life: None, who: 0, told: vec![problems.to_string()] },
+            Err(problems) => {
+                let told = problems.0.iter().map(|problem| problem.label() + &problem.text()).collect();
+                return Tried { life: None, who: 0, told };
+            }
         };
         let mut told = Vec::new();
         for routine in (0..scenario.residents.len()).filter_map(|resident| household.routine(resident)) {
