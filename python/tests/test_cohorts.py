@@ -222,7 +222,7 @@ def test_a_cluster_that_is_not_there_and_a_folder_that_is_not_are_told(
     with pytest.raises(hb.ClusterError, match="does not see"):
         live_member(str(tmp_path / "nowhere"), 0)
     bucket = "s3://bucket/cohort"
-    with pytest.raises(hb.LogError, match="without object stores\n  hint: build it with --features cloud|does not"):
+    with pytest.raises(hb.LogError, match="without object stores\n  hint: build Homebody with --features cloud|does not"):
         hb.cohort("studio", 1, bucket, days=0.1)
     with pytest.raises(ValueError, match="cluster"):
         hb.cohort("studio", 1, tmp_path / "b", days=0.1, cluster="nearby")

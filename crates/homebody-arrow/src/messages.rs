@@ -10,11 +10,11 @@ homebody_core::messages! {
             hint ("copy the file again, or restore it");
         /// Homebody tells the two forms by the first bytes of a file, and these are of neither.
         OtherForm error "other-form" ("it is neither Parquet nor Arrow IPC")
-            hint ("name the file without parquet: or arrow: so that Homebody recognises its form");
+            hint ("remove \"parquet:\" or \"arrow:\" before the name, so that Homebody recognises the form");
         /// Homebody looks at each file of a data set before it reads the first row, so it limits their number.
         ManyFiles { most: usize }
             error "many-files" ("the data set has more than {most} files")
-            hint ("name a part of it, such as one run");
+            hint ("name a part of the data set, such as one run");
         /// The parts of a file have different columns.
         MissingColumn error "missing-column" ("a part of the file lacks a column")
             hint ("write the file again from its source");
@@ -29,8 +29,8 @@ homebody_core::messages! {
             hint ("name the columns with --mapping logger.json");
         /// The time must be an instant, a number or a text; sensor and value must be texts, numbers or truth values.
         ColumnType { column: String }
-            error "column-type" ("the column {column:?} has a type that Homebody does not read there")
-            hint ("write the column as text or numbers, the time as timestamps");
+            error "column-type" ("the column {column:?} has a type that Homebody cannot read as a time, a sensor or a value")
+            hint ("write times as timestamps, and sensors and values as text or numbers");
         /// The types at the beginning of the file are not those of its parts.
         OtherType error "other-type" ("a column has another type than the file declares")
             hint ("write the file again from its source");
@@ -47,21 +47,21 @@ homebody_core::messages! {
         /// A resumed run makes the same rows again and compares them with those in the file. One row differs: the file was changed, or
         /// the scenario has changed since.
         OtherRows { first: usize, last: usize }
-            error "other-rows" ("one of its rows {first} to {last} is not the run's")
+            error "other-rows" ("one of its rows {first} to {last} differs from the row of the run")
             hint ("restore the file, or start a new run");
         /// The columns come from `logger.json`, which has changed since the run began.
         OtherColumns error "other-columns" ("it has other columns than the run")
             hint ("restore the file, or start a new run");
         /// The data set has a file of a day that the run did not reach this time: the run was stopped earlier than before, or another
         /// program has added the file.
-        ExtraFile error "extra-file" ("the run did not reach this file")
+        ExtraFile error "extra-file" ("the file is of a day that the run did not reach")
             hint ("let the run last as long as before, or remove the file");
         /// A data set has a file for each day. A log that jumps between days would make a file for each jump.
-        Disorder error "disorder" ("rows that are not in the order of time")
-            hint ("write them to one file: parquet:log.parquet");
+        Disorder error "disorder" ("rows that are not in order of time")
+            hint ("write the rows to one file, such as \"parquet:log.parquet\"");
         /// A data set is a folder. A file with this name exists.
-        NotFolder error "not-a-folder" ("it is not a folder, as a data set needs one")
-            hint ("choose another name, or write one file: parquet:log.parquet");
+        NotFolder error "not-a-folder" ("it is not a folder, but a data set must be a folder")
+            hint ("choose another name, or write to one file, such as \"parquet:log.parquet\"");
     }
 }
 

@@ -35,7 +35,7 @@ crate::messages! {
             /// The largest value.
             most: f64,
         } error "not-a-number" ("{name:?} is set to a value that is not a number")
-            hint ("set it from {least} to {most}; its usual value is {usual}");
+            hint ("give a value from {least} to {most}; the usual value is {usual}");
         /// The models give sensible results for a range of values only. `homebody parameters NAME` explains the parameter and its range.
         OutOfRange {
             /// The name.
@@ -51,7 +51,7 @@ crate::messages! {
             /// The largest value.
             most: f64,
         } error "out-of-range" ("{name:?} must be from {least} to {most}, but is {value}{of_unit}", of_unit = shown(unit))
-            hint ("set it from {least} to {most}; its usual value is {usual}");
+            hint ("give a value from {least} to {most}; the usual value is {usual}");
     }
 }
 

@@ -64,13 +64,13 @@ crate::messages! {
             /// The time, in microseconds.
             lies_us: Micros,
         } error "lying-time" ("a resident cannot lie on the floor for {lies_us} µs")
-            hint ("give a time from a second to a day");
+            hint ("give a time from 1000000 µs (a second) to 86400000000 µs (a day)");
         /// The battery of a sensor fades for a time, and is empty then. With 0 it is empty at once.
         BatteryFading {
             /// The time, in microseconds.
             fades_us: Micros,
         } error "battery-fading" ("a battery cannot fade for {fades_us} µs")
-            hint ("give a time from 0 to the longest run");
+            hint ("give a time from 0 to {LONGEST} µs, the longest run");
         /// A stuck sensor repeats its last message at intervals, or is silent.
         RepeatInterval {
             /// The interval, in microseconds.
@@ -81,8 +81,8 @@ crate::messages! {
         LostShare {
             /// The share, in millionths.
             lost_ppm: u32,
-        } error "lost-share" ("a link cannot lose {lost_ppm} of a million messages")
-            hint ("give at most 1000000");
+        } error "lost-share" ("a link cannot lose {lost_ppm} of 1000000 messages")
+            hint ("give a number from 0 to 1000000");
         /// A recording holds a limited number of actions from outside, and each costs time in a replay.
         TooMany {
             /// The largest number.
@@ -93,12 +93,12 @@ crate::messages! {
             /// The state.
             state: &'static str,
         } error "already-so" ("the thing is already {state}")
-            hint ("the action is not needed");
+            hint ("leave the action out");
         /// A resident falls where they are, so they have to be at home.
         NotAtHome error "not-at-home" ("the resident is not at home")
-            hint ("wait until they come back");
+            hint ("wait until the resident comes back");
         /// The driver of the resident decides what happens after a fall. Only drivers of routines know falls.
-        CannotFall error "cannot-fall" ("the resident cannot fall")
+        CannotFall error "cannot-fall" ("this resident cannot fall: only residents with a routine can")
             hint ("choose a resident with a routine");
     }
 }

@@ -255,7 +255,7 @@ fn a_driver_that_decides_what_nobody_can_do_is_named() {
     let odd: [(Answer, &str); 8] = [
         (|now| segment(now, now, MotionState::Away), "its segment ends at 0 s"),
         (|now| segment(now, now - SECOND, MotionState::Away), "its segment ends at -1 s"),
-        (|now| segment(now + 1, now + SECOND, MotionState::Away), "its segment begins at another time"),
+        (|now| segment(now + 1, now + SECOND, MotionState::Away), "its segment of movement begins at"),
         (|now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(60.0, 4.0) }), "outside the home"),
         (
             |now| segment(now, now + SECOND, MotionState::Rest { at: Point::new(f64::NAN, 4.0) }),
@@ -265,8 +265,8 @@ fn a_driver_that_decides_what_nobody_can_do_is_named() {
             |now| segment(now, now + SECOND, MotionState::InPlace { at: Point::new(6.0, 4.0), amplitude_m: -1.0 }),
             "an invalid number for the amplitude",
         ),
-        (|_| Next::Use(ThingUse { thing: ThingId(1000), on: true }), "it uses thing 1000"),
-        (|_| Next::Activity(None), "answers that take no time"),
+        (|_| Next::Use(ThingUse { thing: ThingId(1000), on: true }), "it uses the thing 1000"),
+        (|_| Next::Activity(None), "answers in a row that take no time"),
     ];
     for (answer, told) in odd {
         let error = lived_by(move |_: &Home| Odd(answer)).unwrap_err().to_string();

@@ -198,7 +198,7 @@ fn next(around) {
         ("clara.rhai:3:21", "error[script::unknown-name]: the home has no thing \"stoove\"", "there are"),
         (
             "clara.rhai:4:15",
-            "error[script::unknown-property]: around has no property roon",
+            "error[script::unknown-property]: there is no property around.roon",
             "did you mean around.room?",
         ),
         ("clara.rhai:4:39", "error[script::unknown-function]: there is no function wate", "docs/reference/scripts.md"),
@@ -215,7 +215,7 @@ fn next(around) {
             "did you mean \"reading\"?",
         ),
         ("clara.rhai:5:88", "error[script::unknown-name]: the home has no seat \"table\"", ""),
-        ("clara.rhai:6:12", "error[script::value-count]: go has 0 values", "write go(place)"),
+        ("clara.rhai:6:12", "error[script::value-count]: go does not take 0 values", "write go(place)"),
         (
             "clara.rhai:7:16",
             "error[script::unknown-name]: the home has no room \"cellar\"",
@@ -250,15 +250,15 @@ fn stops_a_script_that_runs_away_with_its_line() {
         ("fn next(around) {\n    loop { }\n}", "clara.rhai:1"),
         (
             "fn next(around) {\n    loop { }\n}",
-            "error[script::slow-decision]: the script runs away: it takes more than 50000 operations",
+            "error[script::slow-decision]: the script takes more than 50000 operations for one decision",
         ),
         (
             "// idle\nfn next(around) { turn_on(\"hall\") }",
-            "clara.rhai:2:1: error[script::no-time]: the script runs away: 100 decisions in a row",
+            "clara.rhai:2:1: error[script::no-time]: the script made 100 decisions in a row that take no time",
         ),
         (
             "fn next(around) {\n    let n = 0;\n    while n < 5000 { n += 1; }\n    rest(0.1)\n}",
-            "error[script::slow-hour]: the script runs away: it takes more than 5000000 operations in an hour",
+            "error[script::slow-hour]: the script takes more than 5000000 operations in one hour of the run",
         ),
         (
             "fn next(around) {\n    this.more += 1;\n    rest(1)\n}",

@@ -54,7 +54,7 @@ homebody_core::messages! {
             /// The device or pipe.
             place: String,
         } error "not-a-file" ("{place} cannot hold a database: it is not a regular file")
-            hint ("name a regular file, or write csv: or jsonl: to this place");
+            hint ("name a regular file, or put \"csv:\" or \"jsonl:\" before this name");
         /// The folder of the destination does not exist.
         NoFolder {
             /// The file.
@@ -137,7 +137,7 @@ homebody_core::messages! {
             what: &'static str,
             /// The name.
             name: String,
-        } error "duplicate-name" ("the {what} {name:?} is used twice")
+        } error "duplicate-name" ("two {what}s have the name {name:?}")
             hint ("give each its own name");
         /// Two sensors would have the same identifier, so their rows could not be distinguished.
         SameSensor {
@@ -147,7 +147,7 @@ homebody_core::messages! {
             second: String,
             /// The identifier that both have.
             shown: String,
-        } error "duplicate-sensor" ("the sensors {first:?} and {second:?} would both be {shown:?} in the log")
+        } error "duplicate-sensor" ("the sensors {first:?} and {second:?} would both have the id {shown:?} in the log")
             hint ("give each its own id in logger.json");
         /// The log does not exist.
         Missing {
@@ -202,7 +202,7 @@ homebody_core::messages! {
             /// The database's message.
             source: Box<dyn Error + Send + Sync>,
         } error "database" ("{place}: {source}")
-            hint ("name another file, or a copy of this one from before it was changed") cause (Some(source.as_ref()));
+            hint ("name another file, or restore an earlier copy of this one") cause (Some(source.as_ref()));
         /// The database opens, but its journal does not.
         NoRoomBeside {
             /// The database's file.
@@ -235,7 +235,7 @@ homebody_core::messages! {
             /// The largest size, in MB.
             most_mb: u64,
         } error "spool-full" ("{place} is still unavailable, and its spool {spool} has reached {most_mb} MB")
-            hint ("rows that {place} has confirmed are safe; once it is back, resume the run, or allow more with --spool-mb");
+            hint ("resume the run once {place} is back, or allow a larger spool with --spool-mb; confirmed rows are safe");
         /// The run has ended, and the destination did not come back in time.
         StillAway {
             /// The destination.
@@ -243,7 +243,7 @@ homebody_core::messages! {
             /// The time waited, in seconds.
             seconds: u64,
         } error "still-away" ("{place} is unavailable; Homebody waited {seconds} s for it at the end of the run")
-            hint ("rows that it has confirmed are safe; once it is back, resume the run");
+            hint ("resume the run once the destination is back; confirmed rows are safe");
         /// The run was stopped while it waited for a destination.
         StoppedAway {
             /// The destination.
@@ -291,7 +291,7 @@ homebody_core::messages! {
             /// The time, in seconds.
             seconds: u64,
         } error "no-answer" ("{place} has not answered for {seconds} s")
-            hint ("rows that it has confirmed are safe");
+            hint ("check that the destination is running; the rows that it has confirmed are safe");
         => inner {
             /// The text does not name a place for a log.
             NoPlace(NoPlace);

@@ -15,7 +15,7 @@ homebody_core::messages! {
         Tag error "tag" ("the tag is longer than {LONGEST_ROW_BYTES} bytes, or a quotation mark in it is not closed")
             hint ("check that the file is an event log in XES");
         /// Logs in JSON have a list of objects, perhaps inside of a few others.
-        Depth { most: usize } error "json-depth" ("lists and objects are nested more than {most} deep")
+        Depth { most: usize } error "json-depth" ("lists and objects are nested more than {most} levels deep")
             hint ("extract the list of rows from the file, for example with jq");
         /// A string in JSON ends with a quotation mark. One that is never closed makes the rest of the file one string.
         JsonText error "json-text" ("a text is longer than {LONGEST_ROW_BYTES} bytes, or its quotation mark is not closed")
@@ -33,8 +33,8 @@ homebody_core::messages! {
     /// Problems with a place of a ground truth.
     pub enum TruthMessage in "truth" {
         /// A run writes its ground truth next to its log. A log that was copied elsewhere needs its truth there, too.
-        NotBeside error "not-beside-log" ("its folder has no tables of a truth")
-            hint ("copy the truth to the log's folder");
+        NotBeside error "not-beside-log" ("its folder has no tables of a ground truth")
+            hint ("copy the ground truth to the folder of the log");
         /// A ground truth has about a dozen tables, and the command reads some of them by name. docs/reference/truth.md lists them.
         Missing {
             /// The missing parts.
@@ -73,7 +73,7 @@ homebody_core::messages! {
         InstantOutOfRange error "instant-out-of-range" ("an instant in it is out of range")
             hint ("restore the file as the run has written it");
         /// The text form of CASAS has a line for each sensor event. A ground truth needs several tables.
-        CasasForm error "casas" ("the form of CASAS has no tables")
+        CasasForm error "casas" ("a file in the form of CASAS cannot hold several tables")
             hint ("name a place of another form, such as sqlite:truth.db");
         /// Messages that were sent to a broker are gone. Homebody cannot read them back.
         Unstored error "not-stored" ("Homebody cannot read a truth from such a place")
@@ -91,10 +91,10 @@ homebody_core::messages! {
         FewerRows { row: u64, rows: u64 } error "fewer-rows" ("it refers to row {row}, and the log has {rows} rows")
             hint ("name the ground truth of the same run, and the whole log");
         /// The ground truth has a row for each row of the log. This one has none.
-        NoRows error "no-rows" ("it refers to no row")
+        NoRows error "no-rows" ("it refers to no row of the log")
             hint ("name the ground truth of the same run");
         /// The ground truth names the sensor of each row. The log has another sensor there.
-        OtherSensor { row: u64, sensor: String } error "other-sensor" ("its row {row} is of another sensor than {sensor}")
+        OtherSensor { row: u64, sensor: String } error "other-sensor" ("row {row} of the log is of {sensor}, but the ground truth names another sensor")
             hint ("name the ground truth of the same run");
     }
 }
@@ -109,20 +109,20 @@ homebody_core::messages! {
             row: u64,
             /// The table.
             table: String,
-        } error "other-row" ("row {row} of {table:?} is not the run's")
-            hint ("restore it, or start a new run");
+        } error "other-row" ("row {row} of {table:?} differs from the row of the run")
+            hint ("restore the rows of the run, or start a new run");
         /// A resumed run makes the same lines again and compares them with those in the file. One line differs.
         OtherLine {
             /// The line, from 1.
             line: u64,
-        } error "other-line" ("line {line} is not the run's")
+        } error "other-line" ("line {line} differs from the line of the run")
             hint ("restore the file, or start a new run");
         /// The destination contains rows behind the last row of the run: another program has added them, or the run was longer before.
         MoreRows {
             /// The number of rows.
             rows: u64,
         } error "more-rows" ("it has more than the {rows} rows of the run")
-            hint ("restore it, or start a new run");
+            hint ("restore the rows of the run, or start a new run");
         /// The table contains rows behind the last row of the run.
         MoreRowsInTable {
             /// The table.
@@ -131,14 +131,14 @@ homebody_core::messages! {
             rows: u64,
             /// The number of rows of the run.
             of_run: u64,
-        } error "more-rows-in-table" ("{table:?} has {rows} rows, and the run makes {of_run}")
-            hint ("restore it, or start a new run");
+        } error "more-rows-in-table" ("{table:?} has {rows} rows, but the run makes {of_run}")
+            hint ("restore the rows of the run, or start a new run");
         /// The destination has confirmed rows that the run did not make this time: the run was stopped earlier than before, or the
         /// scenario has changed since.
         RowsAhead {
             /// The number of rows.
             rows: u64,
-        } error "rows-ahead" ("it has confirmed {rows} rows more than the run has made")
+        } error "rows-ahead" ("it has confirmed {rows} more rows than the run has made")
             hint ("resume the run, and let it run at least as long as before");
         /// A resumed run continues only its own database.
         ForeignDatabase error "foreign-database" ("it is a database of another program")
@@ -160,27 +160,27 @@ homebody_core::messages! {
     pub enum HoldMessage in "destination" {
         /// The text form of CASAS has one table, and a ground truth has several.
         CasasTruth error "casas-truth" ("the ground truth")
-            hint ("write it to sqlite: or csv:");
+            hint ("write the ground truth to a place such as \"sqlite:truth.db\"");
         /// The text form of CASAS separates its parts by tabs and lines, so no text may contain these.
         ControlCharacters {
             /// The text.
             text: String,
         } error "control-characters" ("the control characters of {text}")
-            hint ("write to sqlite: or csv:");
+            hint ("write the log to a place such as \"csv:log.csv\" or \"sqlite:log.db\"");
         /// Standard output is one stream of text. A ground truth has several tables.
         OutputTables error "output-tables" ("several tables")
-            hint ("write them to a file: sqlite:truth.db");
+            hint ("write the tables to a database, such as \"sqlite:truth.db\"");
         /// The text form of CASAS notes the begin and the end of an activity at a row, so it has at most one note a row.
         CasasActivities {
             /// The number of activities.
             activities: usize,
             /// The number of rows.
             rows: u64,
-        } error "casas-activities" ("{activities} activities: it notes them at rows, of which there are {rows}")
-            hint ("write to sqlite: or csv:");
+        } error "casas-activities" ("{activities} activities: it has at most one activity for each row, and {rows} rows")
+            hint ("write the log to a place such as \"csv:log.csv\" or \"sqlite:log.db\"");
         /// Homebody reaches object stores only when it is built with this feature.
         NoObjectStore error "no-object-store" ("files: this program was built without object stores")
-            hint ("build it with --features cloud, or name a folder and copy it");
+            hint ("build Homebody with --features cloud, or write to a folder and copy the folder");
     }
 }
 
@@ -188,11 +188,11 @@ homebody_core::messages! {
     /// Errors of the destinations of this crate.
     pub(crate) enum OutputMessage in "destination" {
         /// The program that reads standard output has ended, for example `head`. The run ends, too.
-        Closed error "output-closed" ("the program that reads it has ended, so the run has ended")
+        Closed error "output-closed" ("the program that reads the output has ended, so the run has ended")
             hint ("write to a file to keep all rows");
         /// A fleet that appends to a file continues its own rows. These are of another fleet, or of the same fleet at another time.
         OtherHomes { difference: String } error "other-homes" ("it has rows of other homes: {difference}")
-            hint ("pass --force to replace the file, or the same command with a fixed --start to append to it");
+            hint ("pass --force to replace the file; to append to it, repeat the earlier command with the same --start");
     }
 }
 
@@ -241,7 +241,7 @@ homebody_core::messages! {
         Damaged error "damaged" ("the compressed text is damaged or cut short")
             hint ("copy the file again, or restore it");
         /// Homebody unpacks Zstandard only when it is built with the feature `parquet`.
-        NoZstandard error "no-zstandard" ("the file is compressed with Zstandard, which this program was built without")
+        NoZstandard error "no-zstandard" ("the file is compressed with Zstandard, but this program was built without Zstandard")
             hint ("unpack it first: unzstd FILE");
     }
 }
@@ -255,7 +255,7 @@ homebody_core::messages! {
         /// id,name
         /// M001,hall motion
         /// ```
-        NoHeading error "no-heading" ("the first line has no columns id and name")
+        NoHeading error "no-heading" ("the first line lacks a column id or a column name")
             hint ("write id,name in the first line");
         /// Each line names one sensor. An empty cell names none.
         EmptyCell error "empty-cell" ("an id or a name is empty")
@@ -278,7 +278,7 @@ homebody_core::messages! {
         /// {"table": "events", "columns": {"time": "at", "sensor": "device", "value": "state"}}
         /// ```
         Invalid { reason: String } error "invalid" ("this is not a valid logger.json: {reason}")
-            hint ("docs/reference/logger.md lists its keys");
+            hint ("correct the file; docs/reference/logger.md lists its keys");
     }
 }
 

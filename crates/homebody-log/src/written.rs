@@ -26,7 +26,7 @@ homebody_core::messages! {
     pub(crate) enum Refused in "own-file" {
         /// The file is a link, or a folder on the way to it is one. A run's folder may come from another person, and a link in it could
         /// lead anywhere.
-        Link error "link" ("it is a link, or in a folder that is a link")
+        Link error "link" ("it is a link, or lies in a folder that is a link")
             hint ("check where the link leads; then remove it, or choose another name");
         /// Homebody writes regular files only. A folder, a pipe or a device has this name.
         NoPlain error "not-regular" ("it is a folder, a pipe or a device")

@@ -294,7 +294,7 @@ fn a_destination_that_has_more_of_a_run_than_it_made_is_told_of() {
     };
     let error = stored(1007, Policy::default()).unwrap_err();
     assert!(matches!(&error, LogError::Changed(reason) if reason.place == "a broker"), "{error}");
-    assert!(error.to_string().contains("7 rows more"), "{error}");
+    assert!(error.to_string().contains("7 more rows"), "{error}");
     let failed = stored(1007, Policy::optional()).unwrap().failed;
     assert!(failed.len() == 1 && failed[0].0 == "a broker", "{failed:?}");
     // The control: one that has all of it, or less, is fine.

@@ -5,7 +5,7 @@ homebody_core::messages! {
     pub(crate) enum AddressMessage in "mqtt-url" {
         /// Commands end up in histories and in lists of processes, which others can read.
         Password error "password" ("the URL of a broker has a password in it, where others can read it")
-            hint ("leave it out, and name a file by ?password-file=FILE, or set HOMEBODY_MQTT_PASSWORD");
+            hint ("remove the password, and add ?password-file=FILE to the URL or set HOMEBODY_MQTT_PASSWORD");
         /// The host is the part between `//` (or `@`) and `/`:
         ///
         /// ```text
@@ -15,23 +15,23 @@ homebody_core::messages! {
             hint ("write mqtt://HOST/PREFIX, such as mqtt://localhost/homebody");
         /// Brokers listen on port 1883, and on 8883 with TLS, unless configured otherwise.
         Port { usual: u16 } error "port" ("the port of the broker is not a number from 1 to 65535")
-            hint ("leave it out for {usual}");
+            hint ("write a number in this range, or leave the port out for {usual}");
         /// Homebody publishes below this topic. Spaces, `+` and `#` have a meaning for brokers, so topics consist of plain characters.
         Topic { name: String, text: String, most_levels: usize, longest_level: usize }
             error "topic" ("{name} {text:?} is not a valid topic")
             hint ("write up to {most_levels} levels of a-z, A-Z, 0-9, _ and -, each of up to {longest_level} characters, separated by /");
         /// In a URL, `%` and two hexadecimal digits are one byte, such as `%40` for `@`.
-        Percent { name: String } error "percent" ("{name} has a % without two digits after it")
+        Percent { name: String } error "percent" ("{name} has a % without two hexadecimal digits after it")
             hint ("write %25 for a %");
         /// This parameter accepts a few words.
         Word { name: String, value: String, known: &'static str }
             error "unknown-value" ("{name} cannot be {value}") hint ("write {known}");
         /// This parameter is switched on or off.
         NotBoolean { name: String, value: String }
-            error "not-boolean" ("{name}={value} is neither true nor false") hint ("write {name}=true");
+            error "not-boolean" ("{name}={value} is neither true nor false") hint ("write {name}=true or {name}=false");
         /// Home Assistant shows a motion sensor as off so many seconds after its last message.
         OffDelay { value: String }
-            error "off-delay" ("off-delay={value} is not a number of seconds from 1 to 3600") hint ("write off-delay=10");
+            error "off-delay" ("off-delay={value} is not a number of seconds from 1 to 3600") hint ("write a number of seconds, such as off-delay=10");
         /// The parameter needs the path of a file.
         NoFile { name: String } error "no-file" ("{name} names no file") hint ("write {name}=FILE");
         /// docs/reference/mqtt.md lists the parameters of the URL.
@@ -39,13 +39,13 @@ homebody_core::messages! {
             error "unknown-parameter" ("there is no parameter {name:?}")
             hint ("the parameters are {known}", known = known.join(", "));
         /// Only a connection with TLS has certificates.
-        CaWithoutTls error "ca-without-tls" ("ca names certificates, and mqtt:// has no TLS")
-            hint ("write mqtts:// for TLS");
+        CaWithoutTls error "ca-without-tls" ("\"ca\" names certificates, but a connection by mqtt:// does not use TLS")
+            hint ("write mqtts:// to use TLS, or remove \"ca\"");
         /// A broker checks a password together with the name of a user.
-        NoUser error "no-user" ("there is a password and no user") hint ("write mqtt://USER@HOST/PREFIX");
+        NoUser error "no-user" ("a password is set, but the URL names no user") hint ("write mqtt://USER@HOST/PREFIX");
         /// Discovery describes sensors to Home Assistant, which does not read the messages of the style `plain`.
-        PlainDiscovery error "plain-discovery" ("discovery does not work with the style plain")
-            hint ("leave discovery out, or write style=homeassistant");
+        PlainDiscovery error "plain-discovery" ("\"discovery\" does not work with \"style=plain\"")
+            hint ("remove \"discovery\", or write style=homeassistant");
         /// Home Assistant would take the messages of the sensors for descriptions of devices.
         DiscoveryPrefix { prefix: String }
             error "discovery-prefix" ("the prefix {prefix:?} is the one where Home Assistant looks for devices")
@@ -55,7 +55,7 @@ homebody_core::messages! {
             error "too-fast" ("{place} gets messages as they happen, and this run is faster than real time")
             hint ("pass --speed 1 to run in real time, or add ?allow-fast=true to the URL");
         /// Other users of this machine could read the password.
-        OpenPassword { file: String } error "open-password" ("{file} has a password, and others may read it")
+        OpenPassword { file: String } error "open-password" ("other users can read {file}, which has a password")
             hint ("chmod 600 {file}");
         /// The system does not open the file with the password.
         PasswordFile { file: String, reason: String }
@@ -75,10 +75,10 @@ homebody_core::messages! {
         /// The broker is connected, and confirms no message. Homebody sends the unconfirmed messages again later.
         Silent { seconds: u64 }
             error "no-acknowledgement" ("the broker has not acknowledged a message for {seconds} s")
-            hint ("check whether it is overloaded, or its disk full");
+            hint ("check whether the broker is overloaded, or its disk is full");
         /// The broker does not speak TLS on this port, or does not accept the connection.
         Tls { reason: String } error "tls" ("cannot connect with TLS: {reason}")
-            hint ("mqtt:// connects without TLS, often on port 1883");
+            hint ("check the port, or write mqtt:// to connect without TLS, often on port 1883");
         /// Homebody checks the certificate of the broker against the certificates of this system, or of `?ca=FILE`.
         Untrusted { reason: String } error "untrusted" ("cannot trust the broker: {reason}")
             hint ("name the certificates to trust with ?ca=FILE, in PEM");
@@ -87,7 +87,7 @@ homebody_core::messages! {
             hint ("check the host, the port and the firewalls between");
         /// The connection broke while Homebody was sending.
         Lost { reason: String } error "connection-lost" ("the connection was lost: {reason}")
-            hint ("the broker's log has the reason");
+            hint ("see the log of the broker for the reason");
         /// The broker knows no such user, or the password is wrong.
         Login error "login" ("the broker rejects this user: the name or the password is wrong or missing")
             hint ("write mqtt://USER@HOST/PREFIX, with the password in ?password-file=FILE or HOMEBODY_MQTT_PASSWORD");
@@ -96,13 +96,13 @@ homebody_core::messages! {
             hint ("use a newer broker, such as mosquitto 1.6 or later");
         /// The broker answers with this code instead of accepting the connection.
         Refused { code: String } error "refused" ("the broker does not accept the connection: {code}")
-            hint ("the broker's log has the reason");
+            hint ("see the log of the broker for the reason");
         /// Access lists of the broker say which user may publish where.
         NotAuthorized error "not-authorized" ("the broker does not let this user write here")
             hint ("change the broker's access list");
         /// The broker closes the connection with this code.
         SentAway { code: String } error "disconnected" ("the broker has ended the connection: {code}")
-            hint ("the broker's log has the reason");
+            hint ("see the log of the broker for the reason");
         /// Certificates are valid for some time and must be renewed.
         Expired error "certificate-expired" ("the certificate of the broker has expired")
             hint ("renew it, or set the clock of this machine if that is wrong");
@@ -114,15 +114,15 @@ homebody_core::messages! {
             hint ("name the certificate of the issuer with ?ca=FILE");
         /// A certificate is valid for the names in it.
         OtherName error "certificate-name" ("the certificate of the broker is for another name")
-            hint ("write the host as the certificate has it");
+            hint ("write the name of the host that the certificate has");
         /// The certificate cannot be checked for this reason.
         Certificate { reason: String } error "certificate" ("the certificate of the broker is not valid: {reason}")
             hint ("name the certificates to trust with ?ca=FILE");
         /// The broker ends the connection without a word. A port for TLS does so when it is addressed without TLS.
         Closed error "closed" ("the broker has closed the connection")
-            hint ("the broker's log has the reason; for a port with TLS write mqtts://");
+            hint ("see the log of the broker for the reason; if the port uses TLS, write mqtts://");
         /// No program listens on this port of the host.
-        NoBroker error "no-broker" ("no broker listens there")
+        NoBroker error "no-broker" ("no broker listens on this host and port")
             hint ("start the broker, or correct host and port");
         /// The network has no route to the host.
         Unreachable error "unreachable" ("the host cannot be reached")
@@ -140,19 +140,19 @@ homebody_core::messages! {
             error "publish-denied" ("the broker does not accept messages below {base}: {code}")
             hint ("let this user write there, in the broker's access list");
         /// Without a user, every person on the internet could read the home, and give it commands.
-        Public error "public" ("this broker is on the internet and asks for no user: everybody could read and command the home")
-            hint ("name a user, or allow it by ?public=true");
+        Public error "public" ("the broker is on the internet and asks for no user, so any person could read and control the home")
+            hint ("name a user in the URL, or add ?public=true to allow this");
         /// A broker passes on messages of sensors. A ground truth has several tables, and none of its rows is a message.
         RowsOnly error "rows-only" ("anything but the rows of a log")
             hint ("write the truth to a database or files");
         /// The program that uses this destination hands over rows of another table.
-        OtherRow error "other-row" ("a row is not one of a log")
+        OtherRow error "other-row" ("a row does not belong to the table of the log")
             hint ("hand over the rows of the log's table");
         /// Each message is published on the topic of its sensor.
         NoSensor error "no-sensor" ("a row names no sensor")
             hint ("hand over the rows of the log's table");
         /// Each message is published on the topic of its sensor, and the run declares its sensors at its start.
-        UnknownSensor { sensor: String } error "unknown-sensor" ("a row is of {sensor:?}, which is not a sensor of the run")
+        UnknownSensor { sensor: String } error "unknown-sensor" ("a row names the sensor {sensor:?}, which the run does not have")
             hint ("hand over rows of the sensors that the run has declared");
     }
 }

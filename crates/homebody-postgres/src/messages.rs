@@ -11,40 +11,40 @@ homebody_core::messages! {
         Password error "password" ("the URL has a password in it, where others can read it")
             hint ("{INSTEAD}");
         /// libpq tries several hosts one after the other. Homebody writes to one.
-        SeveralHosts error "several-hosts" ("several hosts are named")
-            hint ("name one");
+        SeveralHosts error "several-hosts" ("the URL or the environment names several hosts")
+            hint ("name one host");
         /// `sslmode` has the values of libpq.
         SslMode { value: String, known: Vec<&'static str> }
-            error "sslmode" ("sslmode={value:?} is not a mode")
+            error "sslmode" ("{value:?} is not a valid value of sslmode")
             hint ("write one of {known}", known = known.join(", "));
         /// Names of schemas reach SQL, so they consist of plain characters.
         Schema { name: String } error "schema" ("{name:?} cannot be the name of a schema")
-            hint ("use up to 63 of a-z, 0-9 and _, not a digit first, and not a schema of the server itself");
+            hint ("use at most 63 characters from a-z, 0-9 and _, no digit first, and no schema of the server itself");
         /// The user is the part before `@`, or comes from PGUSER or USER.
-        NoUser error "no-user" ("no user is named")
+        NoUser error "no-user" ("the URL names no user, and neither does the environment")
             hint ("write postgresql://USER@HOST/DATABASE");
         /// docs/reference/postgresql.md lists the parameters of the URL.
         Unknown { name: String, advice: String }
             error "unknown-parameter" ("there is no parameter {name:?}") hint ("{advice}");
         /// A parameter needs a value after `=`.
         NoValue { name: String } error "no-value" ("the parameter {name} has no value")
-            hint ("write {name}=...");
+            hint ("write {name}=VALUE, or remove the parameter");
         /// In a URL, `%` and two hexadecimal digits are one byte, such as `%40` for `@`.
-        Percent error "percent" ("a % is not followed by two digits")
+        Percent error "percent" ("a % is not followed by two hexadecimal digits")
             hint ("write %25 for a % itself");
         /// The bytes that are written with `%` must be text in UTF-8.
         NotUtf8 error "not-utf-8" ("the bytes written with % are not UTF-8")
-            hint ("write %C3%B6 for ö");
+            hint ("write text in UTF-8, such as %C3%B6 for ö");
         /// Ports go from 1 to 65535, and a connection may take up to an hour.
         Number { name: String, text: String, least: u64, most: u64 }
-            error "number" ("the {name} {text:?} is not a number in its range")
-            hint ("write a number from {least} to {most}");
+            error "number" ("the {name} {text:?} is not a number from {least} to {most}")
+            hint ("write a number in this range");
         /// A run of a log is a whole number, and the database stores it as one.
         Run { run: String } error "run" ("run={run} is not a whole number")
-            hint ("write run=7, or leave it out");
+            hint ("write a whole number, such as run=7, or leave the parameter out");
         /// Each home of a fleet is a run of its own in the database.
-        FleetRun { run: String } error "fleet-run" ("run={run} is one run, and a fleet has one for each home")
-            hint ("leave it out");
+        FleetRun { run: String } error "fleet-run" ("run={run} names one run, but a fleet has a run for each home")
+            hint ("leave the parameter out");
     }
 }
 
@@ -78,21 +78,21 @@ homebody_core::messages! {
         Lost { reason: String } error "connection-lost" ("the connection was lost: {reason}")
             hint ("start the server, or correct host and port");
         /// The system gives the program no connection.
-        NoConnection { reason: String } error "no-connection" ("the system gives no connection: {reason}")
+        NoConnection { reason: String } error "no-connection" ("the system cannot open a connection: {reason}")
             hint ("allow this user more open files (ulimit -n)");
         /// The client library of PostgreSQL reports this error.
         Client { reason: String } error "client" ("{reason}")
-            hint ("docs/how-to/postgresql.md says what a server needs");
+            hint ("see docs/how-to/postgresql.md for what a server needs");
         /// A server has several databases, and none of this name.
         NoDatabase { answer: String, database: String }
             error "no-database" ("{answer}")
-            hint ("createdb {database} creates it; or name another");
+            hint ("run createdb {database}, or name another database");
         /// The user may connect, and lacks a right in the database.
         NoRight { answer: String } error "no-right" ("{answer}")
-            hint ("have an owner GRANT it to this user, or connect as another user");
+            hint ("ask an owner to GRANT the right to this user, or connect as another user");
         /// The server is a standby of another, or is set to read-only. A run tries again for some time.
         ReadOnly { answer: String } error "read-only" ("{answer}")
-            hint ("the server takes no changes: name one that does, or wait until it does");
+            hint ("name a server that takes changes, or wait until this one does");
         /// The rows of a run have a key, and another program has written rows with the same key.
         SameRows { answer: String } error "same-rows" ("{answer}")
             hint ("another program has written rows of this run: wait until it ends, or pass --replace-rows");
@@ -113,17 +113,17 @@ homebody_core::messages! {
             error "run-exists" ("the run {run} of {scenario:?} is already in the schema {schema:?}")
             hint ("pass --replace-rows to replace it, or --resume to continue it; or name another schema: ?schema=NAME");
         /// A fleet writes one run for each home.
-        NoHomes error "no-homes" ("a fleet has no homes") hint ("ask for one or more");
+        NoHomes error "no-homes" ("the fleet has no homes") hint ("ask for at least one home");
         /// A person or a program has deleted the run while the fleet was writing.
-        RunGone { home: String } error "run-gone" ("the run of {home} is gone")
+        RunGone { home: String } error "run-gone" ("the run of {home} is no longer in the database")
             hint ("check which other program changes the database");
         /// A fleet continues runs of its own version.
         ForeignRun { run: i64, holds: String, version: String }
-            error "foreign-run" ("the run {run} is there and belongs to another: {holds} of version {version}")
+            error "foreign-run" ("the run {run} already exists and is not of this fleet: it has {holds} of version {version}")
             hint ("pass --replace-rows to replace it, or name another schema: ?schema=NAME");
         /// The tables go to the first schema of the user's search path that exists.
         NoSchema error "no-schema" ("this user has no schema")
-            hint ("name one: ?schema=NAME");
+            hint ("name a schema: ?schema=NAME");
         /// PostgreSQL stores no zero bytes in texts.
         ZeroByte { text: String } error "zero-byte" ("the text {text:?}")
             hint ("PostgreSQL takes no zero byte in texts: give the sensor another id");
@@ -134,32 +134,32 @@ homebody_core::messages! {
         /// ```
         MissingColumns { table: String, missing: Vec<String>, known: String }
             error "missing-columns" ("the table {table:?} has no column {missing}", missing = missing.join(", no column "))
-            hint ("its columns are {known}; name them with --mapping logger.json");
+            hint ("name the right columns with --mapping logger.json; the table has {known}");
         /// A log is one run. The table has others.
         NoRunInTable { table: String, run: String, known: String }
             error "no-run-in-table" ("the table {table:?} has no run {run}")
-            hint ("its runs are {known}");
+            hint ("name one of its runs: {known}");
         /// A log is one run. The table has several.
         SeveralRuns { table: String, runs: String, first: String }
             error "several-runs" ("the table {table:?} has several runs: {runs}")
-            hint ("name one: ?run={first}");
+            hint ("name one of them, such as ?run={first}");
         /// The table of runs has others.
         NoRun { run: String, known: String }
-            error "no-run" ("there is no run {run}") hint ("the runs are {known}");
+            error "no-run" ("there is no run {run}") hint ("name one of the runs: {known}");
         /// Homebody reads the table `firing` unless `--mapping logger.json` names another.
         NoTable { table: String, schema: String, advice: String }
             error "no-table" ("there is no table {table:?} in the schema {schema:?}") hint ("{advice}");
         /// The schema has ground truths of other runs.
         NoTruthOfRun { schema: String, run: String, known: String }
-            error "no-truth-of-run" ("the schema {schema:?} has no truth of the run {run}")
-            hint ("its runs are {known}");
+            error "no-truth-of-run" ("the schema {schema:?} has no ground truth of the run {run}")
+            hint ("name one of its runs: {known}");
         /// A ground truth is of one run. The schema has several.
         SeveralTruths { schema: String, runs: String, first: i64 }
-            error "several-truths" ("the schema {schema:?} has the truth of several runs: {runs}")
-            hint ("name one: ?run={first}");
+            error "several-truths" ("the schema {schema:?} has the ground truths of several runs: {runs}")
+            hint ("name one of them, such as ?run={first}");
         /// The schema has the tables of a truth, and no rows in them.
-        NoTruth { schema: String } error "no-truth" ("the schema {schema:?} has the truth of no run")
-            hint ("write one there with --truth, or name another schema: ?schema=NAME");
+        NoTruth { schema: String } error "no-truth" ("the schema {schema:?} has tables of ground truths, but no rows in them")
+            hint ("write a ground truth there with --truth, or name another schema: ?schema=NAME");
     }
 }
 
@@ -170,16 +170,16 @@ homebody_core::messages! {
         LaterRows error "later-rows" ("it has rows from after the end of this run")
             hint ("let the run last as long as before, or pass --replace-rows");
         /// The table of runs counts the rows of each run.
-        NoRunRow error "no-run-row" ("its row in homebody_run is gone")
-            hint ("restore it, or pass --replace-rows");
+        NoRunRow error "no-run-row" ("its row in the table homebody_run is gone")
+            hint ("restore the row, or pass --replace-rows");
         /// Two programs that write one run would overwrite each other's rows.
-        OtherProgram error "other-program" ("another program has continued it")
+        OtherProgram error "other-program" ("another program has continued the run")
             hint ("stop the other program, or name another schema: ?schema=NAME");
         /// The server reports how many rows it has stored, and that differs from the number sent.
-        OtherCount error "other-count" ("the server has stored another number of rows")
+        OtherCount error "other-count" ("the server has stored another number of rows than Homebody sent")
             hint ("check triggers and rules of the table");
         /// The names of tables come from `logger.json`, which has changed since the run began.
-        OtherTables { tables: Vec<String> } error "other-tables" ("it is in the tables {tables}", tables = tables.join(", "))
+        OtherTables { tables: Vec<String> } error "other-tables" ("its rows are in the tables {tables}", tables = tables.join(", "))
             hint ("restore the names in logger.json, or start a new run");
     }
 }
@@ -189,7 +189,7 @@ homebody_core::messages! {
     pub(crate) enum SchemaMessage in "postgresql-schema" {
         /// The server is a standby of another, or the user is set to read-only.
         ReadOnly error "read-only" ("the server takes no changes from this user")
-            hint ("name a server that takes changes, or ALTER ROLE the user's default_transaction_read_only");
+            hint ("name a server that takes changes, or turn default_transaction_read_only off with ALTER ROLE");
         /// The schema does not exist, and the user may not create it.
         NoSchema { schema: String, user: String }
             error "no-schema" ("there is no schema {schema:?}, and {user:?} may not create one")
@@ -201,7 +201,7 @@ homebody_core::messages! {
         /// The tables do not exist, and the user may not create them.
         TablesDenied { tables: String, schema: String, user: String }
             error "tables-denied" ("the schema {schema:?} lacks {tables}, and {user:?} may not create tables")
-            hint ("GRANT CREATE ON SCHEMA {schema} TO {user}, or name another: ?schema=NAME");
+            hint ("GRANT CREATE ON SCHEMA {schema} TO {user}, or name another schema: ?schema=NAME");
         /// A run inserts rows and reads how far it is; with `--replace-rows` it deletes rows, too.
         NoRights { user: String, lacking: String, grant: String }
             error "no-rights" ("{user:?} has no right to {lacking}") hint ("{grant}");

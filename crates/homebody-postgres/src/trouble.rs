@@ -62,7 +62,7 @@ pub(crate) fn told(server: &Server, error: &tokio_postgres::Error, ignored: Opti
         "23505" => wrong(server, ServerMessage::SameRows { answer }),
         _ if passes(code) => away(server, ServerMessage::Passing { answer }),
         _ => {
-            let advice = said.hint().unwrap_or("docs/how-to/postgresql.md says what a server needs").to_owned();
+            let advice = said.hint().unwrap_or("see docs/how-to/postgresql.md for what a server needs").to_owned();
             wrong(server, ServerMessage::Answer { answer, sqlstate: code.to_owned(), advice })
         }
     }

@@ -65,7 +65,7 @@ fn of_several_runs_one_is_named() {
     assert_eq!(log(&format!("{url}&run=-4"), &file).unwrap().rows, 20);
     for run in ["7", "x", "3%20OR%20true"] {
         let error = log(&format!("{url}&run={run}"), &file).unwrap_err().to_string();
-        assert!(error.contains("has no run") && error.contains("its runs are -4, 3, 12"), "{error}");
+        assert!(error.contains("has no run") && error.contains("name one of its runs: -4, 3, 12"), "{error}");
     }
 }
 
@@ -80,7 +80,7 @@ fn a_run_that_is_not_there_is_named_whatever_the_table_is_called() {
     }
     let usual = LoggerFile::default();
     let error = log(&format!("{url}&run=12"), &usual).unwrap_err().to_string();
-    assert!(error.contains("there is no run 12") && error.contains("the runs are 3, 7"), "{error}");
+    assert!(error.contains("there is no run 12") && error.contains("name one of the runs: 3, 7"), "{error}");
     assert_eq!(log(&format!("{url}&run=7"), &usual).unwrap().rows, 10);
     // The control: without a table of runs, the table of rows is missing.
     server.psql(&database, "DROP TABLE homebody_run");
@@ -123,7 +123,7 @@ fn tables_of_others_are_read_and_what_is_missing_is_told() {
     let error = log(&url, &file).unwrap_err().to_string();
     for told in [
         "has no column \"fired_at\", no column \"sensor\", no column \"value\"",
-        "its columns are run, time, device, message",
+        "the table has run, time, device, message",
         "--mapping",
     ] {
         assert!(error.contains(told), "{error}");

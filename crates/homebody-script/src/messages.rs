@@ -40,7 +40,7 @@ homebody_core::messages! {
             parameters: usize,
             /// The beginning of the function.
             form: String,
-        } error "parameters" ("the function {function} has {parameters}", parameters = counted(*parameters, "parameter", "parameters"))
+        } error "parameters" ("the function {function} cannot have {parameters}", parameters = counted(*parameters, "parameter", "parameters"))
             hint ("write {form}");
         /// A variable ends with its function. `this` keeps values from one decision to the next.
         UnknownVariable {
@@ -59,7 +59,7 @@ homebody_core::messages! {
             name: String,
             /// The hint.
             help: String,
-        } error "unknown-property" ("around has no property {name}")
+        } error "unknown-property" ("there is no property around.{name}")
             hint ("{help}");
         /// The name is not a function of the script, of Homebody or of Rhai. Some functions of Rhai, such as `eval`, are left out.
         UnknownFunction {
@@ -77,7 +77,7 @@ homebody_core::messages! {
             values: usize,
             /// The ways to write it.
             forms: Vec<String>,
-        } error "value-count" ("{word} has {values}", values = counted(*values, "value", "values"))
+        } error "value-count" ("{word} does not take {values}", values = counted(*values, "value", "values"))
             hint ("write {forms}", forms = forms.join(" or "));
         /// A constant or a literal value has a type that this word does not take.
         ValueType {
@@ -121,12 +121,12 @@ homebody_core::messages! {
             /// The name of the place.
             place: String,
         } error "not-a-seat" ("a resident cannot {verb} at {place:?}")
-            hint ("name a piece of furniture that is \"enterable\"; go(..) stands next to the others");
+            hint ("name a piece of furniture that is \"enterable\", or use go(..) to stand next to this one");
         /// Each name of a stream is a new source of random numbers. The limit is our choice.
         TooManyStreams {
             /// The limit.
             most: usize,
-        } error "too-many-streams" ("the script draws from more than {most} streams")
+        } error "too-many-streams" ("the script draws random numbers from more than {most} streams")
             hint ("name streams by their purpose, not by numbers");
         /// This word takes numbers only.
         NotANumber {
@@ -146,16 +146,16 @@ homebody_core::messages! {
         NegativeStep {
             /// The distance in metres.
             distance_m: f64,
-        } error "negative-step" ("a step cannot go {distance_m} metres")
+        } error "negative-step" ("step(..) cannot go {distance_m} metres")
             hint ("turn round instead: add 180 degrees");
         /// Homebody asks the script for the next step, and the script returned another value.
         NotAStep {
             /// The type that it has.
             found: String,
-        } error "not-a-step" ("the script returned {found}, and a step was expected")
+        } error "not-a-step" ("the script returned {found}, but Homebody expects a step")
             hint ("return a step, such as wait(60), or a list of steps");
         /// A list without elements has nothing to choose.
-        EmptyList error "empty-list" ("pick cannot choose from an empty list")
+        EmptyList error "empty-list" ("pick(..) cannot choose from an empty list")
             hint ("check the length of the list first");
         /// Words that look around, and random numbers, work only while Homebody asks the script for a decision.
         NotAsked error "not-asked" ("this word works only in functions that Homebody calls");
@@ -163,40 +163,40 @@ homebody_core::messages! {
         NoTime {
             /// The limit.
             most: u32,
-        } error "no-time" ("the script runs away: {most} decisions in a row take no time")
+        } error "no-time" ("the script made {most} decisions in a row that take no time")
             hint ("return a step that takes time, such as wait(60)");
         /// All decisions of an hour together have a limit, so that one script cannot hold up a run. The limit is our choice.
         SlowHour {
             /// The limit.
             most: u64,
-        } error "slow-hour" ("the script runs away: it takes more than {most} operations in an hour of the run")
-            hint ("decide less often, or with less work each time");
+        } error "slow-hour" ("the script takes more than {most} operations in one hour of the run")
+            hint ("let the script decide less often, or do less work for each decision");
         /// A single decision has a limit, so that an endless loop ends with a message. The limit is our choice.
         SlowDecision {
             /// The limit.
             most: u64,
-        } error "slow-decision" ("the script runs away: it takes more than {most} operations to decide")
-            hint ("end its loop, or spread the work over several decisions");
+        } error "slow-decision" ("the script takes more than {most} operations for one decision")
+            hint ("end the loop, or spread the work over several decisions");
         /// A function calls itself, directly or through others, and does not end.
-        DeepCalls error "deep-calls" ("functions call each other too deep")
-            hint ("let one of them end");
+        DeepCalls error "deep-calls" ("the functions of the script call each other too deeply")
+            hint ("let the last function return without another call");
         /// Homebody takes the steps of a script one after the other. The limit of waiting steps is our choice.
         TooManySteps {
             /// The limit.
             most: usize,
-        } error "too-many-steps" ("more than {most} steps are waiting")
+        } error "too-many-steps" ("the script has returned too many steps: more than {most} are waiting")
             hint ("return the next steps only; decide on the rest later");
         /// The resident leaves or enters the home, and no door of it leads outside.
         NoFrontDoor error "no-front-door" ("the home has no front door")
-            hint ("give one of its doors \"outside\": true");
+            hint ("write \"outside\": true for one of the doors in home.json");
         /// Furniture or a closed door blocks every way to this place.
         NoWay {
             /// The name of the place.
             place: String,
         } error "no-way" ("there is no way to {place:?}")
-            hint ("test it with around.can_reach(..)");
+            hint ("check the way first, with around.can_reach(..)");
         /// At the beginning of a run, the script has to place the resident in the home.
-        NoStart error "no-start" ("the home has no place for the resident to begin at")
+        NoStart error "no-start" ("the script does not say where in the home the resident begins")
             hint ("return go(..) first: the run begins at that place");
         /// `begin` returns the values that the script remembers as `this`.
         NotAMap error "not-a-map" ("begin() must return a map")
@@ -205,14 +205,14 @@ homebody_core::messages! {
         NotRemembered {
             /// The name.
             name: String,
-        } error "not-remembered" ("there is no remembered value {name}")
+        } error "not-remembered" ("the script reads this.{name}, but has stored no value there")
             hint ("give it a value in fn begin(), such as #{{ rounds: 0 }}");
         /// An operation got the empty value `()`, usually because nothing was remembered under a name yet.
         MissingValue {
             /// The operation with the types of its values.
             signature: String,
-        } error "missing-value" ("a value is missing in {signature}: () is empty")
-            hint ("give the remembered value a start in fn begin(), such as #{{ rounds: 0 }}");
+        } error "missing-value" ("a value is missing in {signature}, where () stands for the empty value")
+            hint ("give the remembered value a first value in fn begin(), such as #{{ rounds: 0 }}");
         /// The script ended itself with `throw`, or Rhai stopped it for the given reason.
         Failed {
             /// The text that was thrown, or the message of Rhai.

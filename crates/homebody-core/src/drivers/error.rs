@@ -28,7 +28,7 @@ crate::messages! {
         BeginsElsewhen {
             /// The begin of the segment.
             begin: Micros,
-        } error "wrong-begin" ("its segment begins at another time, {begin_s} s", begin_s = seconds(*begin))
+        } error "wrong-begin" ("its segment of movement begins at {begin_s} s, not at the time of the question", begin_s = seconds(*begin))
             hint ("begin a segment at the time of the question: `around.now()`");
         /// A segment of movement takes time: its end is after its begin.
         EndsTooSoon {
@@ -41,7 +41,7 @@ crate::messages! {
             /// The number, as a part of a sentence.
             what: &'static str,
         } error "invalid-number" ("it gave an invalid number for {what}")
-            hint ("give finite places, amplitudes and levels, and amplitudes from 0 on");
+            hint ("give finite numbers, and an amplitude of at least 0");
         /// A body does not jump: each segment begins where the one before it ended.
         Jump {
             /// The place of the body.
@@ -62,13 +62,13 @@ crate::messages! {
             thing: ThingId,
             /// The number of things in the home.
             things: usize,
-        } error "unknown-thing" ("it uses thing {number}, but the home has {things}, counted from 0", number = thing.0)
+        } error "unknown-thing" ("it uses the thing {number}, but the home has {things} things, numbered from 0", number = thing.0)
             hint ("find a thing by its name with `Plan::thing`");
         /// The driver was asked again and again at one instant, and gave only answers that take no time.
         NoEnd {
             /// The number of answers.
             answers: usize,
-        } error "no-progress" ("it gave {answers} answers that take no time")
+        } error "no-progress" ("it gave {answers} answers in a row that take no time")
             hint ("answer with a segment, which takes time");
         /// The driver reports that it cannot continue, for example because a script has failed.
         Failed {

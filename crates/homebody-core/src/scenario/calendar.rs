@@ -37,7 +37,7 @@ crate::messages! {
             /// The text.
             text: String,
         } error "zone-in-start" ("{text:?} must not name a time zone")
-            hint ("write local time, and the zone as \"time_zone\"");
+            hint ("write local time, and give the zone in the key \"time_zone\"");
         /// The rules of time zones are known for some centuries only.
         Year {
             /// The year.

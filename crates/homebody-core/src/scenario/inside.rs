@@ -94,13 +94,13 @@ crate::messages! {
             /// The kind that it is linked as here.
             wanted: String,
         } error "two-uses" ("{name:?} is already used as {used}, so it cannot be {wanted}")
-            hint ("link another file");
+            hint ("name another file");
         /// Two residents have the same file. They would be the same person.
         LinkedTwice {
             /// The name.
             name: String,
-        } error "linked-twice" ("{name:?} is linked twice")
-            hint ("give each resident a file");
+        } error "linked-twice" ("two residents have the same file {name:?}")
+            hint ("give each resident its own file");
         /// The file is valid, but of another kind than the link needs. Two links may be swapped.
         WrongKind {
             /// The name.
@@ -110,7 +110,7 @@ crate::messages! {
             /// The kind that the link needs.
             wanted: String,
         } error "wrong-kind" ("{name:?} is {found}, but {wanted} is needed here")
-            hint ("link another file");
+            hint ("name another file");
         /// Routines and scripts have a largest length, so that reading them takes a moment only.
         TooLong {
             /// The name.

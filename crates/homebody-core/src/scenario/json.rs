@@ -8,23 +8,23 @@ crate::messages! {
     pub enum JsonMessage in "json" {
         /// A file of a scenario contains one JSON object. An empty file contains none.
         Empty error "empty" ("the file is empty")
-            hint ("write a JSON object, or link another file");
+            hint ("write a JSON object, or name another file");
         /// A file of a scenario has a largest number of keys, items, objects and lists together, so that it fits into memory.
         TooManyValues {
             /// The largest number of values.
             most: usize,
         } error "too-many-values" ("the file has more than {most} values")
-            hint ("divide it, or remove values that the scenario does not need");
+            hint ("remove values that the scenario does not need");
         /// A text begins and ends with a double quote, both on one line. A quote inside a text has a backslash before it:
         ///
         /// ```json
         /// { "about": "the \"blue\" room" }
         /// ```
         UnclosedText error "unclosed-text" ("this text has no closing quote")
-            hint ("close it with \" on the same line");
+            hint ("end it with a double quote on the same line");
         /// JSON allows tabs, ends of lines and other control characters in a text only as escapes, such as `\t` and `\u001b`.
         ControlCharacter error "control-character" ("a text contains a control character")
-            hint ("write \\t for a tab, and \\u with four hexadecimal digits for others");
+            hint ("write \\t for a tab, and \\u with four hexadecimal digits for any other control character");
         /// Names and descriptions are short. A text of this length is probably a different file, or a quote is missing.
         LongText {
             /// The largest length.
@@ -35,7 +35,7 @@ crate::messages! {
         DeepNesting {
             /// The largest depth.
             most: usize,
-        } error "deep-nesting" ("lists and objects are nested more than {most} deep")
+        } error "deep-nesting" ("lists and objects are nested more than {most} levels deep")
             hint ("check that the brackets and braces before this place are closed");
         /// The parser found a mistake that has no message of its own. An editor that knows JSON shows more.
         Invalid {
@@ -47,7 +47,7 @@ crate::messages! {
         /// ```json
         /// { "days": 2.5 }
         /// ```
-        DecimalComma error "decimal-comma" ("a key in quotes is missing after this comma")
+        DecimalComma error "decimal-comma" ("a number follows this comma, where a key in quotes is expected")
             hint ("write a number with a point: 0.5, not 0,5");
         /// JSON has no words for numbers that are infinite or undefined.
         NotANumber error "not-a-number" ("JSON has no NaN and no Infinity")
@@ -57,7 +57,7 @@ crate::messages! {
             hint ("remove the 0");
         /// JSON has no comments. `scenario.json` and `home.json` have the key `about` for remarks.
         Comment error "comment" ("JSON has no comments")
-            hint ("remove it, or write it as the value of \"about\"");
+            hint ("remove the comment, or write its text as the value of \"about\"");
         /// Items of a list and entries of an object are separated by commas.
         MissingComma error "missing-comma" ("a comma is missing here")
             hint ("separate values with a comma");
@@ -74,20 +74,20 @@ crate::messages! {
         MissingValue error "missing-value" ("a value is missing here")
             hint ("write a number, a text in quotes, a list or an object");
         /// Each key of an object is in double quotes: `"days": 2`, not `days: 2`.
-        UnquotedKey error "unquoted-key" ("a key must be in quotes")
+        UnquotedKey error "unquoted-key" ("a key must be in double quotes")
             hint ("write \"key\": value");
         /// JSON has texts in double quotes only.
         SingleQuotes error "single-quotes" ("a text must be in double quotes")
-            hint ("write \" instead of '");
+            hint ("write double quotes instead of single quotes");
         /// JSON has decimal numbers only.
         Hexadecimal error "hexadecimal" ("a number must be decimal")
-            hint ("write 16 instead of 0x10");
+            hint ("write the number in decimal, such as 16 for 0x10");
         /// JSON does not allow a plus sign before a number.
         PlusSign error "plus-sign" ("a number cannot begin with +")
             hint ("remove the +");
         /// JSON requires a digit before and after the point of a number.
         BarePoint error "bare-point" ("a number needs a digit on both sides of its point")
-            hint ("write 0.5 for .5, and 5.0 for 5.");
+            hint ("write a digit before and after the point, as in 0.5 and 5.0");
         /// A number ends in a sign, a point or an exponent without digits.
         IncompleteNumber error "incomplete-number" ("this number is incomplete")
             hint ("add the missing digits");
@@ -98,14 +98,14 @@ crate::messages! {
         UnclosedList error "unclosed-list" ("this list has no closing bracket")
             hint ("add the missing bracket");
         /// The brace has no opening brace. Often a brace before it is one too many.
-        ExtraBrace error "extra-brace" ("no object is open before this brace")
+        ExtraBrace error "extra-brace" ("this closing brace has no opening brace")
             hint ("remove it");
         /// The bracket has no opening bracket. Often a bracket before it is one too many.
-        ExtraBracket error "extra-bracket" ("no list is open before this bracket")
+        ExtraBracket error "extra-bracket" ("this closing bracket has no opening bracket")
             hint ("remove it");
         /// A file contains one value. More text follows after its end, often because a brace before it closes too much.
-        TextAfterEnd error "text-after-end" ("text follows after the end of the value")
-            hint ("remove it, or remove a closing brace or bracket before it");
+        TextAfterEnd error "text-after-end" ("text follows the end of the JSON value")
+            hint ("remove the text, or a closing brace or bracket before it that is one too many");
         /// Only `true`, `false` and `null` are words of JSON. All other texts are in quotes.
         UnquotedText error "unquoted-text" ("this word is not a JSON value")
             hint ("put it in quotes");
@@ -116,7 +116,7 @@ crate::messages! {
         MissingKey error "missing-key" ("a key in quotes is missing here")
             hint ("write \"key\": value");
         /// JSON knows the escapes `\"`, `\\`, `\/`, `\b`, `\f`, `\n`, `\r`, `\t` and `\u` with four hexadecimal digits.
-        InvalidEscape error "invalid-escape" ("this text has a backslash that begins no valid escape")
+        InvalidEscape error "invalid-escape" ("the backslash in this text does not begin a valid escape")
             hint ("write \\\\ for a backslash");
     }
 }

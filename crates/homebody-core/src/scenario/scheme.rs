@@ -321,10 +321,10 @@ impl Scheme {
     fn instead_of_password(self) -> &'static str {
         match self {
             Scheme::Postgresql => {
-                "leave it out, and write HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass, which nobody else may read \
+                "leave the password out, and write HOST:PORT:DATABASE:USER:PASSWORD into ~/.pgpass, which nobody else may read \
                  (chmod 600), or set PGPASSWORD; ?passfile=FILE names another file"
             }
-            _ => "leave it out; the document of this kind of place says where it goes",
+            _ => "leave the password out; the document of this kind of place says where to put it",
         }
     }
 

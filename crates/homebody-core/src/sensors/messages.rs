@@ -50,7 +50,7 @@ crate::messages! {
         TooManyBeams {
             /// The largest number.
             most: u32,
-        } error "too-many-beams" ("the sensors up to this one have more than {most} beams together")
+        } error "too-many-beams" ("this sensor and those before it have more than {most} beams in total")
             hint ("give the sensors fewer \"beams\"");
         /// A sensor decides after the wait `refire_s` whether it fires again. It remembers a movement for `persist_s` within that wait.
         PersistTooLong {
@@ -59,13 +59,13 @@ crate::messages! {
             /// The least wait.
             least_refire_s: f64,
         } error "persist-too-long"
-            ("\"persist_s\", {persist_s}, is greater than the least of \"refire_s\", {least_refire_s}")
+            ("\"persist_s\", {persist_s} s, is longer than the shortest \"refire_s\", {least_refire_s} s")
             hint ("set \"persist_s\" to at most {least_refire_s}");
         /// A field of view of more than 180 degrees would see behind the wall that the sensor is on.
         VerticalField {
             /// The angle.
             field_deg: f64,
-        } error "vertical-field" ("the vertical angle of view must be at most 180, but is {field_deg}")
+        } error "vertical-field" ("the vertical angle of view must be at most 180 degrees, but is {field_deg} degrees")
             hint ("give a smaller angle");
         /// A sensor at level `zones` counts the zones that a body enters. Each row may have 0 zones, but not all rows.
         NoZones error "no-zones" ("a sensor needs at least one zone")
@@ -77,7 +77,7 @@ crate::messages! {
             /// The wall or door.
             by: String,
         } error "reaches-through" ("the area of {sensor:?} reaches through {by}")
-            hint ("end the area there");
+            hint ("let the area end at {by}");
         /// A sensor inside a wall or a piece of furniture sees nothing.
         Inside {
             /// The sensor.
@@ -85,7 +85,7 @@ crate::messages! {
             /// The wall or piece of furniture.
             by: String,
         } error "inside-solid" ("the sensor {sensor:?} is inside {by}")
-            hint ("move it to the surface, on the side from which it looks");
+            hint ("move it to the surface of {by}, on the side to which the sensor looks");
         /// A sensor is on the inner surface of a wall, inside the rooms.
         Outside {
             /// The sensor.
@@ -127,7 +127,7 @@ crate::messages! {
             /// The wall or piece of furniture.
             by: String,
         } error "camera-inside-solid" ("the camera {camera:?} is inside {by}")
-            hint ("move it, for example some centimetres from the wall");
+            hint ("move it into the room, for example some centimetres in front of the wall");
         /// Nearly all of the picture is wall or ceiling, so no resident would appear in it.
         SeesNothing {
             /// The camera.
@@ -144,7 +144,7 @@ crate::messages! {
         NeverSleeps {
             /// The camera.
             camera: String,
-        } error "camera-never-sleeps" ("the camera {camera:?} never sleeps, so no sensor wakes it")
+        } error "camera-never-sleeps" ("the camera {camera:?} is always on, so \"woken_by\" has no effect")
             hint ("remove \"woken_by\" or \"always\"");
         /// A power sensor reports readings where its file gives the power of the device. Otherwise it reports on and off only.
         WithoutWatts {
@@ -158,7 +158,7 @@ crate::messages! {
             standby_watts: f64,
             /// The power while the device is on.
             watts: f64,
-        } error "standby-too-large" ("\"standby_watts\", {standby_watts}, is greater than \"watts\", {watts}")
+        } error "standby-too-large" ("\"standby_watts\", {standby_watts} W, is greater than \"watts\", {watts} W")
             hint ("set \"standby_watts\" to at most {watts}");
         /// The levels of restlessness follow each other: a longer movement has a higher level.
         LevelsOrder {
@@ -194,26 +194,26 @@ crate::messages! {
             upper: &'static str,
             /// The upper limit.
             high_c: f64,
-        } error "limit-order" ("{upper:?} must be greater than {lower:?}, but {high_c} is not greater than {low_c}")
+        } error "limit-order" ("{upper:?}, {high_c} °C, must be greater than {lower:?}, {low_c} °C")
             hint ("set {upper:?} above {low_c}");
         /// A pressure sensor is in a piece of furniture or on an area of the floor.
-        TwoPlaces error "two-places" ("this sensor has two places")
-            hint ("give either \"on\" or \"area\"");
+        TwoPlaces error "two-places" ("this sensor has both \"on\" and \"area\"")
+            hint ("remove \"on\" or \"area\"");
         /// A pressure sensor is in a piece of furniture or on an area of the floor. A low piece of furniture is a mat.
         NoPlace {
             /// The sensor.
             sensor: String,
             /// The largest height of a mat.
             mat_height_m: f64,
-        } error "no-place" ("the sensor {sensor:?} has no place")
-            hint ("give \"on\", a piece of furniture (a mat if at most {mat_height_m} m high), or \"area\"");
+        } error "no-place" ("the sensor {sensor:?} has neither \"on\" nor \"area\"")
+            hint ("name furniture in \"on\" (a piece of at most {mat_height_m} m is a mat), or give an \"area\" of the floor");
         /// The sensor is on a part of the home that does not exist, so the home cannot be used. The check of the scenario reports the
         /// same with its place in the file.
         Unresolved {
             /// The sensor.
             sensor: String,
         } error "unresolved" ("the sensor {sensor:?} names a part that the home does not have")
-            hint ("correct the part that the sensor names");
+            hint ("correct the door, room or piece of furniture that the sensor names");
     }
 }
 

@@ -44,11 +44,11 @@ homebody_core::messages! {
         /// M001,hall,front door
         /// ```
         Where(sensors: Vec<String>) error "no-rooms-of-sensors"
-            ("nothing says in which rooms {count} are: {names}", count = counted(sensors.len(), "sensor", "sensors"), names = listed(sensors))
+            ("cannot find the rooms of {count}: {names}", count = counted(sensors.len(), "sensor", "sensors"), names = listed(sensors))
             hint ("list them with their rooms: --sensors FILE, a table with the columns id, room and place");
         /// Homebody places up to this number of rooms next to each other, because the time that it needs grows fast with their number.
         TooManyRooms(rooms: usize) error "too-many-rooms" ("the sensors are in {rooms} rooms, and Homebody places at most {MOST_ROOMS}")
-            hint ("give several sensors one room");
+            hint ("give several sensors the same room: --sensors FILE");
         /// The home must pass the same check as a home that is written by hand.
         Unsound(reason: String) error "unsound" ("the log does not give a valid home: {reason}")
             hint ("list its sensors with other rooms: --sensors FILE");

@@ -97,8 +97,8 @@ fn markup_that_no_plan_has_is_refused() {
     assert!(refused(&home(&hidden)).contains("more attributes"));
     let namespaces: String = (0..100).map(|index| format!(" xmlns:a{index}='{index}'")).collect();
     assert!(refused(&home(&format!("<wall{namespaces}/>"))).contains("a namespace"));
-    assert!(refused(&home(&"<a/>".repeat(1_100_000))).contains("more parts"));
-    assert!(refused(&home(&format!("<a b='{}'/>", "=".repeat(4_100_000)))).contains("more parts"));
+    assert!(refused(&home(&"<a/>".repeat(1_100_000))).contains("more elements"));
+    assert!(refused(&home(&format!("<a b='{}'/>", "=".repeat(4_100_000)))).contains("more elements"));
     assert!(refused(&home("<room name='&nothing;'/>")).contains("nothing"));
 }
 

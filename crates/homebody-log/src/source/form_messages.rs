@@ -42,14 +42,14 @@ homebody_core::messages! {
         /// Homebody recognises a log by its first lines. docs/reference/logs.md lists all forms, and the signs of each.
         Unknown { first_line: String }
             error "unknown" ("the file has no form that Homebody knows: line 1 is {first_line}")
-            hint ("docs/reference/logs.md lists the forms; name one before the file, as in csv:FILE");
+            hint ("write the form before the name, as in \"csv:FILE\"; docs/reference/logs.md lists the forms");
         /// The database was copied while a program wrote it, or the copy is not complete.
         DamagedDatabase { reason: String }
             error "damaged-database" ("the database is damaged or cut short: {reason}")
             hint ("copy it again with sqlite3 FILE '.backup COPY', or restore it");
         /// The name or the scheme says that the file is a database, and its first bytes are not those of one.
         NotDatabase error "not-a-database" ("the file is not an SQLite database")
-            hint ("name the database, or remove \"sqlite:\" before the name, so that Homebody recognises its form");
+            hint ("name the database, or remove \"sqlite:\" before the name, so that Homebody recognises the form");
         /// Homebody looks for a table with columns of a time, a sensor and a value, by their names. `--mapping logger.json` gives other names:
         ///
         /// ```json
@@ -58,10 +58,10 @@ homebody_core::messages! {
         NoLogTable error "no-log-table" ("no table of the database has columns of time, sensor and value")
             hint ("name the table and its columns with --mapping logger.json");
         /// Home Assistant keeps the states of its entities in the tables `states` and `states_meta`.
-        NoStates error "no-states" ("the database has no table of states as Home Assistant makes it")
+        NoStates error "no-states" ("the database lacks the tables in which Home Assistant stores states")
             hint ("name Home Assistant's own home-assistant_v2.db, or a copy of it");
         /// Domoticz keeps its devices and their history in tables such as `DeviceStatus` and `LightingLog`.
-        NoDevices error "no-devices" ("the database has no tables of devices and switches as Domoticz makes them")
+        NoDevices error "no-devices" ("the database lacks the tables in which Domoticz stores devices and switches")
             hint ("name Domoticz's own domoticz.db, or a copy of it");
         /// A broker passes messages on and does not store them.
         Broker error "broker" ("an MQTT broker stores no log")
@@ -73,7 +73,7 @@ homebody_core::messages! {
         /// Homebody looks at each file of a folder to find the log in it, so it limits their number.
         ManyFiles { most: usize }
             error "many-files" ("the folder has more than {most} files")
-            hint ("name the log");
+            hint ("name the file of the log");
         /// The text in brackets or braces has no values.
         EmptyJson error "empty-json" ("the file has no rows: its JSON is empty")
             hint ("check that the program that writes it has written its rows");
@@ -84,27 +84,27 @@ homebody_core::messages! {
         /// ```
         JsonWithoutRows { command: String }
             error "json-without-rows" ("no object of the JSON has a time, a sensor and a value")
-            hint ("make JSON Lines of it, for example with {command}");
+            hint ("convert the file to JSON Lines, for example with {command}");
         /// No line of the file could be parsed. The first of them shows the problem.
         NoRow { line: u64, reason: String }
             error "no-row" ("line {line}: {reason}")
-            hint ("correct the rows, or name the form of the log before the file, as in csv:FILE");
+            hint ("correct the rows, or write the form before the name, as in \"csv:FILE\"");
         /// The lines of this program have times of day. Homebody takes the date of the first line from the name of the file.
         Dateless { program: &'static str }
             error "no-date" ("it is a log of {program}, whose lines have times without a date")
-            hint ("put the date of its first line into its name, such as hall-2026-02-02.log");
+            hint ("put the date of the first line into the name of the file, such as hall-2026-02-02.log");
         /// Zigbee2MQTT logs the messages that it publishes only at the level `debug`, or `info` in older versions.
         NoMessages error "no-messages" ("it is a log of Zigbee2MQTT, and no line of it publishes a message")
             hint ("set log_level to debug, or record the messages with mosquitto_sub -t 'zigbee2mqtt/#' -F '%I %t %p'");
         /// The output of `psql` begins with a line of the names of columns.
-        PsqlColumns error "psql-columns" ("its first line has no columns of time, sensor and value")
+        PsqlColumns error "psql-columns" ("its first line lacks columns of time, sensor and value")
             hint ("select a time, a sensor and a value, or name the columns with --mapping logger.json");
         /// The tables of OpenSHS have a column for each sensor, one for the time and one for the activity.
         OpenshsColumns error "openshs-columns" ("its first line lacks the columns of OpenSHS: timestamp, Activity and two or more sensors")
             hint ("remove \"openshs:\" before the name, so that Homebody recognises the form");
         /// Each row of a table of labels has two instants and a text.
         NoLabels error "no-labels" ("no row has a start, an end and a label")
-            hint ("remove \"labels:\" before the name, so that Homebody recognises its form");
+            hint ("remove \"labels:\" before the name, so that Homebody recognises the form");
         /// A log of sensors repeats a few names, while a log of a program has sentences, levels and names of modules.
         ProgramLog { evidence: String }
             error "program-log" ("it looks like the log of a program: {evidence}")
@@ -115,22 +115,22 @@ homebody_core::messages! {
         /// 2009-03-02 07:12:03.123456  M001  ON
         /// ```
         NoTextRows error "no-text-rows" ("no line has a date, a time, a sensor and a value")
-            hint ("docs/reference/logs.md lists the forms; name one before the file, as in csv:FILE");
+            hint ("write the form before the name, as in \"csv:FILE\"; docs/reference/logs.md lists the forms");
         /// Most lines of a log begin with a date and a time.
         FewTextRows { rows: usize, lines: usize }
             error "few-text-rows" ("only {rows} of its first {lines} lines begin with a date and a time")
-            hint ("remove the other lines, or name the form of the log before the file, as in csv:FILE");
+            hint ("remove the other lines, or write the form before the name, as in \"csv:FILE\"");
         /// The rows are a table with a column for each sensor, and nothing names the columns. With a heading Homebody reads it:
         ///
         /// ```text
         /// time,kitchen temperature,bedroom temperature
         /// 2026-03-02 07:12:03,21.5,19.0
         /// ```
-        UnnamedColumns error "unnamed-columns" ("its lines have numbers in columns, and no names of sensors")
+        UnnamedColumns error "unnamed-columns" ("its lines are columns of numbers, and no line names the sensors")
             hint ("write a heading with a name for each column, and separate the cells by commas");
         /// The same sensors come again and again in a log. Here nearly each row has a name of its own.
         ManyNames { rows: u64, names: usize }
-            error "many-names" ("its first {rows} rows have {names} names: sensors come again and again")
-            hint ("check which column names the sensors; --mapping logger.json names it");
+            error "many-names" ("its first {rows} rows have {names} different names, but the names of sensors recur")
+            hint ("name the column of the sensors with --mapping logger.json");
     }
 }

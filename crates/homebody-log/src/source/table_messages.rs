@@ -8,8 +8,8 @@ homebody_core::messages! {
             hint ("wait until the program that writes it has written its rows");
         /// A comma separates the cells and also stands in numbers such as `21,5`, so each such number becomes two cells.
         MoreCells { names: usize }
-            error "more-cells" ("its rows have more cells than its heading has names ({names}): numbers may have decimal commas")
-            hint ("save it with semicolons between the cells");
+            error "more-cells" ("its rows have more cells than the {names} of its heading: numbers may have decimal commas")
+            hint ("save the table with semicolons between the cells");
         /// Homebody finds the columns of time, sensor and value by their names, and else by their cells. `--mapping logger.json` names them:
         ///
         /// ```json
@@ -20,19 +20,19 @@ homebody_core::messages! {
             hint ("write a heading such as time,sensor,value, or name the columns with --mapping logger.json");
         /// Each row of a log needs an instant. Homebody reads dates with a time of day, and numbers of seconds since 1970.
         NoInstants { among: String }
-            error "no-instants" ("no column has dates with times: it has {among}")
+            error "no-instants" ("no column has dates with times; the columns are {among}")
             hint ("write a column of instants such as 2026-03-02 07:12:03");
         /// Each row of a log needs an instant, and dates alone are not precise enough.
         DatesAlone { column: String }
             error "dates-without-times" ("its instants, in the column {column}, are dates without a time of day")
-            hint ("add the time of day to the dates, or as a column");
+            hint ("add the time of day to the dates, or in a column of its own");
         /// Each row of a log needs an instant. Homebody does not guess the date.
         TimesAlone { column: String }
             error "times-without-dates" ("its instants, in the column {column}, are times of day without a date")
             hint ("add a column of dates");
         /// The dates of a table have the same order throughout.
         MixedDates { column: String, day_first: usize, month_first: usize }
-            error "mixed-dates" ("in the column {column}, {day_first} dates have the day first and {month_first} the month")
+            error "mixed-dates" ("in the column {column}, {day_first} dates begin with the day and {month_first} with the month")
             hint ("pass --dates day-first or --dates month-first");
         /// In dates such as `02/03/2009` either number may be the day, and no date of the table decides it.
         OpenDates { column: String, example: String }
@@ -44,7 +44,7 @@ homebody_core::messages! {
             hint ("pass --decimals comma or --decimals point");
         /// Rows of a time, a thing and a number may be intervals or readings. A heading decides it.
         OpenNumbers { column: usize, intervals: String, readings: String }
-            error "ambiguous-numbers" ("the numbers in column {column} may be how long things were used, or readings")
+            error "ambiguous-numbers" ("the numbers in column {column} may be durations of use or readings")
             hint ("write a first line: {intervals} for intervals in seconds, or {readings} for readings");
         /// Two columns have the same names in them, and neither has a heading that Homebody knows. A `logger.json` decides it:
         ///
@@ -70,11 +70,11 @@ homebody_core::messages! {
             hint ("to read its entries as activities, name its columns start_time, end_time and activity");
         /// The same sensors come again and again in a log. The names of this column hardly come again.
         ManyNames { column: String, names: usize, rows: usize }
-            error "many-names" ("the column {column} does not name sensors: {names} of {rows} rows have a name of their own")
+            error "many-names" ("the column {column} does not name sensors: its {rows} rows have {names} different names")
             hint ("name the column of the sensors with --mapping logger.json");
         /// The devices are named only inside of sentences, and two devices of a kind would be one sensor.
         DevicesInSentences { column: String, measured: String }
-            error "devices-in-sentences" ("only the sentences of the column {column} name the devices: the column {measured} says what they measure")
+            error "devices-in-sentences" ("only the sentences in the column {column} name the devices; the column {measured} names quantities")
             hint ("write the device of each row into a column of its own, with the heading device");
         /// Values of sensors are numbers or a few words.
         Sentences { column: String }
@@ -86,7 +86,7 @@ homebody_core::messages! {
             hint ("write a table with a column for the time, the sensor and the value");
         /// The texts of one column hardly come again, as those of titles and messages do, so the rows tell of something else than sensors.
         Prose { column: String }
-            error "prose" ("the texts of the column {column} hardly come again: it is not a log of sensors")
+            error "prose" ("the texts in the column {column} hardly recur, so the file is not a log of sensors")
             hint ("give a log with a time, a sensor and a value in each row");
         /// Logs of programs have a column of levels, such as INFO and ERROR.
         ProgramLog { column: String, levels: String }
@@ -94,15 +94,15 @@ homebody_core::messages! {
             hint ("give a log with a time, a sensor and a value in each row");
         /// Most rows could not be parsed, so the table is likely to have other columns than Homebody takes them for.
         ManyLost { skipped: u64, rows: u64 }
-            error "many-lost" ("{skipped} of its {rows} rows have no instant, sensor and value as the others have")
+            error "many-lost" ("{skipped} of its {rows} rows lack an instant, a sensor or a value like those of the other rows")
             hint ("correct the rows, or name the columns with --mapping logger.json");
         /// `--home-column` names a column of the heading.
         NoHomeColumn { column: String, columns: String }
-            error "no-home-column" ("no column is called {column}: it has {columns}")
-            hint ("name one of these in --home-column");
+            error "no-home-column" ("no column is called {column}; the columns are {columns}")
+            hint ("name one of these columns in --home-column");
         /// A log is of one home. This one has several, and their sensors may have the same names.
         SeveralHomes { column: String, homes: String, key: String, first: String }
-            error "several-homes" ("its rows are of several homes or persons, by {column}: {homes}")
+            error "several-homes" ("its rows are of several homes or persons: {column} has {homes}")
             hint ("pass --home-column '{key}={first}' to read one of them, or --home-column '{key}=*' to read all as one home");
         /// `--home-column KEY=HOME` reads the rows of one home.
         NoSuchHome { column: String, home: String, homes: Vec<String> }

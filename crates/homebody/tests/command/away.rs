@@ -44,8 +44,8 @@ fn stopped(folder: &Folder, words: &str, (broker, says): (Ends, Option<&str>)) -
 
 #[test]
 fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with() {
-    let waits = "is unavailable: no broker listens there\n  the run waits for it for at most 600 s\n";
-    let spools = "is unavailable: no broker listens there\n  Homebody stores rows in the spool until it is available\n";
+    let waits = "is unavailable: no broker listens on this host and port\n  the run waits for it for at most 600 s\n";
+    let spools = "is unavailable: no broker listens on this host and port\n  Homebody stores rows in the spool until it is available\n";
     for (log, more, says) in
         [("log.db", "", Some(waits)), ("log.csv", "", None), ("log.db", "--on-unavailable spool", Some(spools))]
     {
@@ -56,7 +56,8 @@ fn a_run_that_is_stopped_while_its_broker_is_away_ends_soon_and_is_gone_on_with(
         let words = format!("--speed 60 --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true {more}");
         let (status, said) = stopped(&folder, &format!("run flat --for {SPAN} {words}"), (broker, says));
         assert_eq!(status.code(), Some(130), "{said}");
-        let [why, hint] = [" was unavailable when the run stopped: no broker listens there;", "--resume runs/flat-1"];
+        let [why, hint] =
+            [" was unavailable when the run stopped: no broker listens on this host and port;", "--resume runs/flat-1"];
         assert!(said.contains(why) && said.contains(hint), "{said}");
         assert_eq!(said.matches("warning: ").count(), usize::from(says.is_some()), "it is said once: {said}");
         let is_back = |line: &str| line.ends_with(" is available again") && !line.starts_with(' ');
@@ -85,7 +86,7 @@ fn a_broker_that_comes_late_is_an_error_or_waited_for_as_is_said() {
     drop(first);
     let words = format!("run flat --for 20m --out mqtt://127.0.0.1:{port}/homebody?allow-fast=true");
     let begun = Instant::now();
-    folder.run(&words).fails(1, "no broker listens there\n  hint: start the broker");
+    folder.run(&words).fails(1, "no broker listens on this host and port\n  hint: start the broker");
     assert!(begun.elapsed() < SOON, "{:?}", begun.elapsed());
     for (number, (how, says)) in
         [("retry", "the run waits"), ("spool", "stores rows in the spool")].into_iter().enumerate()

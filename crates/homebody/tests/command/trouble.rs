@@ -170,7 +170,7 @@ fn what_was_replaced_in_vain_is_still_there() {
     cramped(&folder, 4, over).fails(1, "log.db");
     folder.run(&format!("{over} --out csv:no/folder.csv")).fails(1, "folder.csv");
     folder.write("flat/logger.json", r#"{ "ids": { "KitchenWall": "a b", "BedroomWall": "AB" } }"#);
-    folder.run(&format!("{over} --out casas:log.txt")).fails(2, "would both be");
+    folder.run(&format!("{over} --out casas:log.txt")).fails(2, "would both have the id");
     assert_eq!((signs(), folder.files()), (before, files));
 }
 

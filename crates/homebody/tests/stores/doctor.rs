@@ -233,7 +233,7 @@ fn what_is_wrong_with_a_broker_is_found() {
     folder.run(&format!("run flat --for 1m --quiet --out {url}?allow-fast=true --out csv:x.csv")).ok();
     tells(&folder, &url, "warning", "of 1 home are kept: homes/flat");
     drop(broker);
-    tells(&folder, &url, "wrong", "no broker listens there");
+    tells(&folder, &url, "wrong", "no broker listens on this host and port");
 
     let rights = |name: &str, text: &str| {
         folder.write(name, text);

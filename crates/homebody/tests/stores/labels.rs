@@ -52,11 +52,13 @@ fn labels_are_the_same_from_whatever_the_truth_was_written_to() {
     same(&truth);
     same(&url);
     folder.run(&format!("run flat --for 20m --seed 2 --quiet --force --out csv:other.csv --truth {url}")).ok();
-    let said =
-        folder.run(&format!("label log.csv {truth} --out csv:x.csv")).fails(1, "has the truth of several runs").err;
+    let said = folder
+        .run(&format!("label log.csv {truth} --out csv:x.csv"))
+        .fails(1, "has the ground truths of several runs")
+        .err;
     assert!(said.contains(&format!("?run={id}")) || said.contains(&id), "{said}");
     same(&format!("{truth}&run={id}"));
-    folder.run(&format!("label log.csv {truth}&run=7 --out csv:x.csv")).fails(1, "has no truth of the run 7");
+    folder.run(&format!("label log.csv {truth}&run=7 --out csv:x.csv")).fails(1, "has no ground truth of the run 7");
     // The control: the truth of the other run is refused, or gives other labels.
     let other = server.psql(&database, &format!("SELECT run_id FROM truth.homebody_run WHERE run_id <> {id}"));
     let labelled = folder.run(&format!("label log.csv {truth}&run={other} --out csv:found.csv --force"));

@@ -18,7 +18,7 @@ crate::messages! {
         } error "backward-time" ("time runs backward, from {before_s} s to {after_s} s")
             hint ("put the changes in order of time");
         /// The list of held keys names each key once.
-        HeldTwice error "held-twice" ("this key is held twice")
+        HeldTwice error "held-twice" ("the list of held keys names this key twice")
             hint ("remove one of them");
         /// A resident uses doors, pieces of furniture and the lamps of rooms, by the names in `home.json`.
         UnknownThing {

@@ -36,7 +36,7 @@ crate::messages! {
             /// The day, in words.
             day: String,
         } error "moved-twice" ("{sensor:?} is moved twice {day}")
-            hint ("remove one of them, or move it on another day");
+            hint ("remove one of the moves, or put it on another day");
         /// Two faults of a sensor exclude each other, such as an empty battery and a stuck sensor. A fault without `days` lasts until the end
         /// of the run.
         FaultsOverlap {
@@ -54,9 +54,9 @@ crate::messages! {
             other_ends: bool,
         } error "faults-overlap" ("{sensor:?} cannot have the fault {kind:?} {days}: it has the fault {other:?} {other_days}")
             advice (Some(match other_ends {
-                _ if other == "moved" => "remove one of them".to_owned(),
-                true => "end one of them before the other begins".to_owned(),
-                false => format!("give {other:?} an end with \"days\""),
+                _ if other == "moved" => "remove one of the two faults".to_owned(),
+                true => "end one of the two faults before the other begins".to_owned(),
+                false => format!("give the fault {other:?} an end with \"days\""),
             }));
         /// Motion sensors fire without a cause now and then. Other kinds of sensors do not.
         NotMotion {
@@ -74,7 +74,7 @@ crate::messages! {
         TooManyPlaces {
             /// The largest number.
             most: usize,
-        } error "too-many-places" ("the sensors and the places they are moved to are more than {most}")
+        } error "too-many-places" ("the sensors and the places to which faults move them add up to more than {most}")
             hint ("move fewer sensors");
         /// The fault is valid, and it begins after the end of the run, so it has no effect.
         FaultAfterEnd {

@@ -16,13 +16,13 @@ crate::messages! {
     /// Problems with the logger.
     pub enum LoggerMessage in "logger" {
         /// `lumps` divides the holds into lumps by their shares, and all shares are 0.
-        NoShare error "no-share" ("no lump has a share")
+        NoShare error "no-share" ("every lump in \"lumps\" has the share 0")
             hint ("give one lump a share above 0, or write [] for holds of exactly \"hold_s\"");
         /// A scenario names files of the run's folder only. Servers and standard output are the choice of the person who runs it.
         NotAFile {
             /// The destination.
             target: String,
-        } error "not-a-file" ("{target:?} is not a file of a run's folder")
+        } error "not-a-file" ("{target:?} is not a file in the folder of the run")
             hint ("remove it here, and run with: homebody run --out {target}");
         /// SQLite keeps tables of its own, which have names of this form.
         SqliteTable {
@@ -34,7 +34,7 @@ crate::messages! {
         ReservedTable {
             /// The name.
             name: String,
-        } error "reserved-table" ("the log cannot be the table {name:?}, which Homebody writes for other rows")
+        } error "reserved-table" ("the table of the log cannot be named {name:?}, because Homebody writes another table of this name")
             hint ("choose another name");
         /// Each column of a table has its own name.
         SameColumn {
@@ -51,7 +51,7 @@ crate::messages! {
             /// The name.
             name: String,
         } error "sql-name" ("{name:?} cannot be the name of a table or a column")
-            hint ("use up to 63 of a-z, 0-9 and _, and do not begin with a digit");
+            hint ("use at most 63 characters from a-z, 0-9 and _, and do not begin with a digit");
         /// The rows of a log name their sensors by id, so each id is different. A sensor without an id in `ids` has its name as its id.
         SameId {
             /// The first sensor.
@@ -60,7 +60,7 @@ crate::messages! {
             second: String,
             /// The id that both would have.
             id: String,
-        } error "duplicate-id" ("{first:?} and {second:?} would both be {id:?} in the log")
+        } error "duplicate-id" ("the sensors {first:?} and {second:?} would both have the id {id:?} in the log")
             hint ("give each sensor its own id");
     }
 }

@@ -36,8 +36,8 @@ crate::messages! {
             /// The largest number of movements in a second.
             most_per_s: f64,
         } error "too-many-moves"
-            ("{moves} movements in {lasts_s} s, repeated: a person makes at most {most_per_s} in a second")
-            hint ("let them take longer, or repeat them less often");
+            ("the repeated steps have {moves} movements in {lasts_s} s, but a person makes at most {most_per_s} per second")
+            hint ("let the steps take longer, or repeat them fewer \"times\"");
         /// The pace, the duration and the time of arrival of a walk depend on each other, so a path gives one of them.
         TwoTempos {
             /// The first key.
@@ -57,7 +57,7 @@ crate::messages! {
             /// The resident's own pace.
             pace_mps: f64,
         } error "too-fast" ("{length_m:.1} m in {span_s} s would be faster than {most_mps} m/s")
-            hint ("give it more time: at {pace_mps} m/s it takes {usual_s:.0} s", usual_s = length_m / pace_mps);
+            hint ("give the walk more time: at {pace_mps} m/s it takes {usual_s:.0} s", usual_s = length_m / pace_mps);
         /// A body that moves more slowly than 0.01 m/s does not arrive when the path means it to. Often the time of arrival is on the next day
         /// by mistake.
         TooSlow {
@@ -68,10 +68,10 @@ crate::messages! {
             /// The resident's own pace.
             pace_mps: f64,
         } error "too-slow"
-            ("{length_m:.1} m would take {hours:.1} hours, until that time of day", hours = span_s / 3600.0)
-            hint ("arrive earlier, or wait first: at {pace_mps} m/s it takes {usual_s:.0} s", usual_s = length_m / pace_mps);
+            ("the walk of {length_m:.1} m would take {hours:.1} hours, until the given time of day", hours = span_s / 3600.0)
+            hint ("give an earlier time, or add a \"wait\" before the walk: at {pace_mps} m/s it takes {usual_s:.0} s", usual_s = length_m / pace_mps);
         /// A wait and an absence have a duration or an end.
-        NoSpan error "no-duration" ("this has neither \"for_s\" nor \"until\"")
+        NoSpan error "no-duration" ("this step has neither \"for_s\" nor \"until\"")
             hint ("give one of them");
         /// A wait and an absence have a duration or an end, not both.
         TwoSpans error "two-durations" ("\"for_s\" and \"until\" cannot both be given")
@@ -82,7 +82,7 @@ crate::messages! {
             for_s: f64,
             /// The time from one movement to the next.
             every_s: f64,
-        } error "long-stir" ("a stir of {for_s} s cannot come every {every_s} s")
+        } error "long-stir" ("a small movement of {for_s} s cannot repeat every {every_s} s")
             hint ("set \"for_s\" to at most \"every_s\"");
         /// A path goes to places, enterable furniture and rooms, by the names in `home.json`.
         UnknownPlace {

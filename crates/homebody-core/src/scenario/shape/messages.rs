@@ -120,8 +120,8 @@ crate::messages! {
         NameAlone {
             /// The name.
             name: String,
-        } error "name-alone" ("{name:?} needs more than its name")
-            hint ("write an object with the key {name:?}");
+        } error "name-alone" ("the name {name:?} alone is not enough: it needs values of its own")
+            hint ("write an object with the key {name:?}, and the values in it: {{ {name:?}: {{ .. }} }}");
         /// The object is a choice between several kinds. Its only key names the kind.
         KeyCount {
             /// The kind of object, with its article.

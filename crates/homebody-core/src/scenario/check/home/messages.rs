@@ -29,7 +29,7 @@ crate::messages! {
             /// The outline or area.
             what: String,
         } error "crosses-itself" ("{what} crosses itself")
-            hint ("give its corners in order");
+            hint ("list its corners in their order along the border");
         /// Furniture and the areas of sensors are convex, which makes shadows and visibility fast to compute. Several pieces can have the form
         /// of an L.
         NotConvex {
@@ -96,7 +96,7 @@ crate::messages! {
         DoorsInWalls {
             /// The largest number.
             most: usize,
-        } error "doors-in-walls" ("the doors are in more than {most} walls together")
+        } error "doors-in-walls" ("too many walls lie on each other at the doors: more than {most} in total")
             hint ("draw each wall once, from corner to corner");
         /// A piece of furniture has a middle and a size, or an outline.
         IncompleteForm {
@@ -116,8 +116,8 @@ crate::messages! {
         CannotLie {
             /// The piece.
             name: String,
-        } error "not-enterable" ("a resident cannot lie in {name:?}")
-            hint ("write \"enterable\": true, or give the role to another piece");
+        } error "not-enterable" ("a resident cannot lie in {name:?}, because it is not enterable")
+            hint ("write \"enterable\": true, or give its role to another piece of furniture");
         /// Furniture and the areas of sensors are inside the rooms, up to the thickness of the walls.
         ReachesOut {
             /// The piece of furniture or the area.
@@ -149,7 +149,7 @@ crate::messages! {
             /// The name.
             name: String,
         } error "shared-name" ("a {noun} is also named {name:?}")
-            hint ("rename one of them: paths go to both by name");
+            hint ("rename one of them, because a path finds its destination by name");
         /// Residents walk to places, so places are inside the rooms.
         PlaceOutside {
             /// The place.
