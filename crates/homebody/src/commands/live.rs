@@ -155,9 +155,7 @@ impl Arguments {
             return Err(Failure::asked(LiveMessage::Start { folder, start: begins.to_string() }));
         }
         match self.seed {
-            Some(seed) if seed != home.seed() => {
-                Err(Failure::asked(LiveMessage::Seed { folder, seed: home.seed() }))
-            }
+            Some(seed) if seed != home.seed() => Err(Failure::asked(LiveMessage::Seed { folder, seed: home.seed() })),
             _ => Ok(()),
         }
     }
