@@ -125,7 +125,7 @@ impl Case {
         let (scenario, household) = match Household::load(&files, "scenario.json", &[]) {
             Ok(loaded) => loaded,
             Err(problems) => {
-                let told = problems.0.iter().map(|problem| problem.label() + &problem.text()).collect();
+                let told = problems.0.iter().map(|problem| format!("{}{}", problem.label(), problem.text())).collect();
                 return Tried { life: None, who: 0, told };
             }
         };
