@@ -135,8 +135,7 @@ fn legend(sheet: &mut Sheet, coverage: &Coverage, with_beams: bool) -> f64 {
     explain(svg, &mut legend, coverage, with_beams);
     tables(svg, &mut legend, coverage);
     let note = format!(
-        "Shaded is where the middle of a body of {}\u{a0}m radius can be. The floor measures {:.1}\u{a0}m², \
-         give or take {:.1}.",
+        "The colours cover the floor on which a body of {}\u{a0}m radius can stand: {:.1}\u{a0}m² ± {:.1}\u{a0}m².",
         coverage.body_radius_m, coverage.whole.floor_m2, coverage.whole.floor_error_m2
     );
     legend.note(svg, &note);

@@ -59,11 +59,11 @@ fn in_words(map: &Map) -> String {
 fn guesses(map: &Map) -> Option<String> {
     let count = map.absences.iter().filter(|absence| absence.is_guess).count();
     let of = match map.absences.len() {
-        1 => "The absence is a guess".to_owned(),
-        all if all == count => "All absences are guesses".to_owned(),
-        all => format!("{count} of {all} absences are guesses"),
+        1 => "The absence is estimated".to_owned(),
+        all if all == count => "All absences are estimated".to_owned(),
+        all => format!("{count} of {all} absences are estimated"),
     };
-    let why = "somebody was at the entrance, and then there was silence; no contact tells of a door";
+    let why = "movement at the entrance, then no movement at home";
     (count > 0).then(|| format!("{of}: {why}."))
 }
 

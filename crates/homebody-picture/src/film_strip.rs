@@ -138,9 +138,9 @@ fn legend(svg: &mut Svg, y: f64) {
     {
         entry(svg, words, &|svg, at| mark(svg, at, posture, FURNITURE_EDGE));
     }
-    entry(svg, "way since the moment before", &|svg, at| {
+    entry(svg, "path since the previous moment", &|svg, at| {
         svg.line(at - Point::new(10.0, 0.0), at + Point::new(10.0, 0.0), &Paint::line(FURNITURE_EDGE, 2.2));
     });
-    entry(svg, "sensor that has fired since", &|svg, at| svg.circle(at, 5.5, &Paint::fill(SENSOR)));
+    entry(svg, "sensor that fired since then", &|svg, at| svg.circle(at, 5.5, &Paint::fill(SENSOR)));
     entry(svg, "other sensor", &|svg, at| svg.circle(at, 3.0, &Paint::fill(WHITE).outlined(SENSOR, 1.2)));
 }

@@ -23,7 +23,7 @@ impl fmt::Display for Coverage {
         }
         writeln!(
             f,
-            "\nThe floor measures {:.2} m2 give or take {:.2}: cells of {} m, a body of {} m radius.",
+            "\nThe floor measures {:.2} m2 ± {:.2} m2: cells of {} m, a body of {} m radius.",
             self.whole.floor_m2, self.whole.floor_error_m2, self.step_m, self.body_radius_m
         )?;
 

@@ -101,11 +101,11 @@ fn absences(f: &mut fmt::Formatter, absences: &[Absence]) -> fmt::Result {
     let told = |at| format!("{} {}", date_of(at), clock(at.rem_euclid(DAY)));
     for absence in absences.iter().take(MOST_ABSENCES) {
         let (begin, end) = (told(absence.begin), told(absence.end));
-        let guess = if absence.is_guess { "  a guess" } else { "" };
+        let guess = if absence.is_guess { "  estimated" } else { "" };
         writeln!(f, "{begin:16}  {end:16}  {:>6.1}  {:>14}{guess}", absence.hours(), absence.stray)?;
     }
     if absences.iter().any(|absence| absence.is_guess) {
-        writeln!(f, "A guess is told by silence after somebody was at the entrance: no contact tells of a door.")?;
+        writeln!(f, "Estimated: movement at the entrance, then no movement at home. No door contact reports this absence.")?;
     }
     match absences.len().saturating_sub(MOST_ABSENCES) {
         0 => Ok(()),
