@@ -105,7 +105,10 @@ fn absences(f: &mut fmt::Formatter, absences: &[Absence]) -> fmt::Result {
         writeln!(f, "{begin:16}  {end:16}  {:>6.1}  {:>14}{guess}", absence.hours(), absence.stray)?;
     }
     if absences.iter().any(|absence| absence.is_guess) {
-        writeln!(f, "Estimated: movement at the entrance, then no movement at home. No door contact reports this absence.")?;
+        writeln!(
+            f,
+            "Estimated: movement at the entrance, then no movement at home. No door contact reports this absence."
+        )?;
     }
     match absences.len().saturating_sub(MOST_ABSENCES) {
         0 => Ok(()),

@@ -52,11 +52,10 @@ Columns of --profiles:
   age         in years; only the text of the member's routine shows it
   pace_mps    walking speed in metres a second
   conditions  conditions instead of the routine's, joined by +; or none
-  severity    mild, moderate or severe. For several conditions, give one value for all, or one each, joined by +; the same
-              holds for the next three columns
-  onset       start of the condition: week 6, day 40 or 2009-04-13; by default the start of the run
-  over        time from the onset to the full effect: 10 days, 4 weeks
-  until       end of the condition: week 12, day 80, 2009-06-01
+  severity    mild, moderate or severe; one value for all conditions, or one each, joined by +
+  onset       start of the condition: week 6, day 40 or 2009-04-13; by default the start of the run; joined likewise
+  over        time from the onset to the full effect: 10 days, 4 weeks; joined likewise
+  until       end of the condition: week 12, day 80, 2009-06-01; joined likewise
   routine     another routine file in the scenario's folder
   resident    the resident that the row is about, in homes with several routines
   home        another home file in the scenario's folder")]

@@ -111,12 +111,12 @@ fn what_is_wrong_is_told_at_once_and_nothing_is_written() {
     folder.write("wrong.csv", "id,room,x,y,kind\nM1,hall,1,,motion\nM1,hall,,,\n,kitchen,,,\nM2,hall,a,2,laser\n");
     let said = folder
         .run("new flat --from-log codes.txt --sensors wrong.csv")
-        .fails(2, "wrong.csv:2:1: error[new::half-place]: \"M1\"");
+        .fails(2, "wrong.csv:2:1: error[new::half-place]");
     for more in [
-        "wrong.csv:3:1: error[new::same-sensor]: the sensor \"M1\" is already in line 2",
+        "wrong.csv:3:1: error[new::same-sensor]",
         "wrong.csv:4:1: error[new::no-id]",
         "wrong.csv:5:1: error[new::coordinate]: \"a\"",
-        "error[new::kind]: \"laser\"",
+        "wrong.csv:5:1: error[new::kind]",
     ] {
         assert!(said.err.contains(more), "{more}: {}", said.err);
     }

@@ -35,6 +35,10 @@ fn killed_and_given_again(folder: &Folder, words: &str, made: &[&str], signal: &
             continue;
         }
         killed += 1;
+        // The kill came after the last file was whole.
+        if folder.files() == whole {
+            continue;
+        }
         folder.run(words).ok();
         assert_eq!(folder.files(), whole, "{words}, killed after {number} times {LATER:?}");
     }
