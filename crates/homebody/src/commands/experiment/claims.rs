@@ -11,8 +11,8 @@ use rayon::prelude::*;
 /// Measure whether simulations follow the sentences of routines
 ///
 /// Each case adds sentences to a simple routine. It then measures in the ground truth whether they hold: how often, when, how long and
-/// how far. The verdict of a claim is "lived" if the measured value agrees with it. It is "told" if the value does not agree, but
-/// Homebody warned before the run, and "neither" otherwise. The exit code is 2 if the verdict of a claim is "neither".
+/// how far. A claim has one of three verdicts: "lived", if the measured value agrees; "told", if it does not, and Homebody warned before
+/// the run; "neither" otherwise. The exit code is 2 if the verdict of a claim is "neither".
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody experiment claims
