@@ -34,7 +34,7 @@ homebody_core::messages! {
         TooManyRows {
             /// The limit.
             most: usize,
-        } error "too-many-rows" ("the table has more than {most} rows")
+        } error "too-many-rows" ("the table of located residents has more than {most} rows")
             hint ("locate the residents again, with a shorter log");
     }
 }

@@ -147,7 +147,7 @@ homebody_core::messages! {
             hint ("write the truth to a database or files");
         /// The program that uses this destination hands over rows of another table.
         OtherRow error "other-row" ("a row does not belong to the table of the log")
-            hint ("hand over the rows of the log's table");
+            hint ("pass rows of the table of the log to this destination");
         /// Each message is published on the topic of its sensor.
         NoSensor error "no-sensor" ("a row names no sensor")
             hint ("hand over the rows of the log's table");

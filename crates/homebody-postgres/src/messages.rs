@@ -19,7 +19,7 @@ homebody_core::messages! {
             hint ("write one of {known}", known = known.join(", "));
         /// Names of schemas reach SQL, so they consist of plain characters.
         Schema { name: String } error "schema" ("{name:?} cannot be the name of a schema")
-            hint ("use at most 63 characters from a-z, 0-9 and _, no digit first, and no schema of the server itself");
+            hint ("use at most 63 characters from a-z, 0-9 and _; do not begin with a digit, and do not name a schema of the server, such as information_schema");
         /// The user is the part before `@`, or comes from PGUSER or USER.
         NoUser error "no-user" ("the URL names no user, and neither does the environment")
             hint ("write postgresql://USER@HOST/DATABASE");
@@ -119,7 +119,7 @@ homebody_core::messages! {
             hint ("check which other program changes the database");
         /// A fleet continues runs of its own version.
         ForeignRun { run: i64, holds: String, version: String }
-            error "foreign-run" ("the run {run} already exists and is not of this fleet: it has {holds} of version {version}")
+            error "foreign-run" ("the run {run} already exists and is not of this fleet: it contains {holds} of version {version}")
             hint ("pass --replace-rows to replace it, or name another schema: ?schema=NAME");
         /// The tables go to the first schema of the user's search path that exists.
         NoSchema error "no-schema" ("this user has no schema")

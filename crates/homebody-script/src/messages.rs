@@ -179,7 +179,7 @@ homebody_core::messages! {
             hint ("end the loop, or spread the work over several decisions");
         /// A function calls itself, directly or through others, and does not end.
         DeepCalls error "deep-calls" ("the functions of the script call each other too deeply")
-            hint ("let the last function return without another call");
+            hint ("check that each function that calls itself stops after some calls");
         /// Homebody takes the steps of a script one after the other. The limit of waiting steps is our choice.
         TooManySteps {
             /// The limit.

@@ -45,5 +45,5 @@ value  Distance of B from A: 0 means equal, 1 means disjoint (density maps have 
        telling A from B is guessing.
 floor  The distance between the two halves of A's days.
 -      Not available: sensor names differ, ONs have no end, or there are too few days (a forest needs 4 on each
-       side for days, 2 for hours).
+       log to separate days, and 2 to separate hours).
 ";

@@ -48,7 +48,7 @@ crate::messages! {
             from: Point,
             /// The begin of the segment.
             to: Point,
-        } error "jump" ("its segment begins at {to:.2}, but the body is at {from:.2}")
+        } error "jump" ("its segment of movement begins at {to:.2}, but the body is at {from:.2}")
             hint ("let the body walk there, or leave the home and come back");
         /// The place is more than half a metre from every room and every opening of a door.
         Outside {

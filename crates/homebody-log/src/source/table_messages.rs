@@ -94,7 +94,7 @@ homebody_core::messages! {
             hint ("give a log with a time, a sensor and a value in each row");
         /// Most rows could not be parsed, so the table is likely to have other columns than Homebody takes them for.
         ManyLost { skipped: u64, rows: u64 }
-            error "many-lost" ("{skipped} of its {rows} rows lack an instant, a sensor or a value like those of the other rows")
+            error "many-lost" ("Homebody cannot read {skipped} of the {rows} rows: a time, a sensor or a value is missing, or differs in form from the other rows")
             hint ("correct the rows, or name the columns with --mapping logger.json");
         /// `--home-column` names a column of the heading.
         NoHomeColumn { column: String, columns: String }

@@ -43,9 +43,9 @@ homebody_core::messages! {
 
 /// Fit a scenario to the log of its home, and evaluate the fit
 ///
-/// Homebody fits the timing, the reach and the missed passes of the sensors, the routine of the resident, the amount of movement, the
-/// variation between days, and the shares of repeated and lost messages. It simulates the fitted scenario and compares it with days
-/// that it did not use.
+/// Homebody fits the timing and the reach of the sensors, the share of passing people that they miss, the routine of the resident, the
+/// amount of movement, the variation between days, and the shares of repeated and lost messages. It simulates the fitted scenario and
+/// compares it with days that it did not use.
 ///
 /// The scenario must have one resident. Its sensors must have the names that the log uses, unless its logger.json maps their ids.
 /// Walls, furniture and everything else that a log does not show stay as in the scenario.

@@ -29,7 +29,7 @@ use std::path::{Path, PathBuf};
 For a sensor that reports OFF, an ON after an ON counts as a repeated message. An OFF without an ON
 before it counts as a missing ON. A sensor is dead if it has sent nothing for the last two days or
 more, and for at least three times its longest earlier silence. A motion sensor is stuck if it is on
-for 6 h. A sensor with readings, such as a thermometer, is stuck after 50 equal values in a day or more.
+for 6 h. A sensor with readings, such as a thermometer, is stuck if it repeats one value 50 times or more, over a day or more.
 
 The kind of a sensor is motion, contact, used (of a thing that people use, such as a tap), reading or
 other. Homebody takes it from the first of: a sensors.csv in the log's folder (columns id,kind), the

@@ -62,7 +62,7 @@ pub struct Away {
     /// Folder for rows that wait for a server, with --on-unavailable spool
     #[arg(long, value_name = "FOLDER", default_value = "spool")]
     spool: PathBuf,
-    /// Most rows to store for each server, in MB; at this limit the run stops, and you can resume it
+    /// Largest size of the rows stored for each server, in MB; at this limit the run stops, and you can resume it
     #[arg(long, value_name = "MB", default_value_t = 1024)]
     spool_mb: u64,
     #[command(flatten)]

@@ -25,8 +25,8 @@ homebody_core::messages! {
 
 /// List the parameters of the models, with units and ranges
 ///
-/// The models are those of people, sensors and the link. `homebody run --set` changes a parameter for a run, and "numbers" in
-/// scenario.json for a scenario.
+/// The models are those of people, sensors and the link. `homebody run --set` changes a parameter for one run. The key "numbers" in
+/// scenario.json changes it for all runs of the scenario.
 #[derive(clap::Args)]
 #[command(after_long_help = "Examples:
   homebody parameters

@@ -49,7 +49,7 @@ with the feature cloud can write the folder to an object store.
 Columns of --profiles:
   name        name of the member's folder
   seed        the member's own seed; by default from the name and the seed of the run
-  age         in years; only the text of the member's routine shows it
+  age         in years; Homebody writes it into the member's routine, and it has no other effect
   pace_mps    walking speed in metres a second
   conditions  conditions instead of the routine's, joined by +; or none
   severity    mild, moderate or severe; one value for all conditions, or one each, joined by +

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// Homebody reports sensors that are stuck, dead or weak, lose messages, fire without cause, face a different direction from that
 /// in the plan, or have a wrong clock, and since when.
 ///
-/// It locates the residents from all sensors, and again without each sensor in turn, and compares that sensor with both paths. It
+/// It locates the residents from all sensors, and again four times, each time without a quarter of the sensors, which it compares with both paths. It
 /// also compares each sensor with its own behaviour on other days; use a log of two weeks or more if you can.
 #[derive(clap::Args)]
 #[command(after_long_help = format!("Examples:

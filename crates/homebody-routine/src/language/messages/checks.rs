@@ -18,7 +18,7 @@ homebody_core::messages! {
             /// The other sentence.
             other: String,
         } error "contradiction" ("line {other_line} says the opposite: {other:?}")
-            hint ("leave one sentence out, or write from when or until when each holds: \"until day 100\"");
+            hint ("leave one sentence out, or add to each sentence the days on which it holds, such as \"until day 100\"");
         /// The duration or the end of an outing already decides when the person comes home.
         HomeTwice {
             /// The line of the outing.

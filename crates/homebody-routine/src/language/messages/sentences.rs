@@ -31,7 +31,7 @@ homebody_core::messages! {
             hint ("indent only lines below a heading such as \"Every day\"");
         /// An indented line has to be a sentence with a person and an activity.
         NothingDone error "nothing-done" ("this sentence has no activity")
-            hint ("write who does what, such as \"she reads\", and do not indent a heading");
+            hint ("write who does what, such as \"she reads\"; if the line is a heading, do not indent it");
         /// A heading holds for the indented lines below it.
         EmptyHeading error "empty-heading" ("this heading has no lines below it")
             hint ("indent the lines that belong to it, or write the activity in the same sentence");

@@ -30,7 +30,7 @@ use std::path::PathBuf;
   homebody experiment alerts --layouts --png curves.png
 
 JSON has \"rows\", each with condition, rule, sensitivity, lead_days and false_alarms_per_week, with 95 %
-confidence intervals; and \"curves\" for other numbers of standard deviations.")]
+confidence intervals; and \"curves\", the same for alert rules with other thresholds, in standard deviations.")]
 pub struct Arguments {
     /// Number of people
     #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(9..=100_000))]

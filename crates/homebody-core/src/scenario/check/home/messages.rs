@@ -96,7 +96,7 @@ crate::messages! {
         DoorsInWalls {
             /// The largest number.
             most: usize,
-        } error "doors-in-walls" ("too many walls lie on each other at the doors: more than {most} in total")
+        } error "doors-in-walls" ("the doors lie in more than {most} walls in total, because walls lie on each other")
             hint ("draw each wall once, from corner to corner");
         /// A piece of furniture has a middle and a size, or an outline.
         IncompleteForm {
