@@ -351,7 +351,7 @@ mod tests {
             "port \"99999\"",
             "schem",
             "did you mean schema?",
-            "sslmode=\"on\"",
+            "\"on\" is not a valid value of sslmode",
             "pg_x",
             "run has no value",
         ] {

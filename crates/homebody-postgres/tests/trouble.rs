@@ -220,7 +220,7 @@ fn a_run_that_is_there_is_refused_replaced_or_gone_on_with() {
     assert_eq!(server.psql(&database, "SELECT count(*) FROM firing WHERE run_id = 2"), "1", "others stay");
     server.psql(&database, "DELETE FROM homebody_run");
     refused(&url, How::New, &["already"]);
-    refused(&format!("{url}&run=x"), How::New, &["run=x is no whole number"]);
+    refused(&format!("{url}&run=x"), How::New, &["run=x is not a whole number"]);
     live(&format!("{url}&run=8"), How::New).unwrap();
     assert_eq!(server.psql(&database, "SELECT count(*) FROM firing WHERE run_id = 8"), "200");
     // A run that could not begin leaves nothing that would be in the way.
