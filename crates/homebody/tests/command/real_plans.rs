@@ -62,7 +62,7 @@ fn found(bytes: &[u8]) -> Found {
     let needed: Vec<String> =
         NEEDED.iter().map(|(name, roles)| format!("{name} {}", if has(roles) { "yes" } else { "no" })).collect();
     let reached = places.all().iter().filter(|spot| spot.is_reachable).count();
-    let lacks: Vec<&str> = imported.err.lines().filter(|line| line.contains("ordinary life here yet")).collect();
+    let lacks: Vec<&str> = imported.err.lines().filter(|line| line.contains("[new-home::routine-lacks]")).collect();
     let day = lacks.is_empty().then(|| lived(&folder));
     let is_lived_in = day.is_some_and(|day| day.iter().zip(LEAST).all(|(had, least)| *had >= least));
     let day = match day {
