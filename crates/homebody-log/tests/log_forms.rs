@@ -28,10 +28,11 @@ homebody convert mit:activities_data.csv --out csv:mit.csv
 
 ";
 
-const TAIL: &str = " If Homebody is built with the feature `parquet`, it also reads `parquet` (files, and folders of files by run and day)
-and `arrow` (files of Arrow IPC): see [Parquet and Arrow](../how-to/parquet.md). A text file may be compressed with gzip or, with that
-feature, with Zstandard. Homebody recognises the compression by the first bytes and unpacks while it reads. It refuses a compressed file
-that is truncated or damaged.
+const TAIL: &str = "
+If Homebody is built with the feature `parquet`, it also reads `parquet` (files, and folders of files by run and day) and `arrow` (files of
+Arrow IPC): see [Parquet and Arrow](../how-to/parquet.md). A text file may be compressed with gzip or, with that feature, with Zstandard.
+Homebody recognises the compression by the first bytes and unpacks while it reads. It refuses a compressed file that is truncated or
+damaged.
 
 Homebody reads a log of any size in little memory. It opens databases read-only, except one that an interrupted run of Homebody left
 in the middle of a transaction. It writes parts of a log only to the places that the command names.
