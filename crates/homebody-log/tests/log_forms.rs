@@ -29,8 +29,8 @@ homebody convert mit:activities_data.csv --out csv:mit.csv
 ";
 
 const TAIL: &str = "
-A program with the feature `parquet` also reads `parquet` (files, and folders of files by run and day) and `arrow` (files of Arrow
-IPC): see [Parquet and Arrow](../how-to/parquet.md). Any text may be compressed with gzip, and with that feature with Zstandard.
+If Homebody is built with the feature `parquet`, it also reads `parquet` (files, and folders of files by run and day) and `arrow` (files of
+Arrow IPC): see [Parquet and Arrow](../how-to/parquet.md). A text file may be compressed with gzip or, with that feature, with Zstandard.
 Homebody recognises the compression by the first bytes and unpacks while it reads. It refuses a compressed file that is truncated or
 damaged.
 
@@ -47,26 +47,26 @@ Each row has a timestamp, a sensor and a value.
 | local time or UTC | takes the clock of most of the first rows, and reports rows on the other clock |
 | fractions of seconds | accepts any length |
 | a line or value longer than the [limits](limits.md) | refuses the log |
-| an interval (start and end) | writes an ON and an OFF, sorted by time over up to a million rows; it reports an interval that ends before it begins |
-| a table with a row for each second | makes rows of changes only; a pause of more than a minute is a gap, and sensors and activities end with the last row before it |
+| an interval (start and end) | makes an ON and an OFF, and sorts up to a million rows by time; it reports an interval that ends before it begins |
+| a table with a row for each second | makes a row for each change only. A pause of more than a minute is a gap: all states and activities end with the last row before it |
 | ARAS, which has no dates | day n becomes day n of 1970 |
 
-Homebody accepts a form on evidence. A text has the form `casas` if few names repeat in its first lines, with states such as ON or
-with numbers. The log of a program is an error, and the message says so. Other files are errors, too: packed archives, pictures, web
-pages, database dumps, MATLAB, NumPy and R files, Git LFS pointers. The message names the kind of the file and a way to a log.
+Homebody accepts a form only on evidence. For example, a text has the form `casas` if its first lines repeat a small number of names, with
+states such as ON or with numbers. The log of a program, such as a web server, is an error, and the message says so. These files are errors,
+too: packed archives, pictures, web pages, database dumps, MATLAB, NumPy and R files, Git LFS pointers. The message names the kind of the
+file and a way to a log.
 
-In the form `casas`, a word between sensor and value is the sensor's room or place, if each sensor has only one. Homebody leaves out
-and reports a damaged state such as `ONc`. It counts values that are neither states nor numbers, if nearly all other values are.
+In the form `casas`, a word between sensor and value is the sensor's room or place, if each sensor always has the same word. Homebody leaves
+out and reports a damaged state such as `ONc`. If nearly all values are states or numbers, it also counts the remaining values.
 
 A folder with a file for each day is one log: all files have one form, their names differ by numbers, and their times do not overlap.
-Numbers after words such as `home` or `patient` count homes, so such files stay separate. A silence of twelve hours between two files
-is a gap.
+Numbers after words such as `home` or `patient` mean different homes, so Homebody does not join such files. A silence of twelve hours
+between two files is a gap.
 
 ## Tables
 
-Homebody reads a table by its headings and by the cells of its first thousand rows. `homebody inspect` lists the meaning of each
-column with the reason; so does its `--json`. Other commands report on standard error which columns they recognised by their cells
-alone.
+Homebody reads a table by its headings and by the cells of its first thousand rows. `homebody inspect` lists the meaning of each column with
+the reason, also with `--json`. If other commands recognise a column by its cells alone, they report that on standard error.
 
 | rows | read as |
 |---|---|
@@ -79,7 +79,7 @@ alone.
 | cells | read as |
 |---|---|
 | date and time of day in two columns, with AM and PM or without | one timestamp |
-| dates such as `02/03/2009` | in the order of day and month that the rows decide: a number above 12, consecutive days, points between the numbers, or AM and PM |
+| dates such as `02/03/2009` | dates; the rows decide whether the day or the month comes first, by a number above 12, consecutive days, points between the numbers, or AM and PM |
 | decimal commas and thousands separators | recognised by the numbers |
 | a unit after a number, as in `21.4 °C` | the unit of the sensor |
 | `24:00` | the next midnight |
@@ -110,11 +110,11 @@ Options decide cases that the rows leave open:
 | `--decimals comma`, `--decimals point` | the decimal mark |
 | `--wide` | each column is a sensor; `wide:FILE` means the same |
 
-For a table with unusual names, write a `logger.json` with the names of the table and its columns, and pass it with `--mapping
-logger.json` ([logger](logger.md)). A file `sensors.csv` in the same folder, as a run writes it, gives the names, kinds and rooms of
-sensors. You may write it yourself: `id,kind` is enough, and a kind is `motion`, `contact`, `used`, `reading` or `other`. It overrides
-the kinds that Homebody finds in the log's source and in the names of sensors. `homebody inspect` shows the evidence for the kind of
-each sensor.
+For a table with unusual names, write a `logger.json` with the names of the table and its columns, and pass it with `--mapping logger.json`
+([logger](logger.md)). A file `sensors.csv` in the same folder, as a run writes it, gives the names, kinds and rooms of sensors. You may
+write it yourself. The columns `id` and `kind` are enough, and a kind is `motion`, `contact`, `used`, `reading` or `other`. The file
+overrides the kinds that Homebody finds in the log's source and in the names of sensors. `homebody inspect` shows the evidence for the kind
+of each sensor.
 
 ## Activities
 
@@ -127,11 +127,11 @@ Homebody reads activities with the log, from one of these:
 - if the log has no activities of its own, a table of any name in the same folder, with a start, an end and a label in each row, over
   the same time; `inspect` names it. If several tables fit, `inspect` lists them and Homebody reads none of them
 
-`homebody convert` also writes the activities. Each row has the labels of its time in the column `activity`, separated by `|`. A table
-has the whole activities, as `start_time,end_time,activity`. In a database the table is called `activity`; otherwise it is a file next
-to the log, such as `week.activity.csv`, which pyadlml reads. In the form `casas`, a note goes to the first row from its time on
-without a note. `--activities` adds the ground truth of a run. A log with labels of its own does not need this option, and `convert`
-refuses it there, because such a log has no truth.
+`homebody convert` also writes the activities. Each row has the labels of its time in the column `activity`, separated by `|`. A separate
+table has a row for each activity, with `start_time,end_time,activity`. In a database this table is called `activity`; otherwise it is a
+file next to the log, such as `week.activity.csv`, which pyadlml reads. In the form `casas`, Homebody writes a note into the first row that
+has no other note and is not earlier than the note. `--activities` adds the ground truth of a run. A log with labels of its own does not
+need this option, and `convert` refuses it there, because such a log has no truth.
 
 ## Text files that Homebody writes
 
@@ -139,10 +139,10 @@ refuses it there, because such a log has no truth.
 A name that ends in `.gz` is compressed with gzip. A name that ends in `.zst` is compressed with Zstandard, with the feature
 `parquet`. With `-` as the file, rows go to standard output, and nothing else does; the run ends when the reader closes it.
 
-A text file outside a run's folder has a table of its sensors next to it, `week.sensors.csv` for `week.csv`: the id, name, kind, room,
-position in metres and unit of each, and the time zone of the home. A run's folder has one such table, `sensors.csv`. SQLite has the
-table `sensor`, and the zone in its table `run`. Homebody reads a log with the table of the same name, otherwise with `sensors.csv`. A
-log with only ids gets no table.
+A text file outside a run's folder has a table of its sensors next to it, such as `week.sensors.csv` for `week.csv`. The table has the id,
+name, kind, room, position in metres and unit of each sensor, and the time zone of the home. A run's folder has one such table,
+`sensors.csv`. SQLite has the table `sensor`, and the zone in its table `run`. Homebody reads a log with the table of the same name,
+otherwise with `sensors.csv`. If a log has only the ids of its sensors, Homebody writes no table.
 
 | destination | during the run | after a killed run |
 |---|---|---|
@@ -173,13 +173,13 @@ homebody inspect day.csv.gz
 | doubled | a row repeats the sensor's last row: the same time, the same value |
 | set back | a row is earlier than the one before it |
 | silence | no sensor reports for 12 h or more |
-| dead | a sensor stops reporting two days or more before the log ends, and for three times as long as ever before |
-| stuck | a motion sensor is on for 6 h or more; or 50 readings or more over a day all have the same number |
+| dead | a sensor sends nothing for the last two days of the log or longer; this silence is three times as long as any before it |
+| stuck | a motion sensor is on for 6 h or more; or 50 readings or more, over a day or longer, have the same number |
 | not known | a row reports that the state of the sensor is not known, such as `unavailable` |
 | restored | a row repeats the state after a period in which it was not known: after such a row, or after a gap of the recorder |
 
-If the newest rows come first, or the rows come sensor by sensor, Homebody examines the log in the order of time, and `inspect`
-reports that. A sensor without rows that end a state cannot repeat one, and neither can numbers.
+If the newest rows come first, or the rows come sensor by sensor, Homebody examines the log in the order of time, and `inspect` reports
+that. Homebody reports no repeated rows for a sensor without rows that end a state, and none for numbers.
 
 Homebody recognises states by their words in the languages of the plan importer: `ON`, `No motion`, `geschlossen`, `有人`. A sensor
 whose name indicates motion, a contact or a bed may alternate between two other words. Then `inspect` guesses which of them is ON and

@@ -15,9 +15,9 @@ const HEAD: &str = "\
 
 This page lists the tables of the ground truth: each resident's position and activities, and the cause of each firing.
 
-A run writes its truth to `truth.db`, an SQLite database in the run's folder. Pass `--truth` to choose another destination:
-`--truth csv:truth.csv` writes a file for each table, such as `truth.cause.csv`. The log contains none of it. This page is made from the
-tables in `crates/homebody-log/src/truth/tables.rs`.
+A run writes its truth to `truth.db`, an SQLite database in the run's folder. Pass `--truth` to choose another destination: `--truth
+csv:truth.csv` writes a file for each table, such as `truth.cause.csv`. The log contains no ground truth. This page is made from the tables
+in `crates/homebody-log/src/truth/tables.rs`.
 
 - In SQLite, each table begins with the column `run_id`, the same id as in the log's rows.
 - The table `run` has one row: its `run_id`, the `home` of a cohort's member, the `scenario`, the `seed`, the times `started_at` and
@@ -30,10 +30,10 @@ The rows depend on the scenario:
 |---|---|
 | `movement`, `room`, `cause`, `resident`, `home` | in every run |
 | `activity` | from a routine or a path |
-| `act` | from a routine, from held keys, or from outside; an act from outside has no resident |
+| `act` | from a routine, from the keyboard, or from an action from outside, which has no resident |
 | `need`, `condition` | from a routine |
 | `off` | if the log's messages are `on_off` or `occupancy` |
-| `lost`, and the causes `duplicate` and `false` | if the scenario has a [link file](link.md), or if a sensor fails from outside |
+| `lost`, and the causes `duplicate` and `false` | if the scenario has a [link file](link.md), or if an action from outside makes a sensor fail |
 | `outside` | if [commands](../how-to/mqtt-and-home-assistant.md) change the home during the run |
 
 A large cohort leaves out `cause`, `off`, `movement` and `lost`, unless you [ask for them](../how-to/simulate-a-cohort.md).
@@ -43,12 +43,13 @@ A large cohort leaves out `cause`, `off`, `movement` and `lost`, unless you [ask
 `cause` has a row for each firing that reached the logger. Its `row` is the `seq` of the log's row with the firing:
 
 - With `fire_only`, each firing has its own row, and each row of the log has a cause.
-- With `on_off` and `occupancy`, several firings may share one row, the ON that they prolonged. A row that ends a hold has no cause:
-  `off` names the last firing of the hold.
+- With `on_off` and `occupancy`, several firings may share one row: the first causes the ON, and the others prolong it. The *hold* is the
+  time that the ON lasts. A row that ends a hold has no cause, but `off` names the last firing of the hold.
 - A message that the link lost has no row in the log. It is in `lost` only.
 
-`homebody label` joins a whole log. In SQL, with the table and column names of `scenarios/tigerplace/logger.json`, this query returns the
-first morning: the resident behind each event, and their activity when the cause was first detected.
+`homebody label` joins a whole log with its truth. You can also join them in SQL. This query, with the table and column names of
+`scenarios/tigerplace/logger.json`, covers the first morning. It returns the resident who caused each event, and the activity of this
+resident when the cause was first detected.
 
 ```sql
 ATTACH 'truth.db' AS truth;
