@@ -25,8 +25,8 @@ homebody_core::messages! {
         TooMany error "too-many" ("this run already has {MOST_DEEDS} orders")
             hint ("write frequent events into routines and the link file");
         /// A run takes one order after the other, and a limited number of them wait.
-        Busy error "busy" ("too many orders wait for this run")
-            hint ("send the order again later");
+        Busy error "busy" ("too many commands are waiting for this run")
+            hint ("send the command again later");
         /// The broker gets the events of this run in real time, as other programs expect it.
         RealTime error "real-time" ("this broker takes events in real time only")
             hint ("choose at most 1 for \"times\", or add ?allow-fast=true to the URL of the broker");

@@ -282,7 +282,7 @@ homebody_core::messages! {
             place: String,
             /// The table.
             table: String,
-        } error "table-left-out" ("{place} leaves out the table {table:?}, as the truths of large cohorts do")
+        } error "table-left-out" ("{place} has no table {table:?}: the ground truth of a large cohort has only some of the tables")
             hint ("replay the recording of this member: homebody replay writes all tables");
         /// The destination did not answer within the time that its policy gives it.
         Hangs {

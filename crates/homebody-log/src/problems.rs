@@ -40,7 +40,7 @@ homebody_core::messages! {
             /// The missing parts.
             missing: Vec<String>,
         } error "missing-parts" ("it has {missing}", missing = missing.join(", "))
-            hint ("name the truth database of the same run, or csv:FILE or parquet:FOLDER where each table is a file");
+            hint ("name the truth database of the same run; for a ground truth in files, pass csv:FILE or parquet:FOLDER");
         /// A ground truth has the tables that docs/reference/truth.md lists.
         NoTable {
             /// The table.

@@ -8,7 +8,7 @@ homebody_core::messages! {
             hint ("wait until the program that writes it has written its rows");
         /// A comma separates the cells and also stands in numbers such as `21,5`, so each such number becomes two cells.
         MoreCells { names: usize }
-            error "more-cells" ("its rows have more cells than the {names} of its heading: numbers may have decimal commas")
+            error "more-cells" ("its heading has {names} cells, and most of its rows have more: numbers may have decimal commas")
             hint ("save the table with semicolons between the cells");
         /// Homebody finds the columns of time, sensor and value by their names, and else by their cells. `--mapping logger.json` names them:
         ///

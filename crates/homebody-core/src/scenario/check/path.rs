@@ -68,7 +68,7 @@ crate::messages! {
             /// The resident's own pace.
             pace_mps: f64,
         } error "too-slow"
-            ("the walk of {length_m:.1} m would take {hours:.1} hours, until the given time of day", hours = span_s / 3600.0)
+            ("the walk of {length_m:.1} m has {hours:.1} hours until the time in \"arrive_at\", and this is too slow", hours = span_s / 3600.0)
             hint ("give an earlier time, or add a \"wait\" before the walk: at {pace_mps} m/s it takes {usual_s:.0} s", usual_s = length_m / pace_mps);
         /// A wait and an absence have a duration or an end.
         NoSpan error "no-duration" ("this step has neither \"for_s\" nor \"until\"")

@@ -132,7 +132,7 @@ homebody_core::messages! {
         OneOuting {
             /// The words.
             text: String,
-        } error "one-outing" ("{text:?} is one kind of outing, and a change holds for all outings")
+        } error "one-outing" ("cannot change {text:?} alone: a change of outings applies to all kinds of outings")
             hint ("write \"she goes out half as often\", or end the habit: \"until week 12 she goes for a walk\"");
         /// "More" can be a higher frequency or a longer duration.
         MoreOrLonger {
