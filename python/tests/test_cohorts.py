@@ -303,7 +303,7 @@ def test_of_a_brief_truth_what_has_few_rows_is_kept(tmp_path: Path) -> None:
     one, other = whole.member("0001"), brief.member("0001")
     assert other.activities.to_pandas().equals(one.activities.to_pandas()) and len(other.rooms) == len(one.rooms) > 10
     for read in (other.labelled, lambda: other.truth("movement")):
-        with pytest.raises(hb.LogError, match="leaves out the table .*\n  hint: replay the recording"):
+        with pytest.raises(hb.LogError, match="has no table .*\n  hint: replay the recording"):
             read()
     # A cohort of very many days keeps what is brief, unless all is asked for.
     wanted = {"residents": 40, "profiles": None, "days": 365.0, "seed": 1, "without": [], "form": "parquet", "truth": None}
