@@ -23,7 +23,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from lived import LEAST_SHARE, Life, lived
 
-#: What an ordinary life needs, by the words in which its lack is told.
+#: The words of the messages about missing necessary furniture.
 NEEDED = ("the home has no place to sleep", "the home has no place to sit", "the home has no toilet", "the home has no kitchen")
 HALF = (1000, 760)
 HEAD = 110

@@ -25,8 +25,8 @@ DAY = """
 SELECT (SELECT coalesce(sum(julianday(end_at) - julianday(begin_at)), 0) * 24 FROM activity WHERE name = 'sleeping'),
        (SELECT count(*) FROM activity WHERE name LIKE 'eating_%'), (SELECT count(*) FROM activity WHERE name = 'using_bathroom')
 """
-#: The beginning of a line about missing furniture.
-LACK = "warning: the ordinary routine cannot run yet: "
+#: The beginning of a warning about a need of the ordinary routine that the home does not meet.
+LACK = "warning[new-home::routine-lacks]: "
 
 
 @dataclass

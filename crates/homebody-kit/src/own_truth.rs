@@ -23,7 +23,7 @@ impl NamedLog {
         Ok(None)
     }
 
-    /// The truth that lies beside it, or that its server has of its run.
+    /// The ground truth next to the log, or on the server of the log.
     pub fn truth(&self) -> Option<Url> {
         truth_of(&self.place)
     }
